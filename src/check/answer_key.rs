@@ -1,4 +1,5 @@
 use super::checked::LATITUDE;
+use super::prepared::DEPTH;
 use crate::construction::{Solution, Tolerance};
 use crate::quantity::Scales;
 
@@ -19,9 +20,6 @@ pub struct AnswerKey<'a> {
 }
 
 impl<'a> AnswerKey<'a> {
-    /// How many mistakes are looked for together where nobody says how many.
-    pub const DEPTH: usize = 5;
-
     /// The key of a scene at the scales of its figure. Without limits of the hand's errors those of a sharp pencil hold,
     /// and the scatter of all values shows how much larger they may be.
     #[must_use]
@@ -31,7 +29,7 @@ impl<'a> AnswerKey<'a> {
             scales: solution.scales(),
             tolerance: hand.unwrap_or_default(),
             latitude: if hand.is_some() { 1.0 } else { LATITUDE },
-            depth: AnswerKey::DEPTH,
+            depth: DEPTH,
         }
     }
 }

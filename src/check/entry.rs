@@ -117,6 +117,15 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
     Ok(entries)
 }
 
+/// The values of a form that are not understood by themselves: their places among its values, each with why.
+#[must_use]
+pub fn faults(measured: &Measured, key: &AnswerKey<'_>) -> Vec<(usize, CheckError)> {
+    let names = Names::new(key);
+    let reader = Reader { measured, key, names: &names };
+    let fault = |(place, given): (usize, &Given)| Some((place, reader.entry(given).err()?));
+    measured.values.iter().enumerate().filter_map(fault).collect()
+}
+
 /// The names of a scene's quantities.
 #[derive(Debug)]
 pub(super) struct Names {
@@ -214,6 +223,15 @@ impl Reader<'_> {
         }
         let solution = self.key.solution;
         self.names.rows.row_with_pole(&solution.construction, &ShownNames::of(solution).usual(name))
+    }
+
+    /// The name of the form's row that a written name means, and whether `/mu` stands behind it; `None` for no quantity.
+    pub fn row(&self, written: &str) -> Option<(String, bool)> {
+        let compact: String = written.chars().filter(|c| !c.is_whitespace()).collect();
+        let name = compact.strip_suffix("/mu").unwrap_or(&compact);
+        let (asked, ..) = self.quantity(self.under_slider(name).unwrap_or(name)).ok()?;
+        let row = self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned();
+        Some((row, name != compact))
     }
 
     /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.

@@ -110,6 +110,12 @@ impl<'de> Deserialize<'de> for Value {
 }
 
 impl Measured {
+    /// Whether a form's text is JSON: it begins with a bracket. All else is a table.
+    #[must_use]
+    pub fn is_json(text: &str) -> bool {
+        text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '['])
+    }
+
     /// The values of a form as JSON; blanks are left out.
     ///
     /// # Errors

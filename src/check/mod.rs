@@ -3,18 +3,19 @@
 //! explain the values best: the construction is replayed with one mistake, then with more, and every replay is compared
 //! with all values, right and wrong ones.
 //!
-//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form, `shown` has the
-//! names of the sheets; `entry` finds the quantity of each value, `precision` how finely it is written, `points` the
+//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form, `filled` a filled one, `boxes` lists what a form asks for,
+//! `shown` has the names of the sheets; `entry` finds the quantity of each value, `precision` how finely it is written, `points` the
 //! distances between given places; `checked` gives each value its `verdict`, `prepared` keeps what many forms of one
 //! scene have in common.
 //! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
 //! `datum`, `covariance`, `hand`, `walk`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the
 //! catalogue, `settle` fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the
-//! explanations and chooses the `explanation` that is told; `report` and `result` write it as text and JSON, `redrawn/` draws the
+//! explanations and chooses the `explanation` that is told; `report` and `result` write it as text and JSON, `parts` piece by piece for a page, `redrawn/` draws the
 //! student's sheets as they probably were; `student` draws with mistakes on purpose; `marks` gives the marks that
 //! values earn, `class` sums up many drawings, `feedback` makes of one what its student gets back. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
+mod boxes;
 mod checked;
 mod class;
 mod covariance;
@@ -24,11 +25,13 @@ mod entry;
 mod explanation;
 mod feedback;
 mod file;
+mod filled;
 mod fit;
 mod hand;
 mod marks;
 mod mistakes;
 mod model;
+mod parts;
 mod points;
 mod precision;
 mod prepared;
@@ -49,15 +52,18 @@ mod verdict;
 mod walk;
 
 pub use answer_key::AnswerKey;
+pub use boxes::{FormBox, form_boxes, further_boxes, plan_points};
 pub use checked::{Accuracy, BANDS, Checked, LATITUDE, check};
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
-pub use entry::{Entry, entries};
+pub use entry::{Entry, entries, faults};
 pub use explanation::{Diagnosis, Explanation, Finding};
 pub use feedback::Feedback;
+pub use filled::FilledForm;
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
+pub use parts::{Cause, ReportParts, ReportRow, report_parts};
 pub use precision::Precision;
-pub use prepared::Prepared;
+pub use prepared::{DEPTH, Prepared};
 pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};

@@ -137,7 +137,7 @@ impl ReportText<'_> {
     }
 
     /// How much is allowed, and how accurate the drawing is.
-    fn accuracy(&self) -> Vec<String> {
+    pub(super) fn accuracy(&self) -> Vec<String> {
         let number = |x: f64| self.words.write(x, NumberStyle::shortest());
         let asked = &self.key.tolerance;
         let [mm, degrees] = [asked.mm, asked.degrees].map(number);
@@ -192,7 +192,7 @@ impl ReportText<'_> {
         diagnosis.best.findings.is_empty() && diagnosis.unexplained.len() == 1 && self.count(Verdict::Off) == 1
     }
 
-    fn has_nothing_to_explain(&self) -> bool {
+    pub(super) fn has_nothing_to_explain(&self) -> bool {
         let diagnosis = &self.checked.diagnosis;
         let none = diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty();
         none && self.checked.is_passed()
@@ -219,25 +219,27 @@ impl ReportText<'_> {
         if !diagnosis.others.is_empty() {
             lines.push(String::new());
             lines.push(self.own.check_others().to_owned());
-            for other in &diagnosis.others {
-                let best = &diagnosis.best.findings;
-                let new = other.findings.iter().filter(|f| {
-                    let same = |g: &&Finding| {
-                        g.candidate.mistake == f.candidate.mistake && g.candidate.blanks == f.candidate.blanks
-                    };
-                    !best.iter().any(|g| same(&g))
-                });
-                let told: Vec<String> = new
-                    .map(|f| {
-                        let [done, _] = sentences(&f.candidate, self.words);
-                        format!("{}: {}", self.step(f), self.shown.text(&done))
-                    })
-                    .collect();
-                let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
-                lines.push(format!("  - {} ({end})", told.join("; ")));
-            }
+            lines.extend(diagnosis.others.iter().map(|other| format!("  - {}", self.other(other))));
         }
         lines
+    }
+
+    /// What else explains the values, as far as it differs from the best explanation.
+    pub(super) fn other(&self, other: &Explanation) -> String {
+        let best = &self.checked.diagnosis.best.findings;
+        let new = other.findings.iter().filter(|f| {
+            let same =
+                |g: &&Finding| g.candidate.mistake == f.candidate.mistake && g.candidate.blanks == f.candidate.blanks;
+            !best.iter().any(|g| same(&g))
+        });
+        let told: Vec<String> = new
+            .map(|f| {
+                let [done, _] = sentences(&f.candidate, self.words);
+                format!("{}: {}", self.step(f), self.shown.text(&done))
+            })
+            .collect();
+        let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
+        format!("{} ({end})", told.join("; "))
     }
 
     /// The sentences about mirrored plans.

@@ -33,6 +33,11 @@ impl FormNames {
         FormNames(rows(construction))
     }
 
+    /// The names of the rows, in their order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|row| row.name.as_str())
+    }
+
     /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the
     /// two are one point, and the sheet shows the pole.
     pub fn row_with_pole<'n>(&'n self, construction: &Construction, name: &str) -> Option<&'n str> {
@@ -178,11 +183,11 @@ impl EmptyForm<'_> {
     fn names(&self) -> Vec<String> {
         let shown = ShownNames::of(self.solution);
         let rows = FormNames::new(&self.solution.construction);
-        rows.0.iter().map(|row| shown.in_form(&row.name, &rows)).collect()
+        rows.names().map(|name| shown.in_form(name, &rows)).collect()
     }
 }
 
 /// The text of a cell, in quotes.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('"', "\"\""))
 }

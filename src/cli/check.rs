@@ -62,7 +62,7 @@ pub(super) struct Check {
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
     marks: Option<PathBuf>,
     /// How many mistakes at once are looked for.
-    #[arg(long, default_value_t = AnswerKey::DEPTH as u8, value_parser = clap::value_parser!(u8).range(1..=6))]
+    #[arg(long, default_value_t = check::DEPTH as u8, value_parser = clap::value_parser!(u8).range(1..=6))]
     depth: u8,
     #[command(flatten)]
     mode: Mode,
@@ -323,7 +323,7 @@ impl Check {
 /// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
 pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
     let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if !is_table && text.text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '[']) {
+    if !is_table && Measured::is_json(&text.text) {
         Measured::read_json(&text.text).map_err(|error| text.fail(error))
     } else {
         Measured::read_csv(&text.text).map_err(|error| misuse(text, &error))

@@ -108,23 +108,14 @@ impl Range {
     /// # Errors
     /// [`Failure::Partly`] if a given range goes beyond a limit position.
     pub(super) fn report_events(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
-        let inside = range[0].min(range[1])..=range[0].max(range[1]);
-        let mut events = branch.events();
-        events.retain(|event| !event.is_end() && branch.touches(event, range));
-        for event in events.iter().take(NOTES) {
-            note(&event.text(&branch.drive.at(event.at)));
-        }
+        let events = branch.happenings(range);
+        events.iter().take(NOTES).for_each(|event| note(event));
         if events.len() > NOTES {
             let more = events.len() - NOTES;
             note(&format!("{more} more extreme or change points follow"));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
-        let ends: Vec<String> = [false, true]
-            .into_iter()
-            .filter_map(|above| branch.end(above))
-            .filter(|end| inside.contains(&end.at) || !self.is_given())
-            .map(|end| end.text(&branch.drive.at(end.at)))
-            .collect();
+        let ends = branch.limits(self.is_given().then_some(range));
         if self.is_given() && range.into_iter().any(beyond) {
             let [from, to] = range.map(|v| branch.drive.amount(v));
             return Err(Failure::Partly(format!(

@@ -2,6 +2,7 @@ use super::CycleError;
 use crate::geometry::span;
 use crate::kernel::{InputKind, Kernel};
 use crate::mechanism::{Mechanism, Role, SliderId};
+use crate::words::{Medium, NumberStyle, Wording};
 
 /// A drive that is moved through a range; its value is the link's angle in degrees, or the slider's position along the
 /// guide.
@@ -59,6 +60,18 @@ impl Drive {
         } else {
             format!("{}", shortened(snapped(value, self.size), 12))
         }
+    }
+
+    /// A value as it is shown while the drive moves: an angle with one decimal of a degree, a length with four significant
+    /// digits.
+    #[must_use]
+    pub fn shown(&self, value: f64, words: &Wording) -> String {
+        let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
+        if self.turns {
+            return format!("{}°", decimals(1));
+        }
+        let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
+        decimals(digits.max(0.0) as usize)
     }
 
     /// The name of the drive's value as a quantity, as in `angle(1)` or `position(4/ground)`.

@@ -50,7 +50,7 @@ pub use point_path::{PointPath, PointPaths, Tick};
 pub use position::Position;
 pub use pull::{Pull, Pulled};
 pub use steps::Steps;
-pub use sweep::{Numbers, Sweep};
+pub use sweep::{Numbers, Sweep, every_name};
 pub use traces::{Times, Traces};
 pub use variants::Variants;
 pub use walker::Walker;

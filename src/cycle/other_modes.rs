@@ -3,8 +3,6 @@ use crate::geometry::{degrees_of, span};
 use crate::mechanism::{Mechanism, Role};
 use crate::position::{AssemblyError, Pose, first_poses};
 
-/// Distance of points that counts as none, in sizes of the mechanism.
-const SAME: f64 = 1e-6;
 /// Difference of angles in degrees, or of slides in sizes of the mechanism, that counts as none.
 const STANDS: f64 = 1e-9;
 
@@ -32,12 +30,7 @@ impl OtherModes {
         let standing = standing(&solution.mechanism, &solution.pose);
         let mechanism = standing.as_ref().unwrap_or(&solution.mechanism);
         let poses = first_poses(mechanism, &solution.scene.near, Self::MOST + 2)?;
-        let size = span(solution.pose.points.iter().copied());
-        let is_own = |pose: &Pose| {
-            let mut pairs = pose.points.iter().zip(&solution.pose.points);
-            pairs.all(|(a, b)| (a - b).norm() <= SAME * size)
-        };
-        let own = poses.iter().position(is_own).map(|index| index + 1);
+        let own = poses.iter().position(|pose| pose.is_same_as(&solution.pose)).map(|index| index + 1);
         let others = (1..).zip(poses).filter(|(number, _)| Some(*number) != own);
         let mut shown: Vec<(usize, Pose)> = others.collect();
         let has_more = shown.len() > Self::MOST;

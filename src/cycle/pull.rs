@@ -9,6 +9,8 @@ use std::borrow::Cow;
 
 /// Steps in which a way is gone, in turns of the drive or parts of the mechanism's size.
 const STEP: f64 = 1.0 / 72.0;
+/// The shortest of them, where a point is nearest twice in short succession.
+const LEAST_STEP: f64 = STEP / 64.0;
 /// How far the branch is followed ahead, in the same unit.
 const AHEAD: f64 = 1.0 / 8.0;
 /// Distance that is kept from a limit, in the same unit: there rates are infinite.
@@ -19,6 +21,8 @@ const FAR: [f64; 2] = [1.0, 10.0];
 const FARTHEST: f64 = 100.0;
 /// How much of the branch to either side is kept, in the same unit.
 const KEPT: f64 = 2.0;
+/// A distance that leads past a change point from a place next to it, in the same unit.
+const PAST_CHANGE: f64 = 2.5 * BLANK;
 /// Accuracy of the drive's value, in the same unit.
 const EXACT: f64 = 1e-14;
 /// Distance from a dead centre of a point within which it counts as being there, in the same unit.
@@ -64,10 +68,19 @@ pub struct Pulled {
 
 /// Half the squared distance of a point from a place, derived twice by the drive's value; and whether the point stands
 /// still there for a moment.
+#[derive(Clone, Copy)]
 struct Slope {
     first: f64,
     second: f64,
     is_dead: bool,
+}
+
+impl Slope {
+    /// Whether the slope, if it goes on to bend as here, has an end before the drive has moved so far.
+    fn ends_within(&self, way: f64) -> bool {
+        let end = -self.first / self.second;
+        end * way > 0.0 && end.abs() < way.abs()
+    }
 }
 
 impl Pull {
@@ -100,6 +113,12 @@ impl Pull {
     #[must_use]
     pub fn drive(&self) -> &Drive {
         &self.path.drive
+    }
+
+    /// The drive's value in the scene's own position.
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        self.path.start()
     }
 
     /// The drive's present value.
@@ -175,18 +194,19 @@ impl Pull {
         let far = FAR[usize::from(!self.path.drive.is_angle())] * unit;
         self.follow(self.value + STEP * unit);
         self.follow(self.value - STEP * unit);
-        let Some(sense) = slope(&self.path, self.value).and_then(|here| self.downhill(&here)) else {
+        let start = slope(&self.path, self.value);
+        let Some((mut before, sense)) = start.and_then(|here| Some((here, self.downhill(&here)?))) else {
             return self.stay();
         };
-        let mut from = self.value;
+        let (mut from, mut step) = (self.value, STEP * unit);
         while (from - self.value).abs() < far {
-            let next = from + sense * STEP * unit;
+            let next = from + sense * step;
             self.follow(next + sense * STEP * unit);
             let (mut to, limit) = self.held(next, sense);
             let mut here = slope(&self.path, to);
             if here.is_none() && limit.is_none() {
                 // Next to a change point.
-                to += 2.5 * BLANK * unit * sense;
+                to += PAST_CHANGE * unit * sense;
                 here = slope(&self.path, to);
             }
             match here {
@@ -194,7 +214,13 @@ impl Pull {
                     let lowest = lowest(&self.path, [from, to], slope);
                     return self.arrive(lowest, None);
                 }
-                Some(_) if limit.is_none() => from = to,
+                // The end of the slope and the beginning of the next one may both be in between.
+                Some(here)
+                    if step > LEAST_STEP * unit && (before.ends_within(to - from) || here.ends_within(from - to)) =>
+                {
+                    step *= 0.5;
+                }
+                Some(here) if limit.is_none() => (from, before, step) = (to, here, STEP * unit),
                 Some(_) => return self.arrive(to, limit),
                 None => return self.arrive(from, limit),
             }
@@ -241,11 +267,11 @@ impl Pull {
     fn arrive(&mut self, to: f64, limit: Option<Event>) -> Pulled {
         let (from, unit) = (self.value, self.path.unit());
         let sense = if to == from { self.sense } else { (to - from).signum() };
-        self.follow(to + sense * 2.5 * BLANK * unit);
-        self.follow(to - sense * 2.5 * BLANK * unit);
+        let beside = sense * PAST_CHANGE * unit;
+        self.follow(to + beside);
+        self.follow(to - beside);
         let mut walker = self.path.walker();
         let mut pose = |value: f64| Some((value, walker.position(value)?.pose()));
-        let beside = 2.5 * BLANK * unit * sense;
         let found = pose(to).or_else(|| pose(to + beside)).or_else(|| pose(to - beside)).or_else(|| pose(from));
         let (value, pose) = found.unwrap_or_else(|| {
             // A position without neighbours.
@@ -278,7 +304,11 @@ fn lowest(path: &Path<'_>, [mut down, mut up]: [f64; 2], slope: impl Fn(&Path<'_
     let sense = (up - down).signum();
     let mut at = up;
     for _ in 0..STEPS {
-        let Some(here) = slope(path, at) else { return down };
+        // Next to a change point there is no slope, but on both sides of it.
+        let beside = [0.0, -1.0, 1.0].map(|side| at + side * PAST_CHANGE * path.unit() * sense);
+        let mut between = beside.into_iter().filter(|at| (at - down) * sense > 0.0 && (up - at) * sense >= 0.0);
+        let Some((found, here)) = between.find_map(|at| Some((at, slope(path, at)?))) else { return down };
+        at = found;
         if here.first * sense < 0.0 {
             down = at;
         } else {

@@ -152,8 +152,10 @@ fn push(column: &Column, found: Option<Quantity>, numbers: &mut Numbers) {
     }
 }
 
-/// Names of the quantities of a table for which none are asked.
-fn every_name(mechanism: &Mechanism) -> Vec<String> {
+/// Names of the quantities of a table for which none are asked: angles and rates of all links, places and motions of all
+/// points that move, positions and rates of all sliders.
+#[must_use]
+pub fn every_name(mechanism: &Mechanism) -> Vec<String> {
     let links = mechanism.links().map(|(_, body)| &body.name);
     let links = links.flat_map(|l| ["angle", "omega", "alpha"].map(|head| format!("{head}({l})")));
     let fixed = &mechanism.body(GROUND).points;

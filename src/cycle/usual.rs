@@ -13,6 +13,22 @@ impl Path<'_> {
         if self.low() <= turn { [turn, turn + 360.0] } else { range }
     }
 
+    /// What happens on the path within a range, in words: extreme and change points.
+    #[must_use]
+    pub fn happenings(&self, range: [f64; 2]) -> Vec<String> {
+        let mut events = self.events();
+        events.retain(|event| !event.is_end() && self.touches(event, range));
+        events.iter().map(|event| event.text(&self.drive.at(event.at))).collect()
+    }
+
+    /// The limits that end the path within a range, in words; all of them without a range.
+    #[must_use]
+    pub fn limits(&self, range: Option<[f64; 2]>) -> Vec<String> {
+        let is_inside = |at: f64| range.is_none_or(|[a, b]| (a.min(b)..=a.max(b)).contains(&at));
+        let ends = [false, true].into_iter().filter_map(|above| self.end(above));
+        ends.filter(|end| is_inside(end.at)).map(|end| end.text(&self.drive.at(end.at))).collect()
+    }
+
     /// The step of a table: 1° for an angle; for a slider the largest of 1, 2 or 5 times a power of ten that is at most a
     /// two-hundredth of the range.
     #[must_use]

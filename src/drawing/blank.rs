@@ -5,6 +5,7 @@ use super::scheme::Scheme;
 use super::table::Cells;
 use super::text::RichText;
 use super::worksheet::{CELLS, TablePlace, Worksheet, table};
+use crate::construction::{Plan, Solution};
 use crate::quantity::{Asked, What};
 
 /// Widths of the boxes for millimetres and values, in mm.
@@ -38,6 +39,29 @@ fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> 
         since: 0,
         stands_out: false,
         boxes: [false, is_length, false, true, false],
+    }
+}
+
+/// How the sheets of a scene write quantities and plan points.
+pub struct SheetLabels<'a>(Scheme<'a>);
+
+impl<'a> SheetLabels<'a> {
+    /// The labels of a scene.
+    #[must_use]
+    pub fn of(solution: &'a Solution) -> SheetLabels<'a> {
+        SheetLabels(Scheme::new(solution))
+    }
+
+    /// A quantity: a segment or length by its ends, a rate by its symbol.
+    #[must_use]
+    pub fn quantity(&self, asked: &Asked) -> RichText {
+        RichText::math(&self.0.quantity(asked))
+    }
+
+    /// A point of a plan.
+    #[must_use]
+    pub fn plan_point(&self, plan: &Plan, name: &str) -> RichText {
+        RichText::math(&self.0.shown(name, Some(plan)))
     }
 }
 

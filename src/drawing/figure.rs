@@ -171,6 +171,16 @@ struct LaidOut<'a> {
 }
 
 impl Scheme<'_> {
+    /// The same with the scales of the figure, or of the sheets with steps, also where each sheet has its own.
+    pub(super) fn with_scales_of(self, steps: Option<Steps>) -> Self {
+        let mut scheme = self.with_scales();
+        if scheme.figure.shown_panels().iter().any(|&panel| scheme.mu[panel as usize].is_none()) {
+            let layout = scheme.laid_out(steps).layout;
+            scheme.mu = PanelName::ALL.map(|panel| scheme.mu[panel as usize].or(layout.mu(kind(panel))));
+        }
+        scheme
+    }
+
     /// The sheet with the panels. The table of a work sheet is on it where the panels leave room for it at their scales;
     /// where each sheet has scales of its own, it always is.
     fn laid_out(&self, steps: Option<Steps>) -> LaidOut<'_> {

@@ -53,6 +53,7 @@ mod words;
 mod worksheet;
 
 pub use arrow::arrow_head;
+pub use blank::SheetLabels;
 pub use correction::{overlay, overlay_words};
 pub use curves::{CurvesError, curves, hodographs, paths};
 pub use exercise::{exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};

@@ -87,7 +87,7 @@ impl Stage {
     #[must_use]
     pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> Stage {
         let traces = Arc::new(Traces::of(own));
-        let own_scheme = with_modes(Scheme::with(own, Arc::clone(&traces)).with_scales(), modes);
+        let own_scheme = with_modes(Scheme::with(own, Arc::clone(&traces)).with_scales_of(steps), modes);
         let animation = Animation::new(own, None, POSITIONS).ok();
         let positions = animation.as_ref().map_or(&[][..], |animation| &animation.positions);
         let schemes: Vec<Scheme<'_>> = positions
@@ -127,6 +127,12 @@ impl Stage {
             Some(Steps::Coarse) => drawing.in_passages(&scheme, &solution.construction.passages()),
             _ => drawing,
         }
+    }
+
+    /// The scale of a panel, in units per mm of paper.
+    #[must_use]
+    pub fn mu(&self, panel: PanelName) -> Option<f64> {
+        Some(self.placed(panel)?.1.mu)
     }
 
     /// The panels of one of the stage's drawings.

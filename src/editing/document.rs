@@ -24,11 +24,9 @@ impl<'a> Document<'a> {
     /// The text is not JSON, or not an object.
     pub fn new(given: &'a str) -> Result<Self, SceneError> {
         let tree = SceneTree::read(given)?;
-        let document = Document { given, body: tree.body.to_owned() };
-        match (&tree.root, serde_json::from_str::<Json>(tree.body)) {
-            (Value::Object(_), Ok(_)) => Ok(document),
-            (Value::Object(_), Err(error)) => Err(document.error(&[], error.to_string(), None)),
-            _ => Err(document.error(&[], "a scene is an object { … }", None)),
+        match tree.root {
+            Value::Object(_) => Ok(Document { given, body: tree.body.to_owned() }),
+            _ => Err(SceneTree::error(given, &[], "a scene is an object { … }", None)),
         }
     }
 
@@ -38,9 +36,9 @@ impl<'a> Document<'a> {
         format!("{mark}{}", self.body)
     }
 
-    /// The text as JSON.
+    /// The text as JSON; of a key that stands twice the last value.
     pub fn json(&self) -> Json {
-        serde_json::from_str(&self.body).unwrap_or_default()
+        self.tree().map_or(Json::Null, |tree| value_of(&tree.root))
     }
 
     /// An error at a path of the text that was handed over.
@@ -217,6 +215,24 @@ fn known_part(root: &Value<'_>, path: &[&str]) -> usize {
     (0..=path.len()).rev().find(|&known| find(root, &path[..known]).is_some()).unwrap_or(0)
 }
 
+/// A part of the tree as JSON. Numbers are read to the last bit, which serde_json does not do.
+fn value_of(node: &Value<'_>) -> Json {
+    match node {
+        Value::StringLit(text) => Json::from(text.value.as_ref()),
+        Value::NumberLit(number) => match number.value.parse::<i64>() {
+            Ok(whole) => Json::from(whole),
+            Err(_) => Json::from(number.value.parse::<f64>().unwrap_or(0.0)),
+        },
+        Value::BooleanLit(truth) => Json::from(truth.value),
+        Value::NullKeyword(_) => Json::Null,
+        Value::Array(array) => array.elements.iter().map(value_of).collect(),
+        Value::Object(object) => {
+            let entries = object.properties.iter();
+            entries.map(|property| (property.name.as_str().to_owned(), value_of(&property.value))).collect()
+        }
+    }
+}
+
 /// Whether a part of the text says this.
 fn same(node: &Value<'_>, value: &Json) -> bool {
     match (node, value) {
@@ -295,7 +311,7 @@ fn added(
             let is_inline = after.is_some_and(|after| after.indent(body).is_none());
             let gap = match before.indent(body).filter(|_| !is_inline) {
                 Some(indent) => format!(",{}", line(indent)),
-                None => layout.comma.to_owned(),
+                None => gap_before(body, parts, index - 1).unwrap_or(layout.comma).to_owned(),
             };
             (before.range().end..before.range().end, gap + text)
         }
@@ -319,6 +335,13 @@ fn added(
             (range, format!("{open}{inside}{close}"))
         }
     }
+}
+
+/// What stands between a part and the one before it on the same line, unless it is more than a comma and spaces.
+fn gap_before<'t>(body: &'t str, parts: &[&dyn Part], index: usize) -> Option<&'t str> {
+    let before = parts.get(index.checked_sub(1)?)?;
+    let gap = &body[before.range().end..parts[index].range().start];
+    gap.chars().all(|c| c == ' ' || c == ',').then_some(gap)
 }
 
 /// The indentation of the keys of the top, if they have lines of their own.

@@ -107,13 +107,13 @@ fn of_position(value: f64, now: &Pose) -> Decimals {
     Decimals::of_size(value.abs().clamp(0.1 * size, size))
 }
 
-/// The angle plus the number of whole turns that brings it nearest to another one.
-fn near_to(degrees: f64, other: f64) -> f64 {
+/// The angle plus the number of whole turns that brings it nearest to another one, all in degrees.
+pub(super) fn near_to(degrees: f64, other: f64) -> f64 {
     degrees + 360.0 * libm::round((other - degrees) / 360.0)
 }
 
 /// Where a link's drive or the link itself gives the angle; `None` where neither does.
-fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
+pub(super) fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
     let entry = &scene["links"][link];
     let path: &[&str] = match (entry["drive"]["angle"].is_number(), entry["angle"].is_number()) {
         (true, _) => &["links", link, "drive", "angle"],
@@ -125,7 +125,7 @@ fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
 
 /// Where a slider's drive gives its position, in the entry of the slider or in the sliding link; `None` where neither
 /// does.
-pub(super) fn pushing(scene: &Json, mechanism: &Mechanism, drive: &str) -> Option<Vec<String>> {
+fn pushing(scene: &Json, mechanism: &Mechanism, drive: &str) -> Option<Vec<String>> {
     let is_meant = |id: &SliderId| mechanism.slider(*id).drive.is_some() && mechanism.push_name(*id) == drive;
     let SliderId(index) = (0..mechanism.sliders.len()).map(SliderId).find(is_meant)?;
     position_of(scene, index)

@@ -119,8 +119,14 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
     };
     for (index, slider) in scene["sliders"].as_array().into_iter().flatten().enumerate() {
         let index = index.to_string();
-        if slider["through"] == *name {
-            document.remove(&["sliders", &index, "through"])?;
+        let is_first = names.ground.first().is_some_and(|first| first == name);
+        let is_usual =
+            slider["on"] == *"ground" && slider["through"].is_null() && !slider["along"].is_string() && is_first;
+        if slider["through"] == *name || (is_usual && names.drawn.is_none()) {
+            match place(name).filter(|_| slider["on"] == *"ground") {
+                Some(place) => document.set(&["sliders", &index, "through"], &json!(place.map(super::number::json)))?,
+                None => document.remove(&["sliders", &index, "through"])?,
+            }
         }
         let ends = slider["along"].as_str().and_then(|key| pair(key, names.of_carrier(names.carrier(&index))));
         let Some((from, to)) = ends.filter(|(from, to)| from == name || to == name) else {

@@ -3,7 +3,8 @@
 //! where a change follows from the mechanism's position. Nothing is drawn here, and nothing is kept between two changes.
 //!
 //! `document` changes a text value by value and `layout` makes what is added look like what is there; `names` reads the names that
-//! a text gives. On these stand the changes of `edit`: `rename`, `add`, `drop`.
+//! a text gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `drive` moves
+//! the mechanism, `reshape` pulls a joint to another place; `near` makes the text choose the assembly that was seen.
 
 mod add;
 mod document;
@@ -19,8 +20,10 @@ mod number;
 mod present;
 mod quantity_names;
 mod rename;
+mod reshape;
 
 pub use add::blank;
 pub use drive::{with_drive, with_mode};
 pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
 pub use figure::with_figure;
+pub use reshape::{Pins, Reshape, Reshaped};

@@ -30,7 +30,7 @@ pub struct FeedbackPage<'a> {
 /// look the same everywhere.
 #[must_use]
 pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
-    let words: String = page.words.iter().map(|text| format!("<p>{}</p>\n", letters(text))).collect();
+    let words: String = page.words.iter().map(|text| format!("<p>{}</p>\n", html_text(text))).collect();
     let figures = page.figures.iter().map(|drawing| {
         // What stands before the picture belongs to a file of its own.
         let svg = svg::svg_with(drawing, svg::Text::Outlines);
@@ -38,7 +38,7 @@ pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
         format!("<figure>\n{}</figure>\n", &svg[start..])
     });
     let cells = |texts: &[RichText], tag: &str| -> String {
-        texts.iter().map(|text| format!("<{tag}>{}</{tag}>", letters(text))).collect()
+        texts.iter().map(|text| format!("<{tag}>{}</{tag}>", html_text(text))).collect()
     };
     let rows = page.rows.iter().map(|(texts, is_off)| {
         let class = if *is_off { " class=\"off\"" } else { "" };
@@ -62,8 +62,9 @@ pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
     filled(PAGE, &contents)
 }
 
-/// A text with its scripts.
-fn letters(text: &RichText) -> String {
+/// A text as HTML: its scripts as `<sub>` and `<sup>`, slanted letters as `<i>`.
+#[must_use]
+pub fn html_text(text: &RichText) -> String {
     let mut written = String::new();
     for run in text.runs() {
         if run.spaced {
@@ -74,7 +75,10 @@ fn letters(text: &RichText) -> String {
             Script::Super => "sup",
         };
         run.scripts.iter().for_each(|script| written.push_str(&format!("<{}>", tag(script))));
-        written.push_str(&xml(&run.content));
+        match run.italic {
+            true => written.push_str(&format!("<i>{}</i>", xml(&run.content))),
+            false => written.push_str(&xml(&run.content)),
+        }
         run.scripts.iter().rev().for_each(|script| written.push_str(&format!("</{}>", tag(script))));
     }
     written

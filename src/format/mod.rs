@@ -28,7 +28,7 @@ mod workbench;
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::DigitRow;
-pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html};
+pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::PdfError;

@@ -1,5 +1,8 @@
-use crate::geometry::{Ball, Pair, Point, Vector};
+use crate::geometry::{Ball, Pair, Point, Vector, span};
 use crate::mechanism::{PointId, SliderId};
+
+/// Distance of points that counts as none, in sizes of the mechanism.
+const SAME: f64 = 1e-6;
 
 /// The position of a mechanism, in the fixed frame and in the scene's unit of length.
 #[derive(Clone, Debug)]
@@ -34,6 +37,13 @@ impl Pose {
     #[must_use]
     pub fn point(&self, id: PointId) -> Point {
         self.points[id.0]
+    }
+
+    /// Whether the points are in the same places, apart from rounding.
+    #[must_use]
+    pub fn is_same_as(&self, other: &Pose) -> bool {
+        let size = span(self.points.iter().copied());
+        self.points.iter().zip(&other.points).all(|(a, b)| (a - b).norm() <= SAME * size)
     }
 
     /// The vector from one point to another.

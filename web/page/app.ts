@@ -1,5 +1,6 @@
 import type { EngineClient } from "./engine/client.ts";
-import type { Opened, Pins, Refused, View } from "./engine/types.ts";
+import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
+import type { Shared } from "./state/address.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
 import type { Language } from "./words.ts";
@@ -22,19 +23,33 @@ export interface App {
   engine: EngineClient;
   solved: Signal<Solved>;
   view: Signal<View>;
+  /** The picture on the screen, also while something is dragged; null before the first. */
+  picture: Signal<Picture | null>;
   /** Whether pulling a joint changes lengths in place of moving the mechanism. */
   shaping: Signal<boolean>;
   pins: Signal<Pins>;
+  /** Whether the page was opened by a student's link, which shows no answers by itself. */
+  student: Signal<boolean>;
   /** Says something aloud and for a moment on the page. */
   tell(message: string): void;
   /** Shows the panel of this id. */
   show(panel: string): void;
+  /** The panel that is shown; empty where none is. */
+  shown: Signal<string>;
+  /** A place in the text where the eye shall go, in UTF-16 units; the text panel follows and sets it to null. */
+  place: Signal<{ from: number; to: number } | null>;
   /**
    * Lets the person mark a place on the picture: the next presses on it call `picked` with the place on the sheet in mm, until
    * the answer is called. `markers` are drawn there.
    */
   pick(picked: (at: [number, number]) => void): () => void;
   markers: Signal<{ at: [number, number]; label: string }[]>;
+  /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
+  open(text: string): void;
+  /** The address of this page with a document in it. */
+  link(shared: Shared): Promise<string>;
+  /** Prints a sheet, or several, at their true size in mm. */
+  print(svg: string | string[], width: number, height: number): void;
 }
 
 /** A panel beside the picture. */

@@ -1,8 +1,9 @@
 /** Wires the page: store → engine → view → panels. */
 import type { App, Solved } from "./app.ts";
 import { startEngine } from "./engine/client.ts";
-import type { Refused, View } from "./engine/types.ts";
+import type { Picture, Refused, View } from "./engine/types.ts";
 import { PANELS } from "./panels/all.ts";
+import { hashOf } from "./state/address.ts";
 import { history } from "./state/history.ts";
 import { signal } from "./state/signal.ts";
 import { unpacked } from "./unpack.ts";
@@ -18,6 +19,13 @@ async function start(): Promise<void> {
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     view: signal<View>({ step: null, coarse: false, modes: false }),
+    picture: signal<Picture | null>(null),
+    student: signal(false),
+    shown: signal(""),
+    place: signal<{ from: number; to: number } | null>(null),
+    open: (text) => app.history.change({ text }),
+    link: async (shared) => location.href.replace(/#.*/s, "") + (await hashOf(shared)),
+    print: () => undefined,
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
     tell: (message) => void (document.getElementById("said")!.textContent = message),

@@ -1,6 +1,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// What is known of a scene that could be solved.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -8,20 +8,23 @@ pub struct Opened {
     /// Its title, or the usual one.
     pub title: String,
     /// The scene file as JSON.
-    pub scene: Value,
+    #[schemars(extend("tsType" = "Record<string, any>"))]
+    pub scene: Map<String, Value>,
     /// Its drives and where they stand.
     pub drives: Vec<Drive>,
-    /// The steps of the construction.
+    /// The steps of the construction; none of a scene that is too large for them.
     pub steps: Vec<Step>,
     /// Steps that a lecturer shows together: the numbers of the first and the last of each.
     pub passages: Vec<[usize; 2]>,
+    /// What is done in each passage.
+    pub passage_captions: Vec<String>,
     /// Names of points whose paths can be drawn.
     pub traceable: Vec<String>,
     /// Names of quantities for curves, tables and values.
     pub quantities: Vec<String>,
     /// Names of vectors for hodographs.
     pub vectors: Vec<String>,
-    /// The Assur groups in solving order.
+    /// The Assur groups in solving order, as `kinegon structure` prints them.
     pub structure: String,
     /// Warnings of all stages.
     pub warnings: Vec<String>,
@@ -30,7 +33,7 @@ pub struct Opened {
 }
 
 /// A drive and where it stands.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Drive {
     /// A driven link, or a slider on a moving link such as 3/2.
     pub name: String,
@@ -38,7 +41,7 @@ pub struct Drive {
     pub is_angle: bool,
     /// In degrees or units of length.
     pub value: f64,
-    /// In words.
+    /// In words, as `70.0°`.
     pub shown: String,
     /// The least value that it can reach; none where it turns all the way round or slides without end.
     pub low: Option<f64>,
@@ -59,15 +62,28 @@ pub struct Step {
     pub panel: &'static str,
 }
 
-/// How a scene is shown besides what its figure says.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+/// How a scene is shown besides what its `figure` says.
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq)]
 pub struct View {
-    /// The step after which it is shown; none for the finished figure.
+    /// The step after which it is shown, from 1; none for the finished figure.
     pub step: Option<usize>,
     /// Whether steps are the passages.
     pub coarse: bool,
     /// Whether all other assembly modes are drawn pale.
     pub modes: bool,
+    /// The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows
+    /// the scheme alone.
+    #[serde(default)]
+    pub panels: Option<Vec<String>>,
+}
+
+impl View {
+    /// Whether a sheet for this view has the layout of one for another.
+    pub fn is_laid_out_as(&self, other: &View) -> bool {
+        let step = |view: &View| view.step.map(|_| 1);
+        let same = |view: &View| View { step: step(view), coarse: view.coarse && view.step.is_some(), ..view.clone() };
+        same(self) == same(other)
+    }
 }
 
 /// A picture of the scene in one position.
@@ -81,8 +97,10 @@ pub struct Picture {
     pub height: f64,
     /// Its panels.
     pub panels: Vec<Panel>,
-    /// What can be taken hold of.
+    /// What can be taken hold of: the points of the mechanism.
     pub handles: Vec<Handle>,
+    /// The points of the plans that are shown, their poles among them.
+    pub plan_points: Vec<Handle>,
     /// The drives and where they stand.
     pub drives: Vec<Drive>,
     /// What is to be told: a limit that stops the drive, a panel that is cut.
@@ -108,8 +126,49 @@ pub struct Panel {
 pub struct Handle {
     /// The point's name.
     pub name: String,
+    /// The panel in which it is: `scheme`, `velocity`, `acceleration`.
+    pub panel: &'static str,
     /// On the sheet, in mm from its upper left corner.
     pub at: [f64; 2],
-    /// Whether it is a point of the ground.
+    /// Whether it never moves: a point of the ground, or a pole.
     pub is_fixed: bool,
+}
+
+/// A way to assemble the scene.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Mode {
+    /// Its number, as `kinegon modes` counts.
+    pub number: usize,
+    /// The places of moving points, and angles of links, in words.
+    pub shown: String,
+    /// Whether it is that of the scene.
+    pub is_own: bool,
+}
+
+/// A value of the scene's own position.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct ValueRow {
+    /// Its name, as `v(D).size`.
+    pub name: String,
+    /// As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+    pub label: String,
+    /// Those digits that are certain.
+    pub value: String,
+    /// Its unit.
+    pub unit: String,
+    /// How far the value can be from the true one, in the same unit; none where that is not known.
+    pub error: Option<String>,
+}
+
+/// What can be drawn over the cycle.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Drawn {
+    /// The sheet.
+    pub svg: String,
+    /// Width of the sheet in mm.
+    pub width: f64,
+    /// Height of the sheet in mm.
+    pub height: f64,
+    /// Extreme positions, change points, limits, in words.
+    pub events: Vec<String>,
 }

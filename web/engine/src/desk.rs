@@ -1,78 +1,152 @@
-use crate::answers::{Opened, Panel, Picture, Step, View};
+use crate::answers::{Drive, View};
+use crate::gesture::Gesture;
 use crate::refused::Refused;
-use kinegon::Scene;
-use kinegon::construction::{PlanKind, Solution, shown_text};
-use serde_json::Value;
+use kinegon::cycle::{self, OtherModes, Pull};
+use kinegon::drawing::{Stage, Steps};
+use kinegon::mechanism::Mechanism;
+use kinegon::motion::Order;
+use kinegon::position::Pose;
+use kinegon::quantity::{Asked, Quantity};
+use kinegon::scene::{PanelName, SizeLimit};
+use kinegon::{Scene, Solution, order_of_figure, posed};
 
-/// The last scene, solved.
+/// The last scene, solved as far as was asked for, and what is being pulled.
 #[derive(Default)]
 pub struct Desk {
-    current: Option<(String, Solution)>,
+    kept: Option<Kept>,
+    pub gesture: Option<Gesture>,
+}
+
+/// A scene in its position.
+pub struct Kept {
+    text: String,
+    pub scene: Scene,
+    pub mechanism: Mechanism,
+    pub pose: Pose,
+    /// Solved for velocities, and for accelerations.
+    solved: [Option<Solution>; 2],
+    drives: Option<Vec<Drive>>,
+    stage: Option<Staged>,
+}
+
+/// The stage of a view.
+pub struct Staged {
+    view: View,
+    pub own: Solution,
+    pub stage: Stage,
+    pub modes: Option<OtherModes>,
 }
 
 impl Desk {
-    /// The scene of this text, solved.
-    fn solution(&mut self, text: &str) -> Result<&Solution, Refused> {
-        if self.current.as_ref().is_none_or(|(known, _)| known != text) {
-            let scene = Scene::read(text).map_err(|error| Refused::of(text, error))?;
-            let solution = kinegon::solve(&scene).map_err(|error| Refused::of(text, error))?;
-            self.current = Some((text.to_owned(), solution));
+    /// The scene of this text in its position.
+    pub fn kept(&mut self, text: &str) -> Result<&mut Kept, Refused> {
+        if self.kept.as_ref().is_none_or(|kept| kept.text != text) {
+            self.kept = Some(Kept::of(text).map_err(|error| Refused::of(text, error))?);
         }
-        match &self.current {
-            Some((_, solution)) => Ok(solution),
-            None => Err(Refused::whole("there is no scene")),
-        }
+        self.kept.as_mut().ok_or_else(|| Refused::whole("there is no scene"))
     }
 
-    /// What is known of a scene.
-    pub fn open(&mut self, text: &str) -> Result<Opened, Refused> {
-        let scene: Value = serde_json::from_str(text).unwrap_or_default();
-        let solution = self.solution(text)?;
-        let words = solution.wording();
-        let figure = solution.stepwise_figure();
-        let steps = solution.construction.numbered_steps().zip(&figure.steps).map(|(step, caption)| Step {
-            number: step.number,
-            caption: caption.clone(),
-            equation: String::new(),
-            panel: step.plan.map_or("scheme", |plan| match plan.kind {
-                PlanKind::Velocity => "velocity",
-                PlanKind::Acceleration => "acceleration",
-            }),
-        });
-        let _ = (words, shown_text);
-        Ok(Opened {
-            title: figure.title.for_message(),
-            scene,
-            drives: Vec::new(),
-            steps: steps.collect(),
-            passages: Vec::new(),
-            traceable: Vec::new(),
-            quantities: Vec::new(),
-            vectors: Vec::new(),
-            structure: kinegon::format::structure(&solution.mechanism),
-            warnings: solution.warnings().collect(),
-            is_drawn: false,
-        })
+    /// The scene of this text solved for what is drawn by hand.
+    pub fn solution(&mut self, text: &str) -> Result<&Solution, Refused> {
+        let kept = self.kept(text)?;
+        kept.check(SizeLimit::HAND)?;
+        kept.solution(Order::Acceleration)
+    }
+}
+
+impl Kept {
+    fn of(text: &str) -> Result<Kept, kinegon::Error> {
+        let scene = Scene::read(text)?;
+        let (mechanism, pose) = posed(&scene, SizeLimit::NUMBERS, None)?;
+        Ok(Kept { text: text.to_owned(), scene, mechanism, pose, solved: [None, None], drives: None, stage: None })
     }
 
-    /// The picture of a scene.
-    pub fn picture(&mut self, text: &str, view: &View) -> Result<Picture, Refused> {
-        let solution = self.solution(text)?;
-        let drawing = match view.step {
-            None => solution.figure(),
-            Some(step) => solution.stepwise_figure().after_step(step),
+    /// Refuses what the scene is too large for.
+    pub fn check(&self, limit: SizeLimit) -> Result<(), Refused> {
+        limit.check(&self.scene).map_err(|error| self.refused(error))
+    }
+
+    /// An error of this scene.
+    pub fn refused(&self, error: impl Into<kinegon::Error>) -> Refused {
+        Refused::of(&self.text, error)
+    }
+
+    /// The scene solved for this order of motion.
+    pub fn solution(&mut self, order: Order) -> Result<&Solution, Refused> {
+        let index = usize::from(order == Order::Acceleration);
+        let solution = match self.solved[index].take() {
+            Some(solution) => solution,
+            None => Solution::new(self.scene.clone(), self.mechanism.clone(), self.pose.clone(), order)
+                .map_err(|error| self.refused(error))?,
         };
-        let panels = drawing.panels.iter().zip(["scheme", "velocity", "acceleration"]).map(|((name, area), key)| {
-            Panel { name: name.clone(), key, area: [area.x0, area.y0, area.width(), area.height()], is_cut: false }
-        });
-        Ok(Picture {
-            svg: drawing.svg(),
-            width: drawing.width,
-            height: drawing.height,
-            panels: panels.collect(),
-            handles: Vec::new(),
-            drives: Vec::new(),
-            notes: Vec::new(),
-        })
+        Ok(self.solved[index].insert(solution))
     }
+
+    /// The scene solved for its figure.
+    pub fn figure(&mut self) -> Result<&Solution, Refused> {
+        self.check(SizeLimit::FIGURE)?;
+        self.solution(order_of_figure(&self.scene))
+    }
+
+    /// The drives and where they stand; how far they reach only of a scene that can be moved by hand.
+    pub fn drives(&mut self) -> Result<Vec<Drive>, Refused> {
+        if let Some(drives) = &self.drives {
+            return Ok(drives.clone());
+        }
+        let has_ranges = self.check(SizeLimit::STEPS).is_ok();
+        let solution = self.solution(order_of_figure(&self.scene))?;
+        let names = solution.mechanism.drive_names().into_iter();
+        let drives: Vec<Drive> = names.filter_map(|name| drive(solution, &name, has_ranges)).collect();
+        Ok(self.drives.insert(drives).clone())
+    }
+
+    /// The stage of a view.
+    pub fn stage(&mut self, view: &View) -> Result<&Staged, Refused> {
+        self.check(SizeLimit::STEPS)?;
+        let is_same = |staged: &Staged| view.is_laid_out_as(&staged.view);
+        let staged = match self.stage.take().filter(is_same) {
+            Some(staged) => staged,
+            None => {
+                let mut own = self.figure()?.clone();
+                if let Some(panels) = &view.panels {
+                    let is_asked = |panel: &PanelName| panels.iter().any(|name| name == panel.as_str());
+                    own.scene.figure.panels = PanelName::ALL.into_iter().filter(is_asked).collect();
+                    own.scene.figure.focus = None;
+                }
+                let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
+                let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
+                let stage = Stage::new(&own, steps, modes.as_ref());
+                Staged { view: view.clone(), own, stage, modes }
+            }
+        };
+        Ok(self.stage.insert(staged))
+    }
+
+    /// The stage of a view, to be kept elsewhere.
+    pub fn take_stage(&mut self, view: &View) -> Result<Staged, Refused> {
+        self.stage(view)?;
+        self.stage.take().ok_or_else(|| Refused::whole("there is no picture"))
+    }
+}
+
+/// A drive of a solved scene, where it stands.
+fn drive(solution: &Solution, name: &str, has_range: bool) -> Option<Drive> {
+    let words = solution.wording();
+    let drive = cycle::Drive::new(&solution.mechanism, Some(name)).ok()?;
+    let asked = Asked::new(&drive.quantity(), &solution.mechanism).ok()?;
+    let Ok(Quantity::Number(value)) = asked.value(&solution.snapshot(), None, None) else { return None };
+    let mut moved = Drive {
+        name: name.to_owned(),
+        is_angle: drive.is_angle(),
+        value,
+        shown: drive.shown(value, &words),
+        low: None,
+        high: None,
+    };
+    if has_range && let Ok(mut pull) = Pull::new(solution, Some(name)) {
+        moved.value = pull.value();
+        moved.shown = drive.shown(moved.value, &words);
+        [moved.low, moved.high] = pull.ends().map(|end| end.map(|end| end.at));
+    }
+    Some(moved)
 }

@@ -14,14 +14,7 @@ pub struct Kind {
 
 /// All starting scenes.
 pub fn kinds() -> Vec<Kind> {
-    let kind = |(name, text): (&'static str, &str)| {
-        let title = kinegon::Scene::read(text).ok().and_then(|scene| scene.title);
-        Kind { name, title: title.unwrap_or_default().for_message(), text: text.to_owned() }
-    };
-    [
-        ("four-bar", include_str!("../../../templates/four-bar.json")),
-        ("paper-figure-2", include_str!("../../../examples/figure-2.json")),
-    ]
-    .map(kind)
-    .into()
+    let kind =
+        |kind: kinegon::scene::Kind| Kind { title: kind.title().for_message(), name: kind.name, text: kind.text };
+    kinegon::scene::Kind::all().map(kind).collect()
 }

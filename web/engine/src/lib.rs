@@ -4,11 +4,23 @@
 //! library's; the page that calls this is in `web/page`, and the names here are those of its `engine/types.ts`.
 
 mod answers;
+mod checks;
 mod desk;
+mod exercises;
+mod files;
+mod forms;
+mod gesture;
 mod kinds;
+mod opened;
+mod picture;
 mod refused;
 
 use desk::Desk;
+use exercises::Series;
+use kinegon::drawing::{ITALIC, REGULAR};
+use kinegon::editing::{self, Edit};
+use kinegon::exercise::Exercise;
+use kinegon::scene::SceneError;
 use refused::Refused;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -19,6 +31,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[derive(Default)]
 pub struct Engine {
     desk: Desk,
+    series: Option<Series>,
 }
 
 #[wasm_bindgen]
@@ -51,6 +64,189 @@ impl Engine {
     pub fn picture(&mut self, text: &str, view: &str) -> Result<String, String> {
         answer(asked(view).and_then(|view| self.desk.picture(text, &view)))
     }
+
+    /// Takes hold of something: the picture, whose layout stays until it is let go.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn grab(&mut self, text: &str, view: &str, what: &str) -> Result<String, String> {
+        answer(asked(view).and_then(|view| self.desk.grab(text, &view, &asked(what)?)))
+    }
+
+    /// Pulls what is held: the picture of the new position.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn drag(&mut self, to: &str) -> Result<String, String> {
+        answer(asked(to).and_then(|to| self.desk.drag(to)))
+    }
+
+    /// Lets go: the scene's text after the gesture.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    #[wasm_bindgen(js_name = drop)]
+    pub fn let_go(&mut self) -> Result<String, String> {
+        plain(self.desk.let_go())
+    }
+
+    /// The scene's text after some changes.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn edit(&self, text: &str, edits: &str) -> Result<String, String> {
+        plain(asked::<Vec<Edit>>(edits).and_then(|edits| editing::apply(text, &edits).map_err(refused(text))))
+    }
+
+    /// Every way to assemble the scene.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn modes(&mut self, text: &str) -> Result<String, String> {
+        answer(self.desk.modes(text))
+    }
+
+    /// The scene's text with another assembly mode chosen.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn choose_mode(&self, text: &str, number: f64) -> Result<String, String> {
+        plain(editing::with_mode(text, number.max(0.0) as usize).map_err(refused(text)))
+    }
+
+    /// What is drawn over the cycle.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn curves(&mut self, text: &str, of: &str) -> Result<String, String> {
+        answer(asked(of).and_then(|of| self.desk.curves(text, &of)))
+    }
+
+    /// All values of the scene's position with their certain digits.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn values(&mut self, text: &str) -> Result<String, String> {
+        answer(self.desk.values(text))
+    }
+
+    /// A file as the program writes it.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn file(&mut self, text: &str, request: &str) -> Result<Vec<u8>, String> {
+        plain(asked(request).and_then(|request| self.desk.file(text, &request)))
+    }
+
+    /// How many sheets of paper a drawing takes.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn pages(&mut self, text: &str, of: &str) -> Result<String, String> {
+        answer(asked(of).and_then(|of| self.desk.pages(text, &of)))
+    }
+
+    /// A face of the letters that drawings are set with, as OpenType.
+    #[must_use]
+    pub fn font(&self, is_italic: bool) -> Vec<u8> {
+        if is_italic { ITALIC.to_vec() } else { REGULAR.to_vec() }
+    }
+}
+
+/// The student's way.
+#[wasm_bindgen]
+impl Engine {
+    /// The form of a scene, with boxes for all values of a filled form, which may be empty.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn form(&mut self, text: &str, filled: &str) -> Result<String, String> {
+        answer(self.desk.form(text, filled))
+    }
+
+    /// A form, JSON or a table, as JSON with the scene's own names.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn read_form(&mut self, text: &str, form: &str) -> Result<String, String> {
+        plain(self.desk.read_form(text, form))
+    }
+
+    /// A form as a table.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn write_form(&mut self, text: &str, form: &str) -> Result<String, String> {
+        plain(self.desk.write_form(text, form))
+    }
+
+    /// The verdict on a form.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn check(&mut self, text: &str, form: &str, options: &str) -> Result<String, String> {
+        answer(asked(options).and_then(|options| self.desk.check(text, form, &options)))
+    }
+
+    /// The exercise of a number, counted from 1, of the scene's variants.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn exercise(
+        &mut self,
+        text: &str,
+        name: &str,
+        seed: f64,
+        number: f64,
+        options: &str,
+    ) -> Result<String, String> {
+        let name = format!("{name}-{seed}-{number}");
+        answer(self.found(text, [seed, number], options).map(|found| exercises::Exercise::of(found, name)))
+    }
+
+    /// A sheet of an exercise as PDF: `sheet` or `key`.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn exercise_file(
+        &mut self,
+        text: &str,
+        seed: f64,
+        number: f64,
+        options: &str,
+        what: &str,
+    ) -> Result<Vec<u8>, String> {
+        let found = self.found(text, [seed, number], options).map_err(|refused| json(&refused))?;
+        let sheet = if what == "key" { found.key_sheet() } else { found.sheet.clone() };
+        sheet.pdf().map_err(|error| json(&Refused::whole(error.to_string())))
+    }
+}
+
+impl Engine {
+    /// An exercise; those before it are kept, as the next one is looked for from the last.
+    fn found(&mut self, text: &str, [seed, number]: [f64; 2], options: &str) -> Result<&Exercise, Refused> {
+        let (seed, options) = (seed as u64, asked(options)?);
+        if !self.series.as_ref().is_some_and(|series| series.is_of(text, seed, &options)) {
+            self.series = None;
+        }
+        let series = match self.series.take() {
+            Some(series) => series,
+            None => Series::new(text, seed, &options)?,
+        };
+        self.series.insert(series).exercise(number as usize)
+    }
+}
+
+/// Why a change of this text is refused.
+fn refused(text: &str) -> impl Fn(SceneError) -> Refused {
+    |error| Refused::of(text, error)
+}
+
+/// Tells the page why the engine stops, where it has a fault.
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen(start)]
+pub fn tell_faults() {
+    std::panic::set_hook(Box::new(|fault| wasm_bindgen::throw_str(&fault.to_string())));
 }
 
 /// A request from its JSON.
@@ -61,6 +257,11 @@ fn asked<T: DeserializeOwned>(json: &str) -> Result<T, Refused> {
 /// An answer or a refusal as JSON.
 fn answer<T: Serialize>(answer: Result<T, Refused>) -> Result<String, String> {
     answer.map(|answer| json(&answer)).map_err(|refused| json(&refused))
+}
+
+/// A text or the bytes of a file, or a refusal as JSON.
+fn plain<T>(answer: Result<T, Refused>) -> Result<T, String> {
+    answer.map_err(|refused| json(&refused))
 }
 
 fn json<T: Serialize>(value: &T) -> String {

@@ -1,4 +1,5 @@
 use kinegon::Error;
+use kinegon::mechanism::StructureError;
 use kinegon::scene::SceneError;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -25,21 +26,19 @@ pub struct Refused {
 impl Refused {
     /// About the text as a whole.
     pub fn whole(message: impl Into<String>) -> Refused {
-        Refused {
-            message: message.into(),
-            hint: None,
-            path: String::new(),
-            from: None,
-            to: None,
-            line: None,
-            column: None,
-        }
+        let text = message.into();
+        // Some messages say on a second line what to try.
+        let (message, hint) = match text.split_once("\n  try: ") {
+            Some((message, hint)) => (message.to_owned(), Some(hint.to_owned())),
+            None => (text, None),
+        };
+        Refused { message, hint, path: String::new(), from: None, to: None, line: None, column: None }
     }
 
     /// Why a scene with this text gives no result.
     pub fn of(text: &str, error: impl Into<Error>) -> Refused {
         match error.into() {
-            Error::Scene(error) => Refused::at(text, error),
+            Error::Scene(error) | Error::Structure(StructureError::Scene(error)) => Refused::at(text, error),
             other => Refused::whole(other.to_string()),
         }
     }

@@ -8,7 +8,7 @@ export type EngineClient = {
 };
 
 /** The functions whose answers are no JSON. */
-const PLAIN = new Set(["drop", "edit", "choose_mode", "file", "exercise_file"]);
+const PLAIN = new Set(["drop", "edit", "choose_mode", "file", "read_form", "write_form", "exercise_file"]);
 
 interface Waiting {
   name: string;

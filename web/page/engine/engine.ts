@@ -4,6 +4,7 @@ import type {
   Curves,
   Edit,
   Exercise,
+  ExerciseOptions,
   FileRequest,
   Form,
   Grab,
@@ -33,9 +34,15 @@ export interface Engine {
   /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
   values(text: string): { name: string; label: string; value: string; unit: string }[];
   file(text: string, request: FileRequest): Uint8Array;
-  form(text: string): Form;
+  /** The form of a scene; `filled` is a form with values, or empty. */
+  form(text: string, filled: string): Form;
+  /** A form file, JSON or a table, as JSON with the names by which the scene's form asks. */
+  read_form(text: string, form: string): string;
+  /** A form as a table. */
+  write_form(text: string, form: string): string;
   check(text: string, form: string, options: CheckOptions): Checked;
-  exercise(text: string, name: string, seed: number, number: number): Exercise;
+  /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
+  exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;
   /** A sheet of an exercise as PDF. */
-  exercise_file(text: string, name: string, seed: number, number: number, what: "sheet" | "key"): Uint8Array;
+  exercise_file(text: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
 }

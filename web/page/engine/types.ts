@@ -76,6 +76,8 @@ export interface View {
   coarse: boolean;
   /** Whether all other assembly modes are drawn pale. */
   modes: boolean;
+  /** The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows the scheme alone. */
+  panels?: string[] | null;
 }
 
 /** A place that can be taken hold of. */
@@ -179,35 +181,69 @@ export interface FormRow {
   caption: string;
   /** Whether it has a sense, which a sign tells. */
   has_sense: boolean;
+  /** Whether that sense is one of rotation. */
+  turns: boolean;
+  /** Whether it can be given in mm of paper, with `/mu` behind its name. */
+  on_paper: boolean;
+  /** Whether the empty form asks for it. */
+  is_asked: boolean;
+}
+
+/** A point of a plan: its name in the form file, and as the sheet shows it. */
+export interface PlanPoint {
+  name: string;
+  label: string;
 }
 
 export interface Form {
+  /** In the order of the construction; behind them those of further values of a filled form. */
   rows: FormRow[];
   /** Scales of the sheet: units per mm of paper. */
   mu_l: number | null;
   mu_v: number | null;
   mu_a: number | null;
-  /** By plan: the pole and the points whose places can be given, by the names of the form file. */
-  points: { velocity: string[]; acceleration: string[] };
+  /** By plan: the pole and the points whose places can be given. */
+  points: { velocity: PlanPoint[]; acceleration: PlanPoint[] };
   /** The empty form, as `kinegon check --template` writes it. */
   json: string;
   csv: string;
 }
 
-/** A form that was checked. */
+/** A form that was checked. All texts of its parts are HTML of `<sub>`, `<sup>` and text alone. */
 export interface Checked {
-  /** As `kinegon check --json`. */
-  result: CheckResult;
+  /** As `kinegon check --json`; null where no value is understood. */
+  result: CheckResult | null;
   /** As `kinegon check`. */
   report: string;
-  /** What probably went wrong, sentence by sentence: HTML of `<sub>`, `<sup>` and text alone. */
-  said: string[];
-  /** The student's drawing over the right one. */
+  /** The report piece by piece. */
+  parts: ReportParts | null;
+  /** Values that are not understood, by their names in the form; the others are checked. */
+  faults: { name: string; message: string; hint: string | null }[];
+  /** The student's drawing over the right one, where it was asked for. */
   overlays: { svg: string; width: number; height: number }[];
-  /** The page that `--feedback` writes. */
+  /** The page that `--feedback` writes, where it was asked for. */
   feedback: string;
   /** The marks, where a marking scheme was given, in words. */
   marks: string | null;
+}
+
+/** A report piece by piece. */
+export interface ReportParts {
+  /** How many values are right, within the tolerance, off. */
+  counts: string;
+  /** How much is allowed, and how accurate the drawing is. */
+  accuracy: string[];
+  /** Headings of a value's cells. */
+  columns: string[];
+  /** The values in the order of `result.values`: the box of each, and name, own value, right value, difference, on paper, per cent, allowed, verdict. */
+  rows: { name: string; cells: string[] }[];
+  senses: string | null;
+  heading: string;
+  /** What was probably done, the step's caption, what it should be, what follows from it. */
+  causes: { done: string; caption: string | null; should: string; follows: string | null }[];
+  sure: string | null;
+  further: string[];
+  others: string[];
 }
 
 export interface CheckOptions {
@@ -216,17 +252,32 @@ export interface CheckOptions {
   /** Tolerance of the pencil, in mm and degrees; null for what the sheet shows. */
   pencil_mm: number | null;
   pencil_degrees: number | null;
+  /** Whether overlays and feedback are made, too. */
+  drawn: boolean;
 }
 
-/** An exercise. */
+/** How exercises are written, as the options of `kinegon exercise`; null: as the scene has it. */
+export interface ExerciseOptions {
+  page: string | null;
+  language: string | null;
+  notation: string | null;
+  decimal: string | null;
+}
+
+/** An exercise: the files of its folder, and the sizes of its sheets in mm. */
 export interface Exercise {
   /** Its scene. */
   text: string;
   name: string;
   sheet: string;
+  width: number;
+  height: number;
   key: string;
-  /** The empty form and the key's values. */
+  key_width: number;
+  key_height: number;
+  /** The empty form, also as a table, and the key's values. */
   form: string;
+  form_csv: string;
   key_values: string;
 }
 

@@ -1,0 +1,217 @@
+//! A joint pulled to another place: lengths, shapes, fixed points and guides change so that all other joints stay where
+//! they are in the present position.
+
+mod guide;
+mod held;
+mod link;
+mod rule;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value as Json;
+
+use super::document::Document;
+use super::near::{distance, settle};
+use super::number::Decimals;
+use super::present::Solved;
+use crate::geometry::Point;
+use crate::mechanism::{Mechanism, PointId};
+use crate::position::Pose;
+use crate::scene::{GivenBy, Scene, SceneError};
+use held::Held;
+
+/// What stays when a joint is pulled.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Pins {
+    /// Points that stay where they are.
+    pub points: Vec<String>,
+    /// Lengths that stay, as `2.BC`: link and length; or a link's angle, as `1.angle`.
+    pub lengths: Vec<String>,
+}
+
+/// A joint that is being pulled.
+///
+/// ```
+/// use kinegon::editing::{Pins, Reshape};
+///
+/// let text = include_str!("../../../templates/four-bar.json");
+/// let pull = Reshape::new(text, "C", &Pins::default())?;
+/// let reshaped = pull.to([150.0, 120.0])?;
+/// assert!(reshaped.text.contains(r#""lengths": { "CD": 120.42 }"#), "{}", reshaped.text);
+/// # Ok::<(), kinegon::scene::SceneError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Reshape {
+    text: String,
+    before: Solved,
+    point: PointId,
+    held: Held,
+    /// Of the joint's places.
+    decimals: Decimals,
+}
+
+/// A scene after a pull, in the assembly that it had.
+#[derive(Clone, Debug)]
+pub struct Reshaped {
+    /// Its text.
+    pub text: String,
+    /// The scene of the text.
+    pub scene: Scene,
+    /// Its mechanism.
+    pub mechanism: Mechanism,
+    /// Its position.
+    pub pose: Pose,
+    /// Why the joint is not where it was pulled to, if something holds it.
+    pub note: Option<String>,
+}
+
+/// Numbers of further decimals of lengths that are tried, where rounded ones do not go together.
+const FURTHER: [i32; 3] = [1, 3, 6];
+
+/// Largest distance of a point from where it belongs, in parts of the mechanism's size, that is surely rounding.
+const ROUNDING: f64 = 0.002;
+
+/// The same where `near` says all that it can.
+const MOVED: f64 = 0.02;
+
+impl Reshape {
+    /// Takes hold of a point of a scene in the position of its text.
+    ///
+    /// # Errors
+    /// The text is no scene, cannot be assembled, or has no such point.
+    pub fn new(text: &str, point: &str, pins: &Pins) -> Result<Reshape, SceneError> {
+        let before = Solved::of(text)?;
+        let Some(id) = before.mechanism.point(point) else {
+            let message = format!("there is no point {}", crate::text::shown(point));
+            return Err(before.scene.error_at(&[], message, None));
+        };
+        let decimals = Decimals::of_points(before.pose.points.iter().copied());
+        let held = Held::new(&before, id, pins);
+        Ok(Reshape { text: text.to_owned(), before, point: id, held, decimals })
+    }
+
+    /// The scene with the joint at a place of the fixed frame, in units of length; where something holds it, at the
+    /// nearest place that it can go to. Places are rounded to a thousandth of the mechanism's size or finer, lengths to a
+    /// tenth of that.
+    ///
+    /// # Errors
+    /// There is no such mechanism, as when two joints would be in one place.
+    pub fn to(&self, place: [f64; 2]) -> Result<Reshaped, SceneError> {
+        let wanted = Point::from(place);
+        let now = self.before.pose.point(self.point);
+        if !wanted.coords.iter().all(|x| x.is_finite()) {
+            return Err(self.before.scene.error_at(&[], "this is no place", None));
+        }
+        let note = self.held.note.clone();
+        if self.held.is_fast() {
+            return Ok(self.unchanged(note));
+        }
+        let allowed = rule::allowed(now, &self.held.rules, wanted);
+        let place = if self.held.rules.is_empty() { self.decimals } else { self.decimals.finer(1) }.place(allowed);
+        if (place - now).norm() < self.decimals.finer(1).step() {
+            return Ok(self.unchanged(note));
+        }
+        self.check_apart(place)?;
+        let mut failure = None;
+        for further in FURTHER {
+            match self.with_joint(place, self.decimals.finer(further)) {
+                Ok((text, solved)) => {
+                    let Solved { scene, mechanism, pose } = solved;
+                    return Ok(Reshaped { text, scene, mechanism, pose, note });
+                }
+                Err(error) => failure = Some(error),
+            }
+        }
+        Err(failure.unwrap_or_else(|| self.error("the joint cannot go there")))
+    }
+
+    fn unchanged(&self, note: Option<String>) -> Reshaped {
+        let Solved { scene, mechanism, pose } = self.before.clone();
+        Reshaped { text: self.text.clone(), scene, mechanism, pose, note }
+    }
+
+    fn error(&self, message: &str) -> SceneError {
+        self.before.scene.error_at(&["links"], message, Some("pull the joint to another place".to_owned()))
+    }
+
+    /// Refuses a place at another point of one of the joint's links.
+    fn check_apart(&self, place: Point) -> Result<(), SceneError> {
+        let Solved { mechanism, pose, .. } = &self.before;
+        for (_, body) in mechanism.links().filter(|(_, body)| body.has(self.point)) {
+            let others = body.points.iter().filter(|point| **point != self.point);
+            let near = |point: &&PointId| (pose.point(**point) - place).norm() < self.decimals.step();
+            if let Some(other) = others.into_iter().find(near) {
+                let [point, other] = [self.point, *other].map(|point| mechanism.point_name(point));
+                let message = format!("link {} would have {point} and {other} in one place", body.name);
+                return Err(self.error(&message));
+            }
+        }
+        Ok(())
+    }
+
+    /// The text with the joint at a place, and its solution; lengths have so many decimals.
+    fn with_joint(&self, place: Point, decimals: Decimals) -> Result<(String, Solved), SceneError> {
+        let mut document = Document::new(&self.text)?;
+        let json = document.json();
+        let mut wanted = self.before.pose.clone();
+        wanted.points[self.point.0] = place;
+        let mut change = Change {
+            solved: &self.before,
+            json: &json,
+            point: self.point,
+            decimals,
+            pose: &wanted,
+            values: Vec::new(),
+        };
+        change.add_all();
+        let values = change.values;
+        document.set_all(&values)?;
+        let text = document.text();
+        if let Ok(solved) = Solved::of(&text)
+            && distance(&wanted, &solved.pose) <= ROUNDING
+        {
+            return Ok((text, solved));
+        }
+        let solved = settle(&mut document, &wanted)?;
+        match distance(&wanted, &solved.pose) <= MOVED {
+            true => Ok((document.text(), solved)),
+            false => {
+                Err(self.error("with the joint there, rounded lengths leave the other joints no place near their own"))
+            }
+        }
+    }
+}
+
+/// The numbers of a scene's text that change with the place of a point.
+struct Change<'a> {
+    solved: &'a Solved,
+    json: &'a Json,
+    point: PointId,
+    decimals: Decimals,
+    /// The position that is wanted, with the point at its new place.
+    pose: &'a Pose,
+    /// Paths and new values.
+    values: Vec<(Vec<String>, Json)>,
+}
+
+impl Change<'_> {
+    fn add_all(&mut self) {
+        let name = self.solved.mechanism.point_name(self.point).to_owned();
+        let place = self.pose.point(self.point);
+        let exact = Decimals(self.decimals.0 + 2);
+        for table in ["ground", "points", "near"] {
+            if self.json[table].get(&name).is_some() {
+                self.put(&[table, &name], exact.place_json(place));
+            }
+        }
+        if self.solved.scene.given_by == GivenBy::Lengths {
+            self.add_links();
+            self.add_guides();
+        }
+    }
+
+    /// Puts a value at a path.
+    fn put(&mut self, path: &[&str], value: Json) {
+        self.values.push((path.iter().map(|&part| part.to_owned()).collect(), value));
+    }
+}

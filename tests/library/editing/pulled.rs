@@ -1,0 +1,131 @@
+use super::{position, size, solvable};
+use kinegon::editing::{Pins, Reshape, Reshaped};
+use kinegon::geometry::Point;
+use kinegon::mechanism::PointId;
+use kinegon::position::Pose;
+
+fn pins(points: &[&str], lengths: &[&str]) -> Pins {
+    let owned = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
+    Pins { points: owned(points), lengths: owned(lengths) }
+}
+
+/// The largest distance of the points but for one, in parts of the size.
+fn others_moved(before: &Pose, after: &Pose, joint: PointId) -> f64 {
+    let pairs = before.points.iter().zip(&after.points).enumerate();
+    let off = pairs.filter(|(index, _)| *index != joint.0).map(|(_, (a, b))| (a - b).norm());
+    off.fold(0.0, f64::max) / size(before)
+}
+
+#[test]
+fn a_joint_goes_to_the_hand_and_all_others_stay() {
+    let (mut free, mut held, mut refused) = (0, 0, 0);
+    for (name, text) in solvable() {
+        let (_, mechanism, pose) = position(&text).expect("solvable");
+        let size = size(&pose);
+        for (index, point) in mechanism.points.iter().enumerate() {
+            let id = PointId(index);
+            let pull =
+                Reshape::new(&text, point, &Pins::default()).unwrap_or_else(|error| panic!("{name} {point}: {error}"));
+            for (x, y) in [(0.06, 0.02), (-0.05, 0.11), (0.013, -0.07), (0.0, 0.2)] {
+                let wanted = pose.point(id) + kinegon::geometry::Vector::new(x, y) * size;
+                let Reshaped { text: new, pose: found, note, .. } = match pull.to(wanted.into()) {
+                    Ok(reshaped) => reshaped,
+                    Err(error) => {
+                        refused += 1;
+                        println!("{name} {point} {x} {y}: {error}");
+                        continue;
+                    }
+                };
+                let (_, _, anew) = position(&new).unwrap_or_else(|error| panic!("{name} {point}: {error}\n{new}"));
+                assert_eq!(anew.points, found.points, "{name} {point}");
+                let others = others_moved(&pose, &anew, id);
+                assert!(others < 0.01, "{name} {point} moves others by {others}\n{text}\n{new}");
+                if note.is_none() {
+                    let off = (anew.point(id) - wanted).norm() / size;
+                    assert!(off < 0.01, "{name} {point} is off by {off}\n{new}");
+                    free += 1;
+                } else {
+                    held += 1;
+                }
+                assert_eq!(new.matches("note").count(), text.matches("note").count(), "{name} {point}");
+                // Numbers stay short.
+                let grown = new.len().saturating_sub(text.len());
+                assert!(grown < 200, "{name} {point}: {grown} bytes more\n{new}");
+            }
+        }
+    }
+    println!("{free} free, {held} held, {refused} refused");
+    assert!(free > 1000 && held > 50 && refused < free / 20, "{free} free, {held} held, {refused} refused");
+}
+
+#[test]
+fn pins_hold() {
+    let text = include_str!("../../../templates/four-bar.json");
+    let at = |pins: &Pins, place: [f64; 2]| {
+        Reshape::new(text, "C", pins).expect("solvable").to(place).expect("it can go there")
+    };
+    let c = |reshaped: &Reshaped| reshaped.pose.point(reshaped.mechanism.point("C").expect("C"));
+    let free = at(&Pins::default(), [130.0, 120.0]);
+    assert_eq!(
+        free.text,
+        text.replace("\"BC\": 140", "\"BC\": 121.07")
+            .replace("\"CD\": 110", "\"CD\": 123.69")
+            .replace("[155, 110]", "[130, 120]")
+    );
+    assert_eq!(free.note, None);
+    let pinned = at(&pins(&["C"], &[]), [130.0, 120.0]);
+    assert_eq!((pinned.text.as_str(), pinned.note.as_deref()), (text, Some("C is pinned")));
+    let one = at(&pins(&["B"], &["2.BC"]), [130.0, 120.0]);
+    assert!(one.text.contains("\"BC\": 140") && !one.text.contains("\"CD\": 110"), "{}", one.text);
+    assert_eq!(one.note.as_deref(), Some("the length CB guides C"));
+    let off = (c(&one) - Point::new(30.0, 51.96)).norm() - 140.0;
+    assert!(off.abs() < 0.01, "{off}");
+    let two = at(&pins(&[], &["2.CB", "3.CD"]), [130.0, 120.0]);
+    assert_eq!(two.text, text);
+    // Pulled below, it goes to the other crossing.
+    let two = at(&pins(&[], &["2.CB", "3.CD"]), [80.0, -80.0]);
+    assert!((c(&two) - Point::new(82.3, -77.9)).norm() < 0.2, "{}", two.text);
+    assert!(two.text.contains("\"BC\": 140") && two.text.contains("\"CD\": 110"));
+    let pull =
+        |pins: &Pins| Reshape::new(text, "B", pins).expect("solvable").to([40.0, 60.0]).expect("it can go there").text;
+    let free = pull(&Pins::default());
+    assert!(free.contains("\"AB\": 72.11") && free.contains("\"angle\": 56.31"), "{free}");
+    let angle = pull(&pins(&[], &["1.angle"]));
+    assert!(angle.contains("\"angle\": 60,") && !angle.contains("\"AB\": 60 "), "{angle}");
+    let both = pull(&pins(&[], &["1.angle", "1.AB"]));
+    assert!(both.contains("\"angle\": 60,") && both.contains("\"AB\": 60,") | both.contains("\"AB\": 60 "), "{both}");
+}
+
+#[test]
+fn guides_go_with_their_blocks_and_stay_where_pivots_go() {
+    let text = include_str!("../../../templates/slider-crank.json");
+    let pull = |point: &str, place: [f64; 2]| {
+        Reshape::new(text, point, &Pins::default()).expect("solvable").to(place).expect("it can go there").text
+    };
+    let block = pull("C", [150.0, -35.0]);
+    assert!(block.contains("\"through\": [0, -35]"), "{block}");
+    let pivot = pull("A", [5.0, 7.0]);
+    assert!(pivot.contains("\"through\": [0, -20]") && pivot.contains("\"ground\": { \"A\": [5, 7] }"), "{pivot}");
+    let toggle = include_str!("../../../templates/toggle-press.json");
+    let pivot =
+        Reshape::new(toggle, "D", &Pins::default()).expect("solvable").to([10.0, 7.0]).expect("it can go there").text;
+    assert!(pivot.contains("\"through\": [0, 0]"), "{pivot}");
+    let lever = include_str!("../../../templates/slotted-lever.json");
+    let pin = Reshape::new(lever, "B", &Pins::default()).expect("solvable").to([60.0, 60.0]).expect("it can go there");
+    assert_eq!(pin.note.as_deref(), Some("the guide on link 3 guides B"));
+    let boom = include_str!("../../../templates/hydraulic-boom.json");
+    let piston =
+        Reshape::new(boom, "D", &Pins::default()).expect("solvable").to([900.0, 100.0]).expect("it can go there").text;
+    assert!(!piston.contains("\"position\": 450,"), "{piston}");
+}
+
+#[test]
+fn no_two_joints_of_a_link_in_one_place() {
+    let text = include_str!("../../../templates/four-bar.json");
+    let pull = Reshape::new(text, "C", &Pins::default()).expect("solvable");
+    let error = pull.to([160.0, 0.0]).expect_err("there is D");
+    assert!(error.message.starts_with("link 3 would have C and D in one place"), "{error}");
+    assert!(pull.to([f64::NAN, 0.0]).is_err());
+    assert!(Reshape::new(text, "X", &Pins::default()).is_err());
+    assert!(Reshape::new("{}", "X", &Pins::default()).is_err());
+}

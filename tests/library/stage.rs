@@ -1,0 +1,148 @@
+//! The stage: one layout for all positions of a mechanism, and the places of its points on the sheet.
+
+use crate::support::files;
+use crate::support::stages::solved;
+use kinegon::Solution;
+use kinegon::cycle::{OtherModes, Pull};
+use kinegon::drawing::{Drawing, Handle, Point, Shape, Stage, Steps};
+use kinegon::position::counted_poses;
+use kinegon::scene::PanelName;
+use std::collections::BTreeSet;
+
+/// Every scene, with its name.
+fn scenes() -> Vec<(String, Solution)> {
+    let folders = ["templates", "examples", "tests/lecture", "tests/driven_sliders"];
+    let texts = folders.into_iter().flat_map(files::scenes);
+    texts.filter_map(|(name, text)| Some((name, solved(&text).ok()?))).collect()
+}
+
+/// The names of all marks but of those that tell what a panel has no room for.
+fn ids(drawing: &Drawing) -> BTreeSet<String> {
+    let ids = drawing.marks.iter().filter_map(|mark| mark.id.clone());
+    ids.filter(|id| !id.ends_with("-cut") && !id.ends_with("-unlabelled")).collect()
+}
+
+/// Some positions on the way of the first drive.
+fn positions(own: &Solution) -> Vec<Solution> {
+    let Ok(mut pull) = Pull::new(own, None) else { return vec![own.clone()] };
+    let start = pull.value();
+    let step = if pull.drive().is_angle() { 17.0 } else { 0.05 };
+    let poses = (-4..=4).map(|k| pull.to_value(start + step * f64::from(k)).pose);
+    poses.filter_map(|pose| own.moved(pose).ok()).collect()
+}
+
+/// The centre of the mark of that name.
+fn centre(drawing: &Drawing, id: &str) -> Option<Point> {
+    let mark = drawing.marks.iter().find(|mark| mark.id.as_deref() == Some(id))?;
+    match mark.shape {
+        Shape::Circle { center, .. } => Some(center),
+        _ => None,
+    }
+}
+
+#[test]
+fn the_own_position_has_the_marks_of_the_figure() {
+    for (name, own) in scenes() {
+        let stepwise = Stage::new(&own, Some(Steps::Fine), None).draw(&own, None);
+        assert_eq!(ids(&stepwise), ids(&own.stepwise_figure()), "{name}");
+        assert_eq!(stepwise.steps, own.stepwise_figure().steps, "{name}");
+        let coarse = Stage::new(&own, Some(Steps::Coarse), None).draw(&own, None);
+        assert_eq!(ids(&coarse), ids(&own.coarse_figure()), "{name}");
+        assert_eq!(coarse.steps, own.coarse_figure().steps, "{name}");
+        let mut plain = own.clone();
+        plain.scene.figure.worksheet = false;
+        assert_eq!(ids(&Stage::new(&plain, None, None).draw(&plain, None)), ids(&plain.figure()), "{name}");
+    }
+}
+
+#[test]
+fn layout_and_scales_are_held() {
+    for (name, own) in scenes() {
+        for steps in [None, Some(Steps::Fine)] {
+            let stage = Stage::new(&own, steps, None);
+            let drawing = stage.draw(&own, None);
+            let frames = |drawing: &Drawing| -> Vec<_> {
+                stage.panels(drawing).into_iter().map(|panel| (panel.panel, panel.frame)).collect()
+            };
+            assert_eq!(frames(&drawing).len(), drawing.panels.len());
+            for moved in positions(&own) {
+                let moving = stage.draw(&moved, None);
+                assert_eq!(frames(&moving), frames(&drawing), "{name}");
+                let bars = |drawing: &Drawing| -> Vec<Shape> {
+                    let legend = drawing.panels.iter().map(|(_, frame)| frame.y1).fold(0.0, f64::max);
+                    let lines = drawing.marks.iter().filter(|mark| mark.since == 0 && mark.shape.bounds().y0 > legend);
+                    lines.map(|mark| mark.shape.clone()).filter(|shape| matches!(shape, Shape::Line(..))).collect()
+                };
+                assert_eq!(bars(&moving), bars(&drawing), "{name}: bars of the scales");
+            }
+        }
+    }
+}
+
+#[test]
+fn handles_are_where_points_are_drawn() {
+    let mut checked = 0;
+    for (name, own) in scenes() {
+        let stage = Stage::new(&own, None, None);
+        for moved in positions(&own) {
+            let drawing = stage.draw(&moved, None);
+            let mut same = |handle: &Handle| {
+                let id = format!("{}-point-{}", handle.panel.as_str(), handle.name);
+                if let Some(at) = centre(&drawing, &id) {
+                    assert!((at - handle.at).hypot() < 1e-9, "{name}: {id} at {at}, not {}", handle.at);
+                    checked += 1;
+                }
+            };
+            let size = kinegon::geometry::span(moved.pose.points.iter().copied());
+            for handle in stage.handles(&moved) {
+                same(&handle);
+                let point = moved.mechanism.point(&handle.name).expect("it has that name");
+                let back = stage.place(handle.at).expect("there is a scheme");
+                assert!(
+                    (back - moved.pose.point(point)).norm() < 1e-11 * size.max(back.coords.norm()),
+                    "{name}: {back}"
+                );
+            }
+            for handle in stage.plan_handles(&moved) {
+                same(&handle);
+                let plan = match handle.panel {
+                    PanelName::Velocity => Some(&moved.construction.velocity),
+                    _ => moved.construction.acceleration.as_ref(),
+                };
+                let plan = plan.expect("the plan of a panel");
+                let back = stage.plan_place(&moved, handle.panel, handle.at).expect("there is a panel");
+                let mu = stage.mu(handle.panel).expect("there is a scale");
+                let off = back * mu - plan.points[&handle.name].vector;
+                assert!(off.norm() <= 1e-9 * (mu + plan.points[&handle.name].vector.norm()), "{name}: {}", handle.name);
+                assert_eq!(handle.is_fixed, handle.name == plan.kind.pole());
+            }
+        }
+    }
+    assert!(checked > 2000, "{checked}");
+}
+
+#[test]
+fn other_modes_have_their_numbers() {
+    let mut seen = 0;
+    for (name, own) in scenes() {
+        let modes = OtherModes::of(&own).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let all = counted_poses(&own.mechanism, &own.scene.near).expect("it has been assembled").poses;
+        assert!(modes.own.is_some() || modes.has_more, "{name}");
+        assert_eq!(modes.shown.len(), (all.len() - 1).min(OtherModes::MOST), "{name}");
+        for (number, pose) in &modes.shown {
+            assert_eq!(pose.points, all[number - 1].points, "{name}");
+        }
+        let stage = Stage::new(&own, None, Some(&modes));
+        let ids = ids(&stage.draw(&own, Some(&modes)));
+        for (number, _) in &modes.shown {
+            assert!(ids.iter().any(|id| id.starts_with(&format!("scheme-mode-{number}-link-"))), "{name}: {ids:?}");
+            seen += 1;
+        }
+        // In other positions they are those of the drive there.
+        for moved in positions(&own) {
+            let there = OtherModes::of(&moved).unwrap_or_else(|error| panic!("{name}: {error}"));
+            assert!(there.own.is_some() || there.has_more, "{name}");
+        }
+    }
+    assert!(seen > 40, "{seen}");
+}

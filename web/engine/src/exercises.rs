@@ -1,0 +1,126 @@
+use crate::refused::Refused;
+use kinegon::Scene;
+use kinegon::drawing::Drawing;
+use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises};
+use kinegon::format::{self, Text, svg_with};
+use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How exercises are written, as the options of `kinegon exercise`; what is not given is the scene's.
+#[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq)]
+pub struct ExerciseOptions {
+    /// The sheet, as `a4-landscape`; none for A4, or A3 where few variants can be drawn well on A4.
+    pub page: Option<String>,
+    /// Language, as `es`.
+    pub language: Option<String>,
+    /// Notation.
+    pub notation: Option<String>,
+    /// Decimal mark.
+    pub decimal: Option<String>,
+}
+
+/// An exercise with its files.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Exercise {
+    /// Its scene: scene.json.
+    pub text: String,
+    /// Its name: that of its folder.
+    pub name: String,
+    /// The student's sheet: sheet.svg.
+    pub sheet: String,
+    /// Its width in mm.
+    pub width: f64,
+    /// Its height in mm.
+    pub height: f64,
+    /// The teacher's key: key.svg.
+    pub key: String,
+    /// Its width in mm.
+    pub key_width: f64,
+    /// Its height in mm.
+    pub key_height: f64,
+    /// The empty form: form.json.
+    pub form: String,
+    /// The same as a table: form.csv.
+    pub form_csv: String,
+    /// The values of the key: key.json.
+    pub key_values: String,
+}
+
+/// The exercises of a scene that have been asked for; the next one is looked for from the last.
+pub struct Series {
+    text: String,
+    seed: u64,
+    options: ExerciseOptions,
+    more: Exercises,
+    found: Vec<Found>,
+}
+
+impl Series {
+    /// The exercises of a scene.
+    pub fn new(text: &str, seed: u64, options: &ExerciseOptions) -> Result<Series, Refused> {
+        let mut scene = Scene::read(text).map_err(|error| Refused::of(text, error))?;
+        options.put_into(&mut scene.figure);
+        let solution = kinegon::solve(&scene).map_err(|error| Refused::of(text, error))?;
+        let (figure, construction) = (&solution.scene.figure, &solution.construction);
+        let page = options.page.as_ref().map(|_| figure.page);
+        let more = Exercises::new(text, figure, page, construction, seed).map_err(refused)?;
+        Ok(Series { text: text.to_owned(), seed, options: options.clone(), more, found: Vec::new() })
+    }
+
+    /// Whether these are the exercises of that scene.
+    pub fn is_of(&self, text: &str, seed: u64, options: &ExerciseOptions) -> bool {
+        self.text == text && self.seed == seed && self.options == *options
+    }
+
+    /// The exercise of a number, counted from 1.
+    pub fn exercise(&mut self, number: usize) -> Result<&Found, Refused> {
+        while self.found.len() < number.max(1) {
+            let next = self.more.next().map_err(refused)?;
+            self.found.push(next);
+        }
+        self.found.get(number.max(1) - 1).ok_or_else(|| Refused::whole("there is no such exercise"))
+    }
+}
+
+impl ExerciseOptions {
+    fn put_into(&self, figure: &mut Figure) {
+        let known = |given: &Option<String>, name: &str| given.as_deref() == Some(name);
+        if let Some((name, page)) = self.page.as_ref().and_then(|name| Some((name, Page::from_name(name)?))) {
+            figure.page.size = page.size;
+            figure.page.landscape = if name.contains('-') { page.landscape } else { figure.page.landscape };
+        }
+        let language = LanguageName::ALL.into_iter().find(|l| known(&self.language, l.as_str()));
+        let notation = NotationName::ALL.into_iter().find(|n| known(&self.notation, n.as_str()));
+        let decimal = DecimalMark::ALL.into_iter().find(|d| known(&self.decimal, d.as_str()));
+        figure.language = language.unwrap_or(figure.language);
+        figure.notation = notation.unwrap_or(figure.notation);
+        figure.decimal = decimal.unwrap_or(figure.decimal);
+    }
+}
+
+impl Exercise {
+    /// The files of an exercise with that name.
+    pub fn of(found: &Found, name: String) -> Exercise {
+        let letters = |drawing: &Drawing| svg_with(drawing, Text::Letters);
+        let key = found.key_sheet();
+        let form = found.form(&name);
+        Exercise {
+            text: found.text.clone(),
+            sheet: letters(&found.sheet),
+            width: found.sheet.width,
+            height: found.sheet.height,
+            key: letters(&key),
+            key_width: key.width,
+            key_height: key.height,
+            form: form.json(),
+            form_csv: form.csv(),
+            key_values: format::json(&found.key()),
+            name,
+        }
+    }
+}
+
+fn refused(error: ExerciseError) -> Refused {
+    Refused { hint: None, ..Refused::whole(error.to_string()) }
+}

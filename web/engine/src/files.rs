@@ -1,0 +1,228 @@
+use crate::answers::Drawn;
+use crate::desk::{Desk, Kept};
+use crate::refused::Refused;
+use kinegon::Error;
+use kinegon::construction::Tolerance;
+use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep};
+use kinegon::drawing::{Drawing, curves, hodographs, paths};
+use kinegon::format;
+use kinegon::motion::Order;
+use kinegon::order_of_result;
+use kinegon::quantity::step_pencil;
+use kinegon::scene::SizeLimit;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// Resolution of pictures in dots per inch, as the program has it.
+const DPI: f64 = 100.0;
+
+/// Most numbers of a table: more do not fit into a page's memory.
+const MOST_NUMBERS: usize = 10_000_000;
+
+/// A file as the program writes it.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct FileRequest {
+    /// What kind of file.
+    pub format: Format,
+    /// What is drawn.
+    pub of: Subject,
+}
+
+/// A kind of file: `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
+#[serde(rename_all = "lowercase")]
+pub enum Format {
+    Svg,
+    Png,
+    Pdf,
+    Tikz,
+    Csv,
+    Json,
+    Steps,
+}
+
+/// What is drawn.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Subject {
+    /// The figure, or its work sheet.
+    Sheet(SheetName),
+    /// A sheet of the work sheet.
+    Worksheet {
+        /// Counted from 1; a table without room beside the panels is on the second.
+        worksheet: usize,
+    },
+    /// The sheet after a step.
+    Step {
+        /// Counted from 1.
+        step: usize,
+    },
+    /// The sheet after the steps that a lecturer shows together.
+    Passage {
+        /// Counted from 1.
+        passage: usize,
+    },
+    /// What is drawn over the cycle.
+    Cycle(OverCycle),
+}
+
+/// A sheet.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum SheetName {
+    Figure,
+    Worksheet,
+}
+
+/// What is drawn over the cycle of the first drive, by names of quantities, points, vectors.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum OverCycle {
+    /// Quantities over the drive.
+    Curves {
+        /// Their names; without any those that the scene wants, or all ω.
+        curves: Vec<String>,
+    },
+    /// Paths of points.
+    Path {
+        /// Their names.
+        path: Vec<String>,
+        /// Whether the paths go on beyond limits of the drive.
+        #[serde(default)]
+        beyond_limits: bool,
+    },
+    /// Ways of the tips of vectors.
+    Hodograph {
+        /// Their names.
+        hodograph: Vec<String>,
+    },
+}
+
+impl Desk {
+    /// A file with the bytes that the program writes.
+    pub fn file(&mut self, text: &str, FileRequest { format, of }: &FileRequest) -> Result<Vec<u8>, Refused> {
+        let kept = self.kept(text)?;
+        match format {
+            Format::Csv => kept.table().map(String::into_bytes),
+            Format::Json => {
+                let solution = kept.solution(order_of_result(&kept.scene))?;
+                let result = solution.whole_result().map_err(|error| Refused::of(text, error))?;
+                Ok(format::json(&result).into_bytes())
+            }
+            Format::Steps => {
+                kept.check(SizeLimit::HAND)?;
+                let solution = kept.solution(Order::Acceleration)?;
+                let pencil = step_pencil(solution, Tolerance::default()).map_err(|error| Refused::of(text, error))?;
+                Ok(solution.steps(&pencil).into_bytes())
+            }
+            Format::Svg | Format::Png | Format::Pdf | Format::Tikz => {
+                let sheets = kept.sheets(of)?;
+                let number = if let Subject::Worksheet { worksheet } = of { *worksheet } else { 1 };
+                let sheet = number.checked_sub(1).and_then(|index| sheets.get(index));
+                let none = || Refused::whole(format!("there is no sheet {number}; there are {}", sheets.len()));
+                bytes(sheet.ok_or_else(none)?, *format)
+            }
+        }
+    }
+
+    /// How many sheets of paper a drawing takes.
+    pub fn pages(&mut self, text: &str, of: &Subject) -> Result<usize, Refused> {
+        self.kept(text)?.sheets(of).map(|sheets| sheets.len())
+    }
+
+    /// What is drawn over the cycle.
+    pub fn curves(&mut self, text: &str, of: &OverCycle) -> Result<Drawn, Refused> {
+        let kept = self.kept(text)?;
+        let (sheet, events) = kept.over_cycle(of).map_err(|error| kept.refused(error))?;
+        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events })
+    }
+}
+
+fn bytes(sheet: &Drawing, format: Format) -> Result<Vec<u8>, Refused> {
+    match format {
+        Format::Png => sheet.png(DPI).map_err(|error| Refused::whole(error.to_string())),
+        Format::Pdf => sheet.pdf().map_err(|error| Refused::whole(error.to_string())),
+        Format::Tikz => Ok(sheet.tikz().into_bytes()),
+        _ => Ok(sheet.svg().into_bytes()),
+    }
+}
+
+impl Kept {
+    /// The sheets of a drawing.
+    fn sheets(&mut self, of: &Subject) -> Result<Vec<Drawing>, Refused> {
+        let own_step = self.scene.figure.step;
+        match of {
+            Subject::Cycle(of) => {
+                let (sheet, _) = self.over_cycle(of).map_err(|error| self.refused(error))?;
+                Ok(vec![sheet])
+            }
+            Subject::Sheet(SheetName::Figure) => match own_step {
+                Some(step) => self.after(step, false),
+                None => Ok(self.figure()?.sheets()),
+            },
+            Subject::Sheet(SheetName::Worksheet) | Subject::Worksheet { .. } => {
+                let mut solution = self.figure()?.clone();
+                solution.scene.figure.worksheet = true;
+                Ok(solution.sheets())
+            }
+            Subject::Step { step } => self.after(*step, false),
+            Subject::Passage { passage } => self.after(*passage, true),
+        }
+    }
+
+    /// The sheet after a step or a passage.
+    fn after(&mut self, step: usize, is_coarse: bool) -> Result<Vec<Drawing>, Refused> {
+        self.check(SizeLimit::STEPS)?;
+        let solution = self.figure()?;
+        let all = if is_coarse { solution.coarse_figure() } else { solution.stepwise_figure() };
+        let count = all.steps.len();
+        if !(1..=count).contains(&step) {
+            return Err(Refused::whole(format!("there is no step {step}; there are steps 1 to {count}")));
+        }
+        Ok(vec![all.after_step(step)])
+    }
+
+    /// The whole motion of the first drive.
+    fn path(&self) -> Result<(Path<'_>, [f64; 2]), Error> {
+        let drive = Drive::new(&self.mechanism, None)?;
+        let mut path = Path::new(&self.mechanism, &self.pose, drive)?;
+        let range = path.cover(None, None)?;
+        Ok((path, range))
+    }
+
+    /// The table of the motion.
+    fn table(&self) -> Result<String, Refused> {
+        let refused = |error: Error| self.refused(error);
+        let (path, range) = self.path().map_err(refused)?;
+        let steps = path.rows(range, path.usual_step(range)).map_err(|error| refused(error.into()))?;
+        let sweep = Sweep::new(&path, steps, self.scene.want.as_deref()).map_err(|error| refused(error.into()))?;
+        let count = sweep.steps().count();
+        if count.saturating_mul(sweep.header().len()) > MOST_NUMBERS {
+            let message = format!("the table would have {count} rows of {} numbers", sweep.header().len());
+            let hint = "write it with `kinegon sweep`, or name fewer quantities in the scene's `want`";
+            return Err(Refused { hint: Some(hint.to_owned()), ..Refused::whole(message) });
+        }
+        Ok(format::csv_header(&sweep) + &format::csv_rows(&sweep, &sweep.rows(0..count)))
+    }
+
+    /// What is drawn over the cycle, and what happens there.
+    fn over_cycle(&self, of: &OverCycle) -> Result<(Drawing, Vec<String>), Error> {
+        let scene = &self.scene;
+        let (mut path, range) = self.path()?;
+        let range = path.shown_range(range);
+        let sheet = match of {
+            OverCycle::Curves { curves: names } => {
+                let names = if names.is_empty() { scene.want.as_deref() } else { Some(names.as_slice()) };
+                curves(scene, &Curves::new(&path, range, names)?)
+            }
+            OverCycle::Path { path: points, beyond_limits } => {
+                scene.check_traced(points, None)?;
+                let sampled = PointPaths::new(&path, range, points)?;
+                paths(scene, &if *beyond_limits { sampled.beyond_limits()? } else { sampled })
+            }
+            OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?),
+        };
+        let events = path.happenings(range).into_iter().chain(path.limits(None)).collect();
+        Ok((sheet?, events))
+    }
+}

@@ -1,0 +1,179 @@
+use crate::answers::{Drive, Picture, View};
+use crate::desk::{Desk, Staged};
+use crate::refused::Refused;
+use kinegon::cycle::{OtherModes, Pull};
+use kinegon::drawing::Point;
+use kinegon::editing::{Pins, Reshape, with_drive};
+use kinegon::mechanism::PointId;
+use kinegon::position::Pose;
+use kinegon::text::Untrusted;
+use kinegon::{Solution, geometry};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// What is taken hold of.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Grab {
+    /// A joint, to move the mechanism: the first drive that moves it follows.
+    Move {
+        /// The joint.
+        point: String,
+    },
+    /// A drive.
+    Drive {
+        /// The drive.
+        drive: String,
+    },
+    /// A joint, to change lengths (or the place of a fixed point); pinned joints stay, pinned lengths keep their values.
+    Shape {
+        /// The joint.
+        point: String,
+        /// What stays.
+        pins: Pins,
+    },
+}
+
+/// Where to.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum To {
+    /// A place on the sheet.
+    Place {
+        /// In mm.
+        to: [f64; 2],
+    },
+    /// A value of the drive.
+    Value {
+        /// In degrees or units of length.
+        value: f64,
+    },
+}
+
+/// Something that is held and pulled. Its sheet keeps layout and scales.
+pub struct Gesture {
+    text: String,
+    view: View,
+    staged: Staged,
+    drives: Vec<Drive>,
+    hold: Hold,
+    /// The last position.
+    now: Solution,
+}
+
+enum Hold {
+    Drive { pull: Box<Pull>, point: Option<PointId>, pose: Pose },
+    Shape { reshape: Box<Reshape>, text: String },
+}
+
+impl Desk {
+    /// Takes hold of something.
+    pub fn grab(&mut self, text: &str, view: &View, what: &Grab) -> Result<Picture, Refused> {
+        self.gesture = None;
+        let kept = self.kept(text)?;
+        let drives = kept.drives()?;
+        let own = kept.figure()?;
+        let point_of = |name: &str| {
+            let message = || Refused::whole(format!("there is no point {}", Untrusted::from(name).for_message()));
+            own.mechanism.point(name).ok_or_else(message)
+        };
+        let refused = |error: kinegon::cycle::CycleError| Refused::of(text, error);
+        let hold = match what {
+            Grab::Move { point } => {
+                let point = point_of(point)?;
+                Hold::drive(Pull::of_point(own, point).map_err(refused)?, Some(point), own)
+            }
+            Grab::Drive { drive } => Hold::drive(Pull::new(own, Some(drive)).map_err(refused)?, None, own),
+            Grab::Shape { point, pins } => {
+                let reshape = Reshape::new(text, point, pins).map_err(|error| Refused::of(text, error))?;
+                Hold::Shape { reshape: Box::new(reshape), text: text.to_owned() }
+            }
+        };
+        let staged = kept.take_stage(view)?;
+        let now = staged.own.clone();
+        let gesture = Gesture { text: text.to_owned(), view: view.clone(), staged, drives, hold, now };
+        let picture = gesture.picture(Vec::new());
+        self.gesture = Some(gesture);
+        Ok(picture)
+    }
+
+    /// Pulls what is held.
+    pub fn drag(&mut self, to: To) -> Result<Picture, Refused> {
+        self.gesture.as_mut().ok_or_else(nothing_held)?.pull(to)
+    }
+
+    /// Lets go: the scene's text after the gesture.
+    pub fn let_go(&mut self) -> Result<String, Refused> {
+        let Gesture { text, hold, .. } = self.gesture.take().ok_or_else(nothing_held)?;
+        match hold {
+            Hold::Drive { pull, pose, .. } if pull.value() != pull.start() => {
+                with_drive(&text, &pull.drive().name, pull.value(), &pose).map_err(|error| Refused::of(&text, error))
+            }
+            Hold::Drive { .. } => Ok(text),
+            Hold::Shape { text, .. } => Ok(text),
+        }
+    }
+}
+
+fn nothing_held() -> Refused {
+    Refused::whole("nothing is held")
+}
+
+impl Hold {
+    fn drive(pull: Pull, point: Option<PointId>, own: &Solution) -> Hold {
+        Hold::Drive { pull: Box::new(pull), point, pose: own.pose.clone() }
+    }
+}
+
+impl Gesture {
+    fn pull(&mut self, to: To) -> Result<Picture, Refused> {
+        let place = match to {
+            To::Place { to: [x, y] } => self.staged.stage.place(Point::new(x, y)),
+            To::Value { .. } => None,
+        };
+        let notes = match &mut self.hold {
+            Hold::Drive { pull, point, pose } => {
+                let pulled = match (to, *point, place) {
+                    (To::Value { value }, ..) => pull.to_value(value),
+                    (_, Some(point), Some(place)) => pull.to_place(point, place),
+                    _ => return Err(Refused::whole("a drive goes to a value, a joint to a place")),
+                };
+                let limit = pulled.limit.map(|end| end.text(&pull.drive().at(end.at)));
+                let moved = self.staged.own.moved(pulled.pose.clone());
+                let words = self.now.wording();
+                if let Some(drive) = self.drives.iter_mut().find(|drive| drive.name == pull.drive().name) {
+                    (drive.value, drive.shown) = (pulled.value, pull.drive().shown(pulled.value, &words));
+                }
+                *pose = pulled.pose;
+                let singular = moved.map(|moved| self.now = moved).err().map(|error| error.to_string());
+                limit.into_iter().chain(singular).collect()
+            }
+            Hold::Shape { reshape, text } => {
+                let place: geometry::Point = place.ok_or_else(|| Refused::whole("a joint goes to a place"))?;
+                match reshape.to([place.x, place.y]) {
+                    Ok(shape) => {
+                        let mut scene = shape.scene;
+                        scene.figure = self.staged.own.scene.figure.clone();
+                        match Solution::new(scene, shape.mechanism, shape.pose, self.now.motion.order) {
+                            Ok(now) => {
+                                (self.now, *text) = (now, shape.text);
+                                shape.note.into_iter().collect()
+                            }
+                            Err(error) => vec![error.to_string()],
+                        }
+                    }
+                    Err(error) => vec![error.message],
+                }
+            }
+        };
+        Ok(self.picture(notes))
+    }
+
+    /// The picture of the last position; `notes` come first.
+    fn picture(&self, notes: Vec<String>) -> Picture {
+        let modes = if self.view.modes { OtherModes::of(&self.now).ok() } else { None };
+        let mut picture = self.staged.picture(&self.now, modes.as_ref(), &self.view, self.drives.clone());
+        picture.notes.splice(0..0, notes);
+        picture
+    }
+}

@@ -1,0 +1,107 @@
+use crate::answers::{Mode, Opened, Step, ValueRow};
+use crate::desk::{Desk, Kept};
+use crate::refused::Refused;
+use kinegon::construction::{Action, NumberedStep, PlanKind, Teller, shown_text};
+use kinegon::cycle::every_name;
+use kinegon::drawing::{RichText, SheetLabels};
+use kinegon::format::{self, html_text};
+use kinegon::position::counted_poses;
+use kinegon::quantity::{Asked, measured_names};
+use kinegon::scene::{GivenBy, SizeLimit};
+use kinegon::words::Wording;
+use kinegon::{Solution, order_of_result};
+use serde_json::Value;
+
+impl Desk {
+    /// What is known of a scene.
+    pub fn open(&mut self, text: &str) -> Result<Opened, Refused> {
+        let kept = self.kept(text)?;
+        let drives = kept.drives()?;
+        let too_large = kept.check(SizeLimit::STEPS).err().map(|refused| refused.message);
+        let solution = kept.figure()?;
+        let words = solution.wording();
+        let (steps, passages) = match too_large {
+            None => (steps(solution, &words), solution.construction.passages()),
+            Some(_) => (Vec::new(), Vec::new()),
+        };
+        let teller = Teller::new(solution, &words);
+        let captions = passages.iter().map(|passage| {
+            let plan = solution.construction.steps_of(passage).next().and_then(|step| step.plan);
+            shown_text(&teller.passage_caption(passage), plan, &words)
+        });
+        let (scene, mechanism) = (&solution.scene, &solution.mechanism);
+        let mut quantities = every_name(mechanism);
+        quantities.extend(measured_names(&solution.construction));
+        let is_vector = |name: &&String| Asked::new(name, mechanism).is_ok_and(|asked| asked.is_vector());
+        let is_traceable = |name: &&String| scene.check_traced(&[(*name).clone()], None).is_ok();
+        let title = scene.title.clone().unwrap_or_else(|| words.language.title().into());
+        Ok(Opened {
+            title: title.for_message(),
+            scene: match serde_json::from_str(text.trim_start_matches('\u{feff}')) {
+                Ok(Value::Object(scene)) => scene,
+                _ => Default::default(),
+            },
+            drives,
+            steps,
+            passage_captions: captions.collect(),
+            passages: passages.iter().map(|passage| passage.steps).collect(),
+            traceable: mechanism.points.iter().filter(is_traceable).cloned().collect(),
+            vectors: quantities.iter().filter(is_vector).cloned().collect(),
+            quantities,
+            structure: format::structure(mechanism),
+            warnings: solution.warnings().chain(solution.overflow_warnings()).chain(too_large).collect(),
+            is_drawn: scene.given_by == GivenBy::Drawing,
+        })
+    }
+
+    /// Every way to assemble a scene.
+    pub fn modes(&mut self, text: &str) -> Result<Vec<Mode>, Refused> {
+        let kept = self.kept(text)?;
+        let Kept { scene, mechanism, pose: own, .. } = &*kept;
+        let listed = counted_poses(mechanism, &scene.near).map_err(|error| kept.refused(error))?;
+        let modes = listed.poses.iter().zip(1..).map(|(pose, number)| Mode {
+            number,
+            shown: format::mode(mechanism, pose).join("\n"),
+            is_own: own.is_same_as(pose),
+        });
+        Ok(modes.collect())
+    }
+
+    /// All rates, velocities and accelerations with their certain digits.
+    pub fn values(&mut self, text: &str) -> Result<Vec<ValueRow>, Refused> {
+        let kept = self.kept(text)?;
+        let solution = kept.solution(order_of_result(&kept.scene))?;
+        let labels = SheetLabels::of(solution);
+        let label = |name: &str| match Asked::new(name, &solution.mechanism) {
+            Ok(asked) => html_text(&labels.quantity(&asked)),
+            Err(_) => html_text(&RichText::verbatim(name)),
+        };
+        let rows = solution.digit_rows().into_iter().map(|row| ValueRow {
+            label: label(&row.name),
+            error: row.bound.strip_prefix("± ").map(str::to_owned),
+            name: row.name,
+            value: row.value,
+            unit: row.unit,
+        });
+        Ok(rows.collect())
+    }
+}
+
+/// The steps of the construction, in the figure's language.
+fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
+    let teller = Teller::new(solution, words);
+    let equations = |step: &NumberedStep<'_>| match &step.step.action {
+        Action::Solve { equations, .. } => {
+            let kind = step.plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+            equations.iter().map(|equation| teller.equation(kind, equation)).collect()
+        }
+        _ => vec![teller.formula(step).markup()],
+    };
+    let step = |step: NumberedStep<'_>| Step {
+        number: step.number,
+        caption: shown_text(&teller.caption(&step), step.plan, words),
+        equation: shown_text(&equations(&step).join("; "), step.plan, words),
+        panel: step.sheet().panel().as_str(),
+    };
+    solution.construction.numbered_steps().map(step).collect()
+}

@@ -1,0 +1,79 @@
+import type { App } from "../../app.ts";
+import type { Checked, Refused } from "../../engine/types.ts";
+import { signal, type Signal } from "../../state/signal.ts";
+import { formFile, hasValues } from "./form.ts";
+
+/** What the check says of the form. */
+export interface Verdicts {
+  /** Of the form's present text; of an earlier one while that is being checked. */
+  checked: Checked | null;
+  /** Why the form as a whole is refused. */
+  refused: Refused | null;
+  isChecking: boolean;
+}
+
+/** How long somebody must pause within a field before it is checked, in ms. */
+const PAUSE = 900;
+
+export interface Checking {
+  verdicts: Signal<Verdicts>;
+  /** The marking scheme: its file's name and its text. */
+  scheme: Signal<{ name: string; text: string } | null>;
+  /** The field in which somebody is writing, by its name in the form; it has no verdict yet. */
+  writing: Signal<string | null>;
+}
+
+/** Checks the form whenever it has changed; one check is under way at a time, and the newest form wins. */
+export function checking(app: App): Checking {
+  const verdicts = signal<Verdicts>({ checked: null, refused: null, isChecking: false });
+  const scheme: Checking["scheme"] = signal<{ name: string; text: string } | null>(null);
+  const writing = signal<string | null>(null);
+  let isRunning = false;
+  let isStale = false;
+  let pause: ReturnType<typeof setTimeout> | undefined;
+
+  async function once(): Promise<void> {
+    const { form } = app.history.now.value;
+    const { good } = app.solved.value;
+    const file = formFile(form);
+    if (good === "" || file === null || !hasValues(file)) {
+      verdicts.set({ checked: null, refused: null, isChecking: false });
+      return;
+    }
+    verdicts.set({ ...verdicts.value, isChecking: true });
+    const options = { marks: scheme.value?.text ?? null, pencil_mm: null, pencil_degrees: null, drawn: false };
+    try {
+      const checked = await app.engine.check(good, form, options);
+      verdicts.set({ checked, refused: null, isChecking: false });
+    } catch (why) {
+      verdicts.set({ checked: null, refused: why as Refused, isChecking: false });
+    }
+  }
+
+  async function run(): Promise<void> {
+    clearTimeout(pause);
+    isStale = true;
+    if (isRunning) return;
+    isRunning = true;
+    while (isStale) {
+      isStale = false;
+      await once();
+    }
+    isRunning = false;
+  }
+
+  let known = { form: "", good: "" };
+  function changed(): void {
+    const now = { form: app.history.now.value.form, good: app.solved.value.good };
+    if (now.form === known.form && now.good === known.good) return;
+    known = now;
+    clearTimeout(pause);
+    if (writing.value === null) void run();
+    else pause = setTimeout(() => writing.set(null), PAUSE);
+  }
+  app.history.now.on(changed);
+  app.solved.on(changed);
+  scheme.on(() => void run());
+  writing.on((field) => field === null && void run());
+  return { verdicts, scheme, writing };
+}

@@ -1,0 +1,77 @@
+import { element } from "../../dom.ts";
+import type { Form, FormRow } from "../../engine/types.ts";
+import { type FormFile, SCALES, type Scale, withHead } from "./form.ts";
+import { say } from "./words.ts";
+
+/** The head of the form: name, scales of the student's own sheets, what lengths are written in. */
+export interface Head {
+  root: HTMLElement;
+  /** For a scene's form. */
+  build(form: Form): void;
+  show(file: FormFile): void;
+}
+
+/** The unit of a sheet's lengths: that of a quantity that is read from it. */
+function unitOf(rows: FormRow[], scale: Scale): string {
+  const panel = { mu_l: "scheme", mu_v: "velocity", mu_a: "acceleration" }[scale];
+  const length = rows.find((row) => row.unit.startsWith("mm") || row.on_paper)?.unit.split("/")[0] ?? "";
+  return rows.find((row) => row.panel === panel && row.on_paper)?.unit ?? (scale === "mu_l" ? length : "");
+}
+
+/** A symbol with a low letter, as μ_l. */
+function symbol(scale: Scale): HTMLElement {
+  return element("i", {}, "μ", element("sub", {}, scale.slice(-1)));
+}
+
+/** `change` is called with how the form becomes another, and with the name of the field. */
+export function head(change: (how: (file: FormFile) => FormFile, field: string) => void, left: () => void): Head {
+  const root = element("div", { class: "head" });
+  const fields = new Map<Scale | "name", HTMLInputElement>();
+  let units: HTMLInputElement[] = [];
+
+  function scaleField(scale: Scale, rows: FormRow[]): HTMLElement {
+    const unit = say("per_mm", { unit: unitOf(rows, scale) });
+    const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `μ ${say(scale)}, ${unit}` });
+    input.oninput = () => {
+      const value = Number(input.value.replace(",", "."));
+      const isScale = Number.isFinite(value) && value > 0;
+      input.setAttribute("aria-invalid", String(!isScale && input.value.trim() !== ""));
+      if (isScale || input.value.trim() === "") change((file) => withHead(file, scale, isScale ? value : undefined), scale);
+    };
+    input.onblur = left;
+    fields.set(scale, input);
+    return element("label", {}, element("span", {}, symbol(scale), ` ${say(scale)}`), input, element("small", {}, unit));
+  }
+
+  function build({ rows }: Form): void {
+    fields.clear();
+    const name = element("input", { type: "text", autocomplete: "name", maxlength: "200" });
+    name.oninput = () => change((file) => withHead(file, "name", name.value), "name");
+    name.onblur = left;
+    fields.set("name", name);
+    const own = [...new Set(rows.filter((row) => row.on_paper).map((row) => row.unit))].join(", ");
+    const choice = (value: "mm" | "units", words: string): HTMLElement => {
+      const input = element("input", { type: "radio", name: "check-in", value });
+      input.onchange = () => change((file) => withHead(file, "in", value === "mm" ? "mm" : undefined), "in");
+      units.push(input);
+      return element("label", {}, input, element("span", {}, words));
+    };
+    units = [];
+    root.replaceChildren(
+      element("label", { class: "name" }, element("span", {}, say("name")), name),
+      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SCALES.map((scale) => scaleField(scale, rows))),
+      element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units", { units: own }))),
+    );
+  }
+
+  function show(file: FormFile): void {
+    for (const [key, input] of fields) {
+      const text = String(file[key] ?? "");
+      const isSame = document.activeElement === input && (key === "name" ? input.value === text : Number(input.value.replace(",", ".")) === file[key]);
+      if (!isSame) input.value = text;
+      if (key !== "name") input.setAttribute("aria-invalid", "false");
+    }
+    for (const input of units) input.checked = input.value === (file.in ?? "units");
+  }
+  return { root, build, show };
+}

@@ -1,0 +1,132 @@
+import type { App, Panel } from "../../app.ts";
+import { element } from "../../dom.ts";
+import type { Form, Refused } from "../../engine/types.ts";
+import { language } from "../../words.ts";
+import { bar } from "./bar.ts";
+import { checking } from "./checking.ts";
+import { begun, filledNames, type FormFile, formFile, formText, withoutValue, withValue } from "./form.ts";
+import { formFiles } from "./form_files.ts";
+import { saveFile, formName } from "./files.ts";
+import { head } from "./head.ts";
+import { judged } from "./judged.ts";
+import { overlay } from "./overlay.ts";
+import { pointsPart } from "./points.ts";
+import { result } from "./result.ts";
+import { rows } from "./rows.ts";
+import { say } from "./words.ts";
+
+function mount(root: HTMLElement, app: App): void {
+  root.classList.add("check");
+  const check = checking(app);
+  const drawing = overlay(app, () => check.scheme.value?.text ?? null);
+  let form: Form | null = null;
+  /** Counts visits of fields: what is typed in one visit is one entry of undo. */
+  let visit = 0;
+
+  /** The form as it is, or one to begin with. */
+  const present = (): FormFile => formFile(app.history.now.value.form) ?? begun(form?.json ?? "", false);
+
+  function change(how: (file: FormFile) => FormFile, gesture: string): void {
+    app.history.change({ form: formText(how(present())) }, `form:${gesture}:${visit}`);
+  }
+  const typed = (how: (file: FormFile) => FormFile, field: string): void => {
+    check.writing.set(field);
+    change(how, field);
+  };
+  function left(): void {
+    visit += 1;
+    check.writing.set(null);
+  }
+
+  const intro = element("p", { class: "quiet" });
+  const top = head(typed, left);
+  const boxes = rows({
+    changed(name, value, isTyping) {
+      if (isTyping) check.writing.set(name);
+      change((file) => withValue(file, name, value), name);
+      if (!isTyping) left();
+    },
+    left,
+    remove: (name) => change((file) => withoutValue(file, name), `remove ${name}`),
+  });
+  const points = pointsPart(app, change, left, present);
+  const whole = result(app, drawing, () => {
+    void drawing.drawn().then(({ feedback }) => {
+      const file = present();
+      saveFile(`${formName(app, file.exercise, file.name)}.html`, feedback, "text/html");
+    }, (why: Refused) => app.tell(why.message));
+  });
+  const foot = bar({
+    result: () => {
+      whole.root.scrollIntoView({ block: "start" });
+      whole.root.querySelector("h3")?.focus({ preventScroll: true });
+    },
+    firstOff: () => boxes.firstOff()?.focus(),
+  });
+  const files = formFiles(app, check.scheme, present);
+  const all = element("div", { class: "all" }, intro, files, top.root, boxes.root, points.root, whole.root);
+  const none = element("p", { class: "quiet" });
+  root.append(none, all, foot.root);
+
+  /** Shows what the form says now. */
+  function show(): void {
+    if (form === null) return;
+    const file = present();
+    top.show(file);
+    points.show(file);
+    boxes.show(file, judged(file, form, check.verdicts.value, check.writing.value));
+    const asked = form.rows.filter((row) => row.is_asked);
+    const filled = new Set(filledNames(file));
+    const given = new Set(check.verdicts.value.checked?.parts?.rows.map((row) => row.name) ?? []);
+    const count = asked.filter((row) => filled.has(row.name) || given.has(row.name)).length;
+    whole.show(check.verdicts.value, count === asked.length);
+    foot.show(check.verdicts.value, count, asked.length);
+  }
+
+  /** Builds the boxes of another scene, or of a form with other names. */
+  function build(): void {
+    none.textContent = form === null ? say("no_scene") : form.rows.length === 0 ? say("no_boxes") : "";
+    none.hidden = none.textContent === "";
+    all.hidden = foot.root.hidden = !none.hidden;
+    if (form === null) return;
+    intro.textContent = say("intro");
+    top.build(form);
+    boxes.build(form);
+    points.build(form);
+    show();
+  }
+
+  let known = "";
+  let isAsking = false;
+  async function refresh(): Promise<void> {
+    const { form: text } = app.history.now.value;
+    const { good } = app.solved.value;
+    const file = formFile(text);
+    const key = `${good}\n${Object.keys(file?.values ?? {}).map((name) => name.replace(/\/mu$/, "")).join("\n")}`;
+    if (key === known || good === "") return show();
+    if (isAsking) return;
+    isAsking = true;
+    known = key;
+    try {
+      form = await app.engine.form(good, file === null ? "" : text);
+    } catch {
+      // A form of another scene, or none at all: the check says what is wrong with it.
+      form = await app.engine.form(good, "").catch(() => null);
+    }
+    isAsking = false;
+    build();
+    void refresh();
+  }
+
+  app.history.now.on(() => void refresh());
+  app.solved.on(() => void refresh());
+  check.verdicts.on((verdicts) => {
+    show();
+    if (!verdicts.isChecking) drawing.follow();
+  });
+  check.writing.on(show);
+  app.student.on(show);
+  language.on(() => form !== null && build());
+}
+
+export const checkPanel: Panel = { id: "check", title: { en: "Check", es: "Comprobar" }, mount };

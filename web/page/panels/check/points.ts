@@ -1,0 +1,103 @@
+import type { App } from "../../app.ts";
+import { element } from "../../dom.ts";
+import type { Form, PlanPoint } from "../../engine/types.ts";
+import { type FormFile, type Place, type PlanName, placesOf, withPlace } from "./form.ts";
+import { planSheet } from "./plan_sheet.ts";
+import { pointList } from "./point_list.ts";
+import { say } from "./words.ts";
+
+type Change = (how: (file: FormFile) => FormFile, gesture: string) => void;
+
+/** Places of plan points, marked on a sheet of squared paper or typed. */
+export function pointsPart(app: App, change: Change, left: () => void, present: () => FormFile): { root: HTMLElement; build(form: Form): void; show(file: FormFile): void } {
+  const root = element("details", { class: "points" });
+  let points: Form["points"] = { velocity: [], acceleration: [] };
+  let plan: PlanName = "velocity";
+  let chosen = "";
+
+  const put = (name: string, at: Place | null, gesture: string): void => change((file) => withPlace(file, plan, name, at), gesture);
+  const here = (): PlanPoint[] => points[plan];
+  const named = (name: string): PlanPoint => here().find((point) => point.name === name) ?? { name, label: name };
+
+  /** The first point without a place after this one, else the first of all. */
+  function next(after: string): string {
+    const places = placesOf(present(), plan);
+    const names = here().map((point) => point.name);
+    const from = names.indexOf(after) + 1;
+    return [...names.slice(from), ...names.slice(0, from)].find((name) => places[name] === undefined) ?? "";
+  }
+
+  const sheet = planSheet({
+    placed(at) {
+      const name = chosen;
+      if (name === "") return;
+      put(name, at, `place ${name}`);
+      left();
+      app.tell(say("placed", { name, x: at[0], y: at[1] }));
+      chosen = next(name);
+      show(present());
+    },
+    dragged: (name, at, isOver) => {
+      put(name, at, `drag ${name}`);
+      if (isOver) left();
+    },
+  });
+  const list = pointList({
+    choose(name) {
+      chosen = name;
+      show(present());
+      sheet.focus();
+    },
+    typed: (name, at) => put(name, at, `type ${name}`),
+    left,
+    remove(name) {
+      put(name, null, `remove ${name}`);
+      left();
+      chosen = name;
+      show(present());
+    },
+  });
+  const summary = element("summary");
+  const intro = element("p", { class: "quiet" });
+  const choice = element("fieldset", { class: "plans" });
+  const status = element("p", { class: "chosen", role: "status" });
+  root.append(summary, intro, choice, status, sheet.root, list.root);
+
+  function planButton(name: PlanName, words: string): HTMLElement {
+    const input = element("input", { type: "radio", name: "check-plan", value: name });
+    input.checked = name === plan;
+    input.onchange = () => {
+      plan = name;
+      chosen = next("");
+      show(present());
+    };
+    return element("label", {}, input, element("span", {}, words));
+  }
+
+  function show(file: FormFile): void {
+    const places = placesOf(file, plan);
+    const mu = plan === "velocity" ? file.mu_v : file.mu_a;
+    if (chosen !== "" && !here().some((point) => point.name === chosen)) chosen = next("");
+    status.innerHTML = mu === undefined ? say("scale_first") : chosen === "" ? say("all_placed") : say("chosen", { name: named(chosen).label });
+    sheet.show(here(), places, chosen);
+    list.show(here(), places, chosen);
+  }
+
+  return {
+    root,
+    build(form) {
+      points = form.points;
+      root.hidden = points.velocity.length < 2 && points.acceleration.length < 2;
+      summary.textContent = say("by_points");
+      intro.textContent = say("points_intro");
+      choice.replaceChildren(
+        element("legend", {}, say("plan")),
+        planButton("velocity", say("velocity_plan")),
+        ...(points.acceleration.length < 2 ? [] : [planButton("acceleration", say("acceleration_plan"))]),
+      );
+      if (points.acceleration.length < 2) plan = "velocity";
+      chosen = next("");
+    },
+    show,
+  };
+}

@@ -1,0 +1,106 @@
+import type { App } from "../../app.ts";
+import { element } from "../../dom.ts";
+import type { Checked, ReportParts } from "../../engine/types.ts";
+import type { Verdicts } from "./checking.ts";
+import type { Overlay } from "./overlay.ts";
+import { say } from "./words.ts";
+
+/** An element with a fragment of the engine: text with `<i>`, `<sub>`, `<sup>` alone. */
+function fragment<Tag extends keyof HTMLElementTagNameMap>(tag: Tag, html: string, className = ""): HTMLElementTagNameMap[Tag] {
+  const made = element(tag, className === "" ? {} : { class: className });
+  made.innerHTML = html;
+  return made;
+}
+
+function folded(summary: string, ...contents: Node[]): HTMLDetailsElement {
+  return element("details", {}, element("summary", {}, summary), ...contents);
+}
+
+/** What was probably done, one after the other; what it should be is folded, so that somebody may think first. */
+function causes(parts: ReportParts): HTMLElement {
+  const items = parts.causes.map((cause) => {
+    const item = element("li", {}, fragment("p", cause.done, "done"));
+    if (cause.caption !== null) item.append(fragment("p", cause.caption, "caption"));
+    item.append(folded(say("should"), fragment("p", cause.should)));
+    if (cause.follows !== null) item.append(fragment("p", cause.follows, "follows"));
+    return item;
+  });
+  return element("ol", { class: "causes" }, ...items);
+}
+
+/** All values beside the right ones. */
+function table(parts: ReportParts): HTMLElement {
+  const head = element("tr", {}, ...parts.columns.map((name) => fragment("th", name)));
+  const rows = parts.rows.map(({ cells }) => element("tr", {}, ...cells.map((cell, index) => fragment(index === 0 ? "th" : "td", cell))));
+  return element("div", { class: "table" }, element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows)));
+}
+
+export interface Result {
+  root: HTMLElement;
+  show(verdicts: Verdicts, isFull: boolean): void;
+}
+
+/** What the check says as a whole: what probably happened, the student's drawing, the marks. */
+export function result(app: App, drawing: Overlay, saveReport: () => void): Result {
+  const heading = element("h3", { tabindex: "-1" });
+  const root = element("section", { class: "result", "aria-live": "polite" });
+  const overlayButton = element("button", { type: "button" });
+  overlayButton.onclick = () => (drawing.isShown.value ? drawing.hide() : void drawing.show());
+  drawing.isShown.on((is) => {
+    overlayButton.textContent = say(is ? "overlay_hide" : "overlay");
+    overlayButton.setAttribute("aria-pressed", String(is));
+  });
+  const rightButton = element("button", { type: "button" });
+  rightButton.onclick = () => {
+    app.student.set(false);
+    app.tell(say("right_plan_shown"));
+  };
+  const reportButton = element("button", { type: "button" });
+  reportButton.onclick = saveReport;
+
+  /** What tells the right answers: only where these are no secret. */
+  function answers(checked: Checked, isFull: boolean): Node[] {
+    const parts = checked.parts;
+    if (parts === null) return [];
+    rightButton.textContent = say("right_plan");
+    reportButton.textContent = say("feedback");
+    if (app.student.value) return [isFull ? element("p", {}, rightButton) : element("p", { class: "quiet" }, say("right_plan_later"))];
+    const isOff = checked.result?.["passed"] !== true;
+    const buttons = element("p", { class: "buttons" }, ...(isOff ? [overlayButton] : []), reportButton);
+    return [buttons, folded(say("right_values"), table(parts))];
+  }
+
+  function told(checked: Checked, isFull: boolean): Node[] {
+    const { parts } = checked;
+    if (parts === null) return [];
+    const kind = checked.result?.["passed"] === true ? "good" : "bad";
+    const more = [...(parts.senses === null ? [] : [parts.senses]), ...parts.further];
+    return [
+      ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),
+      fragment("p", parts.heading, `heading ${kind}`),
+      ...(parts.causes.length === 0 ? [] : [causes(parts)]),
+      ...(parts.sure === null ? [] : [fragment("p", parts.sure, "quiet")]),
+      ...more.map((text) => fragment("p", text)),
+      ...(parts.others.length === 0 ? [] : [folded(say("others"), element("ul", {}, ...parts.others.map((text) => fragment("li", text))))]),
+      folded(say("hand"), ...parts.accuracy.map((text) => fragment("p", text))),
+      ...answers(checked, isFull),
+    ];
+  }
+
+  return {
+    root,
+    show({ checked, refused }, isFull) {
+      heading.textContent = say("result");
+      const open = [...root.querySelectorAll("details[open] > summary")].map((summary) => summary.textContent);
+      const contents: Node[] =
+        refused !== null
+          ? [element("p", { class: "bad" }, [refused.message, refused.hint].filter(Boolean).join(" "))]
+          : checked === null
+            ? [element("p", { class: "quiet" }, say("nothing_yet"))]
+            : told(checked, isFull);
+      root.replaceChildren(heading, ...contents);
+      // What was unfolded stays so when another value is written.
+      for (const summary of root.querySelectorAll("summary")) if (open.includes(summary.textContent)) (summary.parentElement as HTMLDetailsElement).open = true;
+    },
+  };
+}

@@ -1,0 +1,112 @@
+import { element } from "../../dom.ts";
+import type { FormRow } from "../../engine/types.ts";
+import { type FormFile, type Value, valueOf } from "./form.ts";
+import { type Sense, sensed, signed } from "./sense.ts";
+import { senseButtons } from "./sense_buttons.ts";
+import { taken, unitsBeside } from "./units.ts";
+import { showVerdict, type Verdict } from "./verdict.ts";
+import { say } from "./words.ts";
+
+/** Names of lengths and segments: `"in": "mm"` makes them millimetres of paper. */
+const SEGMENT = /^(L|vplan|aplan)\(/;
+
+/** What a row tells the panel. */
+export interface RowEvents {
+  /** The value is another; `isTyping` while the field has not been left. */
+  changed(name: string, value: Value, isTyping: boolean): void;
+  /** The field has been left. */
+  left(name: string): void;
+}
+
+export interface Row {
+  root: HTMLElement;
+  input: HTMLInputElement;
+  /** Shows the value that the form has; `fromPoints` is what the marked points give where nothing is written. */
+  show(file: FormFile, fromPoints: string | null): void;
+  judge(verdict: Verdict | null): void;
+}
+
+let last = 0;
+
+/** A box of the form: label, number, unit, sense, verdict. */
+export function row(of: FormRow, events: RowEvents): Row {
+  const id = `check-${(last += 1)}`;
+  const label = element("label", { for: id, title: of.caption === "" ? "" : `${say("step", { step: of.step })}: ${of.caption}` });
+  label.innerHTML = of.label;
+  const name = label.textContent ?? of.name;
+  const input = element("input", {
+    id,
+    type: "text",
+    inputmode: "decimal",
+    autocomplete: "off",
+    spellcheck: "false",
+    enterkeyhint: "next",
+    "aria-describedby": `${id}-verdict`,
+  });
+  const unit = element("select", { "aria-label": say("unit_of", { name }) });
+  const paper = element("span", { class: "paper" }, say("mm"));
+  const verdict = element("span", { class: "verdict", id: `${id}-verdict` });
+  const note = element("span", { class: "note" });
+  let file: FormFile = { kinegon_measured: 1 };
+  let chosen: Sense = "";
+  const senses = of.has_sense ? senseButtons(name, of.turns, (sense) => ((chosen = sense), put(false))) : null;
+
+  /** What the fields say, as the form has it. */
+  function value(): Value {
+    const typed = taken(input.value);
+    const { size, sense } = sensed(typed.digits, of.turns, undefined);
+    if (sense !== "") chosen = of.turns && file.positive === "clockwise" ? (sense === "+" ? "-" : "+") : sense;
+    const digits = of.has_sense ? signed(size, chosen, of.turns, file.positive) : typed.digits;
+    const onPaper = typed.unit === null && unit.value === "/mu";
+    const beside = typed.unit ?? (unit.value === "" || onPaper ? null : unit.value);
+    return { digits, unit: beside === of.unit ? null : beside, onPaper };
+  }
+
+  function put(isTyping: boolean): void {
+    events.changed(of.name, value(), isTyping);
+  }
+
+  function showUnits(own: Value): void {
+    const all = unitsBeside(of.unit);
+    if (own.unit !== null && !all.includes(own.unit)) all.push(own.unit);
+    const options = all.map((name, index) => new Option(name, index === 0 ? "" : name));
+    if (of.on_paper) options.push(new Option(say("on_paper"), "/mu"));
+    unit.replaceChildren(...options);
+    unit.value = own.onPaper ? "/mu" : (own.unit ?? "");
+    const isPaper = file.in === "mm" && SEGMENT.test(of.name) && !own.onPaper && own.unit === null;
+    unit.hidden = isPaper;
+    paper.hidden = !isPaper;
+  }
+
+  input.oninput = () => put(true);
+  input.onblur = () => {
+    events.left(of.name);
+    show(file, note.textContent === "" ? null : input.placeholder);
+  };
+  unit.onchange = () => put(false);
+
+  function show(now: FormFile, fromPoints: string | null): void {
+    file = now;
+    const own = valueOf(now, of.name);
+    const { size, sense } = of.has_sense ? sensed(own.digits, of.turns, now.positive) : { size: own.digits, sense: "" as const };
+    if (own.digits !== "") chosen = sense;
+    const isSame = document.activeElement === input && value().digits === own.digits;
+    if (!isSame) input.value = size;
+    if (!isSame || document.activeElement !== input) showUnits(own);
+    senses?.show(own.digits === "" && chosen !== "" ? chosen : sense);
+    input.placeholder = fromPoints ?? "";
+    note.textContent = own.digits === "" && fromPoints !== null ? say("from_points") : "";
+  }
+
+  return {
+    root: element("div", { class: "row" }, label, input, element("span", { class: "unit" }, unit, paper), ...(senses ? [senses.root] : []), note, verdict),
+    input,
+    show,
+    judge(found) {
+      showVerdict(verdict, found);
+      const isWrong = found?.kind === "off" || found?.kind === "fault";
+      input.setAttribute("aria-invalid", String(isWrong));
+      senses?.root.classList.toggle("missing", found?.kind === "sense-missing");
+    },
+  };
+}

@@ -1,0 +1,34 @@
+import { element } from "../../dom.ts";
+import { say } from "./words.ts";
+
+/** A verdict beside a value: a sign, a colour (by its kind) and words. */
+export interface Verdict {
+  kind: "right" | "within-tolerance" | "off" | "sense-missing" | "unjudged" | "fault" | "writing";
+  words: string;
+  /** What to try. */
+  hint: string | null;
+}
+
+const SIGNS: Record<Verdict["kind"], string> = {
+  right: "✓",
+  "within-tolerance": "≈",
+  off: "✗",
+  "sense-missing": "?",
+  unjudged: "–",
+  fault: "!",
+  writing: "…",
+};
+
+/** Shows a verdict in its place; none where there is none. */
+export function showVerdict(place: HTMLElement, verdict: Verdict | null): void {
+  place.dataset["kind"] = verdict?.kind ?? "";
+  place.replaceChildren();
+  if (verdict === null || verdict.kind === "writing") return;
+  place.append(element("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict.kind]), ` ${verdict.words}`);
+  if (verdict.hint !== null) place.append(element("small", {}, verdict.hint));
+}
+
+/** The verdict on a value that is not understood. */
+export function fault(message: string, hint: string | null): Verdict {
+  return { kind: "fault", words: message === "" ? say("not_understood") : message, hint };
+}

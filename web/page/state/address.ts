@@ -1,0 +1,81 @@
+import type { View } from "../engine/types.ts";
+
+/** What a link holds. */
+export interface Shared {
+  /** The scene's text. */
+  text: string;
+  /** The form of measured values, where one goes along. */
+  form?: string;
+  view?: View;
+  /** The panel that is shown at first. */
+  panel?: string;
+  /** Whether it is for a student: nothing is shown that the sheet asks for. */
+  student?: boolean;
+}
+
+/** Why a link cannot be read. */
+export type BadLink = "broken" | "newer" | "too_large";
+
+/** The version of links; its number stands before the document, as in `#1=…`. */
+const VERSION = 1;
+
+/** As many letters as a scene may have (docs/scenes.md), and a form besides. */
+const MOST = 5 << 20;
+
+const through = (bytes: BufferSource | string, by: CompressionStream | DecompressionStream): ReadableStream<Uint8Array> =>
+  new Blob([bytes]).stream().pipeThrough(by as ReadableWritablePair<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>);
+
+/** The part of an address after #, with the document in it. */
+export async function hashOf(shared: Shared): Promise<string> {
+  const stream = through(JSON.stringify(shared), new CompressionStream("deflate-raw"));
+  const packed = new Uint8Array(await new Response(stream).arrayBuffer());
+  let letters = "";
+  for (const byte of packed) letters += String.fromCharCode(byte);
+  return `#${VERSION}=${btoa(letters).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "")}`;
+}
+
+/** The text of a stream, unless it is longer than anybody writes. */
+async function limited(stream: ReadableStream<Uint8Array>): Promise<string | null> {
+  const decoder = new TextDecoder("utf-8", { fatal: true });
+  const reader = stream.getReader();
+  let text = "";
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return text + decoder.decode();
+    text += decoder.decode(value, { stream: true });
+    if (text.length > MOST) {
+      void reader.cancel();
+      return null;
+    }
+  }
+}
+
+/** What somebody else's JSON holds of a document; null where that is no document. */
+function document(json: unknown): Shared | null {
+  const given = (typeof json === "object" && json !== null ? json : {}) as Record<string, unknown>;
+  if (typeof given["text"] !== "string") return null;
+  const shared: Shared = { text: given["text"] };
+  if (typeof given["form"] === "string") shared.form = given["form"];
+  if (typeof given["panel"] === "string") shared.panel = given["panel"];
+  if (given["student"] === true) shared.student = true;
+  const view = given["view"] as Partial<View> | null | undefined;
+  if (typeof view === "object" && view !== null) {
+    const step = Number.isInteger(view.step) && (view.step as number) > 0 ? (view.step as number) : null;
+    shared.view = { step, coarse: view.coarse === true, modes: view.modes === true };
+  }
+  return shared;
+}
+
+/** The document of a link; null where the address holds none. */
+export async function documentOf(hash: string): Promise<Shared | BadLink | null> {
+  const [, version, letters] = /^#(\d+)=(.*)$/s.exec(hash) ?? [];
+  if (version === undefined || letters === undefined) return null;
+  if (Number(version) > VERSION) return "newer";
+  try {
+    const packed = Uint8Array.from(atob(letters.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
+    const text = await limited(through(packed, new DecompressionStream("deflate-raw")));
+    return text === null ? "too_large" : (document(JSON.parse(text)) ?? "broken");
+  } catch {
+    return "broken";
+  }
+}
