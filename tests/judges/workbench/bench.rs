@@ -9,11 +9,14 @@ use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
 
 /// Whether the page stands with its first picture.
-pub const READY: &str = "document.documentElement?.dataset.ready === 'yes' && document.querySelector('#sheet path') !== null";
+pub const READY: &str = "document.documentElement?.dataset.ready === 'yes'";
 
 /// Whether everything is shown as the text says: solved, drawn, no gesture under way.
-const QUIET: &str = "kinegon.solved.value.text === kinegon.history.now.value.text \
-    && !document.querySelector('#busy')?.textContent";
+const QUIET: &str = "kinegon.app.solved.value.text === kinegon.history.now.value.text \
+    && document.querySelector('#busy').textContent === '' && document.querySelector('#bubble').hidden";
+/// Waits for all that the engine is asked for by now, and for two pictures on the screen.
+const ALL_ANSWERED: &str = "kinegon.engine.kinds().then(() => new Promise((done) => \
+    requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 10)))))";
 
 /// A browser with a workbench.
 pub struct Bench {
@@ -83,10 +86,10 @@ impl Bench {
 
     /// Waits until everything is shown as the text says.
     pub fn settle(&mut self) {
-        self.until(QUIET);
-        // Pictures and panels follow in the frames after it.
-        self.value("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 20))))");
-        self.until(QUIET);
+        for _ in 0..2 {
+            self.until(QUIET);
+            self.value(ALL_ANSWERED);
+        }
     }
 
     /// The scene's text.
@@ -102,7 +105,7 @@ impl Bench {
 
     /// Opens another scene in place of the one that is there.
     pub fn put(&mut self, text: &str) {
-        self.value(&format!("kinegon.open({})", json!(text)));
+        self.value(&format!("kinegon.app.open({})", json!(text)));
         self.settle();
     }
 
@@ -118,7 +121,7 @@ impl Bench {
 
     /// Shows a panel.
     pub fn panel(&mut self, id: &str) {
-        if self.text("kinegon.shown.value") != id {
+        if self.text("kinegon.app.shown.value") != id {
             self.click(&format!("#tab-{id}"));
         }
         self.settle();
@@ -143,7 +146,10 @@ impl Bench {
     /// Puts a value into a box and leaves it, as a person with keys does.
     pub fn fill(&mut self, selector: &str, value: &str) {
         self.place(selector);
-        self.value(&format!("(() => {{ const e = document.querySelector({}); e.focus(); e.select?.(); }})()", json!(selector)));
+        self.value(&format!(
+            "(() => {{ const e = document.querySelector({}); e.focus(); e.select?.(); }})()",
+            json!(selector)
+        ));
         if value.is_empty() {
             self.press("Delete");
         } else {

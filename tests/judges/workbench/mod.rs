@@ -10,8 +10,6 @@ mod gestures;
 mod hostile;
 mod keyboard;
 mod lesson;
-mod limits;
-mod paper;
 mod prepare;
 mod share;
 mod speed;
