@@ -118,8 +118,7 @@ impl<'a> FilledForm<'a> {
         let boxes: Vec<String> = names.rows.names().map(|name| shown.in_form(name, &names.rows)).collect();
         let named = |given: &Given| {
             let (row, is_on_paper) = reader.row(&given.name)?;
-            let name = shown.in_form(&row, &names.rows);
-            boxes.contains(&name).then_some((name, is_on_paper))
+            Some((shown.in_form(&row, &names.rows), is_on_paper))
         };
         let mut filled: IndexMap<String, Vec<(String, Value<'a>)>> =
             boxes.iter().map(|name| (name.clone(), Vec::new())).collect();

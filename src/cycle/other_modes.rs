@@ -2,6 +2,7 @@ use crate::construction::Solution;
 use crate::geometry::{degrees_of, span};
 use crate::mechanism::{Mechanism, Role};
 use crate::position::{AssemblyError, Pose, first_poses};
+use crate::words::Wording;
 
 /// Difference of angles in degrees, or of slides in sizes of the mechanism, that counts as none.
 const STANDS: f64 = 1e-9;
@@ -36,6 +37,12 @@ impl OtherModes {
         let has_more = shown.len() > Self::MOST;
         shown.truncate(Self::MOST);
         Ok(Self { shown, has_more, own })
+    }
+
+    /// That not all of them are drawn, in the figure's language; none where all are.
+    #[must_use]
+    pub fn note(&self, words: &Wording) -> Option<String> {
+        self.has_more.then(|| words.language.modes_left_out(&self.shown.len().to_string()))
     }
 
     /// By mode: the point that is farthest from those of all other modes and of the own position, where its number can

@@ -1,5 +1,7 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::dims::Dims;
+use super::held::Held;
+use super::inset::Inset;
 use super::labels::{LabelRequest, Obstacles, place_among, place_near};
 use super::layout::HEADING;
 use super::obstacles::Taken;
@@ -31,6 +33,8 @@ pub(super) struct Canvas<'a> {
     reserved_circles: Vec<(Point, f64)>,
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details.
     is_overlaid: bool,
+    /// Where labels and enlarged details were in the picture before, if the mechanism moves.
+    pub held: Option<&'a mut Held>,
 }
 
 /// Length of lines through a label that has to be legible, in mm.
@@ -74,6 +78,7 @@ impl<'a> Canvas<'a> {
             dims,
             reserved_circles: Vec::new(),
             is_overlaid: false,
+            held: None,
         }
     }
 
@@ -85,6 +90,18 @@ impl<'a> Canvas<'a> {
     /// A vector with a head of the sheet's size.
     pub(super) fn arrow(&self, from: Point, to: Point) -> Shape {
         Shape::Arrow { from, to, head: self.dims.head }
+    }
+
+    /// The enlarged detail that the panel had in the picture before.
+    pub(super) fn held_inset(&self) -> Option<Inset> {
+        self.held.as_ref()?.inset(self.prefix)
+    }
+
+    /// Keeps the panel's enlarged detail for the next picture.
+    pub(super) fn keep_inset(&mut self, inset: Inset) {
+        if let Some(held) = &mut self.held {
+            held.keep_inset(self.prefix, inset);
+        }
     }
 
     /// The panel with its border.
@@ -358,7 +375,13 @@ impl<'a> Canvas<'a> {
         let mut left_out = Vec::new();
         let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|(wanted, _)| wanted.last);
         let mut asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
-        let mut placed = place_among(&asked, &self.taken);
+        let ids: Vec<String> = match self.held {
+            Some(_) => requests.iter().map(|(wanted, _)| format!("{}-{}", self.prefix, wanted.name)).collect(),
+            None => Vec::new(),
+        };
+        let before = self.held.as_ref().filter(|held| held.has_picture());
+        let before: Option<Vec<_>> = before.map(|held| ids.iter().map(|id| held.label(id)).collect());
+        let mut placed = place_among(&asked, &self.taken, before.as_deref());
         let mut is_shortened = false;
         for ((label, (wanted, _)), asked) in placed.iter().zip(&requests).zip(&mut asked) {
             if let (true, Some(short)) = (label.crowded || label.struck > STRUCK, &wanted.short) {
@@ -366,7 +389,11 @@ impl<'a> Canvas<'a> {
             }
         }
         if is_shortened {
-            placed = place_among(&asked, &self.taken);
+            placed = place_among(&asked, &self.taken, before.as_deref());
+        }
+        if let Some(held) = &mut self.held {
+            let free = ids.into_iter().zip(&placed).zip(&asked).filter(|((_, label), _)| !label.crowded);
+            free.for_each(|((id, label), asked)| held.keep_label(id, label.text.ink_box().center() - asked.anchor));
         }
         for (label, (wanted, since)) in placed.into_iter().zip(requests) {
             if label.left_out || wanted.optional && label.crowded {

@@ -1,6 +1,7 @@
 //! Composition of a sheet: a title, panels in their places, items beside and below them.
 
 use super::dims::Dims;
+use super::held::Held;
 use super::layout::{Aside, Item, LEAST_WHITE, Layout, MARGIN, Needs, layout};
 use super::legend;
 use super::panel::Panel;
@@ -87,10 +88,18 @@ impl Composition<'_> {
 
     /// Draws the sheet as it is laid out.
     pub(super) fn draw(&self, layout: &Layout) -> Drawing {
+        self.draw_holding(layout, None)
+    }
+
+    /// The same, with labels where they were held in the picture before, if they can be there.
+    pub(super) fn draw_holding(&self, layout: &Layout, mut held: Option<&mut Held>) -> Drawing {
+        if let Some(held) = &mut held {
+            held.next();
+        }
         let mut drawing = titled(self.scene, &self.dims, &self.words, self.title.clone());
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
-            panel.draw(&mut drawing, placed, &self.scene.figure.labels, &self.dims);
+            panel.draw(&mut drawing, placed, &self.scene.figure.labels, &self.dims, held.as_deref_mut());
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);

@@ -26,10 +26,25 @@ pub(super) struct Grid {
     cell: [f64; 2],
     columns: usize,
     rows: usize,
-    cells: Vec<Vec<u32>>,
+    /// By cell: the last of its entries, [`NONE`] in an empty one.
+    last: Vec<u32>,
+    entries: Vec<Entry>,
+    /// The last of the entries that have been taken out.
+    free: u32,
     everywhere: Vec<u32>,
     seen: RefCell<Seen>,
 }
+
+/// A thing in a cell.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    thing: u32,
+    /// The entry before it in the same cell.
+    before: u32,
+}
+
+/// No entry.
+const NONE: u32 = u32::MAX;
 
 /// What a search has found already.
 #[derive(Clone, Debug, Default)]
@@ -48,8 +63,9 @@ impl Grid {
         let (columns, rows) = (count(area.width()), count(area.height()));
         let cell = [(area.width() / columns).max(CELL), (area.height() / rows).max(CELL)];
         let (columns, rows) = (columns as usize, rows as usize);
-        let cells = vec![Vec::new(); columns * rows];
-        Self { origin: area.origin(), cell, columns, rows, cells, everywhere: Vec::new(), seen: RefCell::default() }
+        let (origin, last) = (area.origin(), vec![NONE; columns * rows]);
+        let (entries, everywhere) = (Vec::new(), Vec::new());
+        Self { origin, cell, columns, rows, last, entries, free: NONE, everywhere, seen: RefCell::default() }
     }
 
     /// The column of a place; that at the edge outside, the first for a NaN.
@@ -71,15 +87,47 @@ impl Grid {
     /// Adds a thing in a box.
     pub(super) fn add(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
-            self.cells[cell].push(thing as u32);
+            self.put(thing, cell);
         }
+    }
+
+    fn put(&mut self, thing: usize, cell: usize) {
+        let entry = Entry { thing: thing as u32, before: self.last[cell] };
+        let free = self.free;
+        self.last[cell] = match self.entries.get_mut(free as usize) {
+            Some(place) => {
+                self.free = std::mem::replace(place, entry).before;
+                free
+            }
+            None => {
+                self.entries.push(entry);
+                self.entries.len() as u32 - 1
+            }
+        };
+    }
+
+    /// The things in a cell.
+    fn within(&self, cell: usize) -> impl Iterator<Item = usize> {
+        let entry = |index: u32| self.entries.get(index as usize).copied();
+        std::iter::successors(entry(self.last[cell]), move |found| entry(found.before))
+            .map(|found| found.thing as usize)
     }
 
     /// Takes a thing out of a box.
     pub(super) fn remove(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
-            if let Some(place) = self.cells[cell].iter().position(|other| *other == thing as u32) {
-                self.cells[cell].swap_remove(place);
+            let last = self.last[cell];
+            let mut index = last;
+            while let Some(entry) = self.entries.get(index as usize).copied() {
+                if entry.thing == thing as u32 {
+                    // It stands for what the last entry stood for, which is free then.
+                    let Entry { thing, before } = self.entries[last as usize];
+                    self.entries[index as usize].thing = thing;
+                    self.entries[last as usize].before = std::mem::replace(&mut self.free, last);
+                    self.last[cell] = before;
+                    break;
+                }
+                index = entry.before;
             }
         }
     }
@@ -102,7 +150,7 @@ impl Grid {
             let lower = if row + 1 == self.rows { low.y } else { edge(row + 1) + SLACK };
             let (a, b) = if run.y > 0.0 { (at(upper), at(lower)) } else { (from.x, to.x) };
             for column in self.column(a.min(b) - SLACK)..=self.column(a.max(b) + SLACK) {
-                self.cells[row * self.columns + column].push(thing as u32);
+                self.put(thing, row * self.columns + column);
             }
         }
     }
@@ -110,7 +158,7 @@ impl Grid {
     /// Whether something near a box satisfies `is`; a thing may be asked for twice.
     pub(super) fn any(&self, area: Rect, mut is: impl FnMut(usize) -> bool) -> bool {
         self.everywhere.iter().any(|thing| is(*thing as usize))
-            || self.cells_of(area).any(|cell| self.cells[cell].iter().any(|thing| is(*thing as usize)))
+            || self.cells_of(area).any(|cell| self.within(cell).any(&mut is))
     }
 
     /// What is near a box, in rising order, each once; at least all that touches it.
@@ -120,8 +168,7 @@ impl Grid {
         let Seen { search, last } = &mut *seen;
         *search += 1;
         for cell in self.cells_of(area) {
-            for &thing in &self.cells[cell] {
-                let thing = thing as usize;
+            for thing in self.within(cell) {
                 if last.len() <= thing {
                     last.resize(thing + 1, 0);
                 }

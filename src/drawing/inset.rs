@@ -40,6 +40,22 @@ impl Inset {
     /// without room.
     pub(super) fn new(canvas: &Canvas<'_>, places: &[Point]) -> Option<Inset> {
         let (crowd, reach) = crowd(places)?;
+        canvas
+            .held_inset()
+            .and_then(|held| held.moved(canvas, crowd, reach))
+            .or_else(|| Self::anew(canvas, crowd, reach))
+    }
+
+    /// The same detail of a crowd that has moved, if it still has its room.
+    fn moved(self, canvas: &Canvas<'_>, crowd: Point, reach: f64) -> Option<Inset> {
+        let Inset { radius, factor, .. } = self;
+        let centre = crowd + (self.centre - self.crowd);
+        let room = canvas.room().inset(-(radius + APART));
+        let fits = reach * factor <= FILLED * radius && room.contains(centre);
+        (fits && canvas.is_free(centre, radius + APART)).then_some(Inset { crowd, centre, ..self })
+    }
+
+    fn anew(canvas: &Canvas<'_>, crowd: Point, reach: f64) -> Option<Inset> {
         RADII.into_iter().find_map(|radius| {
             let fits = |factor: &f64| reach * factor <= FILLED * radius;
             let factor = FACTORS.into_iter().rfind(fits)?;
@@ -68,6 +84,7 @@ impl Inset {
 
     /// Draws the two circles and the enlarged marks of the crowd.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, words: &Wording) {
+        canvas.keep_inset(*self);
         let marks: Vec<Mark> = canvas.marks().iter().filter(|mark| !mark.passing).cloned().collect();
         for mark in &marks {
             for shape in self.enlarged(&mark.shape) {

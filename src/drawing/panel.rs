@@ -2,6 +2,7 @@
 
 use super::canvas::Canvas;
 use super::dims::Dims;
+use super::held::Held;
 use super::layout::{HEADING, Needs, Placed};
 use super::line::Line;
 use super::shape::{Shape, corners};
@@ -61,18 +62,21 @@ impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
 }
 
 impl Panel<'_> {
-    /// Draws the panel in its place; `renamed` replaces names of points and links.
+    /// Draws the panel in its place; `renamed` replaces names of points and links. What was `held` in the picture before
+    /// stays where it was, if it can.
     pub(super) fn draw(
         &self,
         drawing: &mut Drawing,
         placed: &Placed,
         renamed: &IndexMap<String, Untrusted>,
         dims: &Dims,
+        held: Option<&mut Held>,
     ) {
         drawing.panels.push((self.name.clone(), placed.frame));
         let view = placed.view(&self.needs.extent, self.content);
         let before = drawing.marks.len();
         let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed, *dims);
+        canvas.held = held;
         for layer in &self.layers {
             layer.reserve(&mut canvas, &view);
         }

@@ -127,6 +127,13 @@ impl Drawing {
             if self.look(mark).stroke.is_some() {
                 match &mark.shape {
                     Shape::Line(from, to) => below.add_line(index, (*from, *to)),
+                    chain @ (Shape::Polyline(_) | Shape::Polygon(_)) => {
+                        chain.lines().into_iter().for_each(|line| below.add_line(index, line));
+                    }
+                    arrow @ Shape::Arrow { from, to, .. } => {
+                        below.add_line(index, (*from, *to));
+                        arrow.head_box().into_iter().for_each(|head| below.add(index, head));
+                    }
                     shape => below.add(index, shape.bounds()),
                 }
             }

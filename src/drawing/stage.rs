@@ -2,12 +2,13 @@
 
 use super::compose::Composition;
 use super::figure::{Sheet, Steps, composed, described, extents, extents_of_images};
+use super::held::Held;
 use super::layout::{Layout, Placed};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::view::{Extent, View};
-use crate::construction::Solution;
+use crate::construction::{Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
@@ -53,6 +54,7 @@ pub struct Stage {
     /// The paths and ghosts, and the lengths of the mechanism that has them.
     traces: Arc<Traces>,
     mechanism: Mechanism,
+    held: Held,
 }
 
 /// A place that can be taken hold of.
@@ -114,7 +116,8 @@ impl Stage {
             false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
         };
         let scheme = own_extents.iter().find(|(panel, _)| *panel == PanelName::Scheme).map(|(_, extent)| *extent);
-        Stage { layout, mu: own_scheme.mu, extents, scheme, steps, traces, mechanism: own.mechanism.clone() }
+        let (mu, mechanism) = (own_scheme.mu, own.mechanism.clone());
+        Stage { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
     }
 
     /// The figure in a position of the same mechanism, or of one with other lengths; with other modes, pale. With steps
@@ -122,9 +125,39 @@ impl Stage {
     #[must_use]
     pub fn draw(&self, solution: &Solution, modes: Option<&OtherModes>) -> Drawing {
         let scheme = self.scheme_of(solution, modes);
-        let drawing = self.composed(&scheme).draw(&self.layout);
+        let drawing = described(&scheme, self.composed(&scheme)).draw(&self.layout);
         match self.steps {
             Some(Steps::Coarse) => drawing.in_passages(&scheme, &solution.construction.passages()),
+            _ => drawing,
+        }
+    }
+
+    /// The same while a hand moves the mechanism, quicker: names stay beside their points where they were in the picture
+    /// before, and only the words of a step are written. It is the sheet after that step; without a step the finished
+    /// figure. The first picture is [`Self::draw`]'s, and so should be the last.
+    #[must_use]
+    pub fn drag(&mut self, solution: &Solution, modes: Option<&OtherModes>, step: Option<usize>) -> Drawing {
+        let mut held = std::mem::take(&mut self.held);
+        let count = match self.steps {
+            Some(Steps::Coarse) => solution.construction.passages().len(),
+            _ => solution.construction.step_count(),
+        };
+        let step = step.map(|step| step.clamp(1, count.max(1)));
+        let scheme = Scheme { only_step: step, ..self.scheme_of(solution, modes) };
+        let mut sheet = self.composed(&scheme);
+        sheet.steps = vec![String::new(); scheme.construction.step_count()];
+        if let Some(step) = step.and_then(|number| scheme.construction.numbered_step(number)) {
+            sheet.steps[step.number - 1] = shown_text(&scheme.teller().caption(&step), step.plan, &scheme.words);
+        }
+        let mut drawing = sheet.draw_holding(&self.layout, Some(&mut held));
+        self.held = held;
+        match (self.steps, step) {
+            (Some(steps), Some(step)) => {
+                if steps == Steps::Coarse {
+                    drawing = drawing.in_passages(&scheme, &solution.construction.passages());
+                }
+                drawing.after_step(step)
+            }
             _ => drawing,
         }
     }
@@ -202,7 +235,7 @@ impl Stage {
 
     fn composed<'a>(&self, scheme: &'a Scheme<'a>) -> Composition<'a> {
         let sheet = Sheet { steps: self.steps, table: None };
-        let mut composition = described(scheme, composed(scheme, &self.extents, sheet));
+        let mut composition = composed(scheme, &self.extents, sheet);
         for (panel, (name, _)) in composition.panels.iter_mut().zip(&self.extents) {
             // The frame stands still, where the scene's own position is in sight.
             if *name == PanelName::Scheme {

@@ -17,6 +17,7 @@ use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
 use crate::scene::PanelName;
 use crate::words::{Medium, NumberStyle};
+use indexmap::IndexMap;
 use kurbo::{Point, Rect};
 
 /// Number style of values.
@@ -53,8 +54,8 @@ const USUAL: f64 = 100.0;
 pub(super) struct StepWords<'a> {
     scheme: &'a Scheme<'a>,
     passages: Option<Vec<Passage>>,
-    /// By step or passage: where its details start on the line of its caption; none where they stand below.
-    starts: Vec<Option<f64>>,
+    /// By step or passage, from 0: where its details start on the line of its caption; none where they stand below.
+    starts: IndexMap<usize, Option<f64>>,
     /// In mm.
     height: f64,
 }
@@ -63,7 +64,7 @@ impl<'a> StepWords<'a> {
     /// The words of all steps or, in coarse steps, of all passages.
     pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps) -> Self {
         let passages = (steps == Steps::Coarse).then(|| scheme.construction.passages());
-        let mut words = Self { scheme, passages, starts: Vec::new(), height: 0.0 };
+        let mut words = Self { scheme, passages, starts: IndexMap::new(), height: 0.0 };
         let [width, height] = scheme.dims.page;
         // Scales of plans of a usual size: they are part of the words.
         let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
@@ -76,7 +77,7 @@ impl<'a> StepWords<'a> {
         };
         let scales = extents(scheme).into_iter().map(mu).collect();
         let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0), scales);
-        for number in 0..words.count() {
+        for number in (0..words.count()).filter(|number| scheme.only_step.is_none_or(|only| only == number + 1)) {
             let trial = |start: Option<f64>, parts: [bool; 2]| {
                 let mut drawing = Drawing::new(width, height);
                 words.write(&mut drawing, &layout, number, start, parts);
@@ -95,7 +96,7 @@ impl<'a> StepWords<'a> {
             let start = Some(start).filter(|_| fits);
             let details = if fits { extent(&beside) } else { extent(&trial(None, [true; 2])) };
             words.height = words.height.max(caption.y1.max(details.y1) + FOOT);
-            words.starts.push(start);
+            words.starts.insert(number, start);
         }
         words
     }
@@ -167,8 +168,8 @@ impl Item for StepWords<'_> {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let area = layout.below();
         drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
-        for (index, start) in self.starts.iter().enumerate() {
-            self.write(drawing, layout, index, *start, [true; 2]);
+        for (&index, &start) in &self.starts {
+            self.write(drawing, layout, index, start, [true; 2]);
         }
     }
 }

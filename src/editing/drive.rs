@@ -4,10 +4,10 @@ use serde_json::Value as Json;
 
 use super::document::Document;
 use super::near::{distance, settle};
-use super::number::{Decimals, json};
+use super::number::Decimals;
 use super::present::{Solved, not_assembled};
 use crate::geometry::{degrees_of, span};
-use crate::mechanism::{Mechanism, Role, SliderId};
+use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::position::{Pose, numbered_pose};
 use crate::scene::{GivenBy, SceneError};
 
@@ -17,32 +17,33 @@ const MOVED: f64 = 0.02;
 /// Numbers of further decimals of a drive that are tried, where rounding moves points too far or beyond a limit.
 const FURTHER: [i32; 5] = [0, 1, 2, 4, 8];
 
-/// The text with a drive at another value, in the assembly of `now`: that is the position at this value, of the mechanism of
-/// the text. `drive` is one of [`Mechanism::drive_names`]; `value` its angle in degrees or its position.
+/// The text with its drives where they stand in `now`, a position of the mechanism of the text, and in that assembly.
 ///
-/// The value is rounded to 0.1°, or to about four digits; to more where that would move a point visibly. Where another link gives its angle
-/// in place of the drive, that angle is changed. `near` changes where it would choose another assembly.
+/// Angles are rounded to 0.1°, positions of sliders to about four digits; to more where that would move a point visibly. Where
+/// another link gives its angle in place of a drive, that angle is changed. `near` changes where it would choose another assembly.
 ///
 /// # Errors
-/// The text is no scene, has no such drive or is drawn, or it cannot be assembled there.
-pub fn with_drive(text: &str, drive: &str, value: f64, now: &Pose) -> Result<String, SceneError> {
+/// The text is no scene or is drawn, or it cannot be assembled there.
+pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
     let before = Solved::of(text)?;
     let document = Document::new(text)?;
-    let place = Place::of(&document, &before.mechanism, drive, value, now).ok_or_else(|| {
-        document.error(&["links"], format!("there is no drive {} that can be moved", crate::text::shown(drive)), None)
-    })?;
+    if before.scene.given_by == GivenBy::Drawing || now.points.len() != before.mechanism.points.len() {
+        let message = "a drawn configuration cannot be moved";
+        return Err(document.error(&["points"], message, Some("give the mechanism by lengths, with a drive")));
+    }
+    let values = Stand::all(&document.json(), &before.mechanism, now);
     let mut failure = None;
     for further in FURTHER {
         let mut trial = document.clone();
-        let path: Vec<&str> = place.path.iter().map(String::as_str).collect();
-        trial.set(&path, &json(place.decimals.finer(further).round(place.value)))?;
+        let rounded = values.iter().map(|stand| (stand.path.clone(), stand.decimals.finer(further).json(stand.value)));
+        trial.set_all(&rounded.collect::<Vec<_>>())?;
         match settle(&mut trial, now) {
             Ok(solved) if distance(now, &solved.pose) <= MOVED => return Ok(trial.text()),
             Ok(_) => {}
             Err(error) => failure = Some(error),
         }
     }
-    let message = "the position cannot be written as a value of the drive";
+    let message = "the position cannot be written as values of the drives";
     Err(failure.unwrap_or_else(|| document.error(&[], message, Some("take another position"))))
 }
 
@@ -66,46 +67,60 @@ pub fn with_mode(text: &str, number: usize) -> Result<String, SceneError> {
 }
 
 /// Where the text says how a drive stands, and what it is to say.
-struct Place {
+struct Stand {
     path: Vec<String>,
     value: f64,
     decimals: Decimals,
 }
 
-impl Place {
-    fn of(document: &Document<'_>, mechanism: &Mechanism, drive: &str, value: f64, now: &Pose) -> Option<Place> {
-        let scene = document.json();
-        let index = mechanism.drive_names().iter().position(|name| name == drive)?;
-        if mechanism.given_by == GivenBy::Drawing || now.points.len() != mechanism.points.len() {
-            return None;
-        }
-        let turned = mechanism.bodies.iter().filter(|body| matches!(body.role, Role::Driver { .. })).nth(index);
-        let path = match turned {
-            Some(body) => turning(&scene, &body.name),
-            None => pushing(&scene, mechanism, drive),
-        };
-        if let Some(path) = path {
-            let is_angle = turned.is_some();
-            let decimals = if is_angle { ANGLE } else { of_position(value, now) };
-            let value = if is_angle { value % 360.0 } else { value };
-            return Some(Place { path, value, decimals });
-        }
-        // Another link's angle stands in place of this drive.
-        let placing = mechanism.placing.as_ref()?;
-        let axis = (*now.axes.get(placing.link.0)?)?;
-        let path = ["links", &mechanism.body(placing.link).name, "angle"].map(str::to_owned).to_vec();
-        Some(Place { path, value: near_to(degrees_of(axis), placing.angle), decimals: ANGLE })
+impl Stand {
+    /// What the text says of all drives, but for those that stand so already.
+    fn all(scene: &Json, mechanism: &Mechanism, now: &Pose) -> Vec<Stand> {
+        let is_driven = |id: &BodyId| matches!(mechanism.body(*id).role, Role::Driver { .. });
+        let placing = mechanism.placing.iter().map(|placing| placing.link);
+        let turned = mechanism.links().map(|(id, _)| id).filter(is_driven).chain(placing);
+        let turned =
+            turned.filter_map(|id| Stand::turned(scene, &mechanism.body(id).name, degrees_of((*now.axes.get(id.0)?)?)));
+        let pushed = mechanism.sliders.iter().enumerate().filter(|(_, slider)| slider.drive.is_some());
+        let pushed = pushed.filter_map(|(index, _)| Stand::pushed(scene, index, (*now.slides.get(index)?)?, now));
+        turned.chain(pushed).collect()
+    }
+
+    /// A link at that angle, in degrees.
+    fn turned(scene: &Json, link: &str, degrees: f64) -> Option<Stand> {
+        let path = turning(scene, link)?;
+        let old = number_at(scene, &path)?;
+        // People who write no negative angles get none.
+        let value = if old >= 0.0 { degrees.rem_euclid(360.0) } else { degrees };
+        let is_new = (near_to(degrees, old) - old).abs() > STANDS;
+        is_new.then_some(Stand { path, value, decimals: ANGLE })
+    }
+
+    /// The slider of that index at that position.
+    fn pushed(scene: &Json, index: usize, value: f64, now: &Pose) -> Option<Stand> {
+        let path = position_of(scene, index)?;
+        let size = span(now.points.iter().copied());
+        let is_new = (value - number_at(scene, &path)?).abs() > STANDS * size;
+        // About four digits.
+        let decimals = Decimals::of_size(value.abs().clamp(0.1 * size, size));
+        is_new.then_some(Stand { path, value, decimals })
     }
 }
 
+/// A number of the text.
+fn number_at(scene: &Json, path: &[String]) -> Option<f64> {
+    let part = path.iter().try_fold(scene, |value, key| match value {
+        Json::Array(elements) => elements.get(key.parse::<usize>().ok()?),
+        other => other.get(key),
+    });
+    part?.as_f64()
+}
+
+/// Change of a drive, in degrees or parts of the mechanism's size, that counts as none.
+const STANDS: f64 = 1e-9;
+
 /// Decimals of a drive's angle.
 const ANGLE: Decimals = Decimals(1);
-
-/// Decimals of a slider's position: about four digits.
-fn of_position(value: f64, now: &Pose) -> Decimals {
-    let size = span(now.points.iter().copied());
-    Decimals::of_size(value.abs().clamp(0.1 * size, size))
-}
 
 /// The angle plus the number of whole turns that brings it nearest to another one, all in degrees.
 pub(super) fn near_to(degrees: f64, other: f64) -> f64 {
@@ -123,15 +138,8 @@ pub(super) fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {
     Some(path.iter().map(|&part| part.to_owned()).collect())
 }
 
-/// Where a slider's drive gives its position, in the entry of the slider or in the sliding link; `None` where neither
-/// does.
-fn pushing(scene: &Json, mechanism: &Mechanism, drive: &str) -> Option<Vec<String>> {
-    let is_meant = |id: &SliderId| mechanism.slider(*id).drive.is_some() && mechanism.push_name(*id) == drive;
-    let SliderId(index) = (0..mechanism.sliders.len()).map(SliderId).find(is_meant)?;
-    position_of(scene, index)
-}
-
-/// Where the text gives the position of the slider of that index.
+/// Where the text gives the position of a driven slider, by its index: in its entry or in the sliding link; `None` where
+/// neither does.
 pub(super) fn position_of(scene: &Json, slider: usize) -> Option<Vec<String>> {
     let entry = &scene["sliders"][slider];
     let index = slider.to_string();

@@ -23,7 +23,11 @@ mod rename;
 mod reshape;
 
 pub use add::blank;
-pub use drive::{with_drive, with_mode};
+pub use drive::{with_mode, with_position};
 pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
 pub use figure::with_figure;
+<<<<<<< HEAD
+=======
+pub use present::places;
+>>>>>>> engine
 pub use reshape::{Pins, Reshape, Reshaped};

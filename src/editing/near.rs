@@ -1,6 +1,6 @@
 //! `near` for a position that is wanted: as little of it as chooses that assembly.
 
-use serde_json::Value as Json;
+use serde_json::{Map, Value as Json};
 
 use super::document::Document;
 use super::number::Decimals;
@@ -88,8 +88,14 @@ fn say(document: &mut Document<'_>, mechanism: &Mechanism, wanted: &Pose, said: 
     }
     let values = keys.into_iter().filter_map(|key| {
         let value = place_or_angle(mechanism, wanted, &key, decimals)?;
-        Some((vec!["near".to_owned(), key], value))
+        Some((key, value))
     });
+    // A new `near` is added at once, as there may be many points.
+    if near.is_null() {
+        let values: Map<String, Json> = values.collect();
+        return if values.is_empty() { Ok(()) } else { document.set(&["near"], &Json::Object(values)) };
+    }
+    let values = values.map(|(key, value)| (vec!["near".to_owned(), key], value));
     document.set_all(&values.collect::<Vec<_>>())
 }
 

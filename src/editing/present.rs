@@ -75,6 +75,15 @@ fn refused(scene: &Scene, path: &[&str], message: &str) -> SceneError {
     scene.error_at(path, message, hint.map(str::to_owned))
 }
 
+/// Where the points of a text are, in the fixed frame and in units of length: as solved; of a scene that cannot be solved,
+/// those of the ground, of a drawing and of `near`.
+///
+/// # Errors
+/// The text is not JSON.
+pub fn places(text: &str) -> Result<IndexMap<String, Point>, SceneError> {
+    Ok(Present::of(&Document::new(text)?).places)
+}
+
 /// What is known of the places of points: all, if the scene can be solved; else those that the text gives.
 #[derive(Clone, Debug)]
 pub(super) struct Present {

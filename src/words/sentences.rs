@@ -429,6 +429,16 @@ sentences! {
     exercise_allowed;
     /// Heading of the names of quantities to be found.
     exercise_quantity;
+
+    // Why a joint that is pulled does not follow the hand.
+    /// The point is pinned.
+    held_point(point);
+    /// A length is pinned, so that the point goes on a circle.
+    held_length(point, length);
+    /// A link's angle is pinned, so that the point stays on its line.
+    held_angle(point, link);
+    /// A guide would come off what slides on it.
+    held_guide(point, slider);
 }
 
 impl Language {

@@ -1,10 +1,11 @@
 //! The stage: one layout for all positions of a mechanism, and the places of its points on the sheet.
 
+use crate::support::faults::faults;
 use crate::support::files;
 use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{OtherModes, Pull};
-use kinegon::drawing::{Drawing, Handle, Point, Shape, Stage, Steps};
+use kinegon::drawing::{Drawing, Handle, Mark, Point, Shape, Stage, Steps, Vec2};
 use kinegon::position::counted_poses;
 use kinegon::scene::PanelName;
 use std::collections::BTreeSet;
@@ -145,4 +146,54 @@ fn other_modes_have_their_numbers() {
         }
     }
     assert!(seen > 40, "{seen}");
+}
+
+/// By point with a name: where the name is from the point.
+fn offsets(drawing: &Drawing) -> Vec<(String, Vec2)> {
+    let offset = |mark: &Mark| {
+        let (panel, name) = mark.id.as_deref()?.split_once("-label-")?;
+        let at = centre(drawing, &format!("{panel}-point-{}", name.trim_end_matches('-')))?;
+        Some((format!("{panel} {name}"), mark.shape.bounds().center() - at))
+    };
+    drawing.marks.iter().filter_map(offset).collect()
+}
+
+/// How many names are elsewhere beside their points than in the drawing before.
+fn jumps(before: &Drawing, after: &Drawing) -> usize {
+    let before = offsets(before);
+    let is_elsewhere = |(name, offset): &(String, Vec2)| {
+        let was = before.iter().find(|(other, _)| other == name);
+        was.is_some_and(|(_, was)| (*offset - *was).hypot() > 2.0)
+    };
+    offsets(after).iter().filter(|offset| is_elsewhere(offset)).count()
+}
+
+#[test]
+fn names_stay_while_a_hand_moves_the_mechanism() {
+    let (mut held, mut free) = (0, 0);
+    for name in ["templates/third-class", "templates/watt-1", "templates/stephenson-3", "tests/lecture/jansen"] {
+        let own = solved(&files::read(&format!("{name}.json"))).expect("it can be solved");
+        let mut pull = Pull::new(&own, None).expect("it can be moved");
+        let mut stage = Stage::new(&own, None, None);
+        let mut last = [stage.drag(&own, None, None), stage.draw(&own, None)];
+        assert_eq!(last[0].marks, last[1].marks, "{name}");
+        let start = pull.value();
+        for k in 1..=40 {
+            let moved = own.moved(pull.to_value(start + 1.5 * f64::from(k)).pose).expect("it has a motion");
+            let next = [stage.drag(&moved, None, None), stage.draw(&moved, None)];
+            assert_eq!(ids(&next[0]), ids(&next[1]), "{name}");
+            assert!(faults(&next[0]).len() <= faults(&next[1]).len(), "{name}: {:?}", faults(&next[0]));
+            held += jumps(&last[0], &next[0]);
+            free += jumps(&last[1], &next[1]);
+            last = next;
+        }
+        // Only the words of the step that is seen are written.
+        let mut stage = Stage::new(&own, Some(Steps::Fine), None);
+        let step = stage.drag(&own, None, Some(9));
+        let whole = stage.draw(&own, None).after_step(9);
+        assert_eq!((step.marks, step.description), (whole.marks, whole.description), "{name}");
+        let mut stage = Stage::new(&own, Some(Steps::Coarse), None);
+        assert_eq!(stage.drag(&own, None, Some(2)).marks, stage.draw(&own, None).after_step(2).marks, "{name}");
+    }
+    assert!(held < free, "{held} jumps, {free} without");
 }

@@ -16,6 +16,8 @@ mod command_line_sizes;
 mod command_line_sweep;
 mod command_line_values;
 mod command_line_variants;
+#[cfg(all(feature = "pdf", feature = "png"))]
+mod engine;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;

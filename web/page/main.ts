@@ -1,61 +1,170 @@
-/** Wires the page: store → engine → view → panels. */
+/** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
-import { startEngine } from "./engine/client.ts";
-import type { Picture, Refused, View } from "./engine/types.ts";
+import { byId } from "./dom.ts";
+import { startEngine, type EngineClient } from "./engine/client.ts";
+import { PATIENCE } from "./engine/hand.ts";
+import type { Picture, View } from "./engine/types.ts";
+import { loadFonts } from "./fonts.ts";
+import { documents, dropped } from "./layout/documents.ts";
+import { fullScreen } from "./layout/full.ts";
+import { help } from "./layout/help.ts";
+import { keys } from "./layout/keys.ts";
+import { messages, notice, teller } from "./layout/messages.ts";
+import { printedByBrowser, printer } from "./layout/print.ts";
+import { sayAll } from "./layout/say.ts";
+import { splitter } from "./layout/splitter.ts";
+import { tabs } from "./layout/tabs.ts";
+import { theme } from "./layout/theme.ts";
+import { toolbar } from "./layout/toolbar.ts";
+import { say } from "./layout/words.ts";
+import { drives, type Drives } from "./motion/drives.ts";
+import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
-import { hashOf } from "./state/address.ts";
+import { bubble } from "./picture/bubble.ts";
+import { focus } from "./picture/focus.ts";
+import { frames, gestures } from "./picture/gesture.ts";
+import { handles } from "./picture/handles.ts";
+import { looking } from "./picture/looking.ts";
+import { pane } from "./picture/pane.ts";
+import { picking } from "./picture/picking.ts";
+import { currentPicture } from "./picture/picture.ts";
+import { pulling } from "./picture/pulling.ts";
+import { viewport } from "./picture/viewport.ts";
+import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
+import { asKept, autosave } from "./state/autosave.ts";
 import { history } from "./state/history.ts";
+import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
+import { solving } from "./state/solving.ts";
+import { store as browserStore, type Store } from "./state/storage.ts";
+import { studying } from "./state/studying.ts";
+import { steps } from "./steps/steps.ts";
+import { stepsBar } from "./steps/bar.ts";
 import { unpacked } from "./unpack.ts";
-import { language } from "./words.ts";
 
-async function start(): Promise<void> {
-  const [script, wasm] = await Promise.all([unpacked("worker"), unpacked("engine")]);
-  const engine = startEngine(new TextDecoder().decode(script), wasm);
+const FINISHED: View = { step: null, coarse: false, modes: false };
+
+/** The first document, where nothing else gives one: the paper's figure. */
+async function firstKind(engine: EngineClient): Promise<Shared> {
   const kinds = await engine.kinds();
-  const first = kinds.find((kind) => kind.name === "paper-figure-2") ?? kinds[0];
-  const app: App = {
-    history: history({ text: first?.text ?? "", form: "" }),
-    engine,
-    solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
-    view: signal<View>({ step: null, coarse: false, modes: false }),
-    picture: signal<Picture | null>(null),
-    student: signal(false),
-    shown: signal(""),
-    place: signal<{ from: number; to: number } | null>(null),
-    open: (text) => app.history.change({ text }),
-    link: async (shared) => location.href.replace(/#.*/s, "") + (await hashOf(shared)),
-    print: () => undefined,
-    shaping: signal(false),
-    pins: signal({ points: [], lengths: [] }),
-    tell: (message) => void (document.getElementById("said")!.textContent = message),
-    show: () => undefined,
-    pick: () => () => undefined,
-    markers: signal([]),
-  };
-  (window as unknown as { kinegon: App }).kinegon = app;
-  app.history.now.on(({ text }) => {
-    void engine.open(text).then(
-      (opened) => app.solved.set({ text, opened, good: text, refused: null }),
-      (refused: Refused) => app.solved.set({ ...app.solved.value, text, refused }),
-    );
-  });
-  const sheet = document.getElementById("sheet")!;
-  app.solved.on(({ good, refused }) => {
-    document.getElementById("message")!.textContent = refused?.message ?? "";
-    if (good !== "") void engine.picture(good, app.view.value).then((picture) => (sheet.innerHTML = picture.svg));
-  });
-  const panels = document.getElementById("panels")!;
-  for (const panel of PANELS) {
-    const root = document.createElement("section");
-    root.id = `panel-${panel.id}`;
-    const title = document.createElement("h2");
-    language.on((now) => (title.textContent = panel.title[now]));
-    root.append(title);
-    panels.append(root);
-    panel.mount(root, app);
-  }
-  document.documentElement.dataset["ready"] = "yes";
+  return { text: (kinds.find((kind) => kind.name === "paper-figure-2") ?? kinds[0])?.text ?? "" };
 }
 
-void start();
+function application(shared: Shared, engine: EngineClient, tell: App["tell"]): App {
+  const app: App = {
+    history: history({ text: shared.text, form: shared.form ?? "" }),
+    engine,
+    solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
+    view: signal<View>(shared.view ?? FINISHED),
+    picture: signal<Picture | null>(null),
+    shaping: signal(false),
+    pins: signal({ points: [], lengths: [] }),
+    student: signal(shared.student ?? false),
+    tell,
+    shown: signal(""),
+    show: (panel) => app.shown.set(panel),
+    place: signal<{ from: number; to: number } | null>(null),
+    pick: () => () => undefined,
+    markers: signal([]),
+    open: (text) => app.history.change({ text }),
+    link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
+    print: printer(),
+  };
+  return app;
+}
+
+/** Picture, joints, gestures, motion, steps. */
+function wire(app: App, store: Store): void {
+  const view = viewport();
+  const parts: { drives?: Drives; play?: Play } = {};
+  const { again } = currentPicture(app, () => hands.isActive());
+  const hands = gestures(app, (picture) => app.picture.set(picture), () => again());
+  const spot = picking(app, view);
+  app.pick = spot.pick;
+  const going = steps(app);
+  pane(app, view);
+  const own = focus(app, view);
+  handles(app, view, pulling(app, view, hands, bubble(app)));
+  looking(view, own, spot.tapped);
+  parts.drives = drives(app, hands, () => parts.play?.stop());
+  parts.play = play(app, hands, () => parts.drives!);
+  stepsBar(app, going);
+  toolbar(app);
+  messages(app);
+  documents(app, store);
+  dropped(app);
+  printedByBrowser(app);
+  keys(app, { steps: going, drives: parts.drives, play: parts.play, full: fullScreen(), store });
+}
+
+/** Why a link was not read. */
+function badLink(why: BadLink): string {
+  return say(({ broken: "link_broken", newer: "link_newer", too_large: "link_too_large" } as const)[why]);
+}
+
+/** A link that comes while the page is open; and the address is cleaned, so that it never says something old. */
+function watchAddress(app: App, store: Store): void {
+  const clean = (): void => window.history.replaceState(null, "", location.href.replace(/#.*/s, ""));
+  const read = async (): Promise<void> => {
+    const found = await documentOf(location.hash);
+    if (found === null) return;
+    clean();
+    if (typeof found === "string") return notice(badLink(found));
+    app.history.change({ text: found.text, form: found.form ?? "" });
+    app.view.set(found.view ?? FINISHED);
+    app.student.set(found.student ?? false);
+    store.keep(asKept(app));
+    if (found.panel !== undefined) app.show(found.panel);
+  };
+  if (location.hash !== "") clean();
+  window.addEventListener("hashchange", () => void read());
+}
+
+/** Which panel is open at first: the link's, the one that was open, else the first where there is room. */
+function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
+  const known = (id: string | null | undefined): id is string => PANELS.some((panel) => panel.id === id);
+  const before = from === "link" ? null : store.preference("panel");
+  const roomy = window.innerWidth >= 960 ? (PANELS[0]?.id ?? "") : "";
+  app.show(known(shared?.panel) ? shared.panel : known(before) && window.innerWidth >= 960 ? before : roomy);
+}
+
+async function start(): Promise<void> {
+  const store = browserStore();
+  sayAll();
+  theme(store);
+  const tell = teller();
+  const [script, wasm, first] = await Promise.all([unpacked("worker"), unpacked("engine"), beginning(location.hash, store)]);
+  const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
+  const { engine, busy } = startEngine(new TextDecoder().decode(script), await WebAssembly.compile(wasm), (why) => {
+    notice(restarted(why));
+    return restarted(why);
+  });
+  busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
+  const app = application(first.shared ?? (await firstKind(engine)), engine, tell);
+  studying(app);
+  wire(app, store);
+  solving(app);
+  tabs(app, PANELS, store);
+  help(store);
+  splitter(store);
+  firstPanel(app, first, store);
+  watchAddress(app, store);
+  autosave(app, store);
+  if (first.bad !== null) notice(badLink(first.bad));
+  else if (!store.works) notice(say("no_storage"));
+  else if (first.from === "autosave") tell(say("restored"));
+  if (first.from === "link") store.keep(asKept(app));
+  (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };
+  const ready = (is: boolean): void => {
+    if (is) document.documentElement.dataset["ready"] = "yes";
+  };
+  app.picture.on((picture) => ready(picture !== null));
+  app.solved.on(({ refused }) => ready(refused !== null));
+  void loadFonts(engine).catch(() => undefined);
+}
+
+start().catch((error: unknown) => {
+  const place = byId("message");
+  place.hidden = false;
+  place.textContent = say("start_failed", { why: error instanceof Error ? error.message : String(error) });
+});

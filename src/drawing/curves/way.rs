@@ -54,7 +54,7 @@ pub(super) fn sheet(course: &Course<'_>, panels: &[Panel<'_>], beside: Sides, se
     line.centred(&mut drawing, middle);
     let whole = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN - FOOT);
     for (panel, placed) in panels.iter().zip(places(course, whole, panels, beside)) {
-        panel.draw(&mut drawing, &placed, &course.scene.figure.labels, &course.dims);
+        panel.draw(&mut drawing, &placed, &course.scene.figure.labels, &course.dims, None);
     }
     drawing.description = format!("{}.", sentences.join("; "));
     drawing.enlarged(course.dims.unit)

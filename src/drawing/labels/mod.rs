@@ -8,7 +8,7 @@
 //! Point-Feature Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one is deterministic:
 //! the same labels always get the same places.
 
-use kurbo::Point;
+use kurbo::{Point, Vec2};
 
 mod boxes;
 mod moves;
@@ -28,12 +28,17 @@ use search::Search;
 /// free place, and it is where it covers least. The search for so many labels that no panel could show them ends early;
 /// labels without a place are then `left_out`. The same input gives the same places on every platform.
 pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabel> {
-    place_among(requests, &Taken::of(obstacles))
+    place_among(requests, &Taken::of(obstacles), None)
 }
 
-/// The same among obstacles that are already found quickly.
-pub(super) fn place_among(requests: &[LabelRequest], taken: &Taken) -> Vec<PlacedLabel> {
-    let mut search = Search::new(requests, taken);
+/// The same among obstacles that are already found quickly. While a mechanism moves, `before` has for each label where
+/// the middle of its ink was from its anchor: it stays there as long as nothing is much better, and the search is short.
+pub(super) fn place_among(
+    requests: &[LabelRequest],
+    taken: &Taken,
+    before: Option<&[Option<Vec2>]>,
+) -> Vec<PlacedLabel> {
+    let mut search = Search::new(requests, taken, before);
     search.choose_first(requests);
     search.make_room();
     search.improve();
@@ -61,7 +66,7 @@ pub(super) fn place_among(requests: &[LabelRequest], taken: &Taken) -> Vec<Place
 /// The best place near its anchor for one more label; `None` where nothing is free there. Other labels do not move for
 /// it.
 pub(super) fn place_near(request: &LabelRequest, taken: &Taken) -> Option<PlacedLabel> {
-    let mut search = Search::new(std::slice::from_ref(request), taken);
+    let mut search = Search::new(std::slice::from_ref(request), taken, None);
     let count = search.labels[0].places.len();
     let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
     let place = search.labels[0].places[cheapest?.1];
@@ -75,7 +80,7 @@ mod tests {
     use super::boxes::{gap, touch};
     use super::*;
     use crate::drawing::text::RichText;
-    use kurbo::{Rect, Vec2};
+    use kurbo::Rect;
 
     /// Numbers between 0 and 1 from a seed (Steele, Lea and Flood, "Fast Splittable Pseudorandom
     /// Number Generators", 2014).

@@ -5,17 +5,13 @@ use kurbo::{Rect, Vec2};
 use super::boxes::gap;
 use super::places::{LINE_GAP, Place, SIDES};
 use super::request::LabelRequest;
-use super::search::Search;
+use super::search::{Effort, Search};
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.
 const LEAST_GAIN: f64 = 1e-6;
 
 /// Most rounds in which all labels may move; three or four are enough for every figure tried.
 const ROUNDS: usize = 8;
-/// Longest chain of labels that make room for one another.
-const PUSHES: usize = 3;
-/// Most tries of one label, which bounds the time for overfull panels.
-const TRIES: usize = 1_000;
 /// Cost of a place, as where a line strikes through the label, above which one with a leader may be better.
 const STRUCK: f64 = 5.0;
 /// By how much such a place may cost more.
@@ -38,7 +34,10 @@ impl Search<'_> {
     /// Assigns to every label its cheapest place; labels with fewest places first.
     pub(super) fn choose_first(&mut self, requests: &[LabelRequest]) {
         let mut order: Vec<usize> = (0..requests.len()).collect();
-        order.sort_by_key(|&index| (u8::MAX - requests[index].priority, self.labels[index].places.len(), index));
+        order.sort_by_key(|&index| {
+            let label = &self.labels[index];
+            (label.before.is_none(), u8::MAX - requests[index].priority, label.places.len(), index)
+        });
         for index in order {
             let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
             self.choose(index, place);
@@ -53,16 +52,16 @@ impl Search<'_> {
                 continue;
             }
             // Without time for pushing there are still places farther away.
-            let mut tries = TRIES;
-            if !self.is_enough() && self.push(index, PUSHES, &mut Pushed::default(), &mut tries) {
+            let Effort { pushes, mut tries } = self.effort;
+            if !self.is_enough() && self.push(index, pushes, &mut Pushed::default(), &mut tries) {
                 continue;
             }
             self.add_far_places(index);
             let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
             self.choose(index, place);
             if self.labels[index].chosen.is_none() && !self.is_enough() {
-                let mut tries = TRIES;
-                self.push(index, PUSHES, &mut Pushed::default(), &mut tries);
+                let Effort { pushes, mut tries } = self.effort;
+                self.push(index, pushes, &mut Pushed::default(), &mut tries);
             }
         }
     }

@@ -23,6 +23,9 @@ pub(super) const LEADER_GAP: f64 = 0.4;
 const DEVIATION: f64 = 1.2;
 /// The same for labels without a preference: a slight one for the upper right, where readers look first.
 const HABIT: f64 = 0.25;
+/// Of a place elsewhere than the one where the label was before, per mm between them and at most: so small advantages do
+/// not move it, and it moves rather a little than far.
+const ELSEWHERE: [f64; 2] = [0.4, 2.5];
 /// The preferred direction of such labels.
 const HABITUAL: Vec2 = Vec2::new(0.6, -0.8);
 /// Of a leader.
@@ -114,6 +117,8 @@ pub(super) struct Label {
     pub(super) anchors: Vec<Point>,
     pub(super) reach: Rect,
     pub(super) has_far: bool,
+    /// Where the middle of its ink was from the anchor in the picture before, if there is one.
+    pub(super) before: Option<Vec2>,
 }
 
 impl Label {
@@ -129,6 +134,7 @@ impl Label {
             anchors: Vec::new(),
             reach: Rect::ZERO,
             has_far: false,
+            before: None,
         };
         label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
         label
@@ -161,6 +167,20 @@ impl Label {
     pub(super) fn dislikes(&self) -> [f64; SIDES.len()] {
         let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
         std::array::from_fn(|side| weight * (1.0 - SIDES[side].toward.dot(wanted)))
+    }
+
+    /// The cost of ink elsewhere than before.
+    pub(super) fn elsewhere(&self, ink: Rect) -> f64 {
+        let [per_mm, most] = ELSEWHERE;
+        self.before.map_or(0.0, |before| (per_mm * (ink.center() - self.anchor - before).hypot()).min(most))
+    }
+
+    /// The cost of the direction in which the middle of the ink lies from the anchor.
+    pub(super) fn dislike_at(&self, offset: Vec2) -> f64 {
+        let (wanted, weight) = self.prefer.map_or((HABITUAL, HABIT), |prefer| (prefer, DEVIATION));
+        let half = 0.5 * self.ink.size() + kurbo::Size::new(self.clearance, self.clearance);
+        let toward = unit(Vec2::new(offset.x / half.width, offset.y / half.height));
+        toward.map_or(weight, |toward| weight * (1.0 - toward.dot(wanted)))
     }
 
     /// A place of the ink, `distance` beyond the clearance; `dislike` is the cost of its direction.

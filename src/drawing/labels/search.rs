@@ -1,6 +1,6 @@
 //! The labels of a panel, their free places, and the cost of each place.
 
-use kurbo::Rect;
+use kurbo::{Rect, Vec2};
 use std::cell::Cell;
 
 use super::super::grid::Grid;
@@ -24,9 +24,28 @@ const MOST_AROUND: usize = 400;
 /// tenths of a second.
 const ENOUGH: usize = 2_000_000;
 
+/// Least distance from its anchor, beyond the clearance, of a label that stays, in mm: its text may have grown.
+const GROWN: f64 = -0.3;
+
+/// How much is tried to find places for all labels.
+#[derive(Clone, Copy)]
+pub(super) struct Effort {
+    /// Longest chain of labels that make room for one another.
+    pub(super) pushes: usize,
+    /// Most tries of one label, which bounds the time for overfull panels.
+    pub(super) tries: usize,
+}
+
+impl Effort {
+    const WHOLE: Effort = Effort { pushes: 3, tries: 1_000 };
+    /// For a picture that is soon replaced by the next one.
+    const MOVING: Effort = Effort { pushes: 2, tries: 40 };
+}
+
 /// All labels with their present places.
 pub(super) struct Search<'a> {
     pub(super) labels: Vec<Label>,
+    pub(super) effort: Effort,
     lines: Vec<Clipped>,
     pub(super) taken: &'a Taken,
     /// Where the labels' present places and their leaders are.
@@ -39,7 +58,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(requests: &[LabelRequest], taken: &'a Taken) -> Self {
+    pub(super) fn new(requests: &[LabelRequest], taken: &'a Taken, before: Option<&[Option<Vec2>]>) -> Self {
         let lines = taken.all().lines.iter().copied().map(Clipped::new).collect();
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
         let bounds = taken.all().bounds;
@@ -48,11 +67,14 @@ impl<'a> Search<'a> {
             anchors.add(index, Rect::from_points(label.anchor, label.anchor));
         }
         let chosen = Grid::new(bounds);
-        let mut search =
-            Self { labels, lines, taken, chosen, anchors, work: Cell::new(0), is_cut_short: Cell::new(false) };
+        let (work, is_cut_short) = (Cell::new(0), Cell::new(false));
+        let effort = if before.is_some() { Effort::MOVING } else { Effort::WHOLE };
+        let mut search = Self { labels, effort, lines, taken, chosen, anchors, work, is_cut_short };
         for index in 0..search.labels.len() {
             search.find_surroundings(index);
+            search.labels[index].before = before.and_then(|before| before[index]);
             search.add_places(index, &NEAR);
+            search.add_kept(index);
         }
         search
     }
@@ -114,6 +136,25 @@ impl<'a> Search<'a> {
         (label.lines, label.anchors) = (lines, anchors);
     }
 
+    /// Adds the place where a label was before, if it is free.
+    fn add_kept(&mut self, index: usize) {
+        let label = &self.labels[index];
+        let Some(offset) = label.before else { return };
+        let ink = Rect::from_center_size(label.anchor + offset, label.ink.size());
+        let distance = gap(ink, label.anchor) - label.clearance;
+        let bounds = self.taken.all().bounds;
+        if distance < GROWN || ink.union(bounds) != bounds || self.is_on_obstacle(ink) {
+            return;
+        }
+        let place = label.place_at(ink, distance.max(0.0), label.dislike_at(offset));
+        if distance > NEAR[NEAR.len() - 1] {
+            let reach = label.reach_at(distance);
+            self.labels[index].reach = reach;
+            self.find_surroundings(index);
+        }
+        self.labels[index].places.push(place);
+    }
+
     /// Adds the free places of a label at these distances.
     fn add_places(&mut self, index: usize, distances: &[f64]) {
         let label = &self.labels[index];
@@ -131,7 +172,7 @@ impl<'a> Search<'a> {
             for (side, dislike) in SIDES.iter().zip(dislikes) {
                 let ink = label.ink_beside(side, label.clearance + distance);
                 if free(ink) {
-                    places.push(label.place_at(ink, distance, dislike));
+                    places.push(label.place_at(ink, distance, dislike + label.elsewhere(ink)));
                 }
             }
         }

@@ -52,6 +52,8 @@ pub(super) struct Scheme<'a> {
     pub traces: Arc<Traces>,
     /// The other assembly modes to be drawn.
     pub modes: &'a OtherModes,
+    /// The only step or passage that has words, from 1; none for all.
+    pub only_step: Option<usize>,
     pub words: Wording,
     pub dims: Dims,
     /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
@@ -87,6 +89,7 @@ impl<'a> Scheme<'a> {
             stages: Stages::new(construction),
             traces,
             modes: NO_MODES,
+            only_step: None,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
             mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),

@@ -16,7 +16,8 @@ impl Change<'_> {
         for (index, slider) in solved.scene.sliders.iter().enumerate() {
             let slides = [&slider.at, &slider.pin].into_iter().flatten().any(|at| at == name);
             let is_through = is_through(solved, slider, name);
-            if slides || is_through {
+            let turns = self.levers.iter().any(|lever| lever.slider.0 == index);
+            if (slides || is_through) && !turns {
                 self.add_guide(index, slider, slides, is_through);
             }
         }

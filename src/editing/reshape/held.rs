@@ -1,12 +1,14 @@
 //! What holds a joint that is pulled: pins, and guides that have to go on through the joints that slide on them.
 
 use super::Pins;
+use super::lever::Lever;
 use super::rule::Rule;
 use crate::editing::names::joined;
 use crate::editing::present::Solved;
 use crate::geometry::{Point, Vector, cross, unit};
-use crate::mechanism::PointId;
+use crate::mechanism::{PointId, SliderId};
 use crate::scene::{Along, At, GivenBy, On, Shape, Slider, pair};
+use crate::words::Wording;
 
 /// Largest distance of a drawn block from its guide, in parts of the distance of the guide's points, that counts as none.
 const ON_LINE: f64 = 1e-4;
@@ -16,6 +18,8 @@ const ON_LINE: f64 = 1e-4;
 pub(super) struct Held {
     pub rules: Vec<Rule>,
     is_pinned: bool,
+    /// Slotted levers that turn when the joint moves.
+    pub levers: Vec<Lever>,
     /// What holds the joint, in words.
     pub note: Option<String>,
 }
@@ -25,24 +29,24 @@ impl Held {
     pub fn new(solved: &Solved, point: PointId, pins: &Pins) -> Held {
         let name = solved.mechanism.point_name(point);
         if pins.points.iter().any(|pinned| pinned == name) {
-            return Held { is_pinned: true, note: Some(format!("{name} is pinned")), ..Held::default() };
+            let note = Wording::of(&solved.scene.figure).language.held_point(name);
+            return Held { is_pinned: true, note: Some(note), ..Held::default() };
         }
         let mut held = Held::default();
-        let mut whys = Vec::new();
+        let mut notes = Vec::new();
         let pinned = pins.lengths.iter().filter_map(|pin| pinned(solved, point, pin));
-        let guided =
-            solved.scene.sliders.iter().enumerate().filter_map(|(index, slider)| guided(solved, point, index, slider));
-        for (rule, why) in pinned.chain(guided) {
+        let sliders = || (0..).map(SliderId).zip(&solved.scene.sliders);
+        held.levers = sliders().filter_map(|(id, slider)| Lever::of(solved, point, id, slider, pins)).collect();
+        let is_fixed = |id: SliderId| held.levers.iter().all(|lever| lever.slider != id);
+        let fixed = sliders().filter(|(id, _)| is_fixed(*id)).collect::<Vec<_>>();
+        let guided = fixed.into_iter().filter_map(|(id, slider)| guided(solved, point, id, slider));
+        for (rule, note) in pinned.chain(guided) {
             if !held.rules.iter().any(|other| other.is(rule)) {
                 held.rules.push(rule);
-                whys.push(why);
+                notes.push(note);
             }
         }
-        let together = if held.is_fast() { "hold" } else { "guide" };
-        held.note = (!whys.is_empty()).then(|| match whys.as_slice() {
-            [one] => format!("{one} {}s {name}", together),
-            _ => format!("{} {together} {name}", whys.join(", ")),
-        });
+        held.note = (!notes.is_empty()).then(|| notes.join("; "));
         held
     }
 
@@ -62,19 +66,21 @@ fn pinned(solved: &Solved, point: PointId, pin: &str) -> Option<(Rule, String)> 
     if key == "angle" {
         let axis = points.get(..2).filter(|axis| axis.iter().any(|end| end == name))?;
         let along = unit(place(&axis[1])? - place(&axis[0])?)?;
-        return Some((Rule::Line(along), format!("the angle of link {link}")));
+        return Some((Rule::Line(along), Wording::of(&solved.scene.figure).language.held_angle(name, link)));
     }
     let (from, to) = pair(key, points)?;
+    let (from_name, to_name) = (from.clone(), to.clone());
     let other = match (from == name, to == name) {
         (true, _) => to,
         (_, true) => from,
         _ => return None,
     };
-    Some((Rule::Circle(place(&other)?), format!("the length {}", joined(name, &other))))
+    let note = Wording::of(&solved.scene.figure).language.held_length(name, &joined(&from_name, &to_name));
+    Some((Rule::Circle(place(&other)?), note))
 }
 
 /// The rule of a guide that cannot be put elsewhere for the point.
-fn guided(solved: &Solved, point: PointId, index: usize, slider: &Slider) -> Option<(Rule, String)> {
+fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Option<(Rule, String)> {
     let name = solved.mechanism.point_name(point);
     let slides = [&slider.at, &slider.pin].into_iter().flatten().any(|at| at == name);
     let is_end = matches!(&slider.along, Along::Points(a, b) if a == name || b == name);
@@ -85,12 +91,9 @@ fn guided(solved: &Solved, point: PointId, index: usize, slider: &Slider) -> Opt
             (slides && !is_free) || is_end || (is_through(solved, slider, name) && !can_be_placed(solved, slider))
         }
     };
-    let along: Vector = *solved.pose.guides.get(index)?;
-    let carrier = match &slider.on {
-        On::Ground => "the ground".to_owned(),
-        On::Link(link) => format!("link {link}"),
-    };
-    is_held.then(|| (Rule::Line(along), format!("the guide on {carrier}")))
+    let along: Vector = *solved.pose.guides.get(id.0)?;
+    let language = Wording::of(&solved.scene.figure).language;
+    is_held.then(|| (Rule::Line(along), language.held_guide(name, &solved.mechanism.slider_name(id))))
 }
 
 /// Whether the guide goes through this point of its carrier and not through its direction's points.

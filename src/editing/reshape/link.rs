@@ -12,7 +12,10 @@ impl Change<'_> {
     pub fn add_links(&mut self) {
         let solved = self.solved;
         let name = solved.mechanism.point_name(self.point);
-        let with_point = solved.scene.links.iter().filter(|(_, link)| link.points.iter().any(|point| point == name));
+        let turns = |link: &str| self.levers.iter().any(|lever| solved.mechanism.body(lever.link).name == link);
+        let with_point = solved.scene.links.iter();
+        let with_point =
+            with_point.filter(|(link, entry)| entry.points.iter().any(|point| point == name) && !turns(link));
         // A driven link first: where its rounded length and angle put the joint, the others are measured to.
         let mut links: Vec<(&String, &Link)> = with_point.collect();
         links.sort_by_key(|(_, link)| link.drive.is_none());

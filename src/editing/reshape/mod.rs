@@ -3,6 +3,7 @@
 
 mod guide;
 mod held;
+mod lever;
 mod link;
 mod rule;
 
@@ -15,10 +16,11 @@ use super::near::{distance, settle};
 use super::number::Decimals;
 use super::present::Solved;
 use crate::geometry::Point;
-use crate::mechanism::{Mechanism, PointId};
+use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::position::Pose;
 use crate::scene::{GivenBy, Scene, SceneError};
 use held::Held;
+use lever::Lever;
 
 /// What stays when a joint is pulled.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -61,7 +63,7 @@ pub struct Reshaped {
     pub mechanism: Mechanism,
     /// Its position.
     pub pose: Pose,
-    /// Why the joint is not where it was pulled to, if something holds it.
+    /// Why the joint may not be where it was pulled to, in the scene's language; `None` where nothing holds it.
     pub note: Option<String>,
 }
 
@@ -137,7 +139,8 @@ impl Reshape {
     /// Refuses a place at another point of one of the joint's links.
     fn check_apart(&self, place: Point) -> Result<(), SceneError> {
         let Solved { mechanism, pose, .. } = &self.before;
-        for (_, body) in mechanism.links().filter(|(_, body)| body.has(self.point)) {
+        let turns = |link: BodyId| self.held.levers.iter().any(|lever| lever.link == link);
+        for (_, body) in mechanism.links().filter(|(id, body)| body.has(self.point) && !turns(*id)) {
             let others = body.points.iter().filter(|point| **point != self.point);
             let near = |point: &&PointId| (pose.point(**point) - place).norm() < self.decimals.step();
             if let Some(other) = others.into_iter().find(near) {
@@ -155,12 +158,14 @@ impl Reshape {
         let json = document.json();
         let mut wanted = self.before.pose.clone();
         wanted.points[self.point.0] = place;
+        self.held.levers.iter().for_each(|lever| lever.turn(&self.before, &mut wanted));
         let mut change = Change {
             solved: &self.before,
             json: &json,
             point: self.point,
             decimals,
             pose: &wanted,
+            levers: &self.held.levers,
             values: Vec::new(),
         };
         change.add_all();
@@ -190,6 +195,8 @@ struct Change<'a> {
     decimals: Decimals,
     /// The position that is wanted, with the point at its new place.
     pose: &'a Pose,
+    /// Links that turn as they are.
+    levers: &'a [Lever],
     /// Paths and new values.
     values: Vec<(Vec<String>, Json)>,
 }
@@ -207,6 +214,7 @@ impl Change<'_> {
         if self.solved.scene.given_by == GivenBy::Lengths {
             self.add_links();
             self.add_guides();
+            self.add_levers();
         }
     }
 

@@ -29,7 +29,7 @@ fn write(bench: &mut Bench, name: &str, value: f64) {
          document.querySelectorAll('#panel-check .row input[inputmode=decimal]')[{index}].dataset.box = ''; }})()"
     ));
     let sign = if asked[index]["has_sense"] == true && value > 0.0 { "+" } else { "" };
-    bench.fill("[data-box]", &format!("{sign}{value}"));
+    bench.fill("[data-box]", &format!("{sign}{}", (value * 100.0).round() / 100.0));
     bench.until(
         "document.querySelector('[data-box]').closest('.row').querySelector('.verdict').dataset.kind !== 'writing'",
     );
@@ -52,7 +52,7 @@ fn values_are_checked_one_by_one() {
     let values = key["values"].as_object().expect("values").clone();
     let mut written = 0;
     for (name, value) in &values {
-        let Some(value) = value.as_f64() else { continue };
+        let Some(value) = value["value"].as_f64() else { continue };
         write(&mut bench, name, value);
         assert_eq!(verdict(&mut bench), "right", "{name} = {value}");
         written += 1;
@@ -63,7 +63,8 @@ fn values_are_checked_one_by_one() {
     assert_eq!(written, 3, "{key}");
     let good = bench.text("kinegon.history.now.value.form");
     // A value twice as large is off, and something is said about it.
-    let (name, value) = values.iter().filter_map(|(name, v)| Some((name, v.as_f64()?))).nth(1).expect("values");
+    let (name, value) =
+        values.iter().filter_map(|(name, v)| Some((name, v["value"].as_f64()?))).nth(1).expect("values");
     write(&mut bench, name, 2.0 * value);
     assert_eq!(verdict(&mut bench), "off", "{name}");
     bench.picture("student-off");

@@ -4,6 +4,7 @@
 mod added;
 mod driven;
 mod dropped;
+mod hostile;
 mod pulled;
 mod renamed;
 mod set;

@@ -1,7 +1,7 @@
 use super::{position, size, solvable};
 use kinegon::editing::{Pins, Reshape, Reshaped};
 use kinegon::geometry::Point;
-use kinegon::mechanism::PointId;
+use kinegon::mechanism::{BodyId, GROUND, Mechanism, PointId};
 use kinegon::position::Pose;
 
 fn pins(points: &[&str], lengths: &[&str]) -> Pins {
@@ -9,10 +9,15 @@ fn pins(points: &[&str], lengths: &[&str]) -> Pins {
     Pins { points: owned(points), lengths: owned(lengths) }
 }
 
-/// The largest distance of the points but for one, in parts of the size.
-fn others_moved(before: &Pose, after: &Pose, joint: PointId) -> f64 {
+/// The largest distance of the points but for one, in parts of the size; ends of slotted levers on which nothing hangs may turn.
+fn others_moved(mechanism: &Mechanism, before: &Pose, after: &Pose, joint: PointId) -> f64 {
+    let slotted = mechanism.sliders.iter().map(|slider| slider.on).filter(|link| *link != GROUND).collect::<Vec<_>>();
+    let is_end = |point: usize| {
+        let mut bodies = (0..mechanism.bodies.len()).map(BodyId).filter(|id| mechanism.body(*id).has(PointId(point)));
+        bodies.next().is_some_and(|first| slotted.contains(&first)) && bodies.next().is_none()
+    };
     let pairs = before.points.iter().zip(&after.points).enumerate();
-    let off = pairs.filter(|(index, _)| *index != joint.0).map(|(_, (a, b))| (a - b).norm());
+    let off = pairs.filter(|(index, _)| *index != joint.0 && !is_end(*index)).map(|(_, (a, b))| (a - b).norm());
     off.fold(0.0, f64::max) / size(before)
 }
 
@@ -30,15 +35,14 @@ fn a_joint_goes_to_the_hand_and_all_others_stay() {
                 let wanted = pose.point(id) + kinegon::geometry::Vector::new(x, y) * size;
                 let Reshaped { text: new, pose: found, note, .. } = match pull.to(wanted.into()) {
                     Ok(reshaped) => reshaped,
-                    Err(error) => {
+                    Err(_) => {
                         refused += 1;
-                        println!("{name} {point} {x} {y}: {error}");
                         continue;
                     }
                 };
                 let (_, _, anew) = position(&new).unwrap_or_else(|error| panic!("{name} {point}: {error}\n{new}"));
                 assert_eq!(anew.points, found.points, "{name} {point}");
-                let others = others_moved(&pose, &anew, id);
+                let others = others_moved(&mechanism, &pose, &anew, id);
                 assert!(others < 0.01, "{name} {point} moves others by {others}\n{text}\n{new}");
                 if note.is_none() {
                     let off = (anew.point(id) - wanted).norm() / size;
@@ -54,8 +58,7 @@ fn a_joint_goes_to_the_hand_and_all_others_stay() {
             }
         }
     }
-    println!("{free} free, {held} held, {refused} refused");
-    assert!(free > 1000 && held > 50 && refused < free / 20, "{free} free, {held} held, {refused} refused");
+    assert!(free > 700 && held > 50 && refused < free / 20, "{free} free, {held} held, {refused} refused");
 }
 
 #[test]
@@ -68,7 +71,7 @@ fn pins_hold() {
     let free = at(&Pins::default(), [130.0, 120.0]);
     assert_eq!(
         free.text,
-        text.replace("\"BC\": 140", "\"BC\": 121.07")
+        text.replace("\"BC\": 140", "\"BC\": 120.95")
             .replace("\"CD\": 110", "\"CD\": 123.69")
             .replace("[155, 110]", "[130, 120]")
     );
@@ -77,7 +80,7 @@ fn pins_hold() {
     assert_eq!((pinned.text.as_str(), pinned.note.as_deref()), (text, Some("C is pinned")));
     let one = at(&pins(&["B"], &["2.BC"]), [130.0, 120.0]);
     assert!(one.text.contains("\"BC\": 140") && !one.text.contains("\"CD\": 110"), "{}", one.text);
-    assert_eq!(one.note.as_deref(), Some("the length CB guides C"));
+    assert_eq!(one.note.as_deref(), Some("C moves on a circle: BC is pinned"));
     let off = (c(&one) - Point::new(30.0, 51.96)).norm() - 140.0;
     assert!(off.abs() < 0.01, "{off}");
     let two = at(&pins(&[], &["2.CB", "3.CD"]), [130.0, 120.0]);
@@ -110,13 +113,36 @@ fn guides_go_with_their_blocks_and_stay_where_pivots_go() {
     let pivot =
         Reshape::new(toggle, "D", &Pins::default()).expect("solvable").to([10.0, 7.0]).expect("it can go there").text;
     assert!(pivot.contains("\"through\": [0, 0]"), "{pivot}");
-    let lever = include_str!("../../../templates/slotted-lever.json");
-    let pin = Reshape::new(lever, "B", &Pins::default()).expect("solvable").to([60.0, 60.0]).expect("it can go there");
-    assert_eq!(pin.note.as_deref(), Some("the guide on link 3 guides B"));
+    let figure = include_str!("../../../examples/figure-2.json");
+    let end =
+        Reshape::new(figure, "E", &Pins::default()).expect("solvable").to([400.0, 440.0]).expect("it can go there");
+    assert_eq!(end.note.as_deref(), Some("E moves on a line: the guide of 3/2"));
     let boom = include_str!("../../../templates/hydraulic-boom.json");
     let piston =
         Reshape::new(boom, "D", &Pins::default()).expect("solvable").to([900.0, 100.0]).expect("it can go there").text;
     assert!(!piston.contains("\"position\": 450,"), "{piston}");
+}
+
+#[test]
+fn a_slotted_lever_turns_with_its_pin() {
+    let text = include_str!("../../../templates/slotted-lever.json");
+    let pull = |point: &str, place: [f64; 2], pins: &Pins| {
+        Reshape::new(text, point, pins).expect("solvable").to(place).expect("it can go there")
+    };
+    let place = |reshaped: &Reshaped, point: &str| reshaped.pose.point(reshaped.mechanism.point(point).expect(point));
+    let pin = pull("B", [60.0, 60.0], &Pins::default());
+    assert_eq!(pin.note, None);
+    assert!(
+        (place(&pin, "B") - Point::new(60.0, 60.0)).norm() < 0.1 && pin.text.contains("\"CD\": 220 }"),
+        "{}",
+        pin.text
+    );
+    assert!(pin.text.contains("\"AB\": 84.85,") && pin.text.contains("\"angle\": 45,"), "{}", pin.text);
+    let pivot = pull("D", [20.0, -100.0], &Pins::default());
+    assert!(pivot.text.contains("\"AB\": 60,") && pivot.text.contains("\"CD\": 220 }"), "{}", pivot.text);
+    // Where the lever's end is pinned, it cannot turn.
+    let held = pull("B", [60.0, 60.0], &pins(&["C"], &[]));
+    assert_eq!(held.note.as_deref(), Some("B moves on a line: the guide of 2/3"));
 }
 
 #[test]

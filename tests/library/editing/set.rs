@@ -37,7 +37,11 @@ fn a_value_set_and_set_back_gives_the_same_text() {
             assert_eq!(path.iter().fold(&now, |value, key| at(value, key)), &other, "{name} {path:?}");
             let back = set(&changed, &path, value.clone());
             // serde_json reads some numbers of 17 digits, and writes needless zeros, otherwise than they stand.
-            if text.contains(&value.to_string()) {
+            let written = value.to_string();
+            if text
+                .match_indices(&written)
+                .any(|(at, _)| !text[at + written.len()..].starts_with(|c: char| c.is_ascii_digit() || c == '.'))
+            {
                 assert_eq!(back, text, "{name} {path:?}");
                 seen += 1;
             }

@@ -8,7 +8,7 @@ pub struct Opened {
     /// Its title, or the usual one.
     pub title: String,
     /// The scene file as JSON.
-    #[schemars(extend("tsType" = "Record<string, any>"))]
+    #[schemars(with = "SceneFile")]
     pub scene: Map<String, Value>,
     /// Its drives and where they stand.
     pub drives: Vec<Drive>,
@@ -31,6 +31,12 @@ pub struct Opened {
     /// Whether it is a drawn configuration, which cannot be moved.
     pub is_drawn: bool,
 }
+
+/// A scene file, as docs/scenes.md has it.
+#[derive(JsonSchema)]
+#[schemars(extend("tsType" = "Record<string, any>"))]
+#[expect(dead_code, reason = "it stands for a type of the page")]
+struct SceneFile(Map<String, Value>);
 
 /// A drive and where it stands.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -74,6 +80,7 @@ pub struct View {
     /// The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows
     /// the scheme alone.
     #[serde(default)]
+    #[schemars(skip_serializing_if = "Option::is_none")]
     pub panels: Option<Vec<String>>,
 }
 
@@ -134,6 +141,15 @@ pub struct Handle {
     pub is_fixed: bool,
 }
 
+/// A point of the scene in its own coordinates.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Place {
+    /// Its name.
+    pub name: String,
+    /// Where it is, in units of length.
+    pub at: [f64; 2],
+}
+
 /// A way to assemble the scene.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Mode {
@@ -147,6 +163,7 @@ pub struct Mode {
 
 /// A value of the scene's own position.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Value")]
 pub struct ValueRow {
     /// Its name, as `v(D).size`.
     pub name: String,
@@ -157,11 +174,13 @@ pub struct ValueRow {
     /// Its unit.
     pub unit: String,
     /// How far the value can be from the true one, in the same unit; none where that is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
 }
 
 /// What can be drawn over the cycle.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Curves")]
 pub struct Drawn {
     /// The sheet.
     pub svg: String,
@@ -171,4 +190,17 @@ pub struct Drawn {
     pub height: f64,
     /// Extreme positions, change points, limits, in words.
     pub events: Vec<String>,
+    /// The axis of the drive; none where nothing is drawn over it.
+    pub axis: Option<DriveAxis>,
+}
+
+/// Where the values of the drive are in graphs one above the other.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct DriveAxis {
+    /// The value at the left edge of the graphs, in degrees or units of length.
+    pub low: f64,
+    /// At the right edge.
+    pub high: f64,
+    /// The graphs: [x, y, width, height] in mm.
+    pub areas: Vec<[f64; 4]>,
 }

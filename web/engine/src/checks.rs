@@ -29,6 +29,7 @@ pub struct CheckOptions {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Checked {
     /// As `kinegon check --json`; none where no value is understood.
+    #[schemars(with = "Option<CheckFile>")]
     pub result: Option<CheckResult>,
     /// As `kinegon check`.
     pub report: String,
@@ -44,8 +45,15 @@ pub struct Checked {
     pub marks: Option<String>,
 }
 
+/// `kinegon schema check`.
+#[derive(JsonSchema)]
+#[schemars(rename = "CheckResult", extend("tsType" = "Record<string, any>"))]
+#[expect(dead_code, reason = "it stands for a type of the page")]
+struct CheckFile(serde_json::Map<String, serde_json::Value>);
+
 /// A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "ReportParts")]
 pub struct Parts {
     /// How many values are right, within the tolerance, off.
     pub counts: String,
@@ -134,6 +142,11 @@ impl Desk {
     /// The verdict on the values of a form; those that are not understood are told apart, and the others are checked.
     pub fn check(&mut self, text: &str, form: &str, options: &CheckOptions) -> Result<Checked, Refused> {
         let mut measured = measured(form)?;
+        let given = [options.pencil_mm, options.pencil_degrees];
+        if given.into_iter().flatten().any(|limit| !(0.0..=Tolerance::LARGEST).contains(&limit)) {
+            let message = format!("the tolerance of a pencil is from 0 to {}", Tolerance::LARGEST);
+            return Err(Refused::whole(message));
+        }
         let solution = self.solution(text)?;
         let key = options.key(usual_key(solution));
         let words = solution.wording();
@@ -152,7 +165,7 @@ impl Desk {
         let mut drawn = Drawn::default();
         if options.drawn {
             let overlay = redrawn(&measured, &key, &checked, &words)?;
-            drawn.overlays = sheets(&measured, &key, overlay);
+            drawn.overlays = sheets(&key, overlay);
             drawn.feedback = Feedback::new(&measured, &key, &checked, marks.as_ref(), &words)?.html();
         }
         let line = marks.as_ref().map(|marks| marks.line(&words));
@@ -206,12 +219,11 @@ fn set_faults_apart(measured: &mut Measured, key: &AnswerKey<'_>) -> Vec<Fault> 
     told
 }
 
-/// The student's drawing over the right one at the student's scales; words and table stand on the page.
-fn sheets(measured: &Measured, key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
+/// The student's drawing over the right one, as large as the sheet allows; words and table stand on the page.
+fn sheets(key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
     let mut solution = key.solution.clone();
     let figure = &mut solution.scene.figure;
-    let [mu_l, mu_v, mu_a] = measured.mu;
-    (figure.mu_l, figure.mu_v, figure.mu_a) = (mu_l.or(figure.mu_l), mu_v.or(figure.mu_v), mu_a.or(figure.mu_a));
+    (figure.mu_l, figure.mu_v, figure.mu_a) = (None, None, None);
     let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..redrawn };
     let sheets = overlay(&solution, &drawn);
     sheets.iter().map(|sheet| OverlaySheet { svg: sheet.svg(), width: sheet.width, height: sheet.height }).collect()

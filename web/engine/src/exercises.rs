@@ -3,9 +3,12 @@ use kinegon::Scene;
 use kinegon::drawing::Drawing;
 use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises};
 use kinegon::format::{self, Text, svg_with};
-use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page};
+use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, SizeLimit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+/// Most exercises of a seed, as the program has it.
+const MOST: usize = 1000;
 
 /// How exercises are written, as the options of `kinegon exercise`; what is not given is the scene's.
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema, PartialEq)]
@@ -61,6 +64,7 @@ impl Series {
     pub fn new(text: &str, seed: u64, options: &ExerciseOptions) -> Result<Series, Refused> {
         let mut scene = Scene::read(text).map_err(|error| Refused::of(text, error))?;
         options.put_into(&mut scene.figure);
+        SizeLimit::HAND.check(&scene).map_err(|error| Refused::of(text, error))?;
         let solution = kinegon::solve(&scene).map_err(|error| Refused::of(text, error))?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let page = options.page.as_ref().map(|_| figure.page);
@@ -75,11 +79,14 @@ impl Series {
 
     /// The exercise of a number, counted from 1.
     pub fn exercise(&mut self, number: usize) -> Result<&Found, Refused> {
-        while self.found.len() < number.max(1) {
+        if !(1..=MOST).contains(&number) {
+            return Err(Refused::whole(format!("exercises are numbered from 1 to {MOST}")));
+        }
+        while self.found.len() < number {
             let next = self.more.next().map_err(refused)?;
             self.found.push(next);
         }
-        self.found.get(number.max(1) - 1).ok_or_else(|| Refused::whole("there is no such exercise"))
+        self.found.get(number - 1).ok_or_else(|| Refused::whole("there is no such exercise"))
     }
 }
 

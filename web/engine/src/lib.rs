@@ -14,6 +14,11 @@ mod kinds;
 mod opened;
 mod picture;
 mod refused;
+#[cfg(not(target_arch = "wasm32"))]
+mod schema;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use schema::schema;
 
 use desk::Desk;
 use exercises::Series;
@@ -96,6 +101,14 @@ impl Engine {
     /// A [`Refused`] as JSON.
     pub fn edit(&self, text: &str, edits: &str) -> Result<String, String> {
         plain(asked::<Vec<Edit>>(edits).and_then(|edits| editing::apply(text, &edits).map_err(refused(text))))
+    }
+
+    /// Where the points are: as solved; of a scene that cannot be solved, those that its text says.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn places(&self, text: &str) -> Result<String, String> {
+        answer(opened::places(text))
     }
 
     /// Every way to assemble the scene.
@@ -225,6 +238,9 @@ impl Engine {
 impl Engine {
     /// An exercise; those before it are kept, as the next one is looked for from the last.
     fn found(&mut self, text: &str, [seed, number]: [f64; 2], options: &str) -> Result<&Exercise, Refused> {
+        if seed < 0.0 || seed.fract() != 0.0 || seed > 9e15 {
+            return Err(Refused::whole("a seed is a whole number"));
+        }
         let (seed, options) = (seed as u64, asked(options)?);
         if !self.series.as_ref().is_some_and(|series| series.is_of(text, seed, &options)) {
             self.series = None;

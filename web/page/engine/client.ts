@@ -1,40 +1,38 @@
+import { signal, type Signal } from "../state/signal.ts";
 import type { Engine } from "./engine.ts";
-import type { Refused } from "./types.ts";
-import type { Answer } from "./worker.ts";
+import { hand, type Watch } from "./hand.ts";
 
-/** The engine as the page calls it: every function answers later, and refuses with {@link Refused}. */
+/** The engine as the page calls it: every function answers later, and rejects with {@link Refused}. */
 export type EngineClient = {
   [Name in keyof Engine]: (...given: Parameters<Engine[Name]>) => Promise<ReturnType<Engine[Name]>>;
 };
 
-/** The functions whose answers are no JSON. */
-const PLAIN = new Set(["drop", "edit", "choose_mode", "file", "read_form", "write_form", "exercise_file"]);
+/** What the picture waits for; everything else has a worker of its own, so that no curve and no check stops a hand. */
+const AT_ONCE = new Set(["kinds", "open", "picture", "grab", "drag", "drop", "edit", "font"]);
 
-interface Waiting {
-  name: string;
-  done(value: unknown): void;
-  refused(why: Refused): void;
-}
-
-/** Starts the engine in a worker. */
-export function startEngine(script: string, wasm: ArrayBuffer): EngineClient {
+/** Starts the engine in a worker, and in a second one as soon as something slow is asked for. */
+export function startEngine(
+  script: string,
+  module: WebAssembly.Module,
+  restarted: Watch["restarted"],
+): { engine: EngineClient; busy: Signal<boolean> } {
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  const worker = new Worker(address);
-  const waiting = new Map<number, Waiting>();
-  let last = 0;
-  worker.onmessage = ({ data }: MessageEvent<Answer>) => {
-    const call = waiting.get(data.id);
-    if (call === undefined) return;
-    waiting.delete(data.id);
-    if ("refused" in data) call.refused(JSON.parse(data.refused) as Refused);
-    else call.done(PLAIN.has(call.name) ? data.value : JSON.parse(data.value as string));
-  };
-  worker.postMessage({ wasm }, [wasm]);
-  const call = (name: string) => (...given: unknown[]) =>
-    new Promise<unknown>((done, refused) => {
-      last += 1;
-      waiting.set(last, { name, done, refused });
-      worker.postMessage({ id: last, name, given });
+  const busy = signal(false);
+  const working = new Set<string>();
+  const named = (name: string) =>
+    hand(address, module, {
+      restarted,
+      busy(is) {
+        if (is) working.add(name);
+        else working.delete(name);
+        busy.set(working.size > 0);
+      },
     });
-  return new Proxy({}, { get: (_, name: string) => call(name) }) as EngineClient;
+  const first = named("picture");
+  let second: typeof first | undefined;
+  const call = (name: string) => (...given: unknown[]) =>
+    AT_ONCE.has(name) ? first(name, given) : (second ??= named("panels"))(name, given);
+  // A promise asks what it resolves with for `then`; the engine has none.
+  const engine = new Proxy({}, { get: (_, name) => (name === "then" ? undefined : call(String(name))) }) as EngineClient;
+  return { engine, busy };
 }

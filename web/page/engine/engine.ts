@@ -11,14 +11,18 @@ import type {
   Kind,
   Mode,
   Opened,
+  OverCycle,
   Picture,
   Pull,
+  Value,
   View,
 } from "./types.ts";
 
 /** The engine: what the worker does. Every function takes the scene's text; the last one is kept solved. A refusal rejects with {@link Refused}. */
 export interface Engine {
   kinds(): Kind[];
+  /** A face of the letters that drawings are set with, as OpenType. */
+  font(is_italic: boolean): Uint8Array;
   open(text: string): Opened;
   picture(text: string, view: View): Picture;
   /** Takes hold; the sheet's layout stays until `drop`. */
@@ -27,12 +31,14 @@ export interface Engine {
   /** The scene's text after the gesture. */
   drop(): string;
   edit(text: string, edits: Edit[]): string;
+  /** Where the points are in the scene's own coordinates: as solved; of a scene that cannot be solved, those that its text says. */
+  places(text: string): { name: string; at: [number, number] }[];
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;
-  curves(text: string, of: { curves: string[] } | { path: string[] } | { hodograph: string[] }): Curves;
+  curves(text: string, of: OverCycle): Curves;
   /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
-  values(text: string): { name: string; label: string; value: string; unit: string }[];
+  values(text: string): Value[];
   file(text: string, request: FileRequest): Uint8Array;
   /** The form of a scene; `filled` is a form with values, or empty. */
   form(text: string, filled: string): Form;
@@ -40,6 +46,8 @@ export interface Engine {
   read_form(text: string, form: string): string;
   /** A form as a table. */
   write_form(text: string, form: string): string;
+  /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
+  pages(text: string, of: Exclude<FileRequest["of"], string>): number;
   check(text: string, form: string, options: CheckOptions): Checked;
   /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;

@@ -3,13 +3,12 @@ import init, { Engine } from "kinegon-wasm";
 
 /** A call from the page. */
 export interface Call {
-  id: number;
   name: string;
   given: unknown[];
 }
 
-/** An answer: what was asked for, or a refusal as JSON. */
-export type Answer = { id: number; value: unknown } | { id: number; refused: string };
+/** An answer: what was asked for, a refusal as JSON, or that the engine fell. `took` is the engine's time in ms. */
+export type Answer = { value: unknown; took: number } | { refused: string; took: number } | { fell: string };
 
 type Anything = Record<string, (...given: unknown[]) => unknown>;
 
@@ -20,29 +19,38 @@ function handed(given: unknown): unknown {
   return typeof given === "object" ? JSON.stringify(given) : given;
 }
 
-function answered({ id, name, given }: Call): Answer {
+function answered({ name, given }: Call): Answer {
+  const begin = performance.now();
+  const took = (): number => performance.now() - begin;
   try {
     const method = engine?.[name];
-    if (method === undefined || engine === undefined) throw new Error(`the engine has no ${name}`);
-    return { id, value: method.apply(engine, given.map(handed)) };
+    if (method === undefined) {
+      const message = `the engine has no ${name}`;
+      return { refused: JSON.stringify({ message, hint: null, path: "", from: null, to: null, line: null, column: null }), took: took() };
+    }
+    return { value: method.apply(engine, given.map(handed)), took: took() };
   } catch (error) {
-    return { id, refused: typeof error === "string" ? error : JSON.stringify({ message: String(error), panicked: true }) };
+    return typeof error === "string" ? { refused: error, took: took() } : { fell: String(error) };
   }
 }
 
 /** Settles when the engine is there. */
 let started: Promise<unknown> = Promise.resolve();
 
-async function start(wasm: ArrayBuffer): Promise<void> {
-  await init({ module_or_path: wasm });
+async function start(module: WebAssembly.Module): Promise<void> {
+  await init({ module_or_path: module });
   engine = new Engine() as unknown as Anything;
 }
 
-self.onmessage = async ({ data }: MessageEvent<Call | { wasm: ArrayBuffer }>) => {
-  if ("wasm" in data) {
-    started = start(data.wasm);
-  } else {
+self.onmessage = async ({ data }: MessageEvent<Call | { module: WebAssembly.Module }>) => {
+  if ("module" in data) {
+    started = start(data.module);
+    return;
+  }
+  try {
     await started;
     postMessage(answered(data));
+  } catch (error) {
+    postMessage({ fell: String(error) } satisfies Answer);
   }
 };

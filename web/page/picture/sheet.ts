@@ -11,8 +11,8 @@ function dark(colour: string): string {
   if (known !== undefined) return known;
   const [red, green, blue] = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16)) as [number, number, number];
   const shift = 255 - Math.max(red, green, blue) - Math.min(red, green, blue);
-  // Not quite black, and not quite white: from 24 to 236.
-  const mapped = [red, green, blue].map((part) => Math.round(24 + ((part + shift) * 212) / 255));
+  // Not quite black, and not quite white: from 24 to 240; what is pale on paper stays a little lighter, or it would be lost.
+  const mapped = [red, green, blue].map((part) => Math.round(24 + 216 * ((part + shift) / 255) ** 0.75));
   const made = `#${mapped.map((part) => Math.min(255, Math.max(0, part)).toString(16).padStart(2, "0")).join("")}`;
   darkened.set(colour, made);
   return made;

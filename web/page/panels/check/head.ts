@@ -30,8 +30,8 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
   let units: HTMLInputElement[] = [];
 
   function scaleField(scale: Scale, rows: FormRow[]): HTMLElement {
-    const unit = say("per_mm", { unit: unitOf(rows, scale) });
-    const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `μ ${say(scale)}, ${unit}` });
+    const unit = unitOf(rows, scale);
+    const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${say("scales")}: ${unit}, ${say(scale)}` });
     input.oninput = () => {
       const value = Number(input.value.replace(",", "."));
       const isScale = Number.isFinite(value) && value > 0;
@@ -40,7 +40,8 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     };
     input.onblur = left;
     fields.set(scale, input);
-    return element("label", {}, element("span", {}, symbol(scale), ` ${say(scale)}`), input, element("small", {}, unit));
+    const name = element("span", { title: say(scale) }, symbol(scale));
+    return element("label", {}, name, input, element("small", {}, unit));
   }
 
   function build({ rows }: Form): void {
@@ -50,17 +51,17 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     name.onblur = left;
     fields.set("name", name);
     const own = [...new Set(rows.filter((row) => row.on_paper).map((row) => row.unit))].join(", ");
-    const choice = (value: "mm" | "units", words: string): HTMLElement => {
+    units = [];
+    const choice = (value: "mm" | "units", words: string, more = ""): HTMLElement => {
       const input = element("input", { type: "radio", name: "check-in", value });
       input.onchange = () => change((file) => withHead(file, "in", value === "mm" ? "mm" : undefined), "in");
       units.push(input);
-      return element("label", {}, input, element("span", {}, words));
+      return element("label", { title: more }, input, element("span", {}, words));
     };
-    units = [];
     root.replaceChildren(
       element("label", { class: "name" }, element("span", {}, say("name")), name),
       element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SCALES.map((scale) => scaleField(scale, rows))),
-      element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units", { units: own }))),
+      element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units"), own)),
     );
   }
 

@@ -1,6 +1,7 @@
 import type { App, Panel } from "../../app.ts";
 import { element } from "../../dom.ts";
 import type { Form, Refused } from "../../engine/types.ts";
+import { redo, undo } from "../../layout/keys.ts";
 import { language } from "../../words.ts";
 import { bar } from "./bar.ts";
 import { checking } from "./checking.ts";
@@ -16,7 +17,7 @@ import { rows } from "./rows.ts";
 import { say } from "./words.ts";
 
 function mount(root: HTMLElement, app: App): void {
-  root.classList.add("check");
+  root.classList.add("check-panel");
   const check = checking(app);
   const drawing = overlay(app, () => check.scheme.value?.text ?? null);
   let form: Form | null = null;
@@ -43,13 +44,14 @@ function mount(root: HTMLElement, app: App): void {
   const boxes = rows({
     changed(name, value, isTyping) {
       if (isTyping) check.writing.set(name);
+      else check.unchecked.add(name);
       change((file) => withValue(file, name, value), name);
       if (!isTyping) left();
     },
     left,
     remove: (name) => change((file) => withoutValue(file, name), `remove ${name}`),
   });
-  const points = pointsPart(app, change, left, present);
+  const points = pointsPart(change, left, present);
   const whole = result(app, drawing, () => {
     void drawing.drawn().then(({ feedback }) => {
       const file = present();
@@ -67,6 +69,16 @@ function mount(root: HTMLElement, app: App): void {
   const all = element("div", { class: "all" }, intro, files, top.root, boxes.root, points.root, whole.root);
   const none = element("p", { class: "quiet" });
   root.append(none, all, foot.root);
+  // The browser's own undo ends at the field's edge; the page's goes through all of the form.
+  root.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+    const act = { z: event.shiftKey ? redo : undo, y: redo }[event.key.toLowerCase()];
+    if (act === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    left();
+    act(app);
+  });
 
   /** Shows what the form says now. */
   function show(): void {
@@ -74,7 +86,7 @@ function mount(root: HTMLElement, app: App): void {
     const file = present();
     top.show(file);
     points.show(file);
-    boxes.show(file, judged(file, form, check.verdicts.value, check.writing.value));
+    boxes.show(file, judged(file, form, check.verdicts.value, check.unchecked));
     const asked = form.rows.filter((row) => row.is_asked);
     const filled = new Set(filledNames(file));
     const given = new Set(check.verdicts.value.checked?.parts?.rows.map((row) => row.name) ?? []);

@@ -3,6 +3,7 @@ import { element } from "../../dom.ts";
 import type { Checked, ReportParts } from "../../engine/types.ts";
 import type { Verdicts } from "./checking.ts";
 import type { Overlay } from "./overlay.ts";
+import { refusal } from "./refusal.ts";
 import { say } from "./words.ts";
 
 /** An element with a fragment of the engine: text with `<i>`, `<sub>`, `<sup>` alone. */
@@ -63,6 +64,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     const parts = checked.parts;
     if (parts === null) return [];
     rightButton.textContent = say("right_plan");
+    overlayButton.textContent = say(drawing.isShown.value ? "overlay_hide" : "overlay");
     reportButton.textContent = say("feedback");
     if (app.student.value) return [isFull ? element("p", {}, rightButton) : element("p", { class: "quiet" }, say("right_plan_later"))];
     const isOff = checked.result?.["passed"] !== true;
@@ -74,7 +76,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     const { parts } = checked;
     if (parts === null) return [];
     const kind = checked.result?.["passed"] === true ? "good" : "bad";
-    const more = [...(parts.senses === null ? [] : [parts.senses]), ...parts.further];
+    const more = [...(parts.senses === null ? [] : [say("choose_senses")]), ...parts.further];
     return [
       ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),
       fragment("p", parts.heading, `heading ${kind}`),
@@ -94,7 +96,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
       const open = [...root.querySelectorAll("details[open] > summary")].map((summary) => summary.textContent);
       const contents: Node[] =
         refused !== null
-          ? [element("p", { class: "bad" }, [refused.message, refused.hint].filter(Boolean).join(" "))]
+          ? [element("p", { class: "problem bad" }, ...refusal(refused))]
           : checked === null
             ? [element("p", { class: "quiet" }, say("nothing_yet"))]
             : told(checked, isFull);

@@ -72,7 +72,7 @@ export function row(of: FormRow, events: RowEvents): Row {
     const options = all.map((name, index) => new Option(name, index === 0 ? "" : name));
     if (of.on_paper) options.push(new Option(say("on_paper"), "/mu"));
     unit.replaceChildren(...options);
-    unit.value = own.onPaper ? "/mu" : (own.unit ?? "");
+    unit.value = own.onPaper ? "/mu" : own.unit === null || own.unit === of.unit ? "" : own.unit;
     const isPaper = file.in === "mm" && SEGMENT.test(of.name) && !own.onPaper && own.unit === null;
     unit.hidden = isPaper;
     paper.hidden = !isPaper;
@@ -95,7 +95,9 @@ export function row(of: FormRow, events: RowEvents): Row {
     if (!isSame || document.activeElement !== input) showUnits(own);
     senses?.show(own.digits === "" && chosen !== "" ? chosen : sense);
     input.placeholder = fromPoints ?? "";
-    note.textContent = own.digits === "" && fromPoints !== null ? say("from_points") : "";
+    const isFromPoints = own.digits === "" && fromPoints !== null;
+    note.title = isFromPoints ? say("from_points") : "";
+    note.replaceChildren(...(isFromPoints ? [element("span", { "aria-hidden": "true" }, "⌖"), element("span", { class: "off-screen" }, say("from_points"))] : []));
   }
 
   return {

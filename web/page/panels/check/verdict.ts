@@ -1,4 +1,5 @@
 import { element } from "../../dom.ts";
+import { refusal } from "./refusal.ts";
 import { say } from "./words.ts";
 
 /** A verdict beside a value: a sign, a colour (by its kind) and words. */
@@ -9,7 +10,7 @@ export interface Verdict {
   hint: string | null;
 }
 
-const SIGNS: Record<Verdict["kind"], string> = {
+export const SIGNS: Record<Verdict["kind"], string> = {
   right: "✓",
   "within-tolerance": "≈",
   off: "✗",
@@ -24,8 +25,7 @@ export function showVerdict(place: HTMLElement, verdict: Verdict | null): void {
   place.dataset["kind"] = verdict?.kind ?? "";
   place.replaceChildren();
   if (verdict === null || verdict.kind === "writing") return;
-  place.append(element("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict.kind]), ` ${verdict.words}`);
-  if (verdict.hint !== null) place.append(element("small", {}, verdict.hint));
+  place.append(element("span", { class: "sign", "aria-hidden": "true" }, SIGNS[verdict.kind]), " ", ...refusal({ message: verdict.words, hint: verdict.hint }));
 }
 
 /** The verdict on a value that is not understood. */

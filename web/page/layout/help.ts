@@ -1,0 +1,45 @@
+import { byId, element } from "../dom.ts";
+import { language } from "../words.ts";
+import type { Store } from "../state/storage.ts";
+import { say, type Saying } from "./words.ts";
+
+const KEYS: [string, Saying][] = [
+  ["← →", "key_steps"],
+  ["Home End", "key_ends"],
+  ["↑ ↓", "key_drive"],
+  ["Space", "key_play"],
+  ["1 2 3 A", "key_panels"],
+  ["+ − 0", "key_zoom"],
+  ["M S", "key_hand"],
+  ["P", "key_full"],
+  ["D", "key_dark"],
+  ["Ctrl+Z Ctrl+Y", "key_undo"],
+  ["← → ↑ ↓", "key_joint"],
+  ["Esc", "key_escape"],
+];
+
+/** The list of keys, and whether letters are keys at all: people who speak to their computer may not want that. */
+export function help(store: Store): void {
+  const dialog = byId<HTMLDialogElement>("help");
+  function build(): void {
+    const rows = KEYS.map(([keys, what]) =>
+      element("tr", {}, element("th", { scope: "row" }, ...keys.split(" ").flatMap((key) => [element("kbd", {}, key), " "])), element("td", {}, say(what))),
+    );
+    const box = element("input", { type: "checkbox", id: "letters" });
+    box.checked = store.preference("letters") !== "no";
+    box.onchange = () => store.prefer("letters", box.checked ? "yes" : "no");
+    const close = element("button", { type: "button", id: "help-close", class: "main" }, say("close"));
+    close.onclick = () => dialog.close();
+    dialog.replaceChildren(
+      element("h2", { id: "help-title" }, say("keys")),
+      element("table", {}, element("tbody", {}, ...rows)),
+      element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), close),
+    );
+  }
+  language.on(build);
+  dialog.onclick = (event) => event.target === dialog && dialog.close();
+  byId("help-button").onclick = () => {
+    byId("more").hidePopover?.();
+    dialog.showModal();
+  };
+}

@@ -1,0 +1,73 @@
+import type { App } from "../app.ts";
+import { byId, element } from "../dom.ts";
+import { language } from "../words.ts";
+import { say } from "./words.ts";
+
+/** Says why the text is refused until it is mended, and folds warnings. */
+export function messages(app: App): void {
+  const bar = byId("message");
+  const fold = byId<HTMLDetailsElement>("warnings");
+
+  function refused(): void {
+    const why = app.solved.value.refused;
+    bar.hidden = why === null;
+    if (why === null) return bar.replaceChildren();
+    const message = why.line === null ? why.message : say("line", { line: why.line, message: why.message });
+    const text = element("p", {}, element("strong", {}, message));
+    if (why.hint !== null) text.append(" ", why.hint);
+    bar.replaceChildren(text);
+    const { from, to } = why;
+    if (from === null) return;
+    const go = element("button", { type: "button", id: "message-place" }, say("to_text"));
+    go.onclick = () => {
+      app.show("text");
+      app.place.set({ from, to: to ?? from });
+    };
+    bar.append(go);
+  }
+
+  function warnings(): void {
+    const all = app.solved.value.opened?.warnings ?? [];
+    fold.hidden = all.length === 0;
+    fold.querySelector("summary")!.textContent = all.length === 1 ? say("warning") : say("warnings", { count: all.length });
+    fold.querySelector("ul")!.replaceChildren(...all.map((warning) => element("li", {}, warning)));
+  }
+
+  const both = (): void => {
+    refused();
+    warnings();
+  };
+  app.solved.on(both);
+  language.on(both);
+}
+
+/** Says something that stays until it is closed. */
+export function notice(message: string): void {
+  const bar = byId("notice");
+  const close = element("button", { type: "button", id: "notice-close" }, say("close"));
+  close.onclick = () => (bar.hidden = true);
+  bar.replaceChildren(element("p", {}, message), close);
+  bar.hidden = false;
+}
+
+/** Says something aloud only, where the page shows it in another way. */
+export function speak(message: string): void {
+  byId("spoken").textContent = message;
+}
+
+/** How long a word stays on the page, in ms for a letter, and at least. */
+const [LETTER, LEAST] = [60, 4000];
+
+/** Says something for a moment, aloud and on the page. */
+export function teller(): (message: string) => void {
+  const place = byId("said");
+  let clock = 0;
+  return (message) => {
+    clearTimeout(clock);
+    // The same words again are said again.
+    place.textContent = "";
+    place.textContent = message;
+    place.classList.add("shown");
+    clock = window.setTimeout(() => place.classList.remove("shown"), Math.max(LEAST, message.length * LETTER));
+  };
+}

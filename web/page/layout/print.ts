@@ -1,0 +1,36 @@
+import type { App } from "../app.ts";
+import { byId, element } from "../dom.ts";
+import { sheetElement } from "../picture/sheet.ts";
+
+/** Prints sheets at their true size: one on a page, without a margin of the browser's. */
+export function printer(): App["print"] {
+  const place = byId("print");
+  const style = element("style");
+  document.head.append(style);
+  return (given, width, height) => {
+    const svgs = typeof given === "string" ? [given] : given;
+    // A hair less than the page, or rounding would bring an empty second one.
+    style.textContent = `@page { size: ${width}mm ${height}mm; margin: 0; } @media print { #print > * { width: ${width}mm; height: ${height - 0.05}mm; } }`;
+    place.replaceChildren(
+      ...svgs.map((svg, index) => {
+        const root = sheetElement(svg, `print-${index}`, "");
+        root.setAttribute("width", `${width}mm`);
+        root.setAttribute("height", `${height}mm`);
+        return element("div", {}, root);
+      }),
+    );
+    window.print();
+  };
+}
+
+/** What the browser's own print command prints: the picture as it is on the screen, on a sheet of its own size. */
+export function printedByBrowser(app: App): void {
+  const place = byId("print");
+  window.addEventListener("beforeprint", () => {
+    const picture = app.picture.value;
+    if (place.childElementCount > 0 || picture === null) return;
+    const root = sheetElement(picture.svg, "print-0", "");
+    place.append(element("div", { class: "own" }, root));
+  });
+  window.addEventListener("afterprint", () => place.replaceChildren());
+}

@@ -1,0 +1,26 @@
+import { language } from "../words.ts";
+import { icon } from "./icons.ts";
+import { say, type Saying } from "./words.ts";
+
+/** Sets pictograms and words of index.html: `data-icon`, `data-say` (its text), `data-name` (its name for the mouse and for screen readers). */
+export function sayAll(): void {
+  for (const place of document.querySelectorAll<HTMLElement>("[data-icon]")) place.prepend(icon(place.dataset["icon"] ?? ""));
+  for (const place of document.querySelectorAll<HTMLElement>("button[data-say]")) {
+    const text = document.createElement("span");
+    text.className = "text";
+    text.dataset["say"] = place.dataset["say"] ?? "";
+    delete place.dataset["say"];
+    place.append(text);
+  }
+  language.on((now) => {
+    document.documentElement.lang = now;
+    for (const place of document.querySelectorAll<HTMLElement>("[data-say]")) place.textContent = say(place.dataset["say"] as Saying);
+    for (const place of document.querySelectorAll<HTMLElement>("[data-name]")) name(place, say(place.dataset["name"] as Saying));
+  });
+}
+
+/** Names a control; controls also show their name under the mouse. */
+export function name(place: HTMLElement, text: string): void {
+  place.setAttribute("aria-label", text);
+  if (place.matches("button, select")) place.title = text;
+}

@@ -1,0 +1,56 @@
+import type { App } from "../app.ts";
+import { byId } from "../dom.ts";
+import { language, LANGUAGES, type Language } from "../words.ts";
+import { redo, undo } from "./keys.ts";
+
+/** Undo, redo, the two hands, language. */
+export function toolbar(app: App): void {
+  byId("undo").onclick = () => undo(app);
+  byId("redo").onclick = () => redo(app);
+  app.history.canUndo.on((can) => (byId<HTMLButtonElement>("undo").disabled = !can));
+  app.history.canRedo.on((can) => (byId<HTMLButtonElement>("redo").disabled = !can));
+
+  byId("hand-move").onclick = () => app.shaping.set(false);
+  byId("hand-shape").onclick = () => app.shaping.set(true);
+  app.shaping.on((shaping) => {
+    for (const [id, is] of [["hand-move", !shaping], ["hand-shape", shaping]] as const) {
+      byId(id).setAttribute("aria-checked", String(is));
+      byId(id).tabIndex = is ? 0 : -1;
+    }
+  });
+  for (const group of document.querySelectorAll<HTMLElement>("[role=radiogroup]")) radios(group);
+
+  const select = byId<HTMLSelectElement>("language");
+  language.on((now) => (select.value = now));
+  select.onchange = () => void changeLanguage(app, select.value as Language);
+  app.solved.on(({ opened }) => {
+    const own: unknown = opened?.scene["figure"]?.["language"] ?? "en";
+    const known = LANGUAGES.find((each) => each === own);
+    if (opened !== null && known !== undefined) language.set(known);
+  });
+}
+
+/** The scene's own key chooses the language. */
+async function changeLanguage(app: App, to: Language): Promise<void> {
+  try {
+    const text = await app.engine.edit(app.history.now.value.text, [{ set: ["figure", "language"], value: to }]);
+    app.history.change({ text });
+  } catch {
+    // A text that is no scene has no key for it; the page changes all the same.
+    language.set(to);
+  }
+}
+
+/** Arrow keys choose in a group of radio buttons. */
+function radios(group: HTMLElement): void {
+  group.addEventListener("keydown", (event) => {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    if (by === undefined) return;
+    const all = [...group.querySelectorAll<HTMLElement>("[role=radio]")];
+    const next = all[(all.indexOf(document.activeElement as HTMLElement) + by + all.length) % all.length];
+    event.preventDefault();
+    event.stopPropagation();
+    next?.click();
+    next?.focus();
+  });
+}

@@ -1,0 +1,91 @@
+import type { SceneFile } from "../../engine/types.ts";
+import type { ChoiceField, Field, Group } from "../parts/form.ts";
+import { at } from "../parts/scene.ts";
+import { say } from "./words.ts";
+
+function choice(key: string, label: string, options: ChoiceField["options"], open = true): Field {
+  return { kind: "choice", path: ["figure", key], label, open, options };
+}
+
+/** Style, notation, language. */
+export function look(scene: SceneFile): Group {
+  // What is usual is not written; a scene that says it nevertheless keeps it.
+  const usual = (key: string, value: string): unknown => (at(scene, ["figure", key]) === value ? value : undefined);
+  const styles = [
+    { value: usual("style", "paper"), text: say("paper") },
+    { value: "print", text: say("print") },
+    { value: "lecture", text: say("lecture") },
+    { value: "board", text: say("board") },
+  ];
+  const notations = [
+    { value: usual("notation", "paper"), text: say("n_paper") },
+    { value: "english", text: say("english") },
+    { value: "russian", text: say("russian") },
+    { value: "german", text: say("german") },
+  ];
+  const languages = [{ value: usual("language", "en"), text: "English" }, { value: "es", text: "Español" }];
+  const marks = [{ value: usual("decimal", "point"), text: say("point") }, { value: "comma", text: say("comma") }];
+  return {
+    id: "look",
+    title: say("look"),
+    rows: [
+      { fields: [choice("style", say("style"), styles)] },
+      { fields: [choice("notation", say("notation"), notations)] },
+      { fields: [choice("language", say("language"), languages), choice("decimal", say("decimal"), marks)] },
+    ],
+  };
+}
+
+/** Panels and the one that is large. */
+export function shown(): Group {
+  const panels = (["scheme", "velocity", "acceleration"] as const).map((value) => ({ value, text: say(value) }));
+  return {
+    id: "shown",
+    title: say("shown"),
+    rows: [
+      { fields: [{ kind: "checks", path: ["figure", "panels"], label: say("panels"), quiet: true, options: panels, usual: panels.map(({ value }) => value), needed: true }] },
+      { fields: [choice("focus", say("focus"), [{ text: say("none") }, ...panels], false)] },
+    ],
+  };
+}
+
+/** The sheet of paper. */
+export function page(scene: SceneFile): Group {
+  const given = at(scene, ["figure", "page"]);
+  const [size = "a4", direction = "landscape"] = (typeof given === "string" ? given : "a4").split("-");
+  const named = (of: string, to: string): string | undefined => {
+    if (of === size && to === direction) return typeof given === "string" ? given : undefined;
+    return to === "landscape" ? (of === "a4" ? undefined : of) : `${of}-${to}`;
+  };
+  const sizes = [["a4", "A4"], ["a3", "A3"], ["letter", "Letter"], ["16x9", say("projector")]] as const;
+  const directions = ["landscape", "portrait"] as const;
+  return {
+    id: "page",
+    title: say("page"),
+    rows: [
+      {
+        fields: [
+          choice("page", say("page_size"), sizes.map(([value, text]) => ({ value: named(value, direction), text })), false),
+          choice("page", say("direction"), directions.map((value) => ({ value: named(size, value), text: say(value) })), false),
+        ],
+      },
+      { fields: [{ kind: "switch", path: ["figure", "worksheet"], label: say("worksheet"), usual: false }] },
+    ],
+  };
+}
+
+/** What stands on the figure besides the mechanism. */
+export function contents(): Group {
+  const units = ["mm", "cm", "m", "in", "ft"].map((value) => ({ value, text: say("with_unit", { unit: value }) }));
+  const values = [{ text: say("usual") }, { value: true, text: say("yes") }, ...units, { value: false, text: say("no") }];
+  const construction = [{ text: say("whole") }, { value: "paper", text: say("as_paper") }, { value: false, text: say("hidden") }];
+  return {
+    id: "contents",
+    title: say("contents"),
+    rows: [
+      { fields: [choice("values", say("values"), values, false)] },
+      { fields: [choice("construction", say("construction"), construction)] },
+      { fields: [{ kind: "switch", path: ["figure", "special_points"], label: say("special"), usual: true }] },
+    ],
+  };
+}

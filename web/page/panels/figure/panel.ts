@@ -1,0 +1,39 @@
+import type { App, Panel } from "../../app.ts";
+import type { SceneFile } from "../../engine/types.ts";
+import { signal, type Signal } from "../../state/signal.ts";
+import { edit } from "../parts/edits.ts";
+import { h } from "../parts/element.ts";
+import type { Form } from "../parts/form.ts";
+import { keepForm } from "../parts/sheet.ts";
+import { contents, look, page, shown } from "./look.ts";
+import { labels, paths } from "./marks.ts";
+import { scales, type Scales } from "./scales.ts";
+
+/** What the figure shows, and how: the keys of the scene's `figure`. */
+export const figure: Panel = {
+  id: "figure",
+  title: { en: "Figure", es: "Figura" },
+  mount(root, app) {
+    const present = presentScales(app);
+    const form = h("div", {});
+    root.append(form);
+    const describe = (scene: SceneFile): Form => ({
+      groups: [look(scene), shown(), scales(scene, present.value), page(scene), contents(), paths(scene, app.solved.value.opened?.traceable ?? []), labels(scene)],
+    });
+    const { again } = keepForm(form, app, { describe, asked: ({ with: [name] }) => void edit(app, [{ set: ["figure", "labels", name ?? ""], value: name }]) });
+    present.on(again);
+  },
+};
+
+/** The scales at which the scene is drawn at present. */
+function presentScales(app: App): Signal<Scales> {
+  const present = signal<Scales>({ mu_l: null, mu_v: null, mu_a: null });
+  app.solved.on(({ text, opened, refused }) => {
+    if (opened === null || refused !== null) return;
+    app.engine.form(text, "").then(
+      ({ mu_l, mu_v, mu_a }) => present.set({ mu_l, mu_v, mu_a }),
+      () => present.set({ mu_l: null, mu_v: null, mu_a: null }),
+    );
+  });
+  return present;
+}

@@ -1,0 +1,52 @@
+import type { SceneFile } from "../../engine/types.ts";
+import type { Button, Group, Row } from "../parts/form.ts";
+import { at, unitsOf } from "../parts/scene.ts";
+import { say } from "./words.ts";
+
+/** Units per mm of paper; null where there is none. */
+export interface Scales {
+  mu_l: number | null;
+  mu_v: number | null;
+  mu_a: number | null;
+}
+
+/** The scales: given, or automatic with the present one to hold. */
+export function scales(scene: SceneFile, present: Scales): Group {
+  const units = unitsOf(scene);
+  return {
+    id: "scales",
+    title: say("scales"),
+    help: say("scales_help"),
+    rows: [
+      scale(scene, "mu_l", "µl", units.length, present.mu_l),
+      scale(scene, "mu_v", "µv", units.velocity, present.mu_v),
+      scale(scene, "mu_a", "µa", units.acceleration, present.mu_a),
+      {
+        fields: [
+          {
+            kind: "choice",
+            path: ["figure", "scales"],
+            label: say("scales_for"),
+            options: [{ text: say("position") }, { value: "sheet", text: say("sheet") }, { value: "cycle", text: say("cycle") }],
+          },
+        ],
+      },
+    ],
+  };
+}
+
+function scale(scene: SceneFile, key: keyof Scales, sign: string, unit: string, present: number | null): Row {
+  const path = ["figure", key];
+  const isHeld = at(scene, path) !== undefined;
+  const hold: Button[] = present === null ? [] : [{ text: say("take", { value: present }), icon: "pin", pressed: false, edits: [{ set: path, value: present }] }];
+  const buttons: Button[] = isHeld ? [{ text: say("as_before"), icon: "pin", pressed: true, edits: [{ remove: path }] }] : hold;
+  const per = unit.includes("/") ? `(${unit})/mm` : `${unit}/mm`;
+  const usual = present === null ? say("automatic") : String(present);
+  const step = (present ?? 1) / 10;
+  return { label: say(key), path, fields: [{ kind: "number", path, label: sign, quiet: true, unit: per, step: roundStep(step), least: 0, usual }], buttons };
+}
+
+/** A step of 1 before zeros. */
+function roundStep(step: number): number {
+  return 10 ** Math.floor(Math.log10(step));
+}

@@ -1,0 +1,165 @@
+/** A board on which a mechanism is put together point by point, also while it is not complete. */
+import type { App } from "../../app.ts";
+import type { Signal } from "../../state/signal.ts";
+import { language } from "../../words.ts";
+import { edit } from "../parts/edits.ts";
+import { h, s } from "../parts/element.ts";
+import { newId } from "../parts/fields.ts";
+import { parsed, unitsOf } from "../parts/scene.ts";
+import { follows, TOOLS, type Begun, type Press, type Tool } from "./board_tools.ts";
+import { command } from "./commands.ts";
+import type { Places } from "./places.ts";
+import { boxOf, gridOf, holds, linkAt, pointAt, sketch, type Box, type Place } from "./sketch.ts";
+import { say } from "./words.ts";
+
+/** Width of the board by its height. */
+const SHAPE = 1.4;
+const ARROWS: Record<string, Place> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+/** The board, closed at first; `open` opens it. */
+export function board(app: App, places: Signal<Places>): { root: HTMLElement; open(): void } {
+  let tool: Tool = "link";
+  let begun: Begun | null = null;
+  let box: Box = boxOf(places.value, "mm", SHAPE);
+  let cross: Place = [0, 0];
+
+  const summary = h("summary", {});
+  const tools = h("div", { class: "tools", role: "radiogroup" });
+  const hint = h("p", { class: "hint", role: "status" });
+  const drawing = s("g");
+  const cursor = s("path", { class: "cross" });
+  const svg = s("svg", { class: "board", tabindex: 0, role: "application", preserveAspectRatio: "xMidYMid meet" }, drawing, cursor);
+  const state = h("p", { class: "state", role: "status" });
+  const larger = h("button", { type: "button", class: "small" });
+  const dialog = h("dialog", { class: "desk", open: true }, h("div", { class: "head" }, tools, larger), hint, svg, state);
+  const root = h("details", { class: "gallery drawing-board" }, summary, dialog);
+
+  /** A length of a dot on the screen, in the scene's units. */
+  const dot = (): number => (5 * box.width) / Math.max(svg.clientWidth, 240);
+
+  function draw(): void {
+    const scene = parsed(app.history.now.value.text);
+    if (scene === null || !root.open) return;
+    svg.setAttribute("viewBox", `${box.x} ${-box.y - box.height} ${box.width} ${box.height}`);
+    svg.setAttribute("aria-label", say("board_label", { count: places.value.size }));
+    drawing.replaceChildren(...sketch(scene, shownPlaces(), box, dot(), begun?.name ?? null));
+    const arm = 2 * dot();
+    cursor.setAttribute("d", `M${cross[0] - arm} ${-cross[1]}h${2 * arm}M${cross[0]} ${-cross[1] - arm}v${2 * arm}`);
+  }
+
+  /** The places with the point that was begun. */
+  function shownPlaces(): Places {
+    return begun === null || places.value.has(begun.name) || tool === "third" ? places.value : new Map([...places.value, [begun.name, begun.at]]);
+  }
+
+  function words(): void {
+    summary.textContent = say("board");
+    larger.textContent = say(dialog.matches(":modal") ? "done" : "larger");
+    tools.setAttribute("aria-label", say("board"));
+    tools.replaceChildren(...TOOLS.map(toolButton));
+    tell();
+  }
+
+  function toolButton(name: Tool): HTMLElement {
+    const button = h("button", { type: "button", role: "radio", "aria-checked": String(name === tool), tabindex: name === tool ? 0 : -1 }, say(`tool_${name}`));
+    button.addEventListener("click", () => choose(name));
+    return button;
+  }
+
+  function choose(name: Tool): void {
+    const hadFocus = tools.contains(document.activeElement);
+    tool = name;
+    begun = null;
+    words();
+    draw();
+    if (hadFocus) tools.querySelector<HTMLElement>("[aria-checked=true]")?.focus();
+  }
+
+  function tell(): void {
+    const second = tool === "third" ? "board_pick_link" : tool === "block" ? "board_pick_guide" : "board_pick_second";
+    hint.textContent = begun === null ? say(`board_${tool}`) : say(second, { name: begun.name });
+    const { refused, text } = app.solved.value;
+    const isEmpty = places.value.size === 0;
+    const isCurrent = text === app.history.now.value.text;
+    state.textContent = isEmpty ? say("begin") : refused !== null && isCurrent ? say("incomplete", { why: refused.message }) : "";
+  }
+
+  /** What is at a place; where nothing is, the place is put on the grid. */
+  function pressed(place: Place, reach: number): Press {
+    const scene = parsed(app.history.now.value.text) ?? {};
+    const point = pointAt(shownPlaces(), place, reach);
+    const grid = gridOf(box) / 4;
+    const round = (value: number): number => Number((Math.round(value / grid) * grid).toPrecision(10));
+    const at = point === null ? (place.map(round) as Place) : shownPlaces().get(point)!;
+    return { at, point, link: linkAt(scene, places.value, place, reach) };
+  }
+
+  async function press(place: Place, reach: number): Promise<void> {
+    const scene = parsed(app.history.now.value.text);
+    if (scene === null) return;
+    const what = pressed(place, reach);
+    const next = follows(tool, scene, what, begun);
+    begun = next !== null && "begun" in next ? next.begun : null;
+    if (next !== null && "ask" in next) await command(app, places.value, next.ask);
+    if (next !== null && "edits" in next) {
+      const refused = await edit(app, next.edits, newId());
+      if (refused !== null) app.tell(refused.message);
+    }
+    tell();
+    draw();
+  }
+
+  function placeOf(event: PointerEvent): Place {
+    const area = svg.getBoundingClientRect();
+    const scale = Math.max(box.width / area.width, box.height / area.height);
+    const x = (event.clientX - area.left - area.width / 2) * scale;
+    const y = (event.clientY - area.top - area.height / 2) * scale;
+    return [box.x + box.width / 2 + x, box.y + box.height / 2 - y];
+  }
+
+  svg.addEventListener("pointerup", (event) => {
+    cross = placeOf(event);
+    const reach = (event.pointerType === "mouse" ? 12 : 24) * (box.width / svg.clientWidth);
+    void press(cross, reach);
+  });
+  svg.addEventListener("keydown", (event) => {
+    const arrow = ARROWS[event.key];
+    const step = gridOf(box) / (event.shiftKey ? 4 : 1);
+    if (arrow !== undefined) cross = cross.map((value, axis) => Math.round(value / step + arrow[axis]!) * step) as Place;
+    else if (event.key === "Enter" || event.key === " ") void press(cross, gridOf(box) * 0.45);
+    else if (event.key === "Escape" && begun !== null) begun = null;
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+    tell();
+    draw();
+  });
+  tools.addEventListener("keydown", (event) => {
+    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    choose(TOOLS[(TOOLS.indexOf(tool) + by + TOOLS.length) % TOOLS.length]!);
+  });
+  larger.addEventListener("click", () => {
+    const isLarge = dialog.matches(":modal");
+    dialog.close();
+    if (isLarge) dialog.show();
+    else dialog.showModal();
+  });
+  dialog.addEventListener("close", () => {
+    // Closed by Escape: back into the panel.
+    if (!dialog.open) dialog.show();
+    words();
+  });
+  root.addEventListener("toggle", () => (refit(true), words(), draw()));
+  new ResizeObserver(draw).observe(svg);
+
+  function refit(always: boolean): void {
+    const scene = parsed(app.history.now.value.text);
+    if (scene !== null && (always || !holds(box, places.value))) box = boxOf(places.value, unitsOf(scene).length, SHAPE);
+  }
+  places.on(() => (refit(false), tell(), draw()));
+  app.solved.on(tell);
+  language.on(() => (words(), draw()));
+  return { root, open: () => void ((root.open = true), svg.focus()) };
+}

@@ -1,0 +1,22 @@
+import type { SceneFile } from "../../engine/types.ts";
+import { allPoints, linksOf } from "../parts/scene.ts";
+
+const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+
+/** A name that no point has: the first letter that is free, then letters with numbers. S is kept for special points. */
+export function freePoint(scene: SceneFile, also: string[] = []): string {
+  const taken = new Set([...allPoints(scene), ...also].map((name) => name.toLowerCase()));
+  const letters = [...LETTERS].filter((letter) => letter !== "S" && letter !== "O");
+  for (let number = 0; ; number += 1) {
+    const found = letters.map((letter) => (number === 0 ? letter : `${letter}${number}`)).find((name) => !taken.has(name.toLowerCase()));
+    if (found !== undefined) return found;
+  }
+}
+
+/** The number that the next new link gets. */
+export function freeLink(scene: SceneFile): string {
+  const taken = linksOf(scene);
+  let number = 1;
+  while (taken.includes(String(number))) number += 1;
+  return String(number);
+}

@@ -1,0 +1,81 @@
+/** The starting scenes, with pictures. */
+import type { App } from "../../app.ts";
+import type { Kind, Picture } from "../../engine/types.ts";
+import { language } from "../../words.ts";
+import { h, icon } from "../parts/element.ts";
+import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
+import { say } from "./words.ts";
+
+/** The choice of a starting scene, closed at first; `begun` is called with an empty one. */
+export function gallery(app: App, begun: () => void): HTMLElement {
+  const summary = h("summary", {});
+  const groups = h("div", { class: "kinds" });
+  const root = h("details", { class: "gallery" }, summary, groups);
+  const open = (text: string): void => {
+    root.open = false;
+    app.open(text);
+    summary.focus();
+  };
+  const empty = h("button", { type: "button", class: "small" });
+  empty.addEventListener("click", () => (open(EMPTY), begun()));
+  const file = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: -1 });
+  file.addEventListener("change", () => {
+    void file.files?.[0]?.text().then(open, () => app.tell(say("unread_file")));
+    file.value = "";
+  });
+  const browse = h("button", { type: "button", class: "small", onclick: () => file.click() });
+  let drawn = false;
+  root.addEventListener("toggle", () => {
+    if (!root.open || drawn) return;
+    drawn = true;
+    void app.engine.kinds().then((kinds) => language.on(() => groups.replaceChildren(...grouped(app, kinds, open))));
+  });
+  language.on(() => {
+    summary.textContent = say("change_kind");
+    empty.replaceChildren(icon("add"), say("empty"));
+    browse.textContent = say("open_file");
+  });
+  return h("div", { class: "start" }, root, h("div", { class: "buttons" }, empty, browse, file));
+}
+
+function grouped(app: App, kinds: Kind[], open: (text: string) => void): HTMLElement[] {
+  const listed = Object.values(GROUPS).flat();
+  const others = kinds.filter(({ name }) => !listed.includes(name));
+  return (Object.keys(GROUPS) as (keyof typeof GROUPS)[]).flatMap((group) => {
+    const found = GROUPS[group].flatMap((name) => kinds.filter((kind) => kind.name === name));
+    const all = group === "groups_bars" ? [...found, ...others] : found;
+    if (all.length === 0) return [];
+    return [h("section", {}, h("h4", {}, say(group)), h("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
+  });
+}
+
+function card(app: App, kind: Kind, open: (text: string) => void): HTMLElement {
+  const sketch = h("span", { class: "sketch" });
+  void thumbnail(app, kind.text).then((svg) => svg !== null && sketch.append(svg));
+  const button = h("button", { type: "button", class: "kind" }, sketch, h("span", {}, titleOf(kind, language.value)));
+  button.addEventListener("click", () => open(kind.text));
+  return button;
+}
+
+/** The scheme of a scene, small; null where it cannot be drawn. */
+async function thumbnail(app: App, text: string): Promise<HTMLElement | null> {
+  try {
+    const small = await app.engine.edit(text, [{ set: ["figure"], value: { panels: ["scheme"], focus: "scheme", page: "16x9", labels: {} } }]);
+    const picture = await app.engine.picture(small, { step: null, coarse: false, modes: false });
+    return cut(picture);
+  } catch {
+    return null;
+  }
+}
+
+/** The scheme's part of a picture, as an image by itself: nothing in it meets the page. */
+function cut(picture: Picture): HTMLElement | null {
+  const svg = new DOMParser().parseFromString(picture.svg, "image/svg+xml").documentElement;
+  const box = picture.panels.find(({ key }) => key === "scheme")?.box;
+  if (box === undefined || svg.nodeName !== "svg") return null;
+  svg.setAttribute("viewBox", box.join(" "));
+  svg.setAttribute("width", String(box[2]));
+  svg.setAttribute("height", String(box[3]));
+  const address = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(svg)], { type: "image/svg+xml" }));
+  return h("img", { src: address, alt: "", onload: () => URL.revokeObjectURL(address) });
+}

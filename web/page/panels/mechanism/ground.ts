@@ -1,0 +1,52 @@
+import type { SceneFile } from "../../engine/types.ts";
+import type { Group } from "../parts/form.ts";
+import { allPoints, entries, groundOf, isDrawn, sizeOf, unitsOf } from "../parts/scene.ts";
+import { stepFor } from "../parts/number.ts";
+import { freePoint } from "./free_name.ts";
+import { vectorFields } from "./vector.ts";
+import { say } from "./words.ts";
+
+/** Title and units. */
+export function about(): Group {
+  const units = (key: string, label: string, names: string[]): Group["rows"] => [
+    { fields: [{ kind: "choice", path: ["units", key], label, options: names.map((value) => ({ value, text: value })) }] },
+  ];
+  const [length] = units("length", say("length_unit"), ["mm", "cm", "m", "in", "ft"])!;
+  const [time] = units("time", say("time_unit"), ["s", "min"])!;
+  return {
+    id: "about",
+    title: say("about"),
+    rows: [
+      { fields: [{ kind: "text", path: ["title"], label: say("title"), usual: say("untitled") }] },
+      { fields: [...length!.fields, ...time!.fields] },
+    ],
+  };
+}
+
+/** The fixed points of a scene that gives lengths. */
+export function ground(scene: SceneFile): Group {
+  const step = stepFor(sizeOf(scene));
+  return {
+    id: "ground",
+    title: say("ground"),
+    help: say("ground_help"),
+    path: ["ground"],
+    rows: [
+      ...entries(scene["ground"]).map(([name]) => ({
+        path: ["ground", name],
+        name: { of: "point" as const, name, label: say("point_name", { name }) },
+        fields: vectorFields(scene, ["ground", name], unitsOf(scene).length, step),
+        buttons: [{ text: say("no_longer_there", { name }), icon: "remove" as const, edits: [{ drop_point: name }] }],
+      })),
+      { fields: [addGround(scene)] },
+    ],
+  };
+}
+
+function addGround(scene: SceneFile): NonNullable<Group["rows"]>[number]["fields"][number] {
+  const fixed = groundOf(scene);
+  const free = freePoint(scene);
+  const others = isDrawn(scene) ? allPoints(scene).filter((name) => !fixed.includes(name)) : [];
+  const options = [{ value: free, text: say("new_point", { name: free }) }, ...others.map((name) => ({ value: name, text: name }))];
+  return { kind: "adder", path: ["ground", "+"], label: say("add_fixed"), text: say("add_fixed"), ask: { do: "fixed", with: [] }, lists: [{ label: say("fixed_point"), options }] };
+}

@@ -1,0 +1,129 @@
+import type { SceneFile } from "../../engine/types.ts";
+import type { Button, Card, Field, Group, Row } from "../parts/form.ts";
+import { stepFor } from "../parts/number.ts";
+import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
+import { freePoint } from "./free_name.ts";
+import { motionRows } from "./known.ts";
+import { placeFields } from "./vector.ts";
+import { say } from "./words.ts";
+
+/** The links, a card each. */
+export function links(scene: SceneFile): Group {
+  const drawn = isDrawn(scene);
+  const points = allPoints(scene);
+  const free = freePoint(scene);
+  const further = freePoint(scene, [free]);
+  const existing = points.map((value) => ({ value, text: value }));
+  const fresh = [free, further].map((value) => ({ value, text: say("new_point", { name: value }) }));
+  const lists = [
+    { label: say("from"), options: [...existing, fresh[0]!] },
+    { label: say("to"), options: [...fresh.slice(points.length === 0 ? 1 : 0), ...existing] },
+  ];
+  const add: Field = { kind: "adder", path: ["links", "+"], label: say("add_link"), text: say("add_link"), ask: { do: "link", with: [] }, lists };
+  return {
+    id: "links",
+    title: say("links"),
+    help: drawn ? say("links_help") : `${say("links_help")} ${say("shape_help")}`,
+    path: ["links"],
+    cards: linksOf(scene).map((name) => card(scene, name)),
+    rows: [{ fields: [add] }],
+  };
+}
+
+function card(scene: SceneFile, name: string): Card {
+  const path: Path = ["links", name];
+  const link = at(scene, path);
+  const points = pointsOf(link);
+  const measures = isDrawn(scene) ? motionRows(scene, name) : [...measureRows(scene, path, points), ...motionOf(scene, name, points)];
+  return {
+    path,
+    title: say("link"),
+    name: { of: "link", name, label: say("link_name", { name }) },
+    ...roleOf(scene, link, points),
+    rows: [{ fields: [pointChips(name, points), addPoint(scene, name, points)] }, ...measures],
+    buttons: [{ text: say("drop_link", { name }), icon: "remove", edits: [{ drop_link: name }] }],
+  };
+}
+
+/** What a link is, in a word. */
+function roleOf(scene: SceneFile, link: unknown, points: string[]): { role?: string } {
+  if (at(link, ["drive"]) !== undefined) return { role: say("driven") };
+  if (at(link, ["motion"]) !== undefined) return { role: say("moves_as_known") };
+  if (points.length > 1) return {};
+  const slides = (scene["sliders"] as unknown[] | undefined) ?? [];
+  const isBlock = Array.isArray(slides) && slides.some((slider) => linksOf(scene).some((name) => at(scene, ["links", name]) === link && at(slider, ["link"]) === name));
+  return isBlock ? { role: say("block") } : isDrawn(scene) ? { role: say("stub") } : {};
+}
+
+function pointChips(link: string, points: string[]): Field {
+  return {
+    kind: "points",
+    path: ["links", link, "points"],
+    label: say("points"),
+    quiet: true,
+    points: points.map((name) => ({
+      name,
+      label: say("point_name", { name }),
+      remove: say("take_off", { name }),
+      ask: { do: "off", with: [link, name] },
+    })),
+  };
+}
+
+function addPoint(scene: SceneFile, link: string, points: string[]): Field {
+  const free = freePoint(scene);
+  const others = allPoints(scene).filter((name) => !points.includes(name));
+  const options = [{ value: free, text: say("new_point", { name: free }) }, ...others.map((value) => ({ value, text: value }))];
+  return { kind: "adder", path: ["links", link, "points", "+"], label: say("add_point"), text: say("add_point"), ask: { do: "point", with: [link] }, lists: [{ label: say("add_point"), options }] };
+}
+
+/** The shape of a link, or its lengths. */
+function measureRows(scene: SceneFile, path: Path, points: string[]): Row[] {
+  const step = stepFor(sizeOf(scene));
+  const unit = unitsOf(scene).length;
+  const shape = at(scene, [...path, "shape"]);
+  if (shape !== undefined) return shapeRows(shape, [...path, "shape"], unit, step);
+  if (points.length > 3) return [{ label: say("unsized"), titled: true, path: [...path, "shape"], fields: [] }];
+  const table = [...path, "lengths"];
+  const fields = pairs(points).map(([a, b]): Field => {
+    const key = lengthKey(at(scene, table), a, b);
+    return { kind: "number", path: [...table, key], label: key, unit, step, needed: true, pin: { length: `${String(path[1])}.${key}` } };
+  });
+  return fields.length === 0 ? [] : [{ path: table, fields }];
+}
+
+function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[] {
+  const rows = entries(shape).map(([name, place]): Row => {
+    const own: Path = [...path, name];
+    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), ask: { do: "beside", with: own.map(String) } }] : [];
+    const fields: Field[] = typeof place === "number" ? [{ kind: "number", path: own, label: "x", unit, step, needed: true }] : placeFields(own, unit, step);
+    return { label: name, path: own, fields, buttons: beside };
+  });
+  return [{ label: say("places_on_link"), titled: true, fields: [] }, ...rows];
+}
+
+/** Drive or given angle of a link. */
+function motionOf(scene: SceneFile, name: string, points: string[]): Row[] {
+  const path: Path = ["links", name];
+  const drive = at(scene, [...path, "drive"]);
+  if (drive !== undefined) {
+    const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: [...path, "drive"] }] };
+    if (isSlidingDrive(drive)) return [{ label: say("drive"), titled: true, path: [...path, "drive"], fields: slidingDriveFields(scene, [...path, "drive"]), buttons: [remove] }];
+    return driveRows(scene, [...path, "drive"], remove);
+  }
+  const rows: Row[] = [];
+  if (points.length > 1 && givesAngle(scene, path)) {
+    rows.push({ fields: [{ kind: "number", path: [...path, "angle"], label: say("axis_angle"), unit: "°", step: 1, usual: "–" }] });
+  }
+  const pivots = points.filter((point) => groundOf(scene).includes(point));
+  if (pivots.length === 1) rows.push({ fields: [], buttons: [{ text: say("drive_it"), icon: "add", ask: { do: "drive", with: [name] } }] });
+  return rows;
+}
+
+/** Whether a link's angle may be given: it is, or a drive does not say where it stands. */
+function givesAngle(scene: SceneFile, path: Path): boolean {
+  const drives = [...entries(scene["links"]).map(([, link]) => link), ...(Array.isArray(scene["sliders"]) ? scene["sliders"] : [])].map((part: unknown) => at(part, ["drive"]));
+  const isOpen = drives.some((drive) => drive !== undefined && at(drive, ["angle"]) === undefined && at(drive, ["position"]) === undefined);
+  return at(scene, [...path, "angle"]) !== undefined || isOpen;
+}

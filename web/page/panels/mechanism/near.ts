@@ -1,0 +1,32 @@
+import type { SceneFile } from "../../engine/types.ts";
+import type { Field, Group, Row } from "../parts/form.ts";
+import { stepFor } from "../parts/number.ts";
+import { allPoints, entries, groundOf, linksOf, pointsOn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { placeFields } from "./vector.ts";
+import { say } from "./words.ts";
+
+/** Rough places, which choose the assembly mode. */
+export function near(scene: SceneFile): Group {
+  const given = entries(scene["near"]);
+  const has = (name: string): boolean => given.some(([other]) => other === name);
+  const points = allPoints(scene).filter((name) => !groundOf(scene).includes(name) && !has(name));
+  const angles = linksOf(scene).filter((name) => pointsOn(scene, name).length > 0 && !has(`angle(${name})`));
+  const options = [...points.map((value) => ({ value, text: value })), ...angles.map((name) => ({ value: `angle(${name})`, text: say("angle_of", { name }) }))];
+  const add: Field = { kind: "adder", path: ["near", "+"], label: say("add_near"), text: say("add_near"), ask: { do: "near", with: [] }, lists: [{ label: say("add_near"), options }] };
+  return {
+    id: "near",
+    title: say("near"),
+    help: say("near_help"),
+    path: ["near"],
+    folded: true,
+    rows: [...given.map(([name, value]) => row(scene, name, value)), ...(options.length === 0 ? [] : [{ fields: [add] }])],
+  };
+}
+
+function row(scene: SceneFile, name: string, value: unknown): Row {
+  const path: Path = ["near", name];
+  const fields: Field[] = Array.isArray(value)
+    ? placeFields(path, unitsOf(scene).length, stepFor(sizeOf(scene)))
+    : [{ kind: "number", path, label: "∠", unit: "°", step: 1, needed: true }];
+  return { label: name, path, fields, buttons: [{ text: say("drop_near", { name }), icon: "remove", edits: [{ remove: path }] }] };
+}

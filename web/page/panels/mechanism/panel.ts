@@ -1,0 +1,39 @@
+import type { Panel } from "../../app.ts";
+import type { SceneFile } from "../../engine/types.ts";
+import { h } from "../parts/element.ts";
+import type { Form } from "../parts/form.ts";
+import { at, isDrawn } from "../parts/scene.ts";
+import { keepForm } from "../parts/sheet.ts";
+import { board } from "./board.ts";
+import { command } from "./commands.ts";
+import { gallery } from "./gallery.ts";
+import { about, ground } from "./ground.ts";
+import { drawnPoints, known } from "./known.ts";
+import { links } from "./links.ts";
+import { near } from "./near.ts";
+import { placesOf } from "./places.ts";
+import { sliders } from "./sliders.ts";
+
+/** The whole scene as a form. */
+export const mechanism: Panel = {
+  id: "mechanism",
+  title: { en: "Mechanism", es: "Mecanismo" },
+  mount(root, app) {
+    const places = placesOf(app);
+    const desk = board(app, places);
+    root.append(gallery(app, desk.open), desk.root);
+    const form = h("div", {});
+    root.append(form);
+    keepForm(form, app, { describe, asked: (ask) => void command(app, places.value, ask) });
+  },
+};
+
+function describe(scene: SceneFile): Form {
+  const note = at(scene, ["note"]);
+  const first = about();
+  if (typeof note === "string") first.help = note;
+  const groups = isDrawn(scene)
+    ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene)]
+    : [first, ground(scene), links(scene), sliders(scene), near(scene)];
+  return { groups };
+}

@@ -1,0 +1,106 @@
+import type { SceneFile } from "../../engine/types.ts";
+import type { Button, Card, Field, Group, Option, Row } from "../parts/form.ts";
+import { stepFor } from "../parts/number.ts";
+import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { slidingDriveFields } from "./drives.ts";
+import { placeFields } from "./vector.ts";
+import { say } from "./words.ts";
+
+/** The sliders, a card each. */
+export function sliders(scene: SceneFile): Group {
+  const list: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const moving = allPoints(scene).filter((name) => !groundOf(scene).includes(name));
+  const things = [
+    ...moving.map((name) => ({ value: `new:${name}`, text: say("new_block", { name }) })),
+    ...linksOf(scene).flatMap((link) => pointsOn(scene, link).filter((name) => moving.includes(name)).map((name) => ({ value: `${link}:${name}`, text: say("link_at", { link, name }) }))),
+    ...moving.map((name) => ({ value: `:${name}`, text: say("pin_at", { name }) })),
+  ];
+  const add: Field = {
+    kind: "adder",
+    path: ["sliders", "+"],
+    label: say("add_slider"),
+    text: say("add_slider"),
+    ask: { do: "slider", with: [] },
+    lists: [{ label: say("what_slides"), options: things }, { label: say("on"), options: carriers(scene) }],
+  };
+  return {
+    id: "sliders",
+    title: say("sliders"),
+    help: say("sliders_help"),
+    path: ["sliders"],
+    cards: list.map((slider, index) => card(scene, slider, index)),
+    rows: things.length === 0 ? [] : [{ fields: [add] }],
+  };
+}
+
+function carriers(scene: SceneFile): { value: string; text: string }[] {
+  return ["ground", ...linksOf(scene)].map((value) => ({ value, text: value === "ground" ? say("ground_word") : `${say("link").toLowerCase()} ${value}` }));
+}
+
+function card(scene: SceneFile, slider: unknown, index: number): Card {
+  const path: Path = ["sliders", index];
+  const link = at(slider, ["link"]);
+  const isPin = at(slider, ["pin"]) !== undefined;
+  const choice = (key: string, label: string, names: string[]): Field => ({ kind: "choice", path: [...path, key], label, options: names.map((value) => ({ value, text: value })) });
+  const what = isPin
+    ? [choice("pin", say("pin"), allPoints(scene))]
+    : [choice("link", say("sliding_link"), linksOf(scene)), choice("at", say("at"), pointsOn(scene, String(link)))];
+  const on: Field = { kind: "choice", path: [...path, "on"], label: say("on"), options: carriers(scene) };
+  return {
+    path,
+    title: say("slider"),
+    role: isPin ? say("pin_in_slot") : say("block"),
+    rows: [{ fields: [...what, on] }, ...guide(scene, slider, path), ...turnedRow(scene, path, isPin), ...driveOf(scene, slider, path, String(index + 1))],
+    buttons: [{ text: say("drop_slider", { name: index + 1 }), icon: "remove", ask: { do: "drop_slider", with: [String(index)] } }],
+  };
+}
+
+/** Place and direction of the guide. */
+function guide(scene: SceneFile, slider: unknown, path: Path): Row[] {
+  const on = String(at(slider, ["on"]) ?? "ground");
+  const points = pointsOn(scene, on);
+  const unit = unitsOf(scene).length;
+  const step = stepFor(sizeOf(scene));
+  const through = at(slider, ["through"]);
+  const along = at(slider, ["along"]);
+  const canPlace = on === "ground" || at(scene, ["links", on, "shape"]) !== undefined;
+  const places: Option[] = [
+    ...(on !== "ground" || isDrawn(scene) || through === undefined ? [{ text: say("through_usual") }] : []),
+    ...points.map((value) => ({ value, text: value })),
+    ...(canPlace || Array.isArray(through) ? [{ any: "list" as const, text: say("through_place"), ask: { do: "place", with: path.map(String) } }] : []),
+  ];
+  const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say("through"), options: places }];
+  if (Array.isArray(through)) where.push(...placeFields([...path, "through"], unit, step));
+  const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say("along"), options: directions(points, along) }];
+  if (typeof along === "number") direction.push({ kind: "number", path: [...path, "along"], label: say("degrees"), unit: "°", step: 1, needed: true });
+  if (Array.isArray(along)) direction.push(...placeFields([...path, "along"], "", 0.1));
+  return [{ fields: where }, { fields: direction }];
+}
+
+function directions(points: string[], along: unknown): Option[] {
+  const pairs = points.flatMap((a) => points.filter((b) => b !== a).map((b) => joined(a, b)));
+  const named = typeof along === "string" && !pairs.includes(along) ? [along, ...pairs] : pairs;
+  return [
+    { text: say("along_usual") },
+    ...named.map((value) => ({ value, text: value })),
+    { any: "number", value: 0, text: say("along_degrees") },
+    { any: "list", value: [1, 0], text: say("along_direction") },
+  ];
+}
+
+/** The angle of a block whose axis can be seen. */
+function turnedRow(scene: SceneFile, path: Path, isPin: boolean): Row[] {
+  const link = String(at(scene, [...path, "link"]));
+  const isGiven = at(scene, [...path, "turned"]) !== undefined;
+  if (isPin || isDrawn(scene) || (pointsOn(scene, link).length < 2 && !isGiven)) return [];
+  return [{ fields: [{ kind: "number", path: [...path, "turned"], label: say("turned"), unit: "°", step: 1, usual: "0" }] }];
+}
+
+/** The drive in the slider's own entry; one in the link stands in the link's card. */
+function driveOf(scene: SceneFile, slider: unknown, path: Path, name: string): Row[] {
+  const own: Path = [...path, "drive"];
+  const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: own }] };
+  if (at(slider, ["drive"]) !== undefined) return [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }];
+  if (at(scene, ["links", String(at(slider, ["link"])), "drive"]) !== undefined) return [];
+  return [{ fields: [], buttons: [{ text: say("drive"), icon: "add", ask: { do: "push", with: path.map(String) } }] }];
+}

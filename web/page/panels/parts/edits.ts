@@ -1,0 +1,58 @@
+import type { App } from "../../app.ts";
+import type { Edit, Refused } from "../../engine/types.ts";
+
+interface Waiting {
+  edits: Edit[];
+  gesture: string | undefined;
+  done(refused: Refused | null): void;
+}
+
+/** Changes of the scene that wait for those before them, by page. */
+const queues = new WeakMap<App, Waiting[]>();
+
+/**
+ * Changes the scene; the answer is why not, or null. Changes with the same gesture, one after the other, are one entry of undo. Changes
+ * come one after the other; of those with the same gesture that wait only the last is done, so that a held key never lags.
+ */
+export function edit(app: App, edits: Edit[], gesture?: string): Promise<Refused | null> {
+  return new Promise((done) => {
+    const queue = queues.get(app);
+    if (queue === undefined) {
+      const begun: Waiting[] = [{ edits, gesture, done }];
+      queues.set(app, begun);
+      void work(app, begun);
+      return;
+    }
+    const last = queue.at(-1);
+    if (queue.length > 1 && last !== undefined && gesture !== undefined && last.gesture === gesture) {
+      queue.pop();
+      last.done(null);
+    }
+    queue.push({ edits, gesture, done });
+  });
+}
+
+async function work(app: App, queue: Waiting[]): Promise<void> {
+  for (;;) {
+    const next = queue[0];
+    if (next === undefined) break;
+    next.done(await changed(app, next));
+    queue.shift();
+  }
+  queues.delete(app);
+}
+
+async function changed(app: App, { edits, gesture }: Waiting): Promise<Refused | null> {
+  // What changes the text meanwhile is not undone by this: it is done again on the newer text.
+  for (;;) {
+    const before = app.history.now.value.text;
+    try {
+      const text = await app.engine.edit(before, edits);
+      if (app.history.now.value.text !== before) continue;
+      app.history.change({ text }, gesture);
+      return null;
+    } catch (refused) {
+      return refused as Refused;
+    }
+  }
+}

@@ -1,0 +1,206 @@
+import type { App } from "../../app.ts";
+import type { Edit } from "../../engine/types.ts";
+import { edit } from "./edits.ts";
+import { h, icon } from "./element.ts";
+import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, PointsField, SwitchField, TextField } from "./form.ts";
+import { numberInput } from "./number_input.ts";
+import { pinButton } from "./pin.ts";
+import { at, dotted, type Path } from "./scene.ts";
+import { say } from "./words.ts";
+
+/** A part of the form that shows a value of the scene. */
+export interface Live {
+  root: HTMLElement;
+  /** Shows what the scene gives. */
+  show(scene: unknown): void;
+}
+
+let count = 0;
+
+/** An id that no other element has. */
+export function newId(): string {
+  count += 1;
+  return `field-${count}`;
+}
+
+/** The change that puts a value at a path, or removes it. */
+export function put(path: Path, value: unknown): Edit {
+  return value === undefined ? { remove: path } : { set: path, value };
+}
+
+/** The page, and who does what a field asks for. */
+export interface Desk {
+  app: App;
+  owner: { asked?(ask: Ask): void };
+}
+
+/** The element of a field. */
+export function fieldOf(desk: Desk, field: Field): Live {
+  const { app } = desk;
+  switch (field.kind) {
+    case "number":
+      return numberInput(app, field);
+    case "text":
+      return textInput(app, field);
+    case "choice":
+      return field.open === true ? openChoice(desk, field) : select(desk, field);
+    case "checks":
+      return checks(app, field);
+    case "switch":
+      return onOff(app, field);
+    case "points":
+      return pointNames(desk, field);
+    case "adder":
+      return adder(desk, field);
+  }
+}
+
+/** A label with its input. */
+export function labelled(field: { path: Path; label: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
+  input.id = newId();
+  const label = h("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, field.label);
+  return h("div", { class: "field", "data-path": dotted(field.path) }, label, h("div", { class: "value" }, input, ...more));
+}
+
+function textInput(app: App, field: TextField): Live {
+  const input = h("input", { type: "text", autocomplete: "off", placeholder: field.usual });
+  let gesture = newId();
+  input.addEventListener("focus", () => (gesture = newId()));
+  input.addEventListener("input", () => {
+    void edit(app, [put(field.path, input.value === "" && field.keepsEmpty !== true ? undefined : input.value)], gesture);
+  });
+  const root = labelled(field, input);
+  root.classList.add("wide");
+  return {
+    root,
+    show(scene) {
+      const value = at(scene, field.path);
+      const text = typeof value === "string" ? value : "";
+      if (input.value !== text) input.value = text;
+    },
+  };
+}
+
+/** Which option the scene gives. */
+function chosen(field: ChoiceField, scene: unknown): number {
+  const value = at(scene, field.path);
+  const exactly = field.options.findIndex((option) => option.any === undefined && JSON.stringify(option.value) === JSON.stringify(value));
+  if (exactly >= 0) return exactly;
+  const form = Array.isArray(value) ? "list" : typeof value;
+  return field.options.findIndex((option) => option.any === form);
+}
+
+function choose({ app, owner }: Desk, field: ChoiceField, index: number): void {
+  const option = field.options[index];
+  if (option === undefined) return;
+  if (option.ask !== undefined) owner.asked?.(option.ask);
+  else void edit(app, option.edits ?? [put(field.path, option.value)]);
+}
+
+function select(desk: Desk, field: ChoiceField): Live {
+  const input = h("select", {}, ...field.options.map(({ text }, index) => h("option", { value: index }, text)));
+  input.addEventListener("change", () => choose(desk, field, Number(input.value)));
+  return { root: labelled(field, input), show: (scene) => (input.value = String(chosen(field, scene))) };
+}
+
+/** All options side by side. */
+function openChoice(desk: Desk, field: ChoiceField): Live {
+  const name = newId();
+  const inputs = field.options.map((_, index) => h("input", { type: "radio", name, value: index, onchange: () => choose(desk, field, index) }));
+  const options = field.options.map(({ text }, index) => h("label", { class: "option" }, inputs[index], h("span", {}, text)));
+  const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
+  const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "options" }, ...options));
+  return {
+    root,
+    show(scene) {
+      const index = chosen(field, scene);
+      inputs.forEach((input, other) => (input.checked = other === index));
+    },
+  };
+}
+
+function checks(app: App, field: ChecksField): Live {
+  let given: string[] = [];
+  const mark = (): void => field.options.forEach(({ value }, index) => (inputs[index]!.checked = given.includes(value)));
+  const toggled = (name: string, on: boolean): void => {
+    const next = field.options.map(({ value }) => value).filter((value) => (value === name ? on : given.includes(value)));
+    if (next.length === 0 && field.needed === true) return mark();
+    const isUsual = JSON.stringify(next) === JSON.stringify(field.usual ?? []);
+    void edit(app, [put(field.path, isUsual ? undefined : next)]);
+  };
+  const inputs = field.options.map(({ value }) => {
+    const input = h("input", { type: "checkbox" });
+    input.addEventListener("change", () => toggled(value, input.checked));
+    return input;
+  });
+  const options = field.options.map(({ text }, index) => h("label", { class: "check" }, inputs[index], h("span", {}, text)));
+  const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
+  const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "checks" }, ...options));
+  return {
+    root,
+    show(scene) {
+      const value = at(scene, field.path);
+      given = Array.isArray(value) ? (value as string[]) : (field.usual ?? []);
+      mark();
+    },
+  };
+}
+
+function onOff(app: App, field: SwitchField): Live {
+  const input = h("input", { type: "checkbox" });
+  input.addEventListener("change", () => void edit(app, [put(field.path, input.checked === field.usual ? undefined : input.checked)]));
+  const label = h("label", { class: "check" }, input, h("span", {}, field.label));
+  return {
+    root: h("div", { class: "field", "data-path": dotted(field.path) }, label),
+    show: (scene) => (input.checked = (at(scene, field.path) ?? field.usual) === true),
+  };
+}
+
+/** Names of a link's points, each with its pin. */
+function pointNames({ app, owner }: Desk, field: PointsField): Live {
+  const chips = field.points.map(({ name, label, remove, ask }) => {
+    const button = h("button", { type: "button", class: "bare", "aria-label": remove, title: remove }, icon("remove"));
+    button.addEventListener("click", () => owner.asked?.(ask));
+    return h("div", { class: "chip" }, nameInput(app, { of: "point", name, label }), pinButton(app, { point: name }), button);
+  });
+  const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
+  const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "chips" }, ...chips));
+  return { root, show: () => undefined };
+}
+
+/** Lists and a button that adds what is chosen in them. */
+function adder({ owner }: Desk, field: Adder): Live {
+  const lists = field.lists.map(({ label, options }) =>
+    h("select", { "aria-label": label, title: label }, ...options.map(({ value, text }) => h("option", { value }, text))),
+  );
+  const button = h("button", { type: "button", class: "small" }, icon("add"), field.text);
+  button.addEventListener("click", () => owner.asked?.({ do: field.ask.do, with: [...field.ask.with, ...lists.map(({ value }) => value)] }));
+  const root = h("div", { class: "field adder", role: "group", "aria-label": field.label, "data-path": dotted(field.path) }, ...lists, button);
+  return { root, show: () => undefined };
+}
+
+/** The name of a point or link; a change of it is made everywhere when the field is left. */
+export function nameInput(app: App, { of, name, label }: NameField): HTMLElement {
+  const input = h("input", { type: "text", class: "name", value: name, "aria-label": label, autocomplete: "off", spellcheck: "false", autocapitalize: "off" });
+  input.size = Math.max(2, name.length);
+  const why = h("p", { class: "why", role: "alert", hidden: true });
+  const refuse = (message: string | null): void => {
+    input.setAttribute("aria-invalid", String(message !== null));
+    why.textContent = message ?? "";
+    why.hidden = message === null;
+  };
+  const renamed = async (): Promise<void> => {
+    const to = input.value.trim();
+    if (to === name) return refuse(null);
+    if (to === "") return refuse(say("nameless"));
+    refuse((await edit(app, [{ rename: of, from: name, to }]))?.message ?? null);
+  };
+  input.addEventListener("change", () => void renamed());
+  input.addEventListener("input", () => (input.size = Math.max(2, input.value.length)));
+  input.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    input.value = name;
+    refuse(null);
+  });
+  return h("div", { class: "naming" }, input, why);
+}

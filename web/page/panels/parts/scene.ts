@@ -1,0 +1,120 @@
+import type { SceneFile } from "../../engine/types.ts";
+
+/** Where a value of the scene is. */
+export type Path = (string | number)[];
+
+/** What stands at a path; undefined where nothing does. */
+export function at(scene: unknown, path: Path): unknown {
+  let value = scene;
+  for (const key of path) {
+    if (typeof value !== "object" || value === null || !Object.hasOwn(value, key)) return undefined;
+    value = (value as Record<string | number, unknown>)[key];
+  }
+  return value;
+}
+
+/** The path as messages have it. */
+export function dotted(path: Path): string {
+  return path.join(".");
+}
+
+/** The entries of an object of the scene without remarks; none of anything else. */
+export function entries(value: unknown): [string, unknown][] {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) return [];
+  return Object.entries(value).filter(([key]) => key !== "note");
+}
+
+/** The texts of a list. */
+export function names(value: unknown): string[] {
+  return Array.isArray(value) ? value.filter((name): name is string => typeof name === "string") : [];
+}
+
+/** The scene of a text; null where it is no JSON object. Nothing is checked: that is the engine's. */
+export function parsed(text: string): SceneFile | null {
+  try {
+    const scene: unknown = JSON.parse(text.replace(/^\uFEFF/, ""));
+    return typeof scene === "object" && scene !== null && !Array.isArray(scene) ? (scene as SceneFile) : null;
+  } catch {
+    return null;
+  }
+}
+
+/** The points of a link. */
+export function pointsOf(link: unknown): string[] {
+  if (Array.isArray(link)) return names(link);
+  const points = at(link, ["points"]);
+  return points === undefined ? entries(at(link, ["shape"])).map(([name]) => name) : names(points);
+}
+
+/** The names of the ground's points. */
+export function groundOf(scene: SceneFile): string[] {
+  const ground = scene["ground"];
+  return Array.isArray(ground) ? names(ground) : entries(ground).map(([name]) => name);
+}
+
+/** The names of the links. */
+export function linksOf(scene: SceneFile): string[] {
+  return entries(scene["links"]).map(([name]) => name);
+}
+
+/** The points of a link, or of `"ground"`. */
+export function pointsOn(scene: SceneFile, carrier: string): string[] {
+  return carrier === "ground" ? groundOf(scene) : pointsOf(at(scene, ["links", carrier]));
+}
+
+/** All points, each once. */
+export function allPoints(scene: SceneFile): string[] {
+  const points = [...groundOf(scene), ...linksOf(scene).flatMap((link) => pointsOn(scene, link))];
+  return [...new Set([...points, ...entries(scene["points"]).map(([name]) => name)])];
+}
+
+/** Whether the scene is drawn: given by coordinates in place of lengths. */
+export function isDrawn(scene: SceneFile): boolean {
+  return scene["points"] !== undefined;
+}
+
+/** Two names as one key: `AB`, or `A1-B1`. */
+export function joined(a: string, b: string): string {
+  return a.length === 1 && b.length === 1 ? a + b : `${a}-${b}`;
+}
+
+/** The key of the length between two points as a table of lengths writes it, else as it would be written. */
+export function lengthKey(lengths: unknown, a: string, b: string): string {
+  const ways = [joined(a, b), joined(b, a), `${a}-${b}`, `${b}-${a}`, a + b, b + a];
+  return ways.find((key) => at(lengths, [key]) !== undefined) ?? joined(a, b);
+}
+
+/** Pairs of a list: neighbours, and of three the last with the first. */
+export function pairs(points: string[]): [string, string][] {
+  const found = points.slice(1).map((point, index): [string, string] => [points[index]!, point]);
+  return points.length === 3 ? [...found, [points[0]!, points[2]!]] : found;
+}
+
+/** The largest coordinate or length that the scene gives, for sensible steps. */
+export function sizeOf(scene: SceneFile): number {
+  const numbers = (value: unknown): number[] =>
+    typeof value === "number" ? [Math.abs(value)] : typeof value === "object" && value !== null ? Object.values(value).flatMap(numbers) : [];
+  const links = entries(scene["links"]).flatMap(([, link]) => [at(link, ["lengths"]), at(link, ["shape"])]);
+  return Math.max(0, ...[scene["ground"], scene["points"], ...links].flatMap(numbers));
+}
+
+/** Units of the scene, by what is measured. */
+export interface Units {
+  length: string;
+  velocity: string;
+  acceleration: string;
+  omega: string;
+  alpha: string;
+}
+
+export function unitsOf(scene: SceneFile): Units {
+  const length = String(at(scene, ["units", "length"]) ?? "");
+  const time = String(at(scene, ["units", "time"]) ?? "");
+  return {
+    length,
+    velocity: `${length}/${time}`,
+    acceleration: `${length}/${time}²`,
+    omega: `rad/${time}`,
+    alpha: `rad/${time}²`,
+  };
+}

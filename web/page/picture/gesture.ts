@@ -1,0 +1,142 @@
+import type { App } from "../app.ts";
+import type { Grab, Picture, Pull, Refused } from "../engine/types.ts";
+import { lastTook } from "../engine/hand.ts";
+
+/** How long a picture took, in ms. */
+export interface Frame {
+  /** The engine's own time. */
+  engine: number;
+  /** Putting the picture into the page. */
+  page: number;
+  /** From the pull to the picture in the page. */
+  total: number;
+}
+
+/** The pictures since the page was opened, the last ten thousand. */
+export const frames: Frame[] = [];
+
+/** What is dragged at present. */
+export interface Gesture {
+  /** Where to. The newest pull wins. */
+  pull(to: Pull): void;
+  /** Lets go: the text after it is one entry of the history. */
+  drop(): Promise<void>;
+  /** Lets go and puts everything back. */
+  cancel(): Promise<void>;
+}
+
+/** Takes hold of something; what was held before is let go. */
+export type Gestures = {
+  start(what: Grab): Promise<Gesture | null>;
+  /** Ends what goes on, if anything does. */
+  end(): Promise<void>;
+  isActive(): boolean;
+};
+
+/** `show` puts a picture on the page, `back` shows the document again. */
+export function gestures(app: App, show: (picture: Picture) => void, back: () => void): Gestures {
+  let current: Gesture | null = null;
+
+  function present(picture: Picture, pulled: number): void {
+    const engine = lastTook.ms;
+    requestAnimationFrame(() => {
+      const begin = performance.now();
+      show(picture);
+      const end = performance.now();
+      frames.push({ engine, page: end - begin, total: end - pulled });
+      performance.measure("kinegon-frame", { start: pulled, end });
+      if (frames.length > 10_000) frames.splice(0, 5_000);
+    });
+  }
+
+  async function start(what: Grab): Promise<Gesture | null> {
+    await end();
+    const { good, text, refused } = app.solved.value;
+    if (refused !== null || app.student.value || text !== app.history.now.value.text) return null;
+    let view = app.view.value;
+    let wanted: { to: Pull; at: number } | null = null;
+    let flight: Promise<void> | null = null;
+    let isOver = false;
+
+    /** Another step is shown while something is held: it is let go and taken again on the sheet of that step. */
+    async function follow(): Promise<void> {
+      view = app.view.value;
+      const at = performance.now();
+      present(await app.engine.grab(await app.engine.drop(), view, what), at);
+    }
+
+    async function pump(): Promise<void> {
+      while (wanted !== null || view !== app.view.value) {
+        if (view !== app.view.value) await follow();
+        if (wanted === null) break;
+        const { to, at } = wanted;
+        wanted = null;
+        present(await app.engine.drag(to), at);
+      }
+      flight = null;
+    }
+
+    function run(): void {
+      flight ??= pump().catch((why: Refused) => {
+        flight = null;
+        failed(why);
+      });
+    }
+    const unlisten = app.view.on(() => view !== app.view.value && run());
+
+    function over(): void {
+      isOver = true;
+      unlisten();
+      if (current === gesture) current = null;
+    }
+
+    function failed(why: Refused): void {
+      over();
+      app.tell(why.message);
+      back();
+    }
+
+    const gesture: Gesture = {
+      pull(to) {
+        if (isOver) return;
+        wanted = { to, at: performance.now() };
+        run();
+      },
+      async drop() {
+        if (isOver) return;
+        await flight;
+        if (isOver) return;
+        over();
+        try {
+          const next = await app.engine.drop();
+          if (next === text) back();
+          else app.history.change({ text: next });
+        } catch (why) {
+          failed(why as Refused);
+        }
+      },
+      async cancel() {
+        if (isOver) return;
+        over();
+        wanted = null;
+        await flight;
+        await app.engine.drop().catch(() => undefined);
+        back();
+      },
+    };
+    current = gesture;
+    try {
+      present(await app.engine.grab(good, view, what), performance.now());
+    } catch (why) {
+      failed(why as Refused);
+      return null;
+    }
+    return gesture;
+  }
+
+  async function end(): Promise<void> {
+    await current?.drop();
+  }
+
+  return { start, end, isActive: () => current !== null };
+}

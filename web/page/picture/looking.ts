@@ -1,0 +1,83 @@
+import { byId } from "../dom.ts";
+import type { Focus } from "./focus.ts";
+import { choose } from "./focus.ts";
+import { inPane } from "./pulling.ts";
+import type { Viewport } from "./viewport.ts";
+
+/** Two taps closer than this, in ms and pixels, are one double tap. */
+const DOUBLE = { time: 320, way: 24 };
+/** A finger that goes farther than this swipes. */
+const SWIPE = 48;
+
+/** Zooms and pans: wheel, pinch, dragging the ground, double taps, buttons. `tapped` gets single presses. */
+export function looking(view: Viewport, focus: Focus, tapped: (pixels: [number, number]) => boolean): void {
+  const pane = byId("pane");
+  const fingers = new Map<number, [number, number]>();
+  let start: [number, number] = [0, 0];
+  let hasMoved = false;
+  let lastTap = { time: 0, at: [0, 0] as [number, number] };
+
+  const middle = (): [number, number] => [view.size.width / 2, view.size.height / 2];
+  byId("zoom-in").onclick = () => view.zoom(1.25, middle());
+  byId("zoom-out").onclick = () => view.zoom(0.8, middle());
+  byId("fit").onclick = () => view.refit();
+
+  pane.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      if (event.shiftKey) return view.pan(-event.deltaY - event.deltaX, 0);
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      view.zoom(Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0016)), inPane(event));
+    },
+    { passive: false },
+  );
+
+  pane.addEventListener("pointerdown", (event) => {
+    if ((event.target as Element).closest(".floating, .handle, #crosshairs") !== null || event.button > 1) return;
+    fingers.set(event.pointerId, inPane(event));
+    pane.setPointerCapture(event.pointerId);
+    if (fingers.size === 1) {
+      start = inPane(event);
+      hasMoved = false;
+    }
+  });
+
+  pane.addEventListener("pointermove", (event) => {
+    const before = fingers.get(event.pointerId);
+    if (before === undefined) return;
+    const now = inPane(event);
+    const others = [...fingers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
+    const other = others[0];
+    fingers.set(event.pointerId, now);
+    if (Math.hypot(now[0] - start[0], now[1] - start[1]) > 5) hasMoved = true;
+    if (other !== undefined) {
+      const spread = (a: [number, number]): number => Math.max(8, Math.hypot(a[0] - other[0], a[1] - other[1]));
+      view.zoom(spread(now) / spread(before), other);
+    } else if (view.isZoomed() && hasMoved) {
+      pane.classList.add("panning");
+      view.pan(now[0] - before[0], now[1] - before[1]);
+    }
+  });
+
+  const up = (event: PointerEvent): void => {
+    if (!fingers.delete(event.pointerId)) return;
+    pane.classList.remove("panning");
+    if (fingers.size > 0 || event.type === "pointercancel") return;
+    const at = inPane(event);
+    if (!hasMoved) return tap(at, event.timeStamp);
+    const way = at[0] - start[0];
+    if (event.pointerType === "touch" && !view.isZoomed() && Math.abs(way) > SWIPE) focus.swipe(way < 0 ? 1 : -1);
+  };
+  pane.addEventListener("pointerup", up);
+  pane.addEventListener("pointercancel", up);
+
+  function tap(at: [number, number], time: number): void {
+    if (tapped(at)) return;
+    const isDouble = time - lastTap.time < DOUBLE.time && Math.hypot(at[0] - lastTap.at[0], at[1] - lastTap.at[1]) < DOUBLE.way;
+    lastTap = { time: isDouble ? 0 : time, at };
+    if (!isDouble) return;
+    if (view.isZoomed()) view.refit();
+    else choose(focus.on.value === "" ? focus.at(view.toSheet(at)) : "");
+  }
+}

@@ -1,0 +1,109 @@
+import type { Document } from "./history.ts";
+
+/** A document as it is kept. */
+export interface Kept extends Document {
+  title: string;
+  /** Whether it came by a student's link. */
+  student?: boolean;
+  /** When it was kept, in ms since 1970. */
+  time: number;
+}
+
+/** Where documents are kept. */
+export interface Store {
+  /** Whether anything is kept at all. */
+  readonly works: boolean;
+  /** What this very tab had before it was loaded again. */
+  own(): Kept | null;
+  /** What other tabs have or had, the newest first. */
+  others(): Kept[];
+  keep(document: Kept): void;
+  forgetOthers(): void;
+  /** A preference, such as dark or light. */
+  preference(name: string): string | null;
+  prefer(name: string, value: string): void;
+}
+
+const PREFIX = "kinegon:1:";
+/** How many documents are kept. */
+const MOST = 12;
+
+function parsed(text: string | null): Kept | null {
+  try {
+    const kept = JSON.parse(text ?? "null") as Kept | null;
+    return typeof kept?.text === "string" && typeof kept.form === "string" ? kept : null;
+  } catch {
+    return null;
+  }
+}
+
+/** The browser's storage, or a store that keeps nothing where the browser forbids it. */
+export function store(): Store {
+  try {
+    return browserStore(window.localStorage, window.sessionStorage);
+  } catch {
+    return nothing();
+  }
+}
+
+function nothing(): Store {
+  return {
+    works: false,
+    own: () => null,
+    others: () => [],
+    keep: () => undefined,
+    forgetOthers: () => undefined,
+    preference: () => null,
+    prefer: () => undefined,
+  };
+}
+
+/** Each tab keeps its document under a name of its own, so that none destroys another's. */
+function browserStore(local: Storage, session: Storage): Store {
+  local.setItem(`${PREFIX}try`, "1");
+  local.removeItem(`${PREFIX}try`);
+  const isReload = (performance.getEntriesByType("navigation")[0] as PerformanceNavigationTiming | undefined)?.type === "reload";
+  const before = session.getItem(`${PREFIX}tab`);
+  // A tab that was duplicated has the other's name in its session, but was not loaded again.
+  const known = before !== null && isReload;
+  const tab = known ? before : `${PREFIX}doc:${crypto.randomUUID()}`;
+  session.setItem(`${PREFIX}tab`, tab);
+
+  const names = (): string[] => Object.keys(local).filter((name) => name.startsWith(`${PREFIX}doc:`) && name !== tab);
+  const others = (): [string, Kept][] =>
+    names()
+      .map((name): [string, Kept | null] => [name, parsed(local.getItem(name))])
+      .filter((entry): entry is [string, Kept] => entry[1] !== null)
+      .sort(([, a], [, b]) => b.time - a.time);
+
+  return {
+    works: true,
+    own: () => (known ? parsed(local.getItem(tab)) : null),
+    others: () => others().map(([, kept]) => kept),
+    keep(document) {
+      for (const [name] of others().slice(MOST - 1)) local.removeItem(name);
+      try {
+        local.setItem(tab, JSON.stringify(document));
+      } catch {
+        // Full: the oldest goes, once.
+        const oldest = others().at(-1);
+        if (oldest === undefined) return;
+        local.removeItem(oldest[0]);
+        try {
+          local.setItem(tab, JSON.stringify(document));
+        } catch {
+          // A document that is too large for the browser is not kept.
+        }
+      }
+    },
+    forgetOthers: () => names().forEach((name) => local.removeItem(name)),
+    preference: (name) => local.getItem(PREFIX + name),
+    prefer(name, value) {
+      try {
+        local.setItem(PREFIX + name, value);
+      } catch {
+        // Full: then it holds for this time only.
+      }
+    },
+  };
+}

@@ -1,0 +1,55 @@
+import type { App } from "../app.ts";
+import { byId, element } from "../dom.ts";
+import { say } from "../layout/words.ts";
+import { language } from "../words.ts";
+import type { Steps } from "./steps.ts";
+
+/** An equation in plain text, as `v_S3 = v_G + v_S3G`, with its marks set low. */
+function equation(plain: string): HTMLElement {
+  const pieces = plain.split(/_(?:\{([^}]*)\}|([\p{L}\p{N}']+))/u);
+  // By threes: text, mark in braces, mark without.
+  const parts = pieces.map((piece, at) => (at % 3 === 0 ? piece : element("sub", {}, piece ?? "")));
+  return element("span", {}, ...parts.filter((_, at) => at % 3 === 0 || pieces[at] !== undefined));
+}
+
+/** The bar below the picture: caption and equation, and the controls to go through the steps. */
+export function stepsBar(app: App, steps: Steps): void {
+  const slider = byId<HTMLInputElement>("step-slider");
+  const coarse = byId<HTMLInputElement>("step-coarse");
+  const toggle = byId("steps-toggle");
+
+  function show(): void {
+    const [count, now, said] = [steps.count(), steps.now(), steps.said()];
+    const isFinished = said === null;
+    const place = isFinished ? say("finished", { count }) : say("step_of", { number: now, count });
+    text("step-caption", isFinished ? (app.solved.value.opened?.title ?? "") : said.caption);
+    byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map(equation));
+    text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
+    slider.max = String(count + 1);
+    slider.value = String(now);
+    slider.setAttribute("aria-valuetext", place);
+    for (const id of ["step-first", "step-back"]) byId<HTMLButtonElement>(id).disabled = now <= 1;
+    for (const id of ["step-last", "step-forward"]) byId<HTMLButtonElement>(id).disabled = isFinished;
+    coarse.checked = app.view.value.coarse;
+    coarse.parentElement!.hidden = (app.solved.value.opened?.passages.length ?? 0) === 0;
+    byId<HTMLButtonElement>("steps-toggle").disabled = count === 0;
+  }
+
+  function text(id: string, words: string): void {
+    const place = byId(id);
+    if (place.textContent !== words) place.textContent = words;
+  }
+
+  const buttons = { "step-first": () => steps.go(1), "step-back": () => steps.by(-1), "step-forward": () => steps.by(1), "step-last": () => steps.go(Infinity) };
+  for (const [id, act] of Object.entries(buttons)) byId(id).onclick = act;
+  slider.oninput = () => steps.go(slider.valueAsNumber);
+  coarse.onchange = () => steps.coarse(coarse.checked);
+  toggle.onclick = () => (steps.on.value ? steps.on.set(false) : steps.go(1));
+  steps.on.on((is) => {
+    byId("steps").hidden = !is;
+    toggle.setAttribute("aria-pressed", String(is));
+  });
+  app.view.on(show);
+  app.solved.on(show);
+  language.on(show);
+}
