@@ -26,8 +26,5 @@ pub use add::blank;
 pub use drive::{with_mode, with_position};
 pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
 pub use figure::with_figure;
-<<<<<<< HEAD
-=======
 pub use present::places;
->>>>>>> engine
 pub use reshape::{Pins, Reshape, Reshaped};
