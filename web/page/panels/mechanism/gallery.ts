@@ -18,7 +18,7 @@ export function gallery(app: App, begun: () => void): HTMLElement {
   };
   const empty = h("button", { type: "button", class: "small" });
   empty.addEventListener("click", () => (open(EMPTY), begun()));
-  const file = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: -1 });
+  const file = h("input", { type: "file", accept: ".json,application/json", hidden: true });
   file.addEventListener("change", () => {
     void file.files?.[0]?.text().then(open, () => app.tell(say("unread_file")));
     file.value = "";
@@ -45,7 +45,7 @@ function grouped(app: App, kinds: Kind[], open: (text: string) => void): HTMLEle
     const found = GROUPS[group].flatMap((name) => kinds.filter((kind) => kind.name === name));
     const all = group === "groups_bars" ? [...found, ...others] : found;
     if (all.length === 0) return [];
-    return [h("section", {}, h("h4", {}, say(group)), h("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
+    return [h("section", {}, h("h3", {}, say(group)), h("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
   });
 }
 
@@ -60,7 +60,7 @@ function card(app: App, kind: Kind, open: (text: string) => void): HTMLElement {
 /** A scene's mechanism, small; null where it cannot be drawn. */
 async function thumbnail(app: App, text: string): Promise<HTMLElement | null> {
   try {
-    const small = await app.engine.edit(text, [{ set: ["figure"], value: { panels: ["scheme"], focus: "scheme", page: "16x9", style: "lecture", values: false } }]);
+    const small = await app.engine.edit(text, [{ set: ["figure"], value: { panels: ["scheme"], focus: "scheme", page: "16x9", style: "lecture", values: false, special_points: false, construction: false } }]);
     const picture = await app.engine.picture(small, { step: null, coarse: false, modes: false });
     return cut(picture);
   } catch {

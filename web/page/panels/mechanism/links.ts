@@ -17,7 +17,7 @@ export function links(scene: SceneFile): Group {
   const existing = points.map((value) => ({ value, text: value }));
   const fresh = [free, further].map((value) => ({ value, text: say("new_point", { name: value }) }));
   const lists = [
-    { label: say("from"), options: [...existing, fresh[0]!] },
+    { label: say("from"), options: [...existing.toReversed(), fresh[0]!] },
     { label: say("to"), options: [...fresh.slice(points.length === 0 ? 1 : 0), ...existing] },
   ];
   const add: Field = { kind: "adder", path: ["links", "+"], label: say("add_link"), text: say("add_link"), ask: { do: "link", with: [] }, lists };

@@ -35,15 +35,16 @@ function isPlace(value: unknown): value is [number, number] {
   return Array.isArray(value) && value.length === 2 && value.every((number) => typeof number === "number");
 }
 
-/** A place for a new point: beside the middle of others, or to the right of everything. */
+/** A place for a new point: beside the middle of others, or to the right of everything; the first is the origin. */
 export function freshPlace(places: Places, beside: string[]): [number, number] {
   const all = [...places.values()];
-  const size = Math.max(1e-9, ...all.flatMap(([x, y]) => all.map(([u, v]) => Math.hypot(x - u, y - v)))) || 1;
-  const near = beside.flatMap((name) => places.get(name) ?? []).length > 0 ? beside.flatMap((name) => (places.has(name) ? [places.get(name)!] : [])) : [];
-  const space = all.length < 2 ? 100 : size / 3;
-  if (near.length === 0) return rounded([Math.max(0, ...all.map(([x]) => x)) + space, all[0]?.[1] ?? 0], space);
+  if (all.length === 0) return [0, 0];
+  const size = Math.max(...all.flatMap(([x, y]) => all.map(([u, v]) => Math.hypot(x - u, y - v))));
+  const space = size > 0 ? 0.7 * size : 100;
+  const near = beside.flatMap((name) => (places.has(name) ? [places.get(name)!] : []));
+  if (near.length === 0) return rounded([Math.max(...all.map(([x]) => x)) + space, all[0]![1]], space);
   const middle = [0, 1].map((axis) => near.reduce((sum, place) => sum + place[axis]!, 0) / near.length);
-  return rounded([middle[0]! + (near.length === 1 ? space * 0.6 : 0), middle[1]! + space * 0.8], space);
+  return rounded([middle[0]! + (near.length === 1 ? 0.8 * space : 0), middle[1]! + 0.6 * space], space);
 }
 
 /** A place on round numbers, for points that lie about `space` apart. */

@@ -82,7 +82,7 @@ function linkShape(scene: SceneFile, places: Places, name: string, dot: number, 
   }
   group.append(s("polygon", { points: corners.map(([x, y]) => `${x},${-y}`).join(" ") }));
   const [x, y] = [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis]!, 0) / corners.length) as Place;
-  const text = s("text", { x: x + 0.8 * dot, y: -y - 0.8 * dot, "font-size": 2.6 * dot });
+  const text = s("text", { x: x + 0.8 * dot, y: -y - 0.8 * dot, "font-size": 2.9 * dot });
   text.textContent = name;
   group.append(text);
   return group;
@@ -92,7 +92,7 @@ function pointShape(name: string, [x, y]: Place, isFixed: boolean, dot: number, 
   const group = s("g", { class: `point${isChosen ? " chosen" : ""}` });
   if (isFixed) group.append(s("path", { class: "pivot", d: `M${x} ${-y}l${-1.5 * dot} ${2.4 * dot}h${3 * dot}z` }));
   group.append(s("circle", { cx: x, cy: -y, r: 0.75 * dot }));
-  const text = s("text", { x: x - 2.2 * dot, y: -y - 1.2 * dot, "font-size": 2.6 * dot });
+  const text = s("text", { x: x - 2.6 * dot, y: -y - 1.2 * dot, "font-size": 3.1 * dot });
   text.textContent = name;
   group.append(text);
   return group;
