@@ -56,7 +56,7 @@ mod worksheet;
 pub use arrow::arrow_head;
 pub use blank::SheetLabels;
 pub use correction::{overlay, overlay_words};
-pub use curves::{CurvesError, curves, hodographs, paths};
+pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use figure::Steps;
 pub use fonts::{ITALIC, REGULAR};

@@ -26,4 +26,5 @@ pub use add::blank;
 pub use drive::{with_mode, with_position};
 pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
 pub use figure::with_figure;
+pub use present::places;
 pub use reshape::{Pins, Reshape, Reshaped};

@@ -110,6 +110,16 @@ impl Present {
     }
 }
 
+/// Where the points of a scene are in the fixed frame, in its unit of length: as solved; of a text that is no complete scene, or
+/// cannot be assembled, those that it says, be it roughly.
+///
+/// # Errors
+/// The text is not JSON.
+pub fn places(text: &str) -> Result<IndexMap<String, [f64; 2]>, SceneError> {
+    let present = Present::of(&Document::new(text)?);
+    Ok(present.places.into_iter().map(|(name, place)| (name, place.into())).collect())
+}
+
 /// The places that a text gives: those of the ground, of a drawing and of `near`.
 fn given_places(scene: &Json) -> IndexMap<String, Point> {
     let tables = ["near", "points", "ground"].map(|key| scene[key].as_object());

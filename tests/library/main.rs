@@ -18,6 +18,7 @@ mod driven_cycles;
 mod driven_sliders;
 mod editing;
 mod error_bounds;
+mod forms;
 mod fuzzed;
 mod gallery_measured;
 mod given_angle;

@@ -37,9 +37,8 @@ const BEYOND: f64 = 0.02;
 /// # Errors
 /// There are too many panels for a sheet, or too many curves in one panel.
 pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
-    let Curves { path, range, events, curves: all } = curves;
-    let course =
-        Course { scene, dims: Dims::of(&scene.figure), words: Wording::of(&scene.figure), path, range: *range, events };
+    let course = course(scene, curves);
+    let all = &curves.curves;
     let graphs = graphs(&course, curves)?;
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
     let [width, _] = course.dims.page;
@@ -58,6 +57,16 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     }
     drawing.description = description(&course, &graphs);
     Ok(drawing.enlarged(course.dims.unit))
+}
+
+/// The values of the drive at the left and right edges of the graphs that [`curves`] draws.
+#[must_use]
+pub fn drive_ends(scene: &Scene, curves: &Curves) -> [f64; 2] {
+    shown_range(&course(scene, curves))
+}
+
+fn course<'a>(scene: &'a Scene, Curves { path, range, events, .. }: &'a Curves<'a>) -> Course<'a> {
+    Course { scene, dims: Dims::of(&scene.figure), words: Wording::of(&scene.figure), path, range: *range, events }
 }
 
 /// A graph for each kind of quantity, with its place on the sheet.
@@ -97,12 +106,16 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
 
 /// The axis of the drive.
 fn drive_axis(course: &Course<'_>, across: [f64; 2]) -> Axis {
+    Axis::new(course.words, shown_range(course), across, APART, course.path.drive.is_angle())
+}
+
+/// The range of the motion, with some room beyond limits.
+fn shown_range(course: &Course<'_>) -> [f64; 2] {
     let [low, high] = course.range;
     let margin = BEYOND * (high - low);
     let beside = |at: f64| course.verticals().iter().any(|(pen, x)| *pen == Pen::Limit && (x - at).abs() < margin);
     let end = |at: f64, beyond: f64| if beside(at) { at + beyond } else { at };
-    let ends = [end(low, -margin), end(high, margin)];
-    Axis::new(course.words, ends, across, APART, course.path.drive.is_angle())
+    [end(low, -margin), end(high, margin)]
 }
 
 /// Names the vertical lines above the first panel, where there is room.

@@ -14,7 +14,7 @@ mod names;
 mod path;
 mod way;
 
-pub use chart::curves;
+pub use chart::{curves, drive_ends};
 pub use error::CurvesError;
 pub use hodograph::hodographs;
 pub use path::paths;

@@ -141,6 +141,15 @@ pub struct Handle {
     pub is_fixed: bool,
 }
 
+/// A point of the scene in its own coordinates.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Place {
+    /// Its name.
+    pub name: String,
+    /// Where it is, in units of length.
+    pub at: [f64; 2],
+}
+
 /// A way to assemble the scene.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Mode {
@@ -165,6 +174,7 @@ pub struct ValueRow {
     /// Its unit.
     pub unit: String,
     /// How far the value can be from the true one, in the same unit; none where that is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
 }
 
@@ -180,4 +190,17 @@ pub struct Drawn {
     pub height: f64,
     /// Extreme positions, change points, limits, in words.
     pub events: Vec<String>,
+    /// The axis of the drive; none where nothing is drawn over it.
+    pub axis: Option<DriveAxis>,
+}
+
+/// Where the values of the drive are in graphs one above the other.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct DriveAxis {
+    /// The value at the left edge of the graphs, in degrees or units of length.
+    pub low: f64,
+    /// At the right edge.
+    pub high: f64,
+    /// The graphs: [x, y, width, height] in mm.
+    pub areas: Vec<[f64; 4]>,
 }

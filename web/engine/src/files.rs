@@ -1,10 +1,10 @@
-use crate::answers::Drawn;
+use crate::answers::{Drawn, DriveAxis};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::Error;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep};
-use kinegon::drawing::{Drawing, curves, hodographs, paths};
+use kinegon::drawing::{Drawing, curves, drive_ends, hodographs, paths};
 use kinegon::format;
 use kinegon::motion::Order;
 use kinegon::order_of_result;
@@ -104,7 +104,7 @@ impl Desk {
     pub fn file(&mut self, text: &str, FileRequest { format, of }: &FileRequest) -> Result<Vec<u8>, Refused> {
         let kept = self.kept(text)?;
         match format {
-            Format::Csv => kept.table().map(String::into_bytes),
+            Format::Csv => kept.table(of).map(String::into_bytes),
             Format::Json => {
                 let solution = kept.solution(order_of_result(&kept.scene))?;
                 let result = solution.whole_result().map_err(|error| Refused::of(text, error))?;
@@ -134,8 +134,10 @@ impl Desk {
     /// What is drawn over the cycle.
     pub fn curves(&mut self, text: &str, of: &OverCycle) -> Result<Drawn, Refused> {
         let kept = self.kept(text)?;
-        let (sheet, events) = kept.over_cycle(of).map_err(|error| kept.refused(error))?;
-        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events })
+        let (sheet, events, ends) = kept.over_cycle(of).map_err(|error| kept.refused(error))?;
+        let areas = sheet.panels.iter().map(|(_, area)| [area.x0, area.y0, area.width(), area.height()]);
+        let axis = ends.map(|[low, high]| DriveAxis { low, high, areas: areas.collect() });
+        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis })
     }
 }
 
@@ -154,7 +156,7 @@ impl Kept {
         let own_step = self.scene.figure.step;
         match of {
             Subject::Cycle(of) => {
-                let (sheet, _) = self.over_cycle(of).map_err(|error| self.refused(error))?;
+                let (sheet, ..) = self.over_cycle(of).map_err(|error| self.refused(error))?;
                 Ok(vec![sheet])
             }
             Subject::Sheet(SheetName::Figure) => match own_step {
@@ -191,12 +193,16 @@ impl Kept {
         Ok((path, range))
     }
 
-    /// The table of the motion.
-    fn table(&self) -> Result<String, Refused> {
+    /// The table of the motion: of the quantities that are named, else of those that the scene wants, else of all.
+    fn table(&self, of: &Subject) -> Result<String, Refused> {
+        let names = match of {
+            Subject::Cycle(OverCycle::Curves { curves }) if !curves.is_empty() => Some(curves.as_slice()),
+            _ => self.scene.want.as_deref(),
+        };
         let refused = |error: Error| self.refused(error);
         let (path, range) = self.path().map_err(refused)?;
         let steps = path.rows(range, path.usual_step(range)).map_err(|error| refused(error.into()))?;
-        let sweep = Sweep::new(&path, steps, self.scene.want.as_deref()).map_err(|error| refused(error.into()))?;
+        let sweep = Sweep::new(&path, steps, names).map_err(|error| refused(error.into()))?;
         let count = sweep.steps().count();
         if count.saturating_mul(sweep.header().len()) > MOST_NUMBERS {
             let message = format!("the table would have {count} rows of {} numbers", sweep.header().len());
@@ -206,15 +212,18 @@ impl Kept {
         Ok(format::csv_header(&sweep) + &format::csv_rows(&sweep, &sweep.rows(0..count)))
     }
 
-    /// What is drawn over the cycle, and what happens there.
-    fn over_cycle(&self, of: &OverCycle) -> Result<(Drawing, Vec<String>), Error> {
+    /// What is drawn over the cycle; what happens there; the values of the drive at the edges of graphs over it.
+    fn over_cycle(&self, of: &OverCycle) -> Result<(Drawing, Vec<String>, Option<[f64; 2]>), Error> {
         let scene = &self.scene;
         let (mut path, range) = self.path()?;
         let range = path.shown_range(range);
+        let mut ends = None;
         let sheet = match of {
             OverCycle::Curves { curves: names } => {
                 let names = if names.is_empty() { scene.want.as_deref() } else { Some(names.as_slice()) };
-                curves(scene, &Curves::new(&path, range, names)?)
+                let sampled = Curves::new(&path, range, names)?;
+                ends = Some(drive_ends(scene, &sampled));
+                curves(scene, &sampled)
             }
             OverCycle::Path { path: points, beyond_limits } => {
                 scene.check_traced(points, None)?;
@@ -224,6 +233,6 @@ impl Kept {
             OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?),
         };
         let events = path.happenings(range).into_iter().chain(path.limits(None)).collect();
-        Ok((sheet?, events))
+        Ok((sheet?, events, ends))
     }
 }

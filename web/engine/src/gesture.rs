@@ -3,7 +3,7 @@ use crate::desk::{Desk, Staged};
 use crate::refused::Refused;
 use kinegon::cycle::{OtherModes, Pull};
 use kinegon::drawing::Point;
-use kinegon::editing::{Pins, Reshape, with_drive};
+use kinegon::editing::{Pins, Reshape, with_position};
 use kinegon::mechanism::PointId;
 use kinegon::position::Pose;
 use kinegon::text::Untrusted;
@@ -92,9 +92,8 @@ impl Desk {
         };
         let staged = kept.take_stage(view)?;
         let now = staged.own.clone();
-        let gesture = Gesture { text: text.to_owned(), view: view.clone(), staged, drives, hold, now };
-        let picture = gesture.picture(Vec::new());
-        self.gesture = Some(gesture);
+        let picture = staged.picture(&staged.own, staged.modes.as_ref(), view, drives.clone());
+        self.gesture = Some(Gesture { text: text.to_owned(), view: view.clone(), staged, drives, hold, now });
         Ok(picture)
     }
 
@@ -108,7 +107,7 @@ impl Desk {
         let Gesture { text, hold, .. } = self.gesture.take().ok_or_else(nothing_held)?;
         match hold {
             Hold::Drive { pull, pose, .. } if pull.value() != pull.start() => {
-                with_drive(&text, &pull.drive().name, pull.value(), &pose).map_err(|error| Refused::of(&text, error))
+                with_position(&text, &pose).map_err(|error| Refused::of(&text, error))
             }
             Hold::Drive { .. } => Ok(text),
             Hold::Shape { text, .. } => Ok(text),
@@ -171,9 +170,10 @@ impl Gesture {
     }
 
     /// The picture of the last position; `notes` come first.
-    fn picture(&self, notes: Vec<String>) -> Picture {
+    fn picture(&mut self, notes: Vec<String>) -> Picture {
         let modes = if self.view.modes { OtherModes::of(&self.now).ok() } else { None };
-        let mut picture = self.staged.picture(&self.now, modes.as_ref(), &self.view, self.drives.clone());
+        let drawing = self.staged.stage.drag(&self.now, modes.as_ref(), self.view.step);
+        let mut picture = self.staged.picture_of(&drawing, &self.now, self.drives.clone());
         picture.notes.splice(0..0, notes);
         picture
     }

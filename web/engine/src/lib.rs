@@ -103,6 +103,14 @@ impl Engine {
         plain(asked::<Vec<Edit>>(edits).and_then(|edits| editing::apply(text, &edits).map_err(refused(text))))
     }
 
+    /// Where the points are: as solved; of a scene that cannot be solved, those that its text says.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn places(&self, text: &str) -> Result<String, String> {
+        answer(opened::places(text))
+    }
+
     /// Every way to assemble the scene.
     ///
     /// # Errors

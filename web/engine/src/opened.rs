@@ -1,9 +1,10 @@
-use crate::answers::{Mode, Opened, Step, ValueRow};
+use crate::answers::{Mode, Opened, Place, Step, ValueRow};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::construction::{Action, NumberedStep, PlanKind, Teller, shown_text};
 use kinegon::cycle::every_name;
 use kinegon::drawing::{RichText, SheetLabels};
+use kinegon::editing;
 use kinegon::format::{self, html_text};
 use kinegon::position::counted_poses;
 use kinegon::quantity::{Asked, measured_names};
@@ -85,6 +86,12 @@ impl Desk {
         });
         Ok(rows.collect())
     }
+}
+
+/// Where the points are, as far as that is known.
+pub fn places(text: &str) -> Result<Vec<Place>, Refused> {
+    let places = editing::places(text).map_err(|error| Refused::of(text, error))?;
+    Ok(places.into_iter().map(|(name, at)| Place { name, at }).collect())
 }
 
 /// The steps of the construction, in the figure's language.

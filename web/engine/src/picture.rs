@@ -27,7 +27,12 @@ impl Staged {
             Some(step) => finished.after_step(step.clamp(1, finished.steps.len().max(1))),
             None => finished,
         };
-        let panels = self.stage.panels(&drawing);
+        self.picture_of(&drawing, solution, drives)
+    }
+
+    /// The picture with what can be held on a drawing of a position.
+    pub fn picture_of(&self, drawing: &Drawing, solution: &Solution, drives: Vec<Drive>) -> Picture {
+        let panels = self.stage.panels(drawing);
         let cut = panels.iter().filter(|panel| panel.is_cut);
         let words = solution.wording().language;
         let notes = cut.map(|panel| format!("{}: {}", panel.name, words.cut_at_edge())).collect();
@@ -42,7 +47,7 @@ impl Staged {
             handles: self.stage.handles(solution).into_iter().map(handle).collect(),
             plan_points: self.stage.plan_handles(solution).into_iter().map(handle).collect(),
             notes,
-            ..sheet(&drawing, drives)
+            ..sheet(drawing, drives)
         }
     }
 }

@@ -47,7 +47,7 @@ export interface Engine {
   /** A form as a table. */
   write_form(text: string, form: string): string;
   /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
-  pages(text: string, of: FileRequest["of"]): number;
+  pages(text: string, of: Exclude<FileRequest["of"], string>): number;
   check(text: string, form: string, options: CheckOptions): Checked;
   /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;

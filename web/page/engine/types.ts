@@ -174,6 +174,18 @@ export interface Curves {
   height: number;
   /** Extremes, dead centres, limits, in words. */
   events: string[];
+  /** The axis of the drive; null where nothing is drawn over it. */
+  axis?: DriveAxis | null;
+}
+
+/** Where the values of the drive are in graphs one above the other. */
+export interface DriveAxis {
+  /** The value at the left edge of the graphs, in degrees or units of length. */
+  low: number;
+  /** At the right edge. */
+  high: number;
+  /** The graphs: [x, y, width, height] in mm. */
+  areas: [number, number, number, number][];
 }
 
 /** A box of the form of measured values. */
@@ -307,5 +319,5 @@ export interface Value {
   value: string;
   unit: string;
   /** How far the value can be from the true one, in the same unit; absent where that is not known. */
-  error?: string;
+  error?: string | null;
 }

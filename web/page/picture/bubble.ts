@@ -13,10 +13,14 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
     const picture = app.picture.value;
     if (place.hidden || picture === null) return;
     const values = picture.drives.map((drive) => `${driveName(drive)}: ${drive.shown}`);
-    const notes = app.shaping.value ? picture.notes : [...values, ...picture.notes];
-    place.textContent = notes.join("\n");
-    place.classList.toggle("stopped", picture.notes.length > 0);
-    const note = picture.notes.join(" ");
+    // That a panel is cut stands in the panel itself.
+    const cut = picture.panels.filter(({ is_cut }) => is_cut);
+    const stops = picture.notes.filter((note) => !cut.some(({ name }) => note.startsWith(`${name}:`)));
+    const lines = app.shaping.value ? stops : [...values, ...stops];
+    place.textContent = lines.join("\n");
+    place.classList.toggle("empty", lines.length === 0);
+    place.classList.toggle("stopped", stops.length > 0);
+    const note = stops.join(" ");
     if (note !== told && note !== "") speak(note);
     told = note;
   }

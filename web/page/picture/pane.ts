@@ -36,6 +36,7 @@ export function pane(app: App, view: Viewport): void {
   isDark.on(() => app.picture.value !== null && draw(app.picture.value));
   app.solved.on(({ opened, refused }) => {
     box.classList.toggle("stale", refused !== null);
+    byId("no-picture").hidden = opened !== null || refused === null;
     root.setAttribute("aria-label", opened?.title ?? "");
   });
   new ResizeObserver(() => view.resize(box.clientWidth, box.clientHeight)).observe(box);

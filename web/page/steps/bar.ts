@@ -1,8 +1,16 @@
 import type { App } from "../app.ts";
-import { byId } from "../dom.ts";
+import { byId, element } from "../dom.ts";
 import { say } from "../layout/words.ts";
 import { language } from "../words.ts";
 import type { Steps } from "./steps.ts";
+
+/** An equation in plain text, as `v_S3 = v_G + v_S3G`, with its marks set low. */
+function equation(plain: string): HTMLElement {
+  const pieces = plain.split(/_(?:\{([^}]*)\}|([\p{L}\p{N}']+))/u);
+  // By threes: text, mark in braces, mark without.
+  const parts = pieces.map((piece, at) => (at % 3 === 0 ? piece : element("sub", {}, piece ?? "")));
+  return element("span", {}, ...parts.filter((_, at) => at % 3 === 0 || pieces[at] !== undefined));
+}
 
 /** The bar below the picture: caption and equation, and the controls to go through the steps. */
 export function stepsBar(app: App, steps: Steps): void {
@@ -15,7 +23,7 @@ export function stepsBar(app: App, steps: Steps): void {
     const isFinished = said === null;
     const place = isFinished ? say("finished", { count }) : say("step_of", { number: now, count });
     text("step-caption", isFinished ? (app.solved.value.opened?.title ?? "") : said.caption);
-    text("step-equation", isFinished ? "" : said.equation);
+    byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map(equation));
     text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
     slider.max = String(count + 1);
     slider.value = String(now);

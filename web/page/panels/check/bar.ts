@@ -23,7 +23,7 @@ export function bar(goTo: { result(): void; firstOff(): void }): { root: HTMLEle
   const more = element("button", { type: "button" });
   off.onclick = goTo.firstOff;
   more.onclick = goTo.result;
-  const root = element("div", { class: "bar" }, text, off, more);
+  const root = element("div", { class: "foot" }, text, off, more);
   return {
     root,
     show({ checked, refused, isChecking }, filled, all) {

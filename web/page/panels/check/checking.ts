@@ -19,8 +19,10 @@ export interface Checking {
   verdicts: Signal<Verdicts>;
   /** The marking scheme: its file's name and its text. */
   scheme: Signal<{ name: string; text: string } | null>;
-  /** The field in which somebody is writing, by its name in the form; it has no verdict yet. */
+  /** The field in which somebody is writing, by its name in the form; null as soon as it is left, or after a pause. */
   writing: Signal<string | null>;
+  /** The fields whose present values have not been checked yet. */
+  unchecked: Set<string>;
 }
 
 /** Checks the form whenever it has changed; one check is under way at a time, and the newest form wins. */
@@ -28,6 +30,7 @@ export function checking(app: App): Checking {
   const verdicts = signal<Verdicts>({ checked: null, refused: null, isChecking: false });
   const scheme: Checking["scheme"] = signal<{ name: string; text: string } | null>(null);
   const writing = signal<string | null>(null);
+  const unchecked = new Set<string>();
   let isRunning = false;
   let isStale = false;
   let pause: ReturnType<typeof setTimeout> | undefined;
@@ -37,15 +40,20 @@ export function checking(app: App): Checking {
     const { good } = app.solved.value;
     const file = formFile(form);
     if (good === "" || file === null || !hasValues(file)) {
+      unchecked.clear();
       verdicts.set({ checked: null, refused: null, isChecking: false });
       return;
     }
+    const under = [...unchecked];
+    const settle = (): void => under.forEach((name) => !isStale && name !== writing.value && unchecked.delete(name));
     verdicts.set({ ...verdicts.value, isChecking: true });
     const options = { marks: scheme.value?.text ?? null, pencil_mm: null, pencil_degrees: null, drawn: false };
     try {
       const checked = await app.engine.check(good, form, options);
+      settle();
       verdicts.set({ checked, refused: null, isChecking: false });
     } catch (why) {
+      settle();
       verdicts.set({ checked: null, refused: why as Refused, isChecking: false });
     }
   }
@@ -74,6 +82,9 @@ export function checking(app: App): Checking {
   app.history.now.on(changed);
   app.solved.on(changed);
   scheme.on(() => void run());
-  writing.on((field) => field === null && void run());
-  return { verdicts, scheme, writing };
+  writing.on((field) => {
+    if (field === null) void run();
+    else unchecked.add(field);
+  });
+  return { verdicts, scheme, writing, unchecked };
 }

@@ -11,7 +11,7 @@ export interface Judged {
 }
 
 /** The verdicts by the names of the boxes; values without a box are there, too, with why they are not understood. */
-export function judged(file: FormFile, form: Form, { checked }: Verdicts, writing: string | null): Map<string, Judged> {
+export function judged(file: FormFile, form: Form, { checked }: Verdicts, unchecked: ReadonlySet<string>): Map<string, Judged> {
   const filled = new Set(filledNames(file));
   const found = new Map<string, Judged>();
   checked?.parts?.rows.forEach(({ name, cells }, index) => {
@@ -25,7 +25,7 @@ export function judged(file: FormFile, form: Form, { checked }: Verdicts, writin
   for (const { name, message, hint } of checked?.faults ?? []) found.set(name.replace(/\/mu$/, ""), { verdict: fault(message, hint), fromPoints: null });
   const boxes = new Set(form.rows.map((row) => row.name));
   for (const name of filled) if (!boxes.has(name) && !found.has(name)) found.set(name, { verdict: fault("", null), fromPoints: null });
-  if (writing !== null) found.set(writing, { verdict: { kind: "writing", words: say("typing"), hint: null }, fromPoints: null });
+  for (const name of unchecked) found.set(name, { verdict: { kind: "writing", words: say("typing"), hint: null }, fromPoints: null });
   return found;
 }
 

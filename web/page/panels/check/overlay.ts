@@ -23,10 +23,10 @@ export function overlay(app: App, scheme: () => string | null): Overlay {
     return app.engine.check(good, app.history.now.value.form, { marks: scheme(), pencil_mm: null, pencil_degrees: null, drawn: true });
   }
 
-  /** Whether there is something to draw. */
-  async function draw(): Promise<boolean> {
+  /** Whether there is something to draw; it is drawn if it is still `wanted` then. */
+  async function draw(wanted: () => boolean): Promise<boolean> {
     const sheet = (await drawn()).overlays[0];
-    if (sheet !== undefined) show(sheet);
+    if (sheet !== undefined && wanted()) show(sheet);
     return sheet !== undefined;
   }
 
@@ -36,13 +36,13 @@ export function overlay(app: App, scheme: () => string | null): Overlay {
     drawn,
     async show() {
       try {
-        app.tell(say((await draw()) ? "overlay_shown" : "overlay_none"));
+        app.tell(say((await draw(() => app.shown.value === "check")) ? "overlay_shown" : "overlay_none"));
       } catch (why) {
         app.tell((why as Refused).message);
       }
     },
     follow() {
-      if (isShown.value) void draw().then((isThere) => !isThere && hide(), hide);
+      if (isShown.value) void draw(() => isShown.value).then((isThere) => !isThere && hide(), hide);
     },
   };
 }

@@ -17,7 +17,7 @@ import { rows } from "./rows.ts";
 import { say } from "./words.ts";
 
 function mount(root: HTMLElement, app: App): void {
-  root.classList.add("check");
+  root.classList.add("check-panel");
   const check = checking(app);
   const drawing = overlay(app, () => check.scheme.value?.text ?? null);
   let form: Form | null = null;
@@ -44,13 +44,14 @@ function mount(root: HTMLElement, app: App): void {
   const boxes = rows({
     changed(name, value, isTyping) {
       if (isTyping) check.writing.set(name);
+      else check.unchecked.add(name);
       change((file) => withValue(file, name, value), name);
       if (!isTyping) left();
     },
     left,
     remove: (name) => change((file) => withoutValue(file, name), `remove ${name}`),
   });
-  const points = pointsPart(app, change, left, present);
+  const points = pointsPart(change, left, present);
   const whole = result(app, drawing, () => {
     void drawing.drawn().then(({ feedback }) => {
       const file = present();
@@ -85,7 +86,7 @@ function mount(root: HTMLElement, app: App): void {
     const file = present();
     top.show(file);
     points.show(file);
-    boxes.show(file, judged(file, form, check.verdicts.value, check.writing.value));
+    boxes.show(file, judged(file, form, check.verdicts.value, check.unchecked));
     const asked = form.rows.filter((row) => row.is_asked);
     const filled = new Set(filledNames(file));
     const given = new Set(check.verdicts.value.checked?.parts?.rows.map((row) => row.name) ?? []);

@@ -1,4 +1,3 @@
-import type { App } from "../../app.ts";
 import { element } from "../../dom.ts";
 import type { Form, PlanPoint } from "../../engine/types.ts";
 import { type FormFile, type Place, type PlanName, placesOf, withPlace } from "./form.ts";
@@ -9,11 +8,13 @@ import { say } from "./words.ts";
 type Change = (how: (file: FormFile) => FormFile, gesture: string) => void;
 
 /** Places of plan points, marked on a sheet of squared paper or typed. */
-export function pointsPart(app: App, change: Change, left: () => void, present: () => FormFile): { root: HTMLElement; build(form: Form): void; show(file: FormFile): void } {
+export function pointsPart(change: Change, left: () => void, present: () => FormFile): { root: HTMLElement; build(form: Form): void; show(file: FormFile): void } {
   const root = element("details", { class: "points" });
   let points: Form["points"] = { velocity: [], acceleration: [] };
   let plan: PlanName = "velocity";
   let chosen = "";
+  /** What has been placed last, in words. */
+  let placed = "";
 
   const put = (name: string, at: Place | null, gesture: string): void => change((file) => withPlace(file, plan, name, at), gesture);
   const here = (): PlanPoint[] => points[plan];
@@ -33,7 +34,7 @@ export function pointsPart(app: App, change: Change, left: () => void, present: 
       if (name === "") return;
       put(name, at, `place ${name}`);
       left();
-      app.tell(say("placed", { name, x: at[0], y: at[1] }));
+      placed = say("placed", { name: named(name).label, x: at[0], y: at[1] });
       chosen = next(name);
       show(present());
     },
@@ -78,7 +79,9 @@ export function pointsPart(app: App, change: Change, left: () => void, present: 
     const places = placesOf(file, plan);
     const mu = plan === "velocity" ? file.mu_v : file.mu_a;
     if (chosen !== "" && !here().some((point) => point.name === chosen)) chosen = next("");
-    status.innerHTML = mu === undefined ? say("scale_first") : chosen === "" ? say("all_placed") : say("chosen", { name: named(chosen).label });
+    const now = mu === undefined ? say("scale_first") : chosen === "" ? say("all_placed") : say("chosen", { name: named(chosen).label });
+    // Words of the page and labels of the engine; names that stand in a file alone are never chosen.
+    status.innerHTML = placed === "" ? now : `<small>${placed}</small><br>${now}`;
     sheet.show(here(), places, chosen);
     list.show(here(), places, chosen);
   }
@@ -97,6 +100,7 @@ export function pointsPart(app: App, change: Change, left: () => void, present: 
       );
       if (points.acceleration.length < 2) plan = "velocity";
       chosen = next("");
+      placed = "";
     },
     show,
   };

@@ -56,7 +56,7 @@ export function choice(changed: () => void): { root: HTMLElement; now(): Choice;
   const labelled = (name: "kind" | "seed" | "number" | "page", field: HTMLElement): HTMLElement => {
     const text = element("span");
     labels.push({ name, text });
-    return element("label", { class: name }, text, field);
+    return element("label", { class: `for-${name}` }, text, field);
   };
   const variant = element("div", { class: "variant" }, back, labelled("number", count), forward);
   const root = element("div", { class: "choice" }, labelled("kind", kind), labelled("seed", seed), variant, labelled("page", page));

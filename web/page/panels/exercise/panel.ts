@@ -12,7 +12,7 @@ import { making, type Made } from "./making.ts";
 import { say } from "./words.ts";
 
 function mount(root: HTMLElement, app: App): void {
-  root.classList.add("exercise");
+  root.classList.add("exercise-panel");
   const { made, make } = making(app);
   let kinds: Kind[] = [];
   const fields = choice(ask);

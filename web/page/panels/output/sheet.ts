@@ -10,6 +10,8 @@ export interface Sheet {
   root: HTMLElement;
   /** Shows a picture, or the part of it in a box. */
   show(svg: string, part?: Box): void;
+  /** Calls `listener` with each new picture, so that it may be marked. */
+  drawn(listener: (picture: SVGSVGElement) => void): void;
 }
 
 const STYLE = "<style>svg { display: block; width: 100%; height: auto; margin: 0 auto; }</style>";
@@ -22,6 +24,7 @@ const STYLE = "<style>svg { display: block; width: 100%; height: auto; margin: 0
 export function sheet(asPaper: boolean, attributes: Record<string, string> = {}): Sheet {
   const root = element("div", { class: "drawn", ...attributes });
   const tree = root.attachShadow({ mode: "open" });
+  const listeners: ((picture: SVGSVGElement) => void)[] = [];
   let last: [string, Box | undefined] | undefined;
   function show(svg: string, part?: Box): void {
     last = [svg, part];
@@ -30,9 +33,10 @@ export function sheet(asPaper: boolean, attributes: Record<string, string> = {})
     if (picture === null) return;
     nameBy(picture);
     if (part !== undefined) crop(picture, part);
+    for (const listener of listeners) listener(picture);
   }
   if (!asPaper) isDark.on(() => last !== undefined && show(...last));
-  return { root, show };
+  return { root, show, drawn: (listener) => void listeners.push(listener) };
 }
 
 /** Gives title and description to those who cannot see it; they would show as a tip wherever the mouse rests. */

@@ -6,7 +6,7 @@ import { say } from "./words.ts";
 
 /** The table of values, with a heading for each link, slider and point; with so many digits, or all (null). */
 export function tableOf(values: Value[], digits: number | null): HTMLTableElement {
-  const errors = digits === null && values.some((value) => value.error !== undefined);
+  const errors = digits === null && values.some((value) => value.error != null);
   const heads = [say("quantity"), say("value"), say("unit"), ...(errors ? [say("error")] : [])];
   const head = element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text))));
   const table = element("table", { class: "values" }, head);
@@ -29,6 +29,6 @@ function lineOf({ name, label, unit, error }: Value, text: string, errors: boole
   const title = element("th", { scope: "row", title: name });
   title.innerHTML = label;
   const cells = [element("td", { class: "number" }, text), element("td", {}, unit)];
-  if (errors) cells.push(element("td", { class: "error" }, error === undefined ? "" : `± ${error}`));
+  if (errors) cells.push(element("td", { class: "error" }, error == null ? "" : `± ${error}`));
   return element("tr", {}, title, ...cells);
 }

@@ -11,7 +11,7 @@ export function shortened(value: string, digits: number): string {
 
 /** Values as lines of text with aligned columns. */
 export function aligned(values: Value[]): string {
-  const rows = values.map(({ name, value, unit, error }) => [name, value, unit, error === undefined ? "" : `± ${error}`]);
+  const rows = values.map(({ name, value, unit, error }) => [name, value, unit, error == null ? "" : `± ${error}`]);
   const widths = [0, 1, 2].map((column) => Math.max(0, ...rows.map((row) => row[column]!.length)));
   const line = ([name, value, ...rest]: string[]): string =>
     [name!.padEnd(widths[0]!), value!.padStart(widths[1]!), rest[0]!.padEnd(widths[2]!), rest[1]!].join("  ").trimEnd();

@@ -1,0 +1,73 @@
+//! Forms as a page shows and writes them.
+
+use crate::support::files;
+use crate::support::stages::{answer_key, solved};
+use kinegon::check::{
+    EmptyForm, FilledForm, Measured, check, faults, form_boxes, further_boxes, plan_points, report, report_parts,
+};
+use serde_json::Value;
+
+#[test]
+fn boxes_are_those_of_the_empty_form() {
+    for (name, text) in files::templates() {
+        let solution = solved(&text).expect("a starting scene is sound");
+        let form = EmptyForm { solution: &solution, scales: solution.scales(), exercise: None };
+        let file: Value = serde_json::from_str(&form.json()).expect("JSON");
+        let asked: Vec<&str> = file["values"].as_object().expect("values").keys().map(String::as_str).collect();
+        let boxes: Vec<String> = form_boxes(&solution).into_iter().map(|found| found.name).collect();
+        assert_eq!(boxes, asked, "{name}");
+        let [velocity, acceleration] = plan_points(&solution);
+        assert_eq!((velocity[0].0.as_str(), acceleration[0].0.as_str()), ("p", "π"), "{name}");
+    }
+}
+
+/// The paper's values, with a place on paper.
+fn papers() -> Measured {
+    let form = files::read("examples/paper-as-student.json");
+    Measured::read_json(&form).expect("a form")
+}
+
+#[test]
+fn a_form_that_is_written_and_read_again_has_the_same_verdicts() {
+    let solution = solved(&files::read("examples/figure-2.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let own = papers();
+    let words = solution.wording();
+    let told = |measured: &Measured| report(&check(measured, &key).expect("values that are understood"), &key, &words);
+    let filled = FilledForm { measured: &own, key: &key };
+    let again = Measured::read_json(&filled.json()).expect("a form");
+    assert_eq!(told(&again), told(&own));
+    assert_eq!(told(&Measured::read_csv(&filled.csv()).expect("a table")), told(&own));
+    // A second time nothing changes any more.
+    assert_eq!(FilledForm { measured: &again, key: &key }.json(), filled.json());
+}
+
+#[test]
+fn every_verdict_has_its_box() {
+    let solution = solved(&files::read("examples/figure-2.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let own = papers();
+    let written = FilledForm { measured: &own, key: &key }.json();
+    let own = Measured::read_json(&written).expect("a form");
+    let mut boxes: Vec<String> = form_boxes(&solution).into_iter().map(|found| found.name).collect();
+    let further: Vec<String> = further_boxes(&own, &key).into_iter().map(|found| found.name).collect();
+    assert!(further.contains(&"v(B/A).size".to_owned()), "{further:?}");
+    boxes.extend(further);
+    let checked = check(&own, &key).expect("values that are understood");
+    let parts = report_parts(&checked, &key, &solution.wording());
+    assert_eq!(parts.rows.len(), checked.values.len());
+    for row in &parts.rows {
+        assert!(boxes.contains(&row.name), "{} of {boxes:?}", row.name);
+    }
+}
+
+#[test]
+fn values_that_are_not_understood_are_told_apart() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a starting scene is sound");
+    let key = answer_key(&solution, 2);
+    let form = r#"{ "kinegon_measured": 1, "values": { "vplan(p,b)": "600", "omega(2)": "abc", "foo(1)": "3" } }"#;
+    let measured = Measured::read_json(form).expect("a form");
+    let found: Vec<(usize, String)> = faults(&measured, &key).into_iter().map(|(at, why)| (at, why.message)).collect();
+    let said = ["`abc` is no number", "`foo(1)` is no quantity of this scene"];
+    assert_eq!(found, [(1, said[0].to_owned()), (2, said[1].to_owned())]);
+}
