@@ -7,11 +7,12 @@ use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
 use super::work::{Mode, show_warnings, solve};
 use crate::construction::{NumberedStep, Solution};
-use crate::cycle::{Animation, Drive, Traces};
-use crate::drawing::{Drawing, frames_with};
-use crate::format::{WebPage, html};
+use crate::cycle::Traces;
+use crate::drawing::Drawing;
+use crate::editing::{with_figure, with_mode};
+use crate::format::{OpenScene, workbench};
 use crate::order_of_figure;
-use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, ValuesShown};
+use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, StyleName, ValuesShown};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
@@ -67,11 +68,10 @@ pub(super) struct Draw {
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
     #[arg(long, value_name = "PANEL", value_parser = one_of(PanelName::ALL, PanelName::as_str))]
     focus: Option<PanelName>,
-    /// Positions over the whole range of the drive that a page (`--format html`) can show.
-    #[arg(long, value_name = "N", default_value_t = 360, value_parser = clap::value_parser!(u16).range(1..=1440))]
-    positions: u16,
-    /// The drive that a page moves, and that its paths follow; without it the first.
-    #[arg(long, value_name = "NAME")]
+    // A page was once a film of so many positions of one drive; it now moves all drives to any position.
+    #[arg(long, value_name = "N", hide = true)]
+    positions: Option<String>,
+    #[arg(long, value_name = "NAME", hide = true)]
     drive: Option<String>,
     #[command(flatten)]
     figures: Figures,
@@ -99,6 +99,9 @@ impl Draw {
         };
         let style = self.figures.style()?;
         let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
+        if self.figures.has_page() {
+            self.check_page(&style)?;
+        }
         let most = if is_stepwise { SizeLimit::STEPS } else { SizeLimit::FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
         for (name, source) in scenes {
@@ -125,7 +128,7 @@ impl Draw {
         }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if are_finished => self.page(source, solution, &style),
+            Some((source, solution)) if are_finished => self.page(source, solution),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
         self.figures.write(&mut files, &inputs, drawings, page)?;
@@ -173,29 +176,34 @@ impl Draw {
         })
     }
 
-    /// The web page of a scene: its figure with all steps, in all positions of the drive.
-    fn page(&self, source: &Source, solution: &Solution, style: &GivenStyle) -> Result<String, Failure> {
-        let words = solution.wording();
-        let animation = Animation::new(solution, self.drive.as_deref(), self.positions.into())
-            .map_err(|error| source.fail(error))?;
-        let value = |value: &f64| {
-            let drive = animation.drive.as_ref();
-            drive.map_or_else(String::new, |drive| drive.shown(*value, &words))
+    /// The workbench with a scene open, with what the command line asks for written into it, and its steps shown, from
+    /// the first or from the one that is asked for.
+    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+        let own = Scene::read(&source.text).map_err(|error| source.fail(error))?;
+        let step = solution.scene.figure.step.unwrap_or(1);
+        let figure = Figure { step: own.figure.step, ..solution.scene.figure.clone() };
+        let asked = || match self.mode.number {
+            Some(mode) => with_mode(&with_figure(&source.text, &figure)?, mode),
+            None => with_figure(&source.text, &figure),
         };
-        let values: Vec<String> = animation.values.iter().map(value).collect();
-        let quantity = animation.drive.as_ref().map(Drive::quantity);
-        let traces = Traces::new(solution, self.drive.as_deref()).map_err(|error| source.fail(error))?;
-        let mut frames = frames_with(&animation.positions, animation.own, traces);
-        style.put_on(&mut frames);
-        Ok(html(&WebPage {
-            frames: &frames,
-            values: &values,
-            own: animation.own,
-            is_round: animation.is_round,
-            quantity: &quantity.unwrap_or_default(),
-            language: words.language,
-            text: self.figures.text(),
-        }))
+        let text = asked().map_err(|error| source.fail(error))?;
+        Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })))
+    }
+
+    /// Refuses or tells what has no place on a page.
+    fn check_page(&self, style: &GivenStyle) -> Result<(), Failure> {
+        if let GivenStyle::File(_) = style {
+            return Err(Failure::Misuse(
+                "a page has the styles that a scene can name, not that of a file".into(),
+                Some(format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", "))),
+            ));
+        }
+        for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.drive.is_some())] {
+            if is_given {
+                note(&format!("{option} does nothing: a page moves every drive to any position"));
+            }
+        }
+        Ok(())
     }
 
     /// Adds the sheets of the finished figure to `drawings`, or those of the steps that were asked for, each under its

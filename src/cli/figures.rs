@@ -26,7 +26,7 @@ pub(super) struct FigureOptions {
     /// Formats to write into a folder; on stdout the one that is given, or SVG.
     #[arg(long, value_delimiter = ',', value_enum, default_values_t = FigureFormat::usual())]
     format: Vec<FigureFormat>,
-    /// Write the letters of SVG and of a page as outlines, for programs that lack the font.
+    /// Write the letters of SVG as outlines, for programs that lack the font.
     #[arg(long)]
     outlines: bool,
     /// Drawing style in place of the scene's own: paper, print, lecture, board, or the path of a style file.
@@ -57,7 +57,7 @@ enum FigureFormat {
     Tikz,
     #[cfg(feature = "png")]
     Png,
-    /// A page to step through and move.
+    /// The workbench with the scene open, to step through and to move.
     Html,
 }
 
@@ -183,8 +183,8 @@ impl Figures {
         self.put(files, inputs, &written)
     }
 
-    /// How letters are written, of SVG and of a page.
-    pub(super) fn text(&self) -> Text {
+    /// How letters of SVG are written.
+    fn text(&self) -> Text {
         if self.options.outlines { Text::Outlines } else { Text::Letters }
     }
 

@@ -4,6 +4,7 @@
 //! Exit codes: 0 done; 1 not assembled, singular, not passed, or not written; 2 a scene or a command that is not
 //! understood; 128 and a signal's number where that has stopped it, as 130 for Ctrl-C.
 
+mod app;
 mod caught;
 mod check;
 mod class;
@@ -49,6 +50,8 @@ struct Command {
 
 #[derive(Debug, Subcommand)]
 enum Task {
+    /// Open the workbench, the program as a page in the browser; or write it to a file.
+    App(app::App),
     /// Write a starting scene for a kind of mechanism, or list the kinds.
     New(new::New),
     /// Draw the figure of a scene: scheme, velocity plan, acceleration plan.
@@ -88,6 +91,7 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     output::survive_size_limits();
     let done = match &command.task {
+        Task::App(app) => app.run(),
         Task::New(new) => new.run(),
         Task::Draw(draw) => draw.run(),
         Task::Solve(solve) => solve.run(),

@@ -16,13 +16,11 @@ use super::view::{Extent, View, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
-use crate::cycle::Traces;
 use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
-use crate::scene::{PanelName, ScalesFor};
+use crate::scene::PanelName;
 use crate::words::{Language, Wording};
 use kurbo::Rect;
-use std::sync::Arc;
 
 /// Weight of the size of a panel beside that in focus.
 pub(super) const COMPANION: f64 = 0.2;
@@ -156,58 +154,6 @@ fn overflow_warning(panel: PanelName, given: f64, fitting: Option<f64>) -> Strin
     format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     )
-}
-
-/// The stepwise figures of one mechanism in several positions, all with the same panels and scales, as frames of an
-/// animation.
-///
-/// Scales are those of the figure in position `own`. Panels are large enough for its whole content and, as far as the
-/// sheet allows, for the joints and their images in the other positions, except for plans several times as large as most:
-/// near a limit position rates and special points go to infinity. Where a position's content does not fit, the panel
-/// says that it is cut at the edge; poles stay in sight. There is no work sheet.
-#[must_use]
-pub fn frames(positions: &[Solution], own: usize) -> Vec<Drawing> {
-    let traces = positions.get(own).map(Traces::of);
-    frames_with(positions, own, traces.unwrap_or_default())
-}
-
-/// As [`frames`], with these paths and ghosts, the same in all of them.
-#[must_use]
-pub fn frames_with(positions: &[Solution], own: usize, traces: Traces) -> Vec<Drawing> {
-    let traces = Arc::new(traces);
-    let scheme = |solution| Scheme::with(solution, Arc::clone(&traces));
-    let Some(first) = positions.get(own) else {
-        return Vec::new();
-    };
-    let own_scheme = scheme(first).with_scales();
-    let schemes: Vec<Scheme<'_>> =
-        positions.iter().map(|solution| Scheme { mu: own_scheme.mu, ..scheme(solution) }).collect();
-    let own_extents = extents(&own_scheme);
-    let extents: Vec<(PanelName, Extent)> = match first.scene.figure.scales {
-        ScalesFor::Cycle => own_scheme.extents_to_fit(),
-        _ => {
-            let own = own_extents.iter();
-            own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
-        }
-    };
-    let sheet = Sheet { steps: Some(Steps::Fine), table: None };
-    let mut sheets: Vec<Composition<'_>> =
-        schemes.iter().map(|scheme| described(scheme, composed(scheme, &extents, sheet))).collect();
-    for (panel, (name, extent)) in sheets.iter_mut().flat_map(|sheet| sheet.panels.iter_mut().zip(&own_extents)) {
-        // The frame stands still, where the scene's own position is in sight.
-        if *name == PanelName::Scheme {
-            panel.content = Some(*extent);
-        }
-    }
-    let below = sheets.iter().map(Composition::height_below).fold(0.0, f64::max);
-    let layout = sheets[own].layout_above(below);
-    let shows_own = own_extents.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
-    // Else the panels are those of the step sheets.
-    let layout = match shows_own {
-        true => layout,
-        false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
-    };
-    sheets.iter().map(|sheet| sheet.draw(&layout)).collect()
 }
 
 /// By position: the extent of the joints or of their images in a panel.

@@ -57,7 +57,7 @@ pub use blank::SheetLabels;
 pub use correction::{overlay, overlay_words};
 pub use curves::{CurvesError, curves, hodographs, paths};
 pub use exercise::{exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
-pub use figure::{Steps, frames, frames_with};
+pub use figure::Steps;
 pub use fonts::{ITALIC, REGULAR};
 pub use key_table::KeyRow;
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};

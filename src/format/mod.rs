@@ -6,8 +6,6 @@
 mod columns;
 mod digits;
 mod feedback;
-#[cfg(feature = "html")]
-mod html;
 mod json;
 mod number;
 mod outline;
@@ -24,13 +22,13 @@ mod table;
 mod template;
 mod tikz;
 mod wanted;
+#[cfg(feature = "html")]
+mod workbench;
 
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
-#[cfg(feature = "html")]
-pub use self::html::{WebPage, html};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::PdfError;
@@ -45,6 +43,8 @@ pub use self::result::{
 pub use self::structure::{listed_modes, mode, modes, structure};
 pub use self::svg::{Text, layered_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
+#[cfg(feature = "html")]
+pub use self::workbench::{OpenScene, workbench};
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;

@@ -5,7 +5,7 @@
 //! In reading order: `text` makes JSON of the text and `typed` makes typed values of it, for any file that is read
 //! strictly; `wrong`, `place` and `words` are errors, their places and their words. Then come the parts of a scene, a
 //! file each, with the types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by
-//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text.
+//! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text; `rewritten` changes a text.
 //!
 //! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the
 //! whole list.
@@ -83,3 +83,4 @@ pub(crate) use schema::schema_of;
 pub(crate) use tree::{SceneTree, pair, why_not};
 pub(crate) use typed::read_as;
 pub(crate) use words::{nearest, nearest_within};
+pub(crate) use write::figure_keys;

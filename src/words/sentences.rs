@@ -278,48 +278,6 @@ sentences! {
     /// Angle between two rays, in degrees.
     angle_of_crossing(degrees);
 
-    // Buttons of the classroom page, shown or read out; the key that does the same is in brackets.
-    /// The whole row of buttons.
-    page_figure;
-    /// Group of buttons: the panels that are shown.
-    page_panels;
-    /// Shows all panels.
-    page_all;
-    /// Group of buttons: the steps of the construction.
-    page_steps;
-    /// To the first step.
-    page_first;
-    /// One step back.
-    page_back;
-    /// One step forward.
-    page_forward;
-    /// To the finished figure.
-    page_finished;
-    /// Behind the number of steps.
-    page_count;
-    /// Group of buttons: the motion.
-    page_motion;
-    /// Starts the motion.
-    page_play;
-    /// Stops the motion.
-    page_pause;
-    /// Back to the scene's own position.
-    page_own;
-    /// Speed of the motion.
-    page_speed;
-    /// Group of buttons: colours and paper.
-    page_look;
-    /// Switches between dark and light.
-    page_dark;
-    /// Prints the figure.
-    page_print;
-    /// What printing does.
-    page_to_scale;
-    /// Shown where scripts are off.
-    page_no_script;
-    /// Shown where the browser is too old.
-    page_too_old;
-
     // The report on a student's values.
     /// Heading: numbers of values that are right, within tolerance, off.
     check_counts(right, within, off);

@@ -4,7 +4,6 @@
 #[path = "../support/mod.rs"]
 mod support;
 
-mod page;
 mod pdf;
 mod rasters;
 mod tikz;

@@ -1,10 +1,10 @@
 //! Files in the repository that the program makes are what it makes now: the schemas, the two figures of the paper, curves over the second
-//! one's cycle and the paper's numbers checked, the gallery.
+//! one's cycle and the paper's numbers checked, the gallery, the workbench.
 //!
 //! `kinegon schema scene > templates/scene.schema.json`, likewise `result`, `style` and `marks`, `kinegon draw`,
 //! `kinegon curves examples/figure-2.json --want "omega(4), alpha(4), v_r(3/2)"`,
 //! `kinegon check examples/figure-2.json examples/paper-as-student.json --draw out/ --mu-l 5 --mu-v 2.5 --mu-a 2.5` and
-//! `cargo run --release --example gallery` make them anew.
+//! `cargo run --release --example gallery` make them anew; `web/build` makes the workbench.
 
 use crate::examples::gallery;
 use crate::support::files;
@@ -14,6 +14,7 @@ use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
 use kinegon::{Solution, drawing, format};
+use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 
 /// Compares, and leaves what came out beside the test's other products for a look.
@@ -98,6 +99,43 @@ fn figures_are_redrawn_to_the_byte() {
     for (name, drawing) in figures() {
         same(&format!("out/{name}.svg"), &drawing.svg());
     }
+}
+
+/// All files of a folder of the repository by their paths from its root, without those that the workbench is not made of.
+fn sources_in(folder: &str) -> Vec<String> {
+    let left_out = ["web/node_modules", "src/cli", "src/main.rs", "templates/workbench.html"];
+    let inside = files::list(folder).into_iter().map(|name| format!("{folder}/{name}"));
+    let kept = inside.filter(|path| !left_out.contains(&path.as_str()));
+    let all = kept.flat_map(|path| if files::path(&path).is_dir() { sources_in(&path) } else { vec![path] });
+    all.collect()
+}
+
+/// The hash of all that the workbench is made of, as web/README.md defines it and `node web/sources.mjs` prints it.
+fn sources() -> String {
+    let hash = |bytes: &[u8]| Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+    let mut paths = ["Cargo.lock", "Cargo.toml"].map(str::to_owned).to_vec();
+    paths.extend(["src", "templates", "web"].into_iter().flat_map(sources_in));
+    paths.extend(sources_in("examples").into_iter().filter(|path| path.ends_with(".json")));
+    paths.sort();
+    let line = |path: &String| {
+        let bytes = std::fs::read(files::path(path)).expect("it can be read");
+        format!("{}  {path}\n", hash(&bytes))
+    };
+    hash(paths.iter().map(line).collect::<String>().as_bytes())
+}
+
+#[test]
+fn the_workbench_is_made_of_the_sources_that_are_here() {
+    let page = files::read("templates/workbench.html");
+    let (_, rest) = page.split_once("<meta name=\"kinegon-sources\" content=\"").expect("it says what it was made of");
+    let (made_of, _) = rest.split_once('"').expect("its end");
+    assert_eq!(made_of, sources(), "templates/workbench.html was made of other sources: run web/build");
+}
+
+#[test]
+fn the_workbench_is_small() {
+    let page = files::read("templates/workbench.html");
+    assert!(page.len() <= 2_500_000, "{} bytes", page.len());
 }
 
 #[test]

@@ -48,20 +48,7 @@ fn options_and_keys_of_the_scene_draw_the_same() {
 fn every_format_has_the_path() {
     let folder = scratch("paths");
     let out = format!("{}/", folder.display());
-    let output = run(&[
-        "draw",
-        LEG,
-        "--trace",
-        "F",
-        "--ghosts",
-        "4",
-        "--format",
-        "svg,pdf,tikz,png,html",
-        "--positions",
-        "8",
-        "-o",
-        &out,
-    ]);
+    let output = run(&["draw", LEG, "--trace", "F", "--ghosts", "4", "--format", "svg,pdf,tikz,png,html", "-o", &out]);
     assert!(output.status.success(), "{}", stderr(&output));
     for ending in ["svg", "pdf", "tex", "png", "html"] {
         assert!(folder.join(format!("jansen.{ending}")).is_file(), "{ending}");

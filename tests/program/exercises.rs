@@ -514,7 +514,7 @@ fn the_same_bytes_again_and_nothing_is_written_over() {
         (["for-bar", "--seed", "1"], "nearest kind is `four-bar`"),
         (["tests/files", "--seed", "1"], "no file"),
         (["four-bar", "--seed", "-1"], "invalid value"),
-        (["templates/page.html", "--seed", "1"], "page.html"),
+        (["templates/workbench.html", "--seed", "1"], "workbench.html"),
     ] {
         let output = run(&arguments, &second);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");

@@ -29,3 +29,5 @@ mod strangers;
 mod students;
 mod styles;
 mod wording;
+#[cfg(unix)] // it puts programs into folders
+mod workbench;

@@ -61,12 +61,13 @@ pub fn inputs(name: &str) -> PathBuf {
 }
 
 /// Every command that writes files, with the number of files; it is called in the folder of its inputs.
-const WRITING: [(usize, &str); 16] = [
+const WRITING: [(usize, &str); 17] = [
     (1, "new four-bar -o out/new.json"),
     (1, "new four-bar -o out/deep/er/"),
     (2, "draw scene.json -o out/"),
     (3, "draw scene.json --format svg,pdf,tikz -o out/deep/er/"),
-    (1, "draw scene.json -o out/page.html --positions 4"),
+    (1, "draw scene.json -o out/page.html"),
+    (1, "app scene.json -o out/deep/"),
     (6, "draw scene.json --steps coarse --format svg -o out/"),
     (1, "draw scene.json --layered -o out/"),
     (1, "draw scene.json --worksheet -o out/sheet.pdf"),

@@ -65,7 +65,7 @@ fn no_argument_reaches_a_terminal_as_it_is() {
             vec!["draw", "-", "--page", odd],
             vec!["draw", "-", "--style", odd],
             vec!["draw", "-", "--trace", odd, "-o", "-"],
-            vec!["draw", "-", "--drive", odd, "-o", "-", "--format", "html"],
+            vec!["app", odd],
             vec!["draw", "-", "--steps", odd],
             vec!["draw", "-", "--mu-l", odd],
             vec!["sweep", "-", "--want", odd],
@@ -95,7 +95,7 @@ fn a_blank_title_and_blank_labels_are_left_out_of_every_file() {
             scene["figure"] = json!({ "labels": { "B": blank, "3": blank } });
         });
         let case = json!({
-            "arguments": ["draw", "scene.json", "-o", "out/", "--format", "svg,pdf,tikz,html", "--positions", "2"],
+            "arguments": ["draw", "scene.json", "-o", "out/", "--format", "svg,pdf,tikz,html"],
             "files": { "scene.json": text },
         });
         let folder = scratch(&format!("strangers-blank-{number}"));

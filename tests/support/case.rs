@@ -41,6 +41,10 @@ impl Case {
         if arguments.iter().any(|a| a.contains('\0') || leads_out(a)) {
             return None;
         }
+        // Without a file to write, `app` starts a browser.
+        if arguments.first().is_some_and(|a| a == "app") && arguments.get(1).is_none_or(|a| a != "-o") {
+            return None;
+        }
         let none = Map::new();
         let files = json.get("files").and_then(Value::as_object).unwrap_or(&none).iter().take(12);
         let files =
@@ -129,8 +133,11 @@ impl Case {
     }
 
     fn page(&self, text: &str) {
-        let is_feedback = text.contains("kinegon-feedback");
-        outputs::html(text, if is_feedback { 0 } else { 3 });
+        if text.contains("kinegon-feedback") {
+            outputs::html(text);
+        } else if text.contains("id=\"kinegon-scene\"") {
+            outputs::workbench(text);
+        }
     }
 
     /// One value, or one a line.

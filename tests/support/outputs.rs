@@ -56,13 +56,12 @@ pub fn svg(text: &str) {
     }
 }
 
-/// A page is well-formed once its few empty elements are closed; scripts and styles are those of the template alone.
-pub fn html(text: &str, scripts: usize) {
+/// A page for a student is well-formed once its few empty elements are closed; there are no scripts, and styles are those of the template alone.
+pub fn html(text: &str) {
     terminal(text.as_bytes());
     let mut xml = String::with_capacity(text.len());
     let mut rest =
         text.trim_start().strip_prefix("<!DOCTYPE html>").or(text.strip_prefix("<!doctype html>")).expect("a page");
-    let mut found = 0;
     while let Some(start) = rest.find('<') {
         let (before, tag) = rest.split_at(start);
         xml.push_str(before);
@@ -74,7 +73,7 @@ pub fn html(text: &str, scripts: usize) {
                 rest = &tag[end + 1..];
             }
             "script" | "style" => {
-                found += usize::from(name == "script");
+                assert_eq!(name, "style", "a script in {text}");
                 let close = format!("</{name}>");
                 let after = tag.find(&close).expect("it is closed") + close.len();
                 rest = &tag[after..];
@@ -91,10 +90,20 @@ pub fn html(text: &str, scripts: usize) {
             }
         }
     }
-    assert_eq!(found, scripts, "scripts in {text}");
     if let Err(error) = Document::parse(&xml) {
         panic!("{error}\n{xml}");
     }
+}
+
+/// A workbench is the page as it was built, and one element with a scene in plain letters. Its text.
+pub fn workbench(text: &str) -> String {
+    let mark = "<script type=\"application/json\" id=\"kinegon-scene\">";
+    let (before, rest) = text.split_once(mark).expect("a scene");
+    let (data, after) = rest.split_once("</script>\n").expect("its end");
+    let built = include_str!("../../templates/workbench.html");
+    assert!(built.strip_prefix(before) == Some(after), "the page itself has changed");
+    assert!(after.starts_with("</head>") && data.bytes().all(|b| matches!(b, b' '..=b'~') && b != b'<'), "{data}");
+    json(data)["text"].as_str().expect("a text").to_owned()
 }
 
 /// A PDF has pages whose contents can be decoded, and metadata without control characters.

@@ -59,7 +59,7 @@ fn checked(subject: &Subject, measured: &Measured, given: &str) {
             said(&format!("{error}\n{}", error.hint.as_deref().unwrap_or_default()));
             table(&ClassRow::broken(file.clone(), &error.to_string()).csv(columns), columns);
             let page = Feedback::refused(Some(&subject.solution.scene), &file, &error.to_string(), &words);
-            return outputs::html(&page.html(), 0);
+            return outputs::html(&page.html());
         }
     };
     let report = check::report(&found, key, &words);
@@ -71,7 +71,7 @@ fn checked(subject: &Subject, measured: &Measured, given: &str) {
     outputs::json(&format::json_line(&row));
     let marks = subject.scheme.award(&found);
     let page = Feedback::new(measured, key, &found, Some(&marks), &words).expect("what was checked has its scales");
-    outputs::html(&page.html(), 0);
+    outputs::html(&page.html());
     for sheet in page.sheets() {
         pictures(&sheet);
     }
@@ -151,7 +151,7 @@ pub fn texts(lines: &str) {
         table(&row.csv(columns), columns);
         outputs::json(&format::json_line(&row));
         let page = Feedback::new(&measured, &key, &found, None, &words).expect("it has its scales");
-        outputs::html(&page.html(), 0);
+        outputs::html(&page.html());
         page.sheets().iter().for_each(pictures);
     }
     for line in 0..3 {

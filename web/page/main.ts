@@ -9,7 +9,7 @@ import { documents, dropped } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
 import { help } from "./layout/help.ts";
 import { keys } from "./layout/keys.ts";
-import { messages, teller } from "./layout/messages.ts";
+import { messages, notice, teller } from "./layout/messages.ts";
 import { printedByBrowser, printer } from "./layout/print.ts";
 import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
@@ -31,12 +31,13 @@ import { currentPicture } from "./picture/picture.ts";
 import { pulling } from "./picture/pulling.ts";
 import { viewport } from "./picture/viewport.ts";
 import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
-import { autosave } from "./state/autosave.ts";
+import { asKept, autosave } from "./state/autosave.ts";
 import { history } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
 import { store as browserStore, type Store } from "./state/storage.ts";
+import { studying } from "./state/studying.ts";
 import { steps } from "./steps/steps.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { unpacked } from "./unpack.ts";
@@ -102,16 +103,17 @@ function badLink(why: BadLink): string {
 }
 
 /** A link that comes while the page is open; and the address is cleaned, so that it never says something old. */
-function watchAddress(app: App): void {
+function watchAddress(app: App, store: Store): void {
   const clean = (): void => window.history.replaceState(null, "", location.href.replace(/#.*/s, ""));
   const read = async (): Promise<void> => {
     const found = await documentOf(location.hash);
     if (found === null) return;
     clean();
-    if (typeof found === "string") return app.tell(badLink(found));
+    if (typeof found === "string") return notice(badLink(found));
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
+    store.keep(asKept(app));
     if (found.panel !== undefined) app.show(found.panel);
   };
   if (location.hash !== "") clean();
@@ -131,26 +133,31 @@ async function start(): Promise<void> {
   sayAll();
   theme(store);
   const tell = teller();
-  const [script, wasm, first] = await Promise.all([unpacked("worker"), unpacked("engine"), beginning(location.hash, store)]);
+  // The engine is compiled while it is being unpacked.
+  const compiled = WebAssembly.compileStreaming(unpacked("engine", "application/wasm"));
+  const script = unpacked("worker", "text/javascript").text();
+  const first = await beginning(location.hash, store);
   const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
-  const { engine, busy } = startEngine(new TextDecoder().decode(script), await WebAssembly.compile(wasm), (why) => {
-    tell(restarted(why));
+  const { engine, busy } = startEngine(await script, await compiled, (why, during) => {
+    // Of a text that cannot be solved the message bar tells.
+    if (during !== "open") notice(restarted(why));
     return restarted(why);
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
   const app = application(first.shared ?? (await firstKind(engine)), engine, tell);
+  studying(app);
   wire(app, store);
   solving(app);
   tabs(app, PANELS, store);
   help(store);
   splitter(store);
   firstPanel(app, first, store);
-  watchAddress(app);
+  watchAddress(app, store);
   autosave(app, store);
-  if (first.bad !== null) tell(badLink(first.bad));
-  else if (!store.works) tell(say("no_storage"));
+  if (first.bad !== null) notice(badLink(first.bad));
+  else if (!store.works) notice(say("no_storage"));
   else if (first.from === "autosave") tell(say("restored"));
-  if (first.from === "link") store.keep({ ...app.history.now.value, title: "", time: Date.now() });
+  if (first.from === "link") store.keep(asKept(app));
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };
   const ready = (is: boolean): void => {
     if (is) document.documentElement.dataset["ready"] = "yes";

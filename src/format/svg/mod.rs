@@ -14,8 +14,6 @@ use super::number::{number, push_number};
 use super::outline::{FINEST, IN_FINEST, Tracer};
 use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape};
 use crate::text::xml;
-#[cfg(feature = "html")]
-pub(super) use layers::layers;
 use shapes::{write_path, write_shape};
 
 /// How texts are written in an SVG file.

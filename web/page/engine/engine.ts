@@ -11,8 +11,10 @@ import type {
   Kind,
   Mode,
   Opened,
+  OverCycle,
   Picture,
   Pull,
+  Value,
   View,
 } from "./types.ts";
 
@@ -34,9 +36,9 @@ export interface Engine {
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;
-  curves(text: string, of: { curves: string[] } | { path: string[] } | { hodograph: string[] }): Curves;
+  curves(text: string, of: OverCycle): Curves;
   /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
-  values(text: string): { name: string; label: string; value: string; unit: string }[];
+  values(text: string): Value[];
   file(text: string, request: FileRequest): Uint8Array;
   /** The form of a scene; `filled` is a form with values, or empty. */
   form(text: string, filled: string): Form;
@@ -44,6 +46,8 @@ export interface Engine {
   read_form(text: string, form: string): string;
   /** A form as a table. */
   write_form(text: string, form: string): string;
+  /** How many sheets of paper a drawing takes: a work sheet's table may stand on a second one. */
+  pages(text: string, of: FileRequest["of"]): number;
   check(text: string, form: string, options: CheckOptions): Checked;
   /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;

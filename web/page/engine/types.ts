@@ -55,6 +55,8 @@ export interface Opened {
   steps: Step[];
   /** Steps that a lecturer shows together: the numbers of the first and the last of each. */
   passages: [number, number][];
+  /** What is done in each of them. */
+  passage_captions: string[];
   /** Names of points whose paths can be drawn. */
   traceable: string[];
   /** Names of quantities for curves, tables and values. */
@@ -153,10 +155,17 @@ export interface Mode {
 
 /** A file as the program writes it. */
 export interface FileRequest {
+  /** `csv` is the table of the motion, `json` the result, `steps` the text of the construction. */
   format: "svg" | "png" | "pdf" | "tikz" | "csv" | "json" | "steps";
-  /** What is drawn: the figure, the sheet after a step, the work sheet, a path, curves, a hodograph. */
-  of: "figure" | "worksheet" | { step: number } | { curves: string[] } | { path: string[] } | { hodograph: string[] };
+  /**
+   * What is drawn: the figure, the work sheet, its second sheet, the sheet after a step or passage (counted from 1); over the
+   * cycle curves, paths, hodographs.
+   */
+  of: "figure" | "worksheet" | { worksheet: number } | { step: number } | { passage: number } | OverCycle;
 }
+
+/** What is drawn over the cycle, by names of quantities, points, vectors. */
+export type OverCycle = { curves: string[] } | { path: string[]; beyond_limits?: boolean } | { hodograph: string[] };
 
 /** What can be drawn over the cycle. */
 export interface Curves {
@@ -287,3 +296,16 @@ export type SceneFile = Record<string, any>;
 /** `kinegon schema check`. */
 export type CheckResult = Record<string, any>;
 
+
+/** A value of the scene's own position. */
+export interface Value {
+  /** Its name, as `v(D).size`. */
+  name: string;
+  /** As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone. */
+  label: string;
+  /** Those digits that are certain. */
+  value: string;
+  unit: string;
+  /** How far the value can be from the true one, in the same unit; absent where that is not known. */
+  error?: string;
+}

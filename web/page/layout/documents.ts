@@ -3,6 +3,7 @@ import { byId, element } from "../dom.ts";
 import type { Kept, Store } from "../state/storage.ts";
 import { language } from "../words.ts";
 import { icon } from "./icons.ts";
+import { notice } from "./messages.ts";
 import { say } from "./words.ts";
 
 /** As large as a scene may be (docs/scenes.md). */
@@ -10,7 +11,7 @@ const MOST = 4 << 20;
 
 /** Opens a file of a scene. */
 async function openFile(app: App, file: File): Promise<void> {
-  if (file.size > MOST) return app.tell(say("file_too_large", { name: file.name }));
+  if (file.size > MOST) return notice(say("file_too_large", { name: file.name }));
   app.open(await file.text());
   app.tell(say("opened_file", { name: file.name }));
 }

@@ -33,7 +33,7 @@ export function help(store: Store): void {
     dialog.replaceChildren(
       element("h2", { id: "help-title" }, say("keys")),
       element("table", {}, element("tbody", {}, ...rows)),
-      element("div", { class: "foot" }, element("label", { class: "check" }, box, say("keys_letters")), close),
+      element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), close),
     );
   }
   language.on(build);

@@ -32,7 +32,7 @@ const ICONS: Record<string, string> = {
   save: "M12 3v12m-5-5 5 5 5-5M4 20h16",
 };
 
-/** A pictogram; it says nothing to screen readers. */
+/** A icon; it says nothing to screen readers. */
 export function icon(name: string): SVGSVGElement {
   const space = "http://www.w3.org/2000/svg";
   const image = document.createElementNS(space, "svg");

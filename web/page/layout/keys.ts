@@ -5,6 +5,7 @@ import type { Play } from "../motion/play.ts";
 import { choose } from "../picture/focus.ts";
 import type { Steps } from "../steps/steps.ts";
 import type { Store } from "../state/storage.ts";
+import { speak } from "./messages.ts";
 import { say } from "./words.ts";
 
 /** What the keys need. */
@@ -20,12 +21,12 @@ export interface KeyParts {
 export function undo(app: App): void {
   if (!app.history.canUndo.value) return;
   app.history.undo();
-  app.tell(say("undone"));
+  speak(say("undone"));
 }
 export function redo(app: App): void {
   if (!app.history.canRedo.value) return;
   app.history.redo();
-  app.tell(say("redone"));
+  speak(say("redone"));
 }
 
 /** Keys of the whole page. Controls that use a key themselves stop it on its way up. */

@@ -41,6 +41,23 @@ export function messages(app: App): void {
   language.on(both);
 }
 
+/** Says something that stays until it is closed. */
+export function notice(message: string): void {
+  const bar = byId("notice");
+  const close = element("button", { type: "button", id: "notice-close" }, say("close"));
+  close.onclick = () => (bar.hidden = true);
+  bar.replaceChildren(element("p", {}, message), close);
+  bar.hidden = false;
+  // Aloud it is said as everything else is.
+  byId("said").classList.remove("shown");
+  byId("said").textContent = message;
+}
+
+/** Says something aloud only, where the page shows it in another way. */
+export function speak(message: string): void {
+  byId("spoken").textContent = message;
+}
+
 /** How long a word stays on the page, in ms for a letter, and at least. */
 const [LETTER, LEAST] = [60, 4000];
 

@@ -1,7 +1,6 @@
 import { speaker, type Words } from "../words.ts";
 
 const en = {
-  workbench: "Kinegon",
   toolbar: "Scene and tools",
   picture: "Picture",
   panels: "Panels",
@@ -43,7 +42,6 @@ const en = {
   step_of: "Step {number} of {count}",
   finished: "Finished figure, {count} steps",
   coarse: "Coarse steps",
-  hide_panels: "Hide the panel",
   language: "Language",
   full: "Full screen (p)",
   leave_full: "Leave full screen (Esc)",
@@ -69,7 +67,7 @@ const en = {
   fixed_joint: "Fixed point {name}",
   joint_hint: "Arrow keys move it, with Shift finer. Escape puts it back.",
   mend_first: "The scene has a mistake. Mend it before you move anything.",
-  cannot_move: "A drawn configuration cannot be moved.",
+  no_picture: "There is no picture yet: the scene has a mistake. The message above says which.",
   to_text: "Show it in the text",
   line: "Line {line}: {message}",
   warning: "1 warning",
@@ -93,7 +91,6 @@ const en = {
 type Key = keyof typeof en;
 
 const es: Record<Key, string> = {
-  workbench: "Kinegon",
   toolbar: "Escena y herramientas",
   picture: "Figura",
   panels: "Paneles",
@@ -135,7 +132,6 @@ const es: Record<Key, string> = {
   step_of: "Paso {number} de {count}",
   finished: "Figura terminada, {count} pasos",
   coarse: "Pasos grandes",
-  hide_panels: "Ocultar el panel",
   language: "Idioma",
   full: "Pantalla completa (p)",
   leave_full: "Salir de la pantalla completa (Esc)",
@@ -161,7 +157,7 @@ const es: Record<Key, string> = {
   fixed_joint: "Punto fijo {name}",
   joint_hint: "Las flechas lo mueven, con Mayús más fino. Escape lo devuelve a su sitio.",
   mend_first: "La escena tiene un error. Corríjalo antes de mover algo.",
-  cannot_move: "Una configuración dibujada no se puede mover.",
+  no_picture: "Todavía no hay figura: la escena tiene un error. El mensaje de arriba dice cuál.",
   to_text: "Mostrarlo en el texto",
   line: "Línea {line}: {message}",
   warning: "1 advertencia",

@@ -131,7 +131,7 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
   app.picture.on((picture) => picture !== null && draw(picture.drives));
   language.on(label);
   app.solved.on(({ opened, refused }) => {
-    byId("motion").classList.toggle("still", opened?.is_drawn ?? false);
+    byId("motion").classList.toggle("still", (opened?.drives.length ?? 0) === 0 || opened?.is_drawn === true);
     for (const { slider } of rows) slider.disabled = refused !== null;
   });
 

@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
 import { byId } from "../dom.ts";
+import { speak } from "../layout/messages.ts";
 import { driveName } from "../motion/drives.ts";
 
 /** What the drives stand at, beside the hand, and what stops them. */
@@ -12,11 +13,15 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
     const picture = app.picture.value;
     if (place.hidden || picture === null) return;
     const values = picture.drives.map((drive) => `${driveName(drive)}: ${drive.shown}`);
-    const notes = app.shaping.value ? picture.notes : [...values, ...picture.notes];
-    place.textContent = notes.join("\n");
-    place.classList.toggle("stopped", picture.notes.length > 0);
-    const note = picture.notes.join(" ");
-    if (note !== told && note !== "") app.tell(note);
+    // That a panel is cut stands in the panel itself.
+    const cut = picture.panels.filter(({ is_cut }) => is_cut);
+    const stops = picture.notes.filter((note) => !cut.some(({ name }) => note.startsWith(`${name}:`)));
+    const lines = app.shaping.value ? stops : [...values, ...stops];
+    place.textContent = lines.join("\n");
+    place.classList.toggle("empty", lines.length === 0);
+    place.classList.toggle("stopped", stops.length > 0);
+    const note = stops.join(" ");
+    if (note !== told && note !== "") speak(note);
     told = note;
   }
 
@@ -32,7 +37,7 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
       if (wasHidden) write();
       const [x, y] = pixels;
       const isRight = x > pane.clientWidth / 2;
-      place.style.transform = `translate(${x + (isRight ? -28 : 28)}px, ${Math.max(8, y - 44)}px) translateX(${isRight ? "-100%" : "0"})`;
+      place.style.transform = `translate(${x + (isRight ? -28 : 28)}px, ${Math.max(8, y - 60)}px) translateX(${isRight ? "-100%" : "0"})`;
     },
   };
 }

@@ -52,13 +52,23 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
   async function start(what: Grab): Promise<Gesture | null> {
     await end();
     const { good, text, refused } = app.solved.value;
-    if (refused !== null || text !== app.history.now.value.text) return null;
+    if (refused !== null || app.student.value || text !== app.history.now.value.text) return null;
+    let view = app.view.value;
     let wanted: { to: Pull; at: number } | null = null;
     let flight: Promise<void> | null = null;
     let isOver = false;
 
+    /** Another step is shown while something is held: it is let go and taken again on the sheet of that step. */
+    async function follow(): Promise<void> {
+      view = app.view.value;
+      const at = performance.now();
+      present(await app.engine.grab(await app.engine.drop(), view, what), at);
+    }
+
     async function pump(): Promise<void> {
-      while (wanted !== null) {
+      while (wanted !== null || view !== app.view.value) {
+        if (view !== app.view.value) await follow();
+        if (wanted === null) break;
         const { to, at } = wanted;
         wanted = null;
         present(await app.engine.drag(to), at);
@@ -66,9 +76,22 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
       flight = null;
     }
 
-    function failed(why: Refused): void {
+    function run(): void {
+      flight ??= pump().catch((why: Refused) => {
+        flight = null;
+        failed(why);
+      });
+    }
+    const unlisten = app.view.on(() => view !== app.view.value && run());
+
+    function over(): void {
       isOver = true;
+      unlisten();
       if (current === gesture) current = null;
+    }
+
+    function failed(why: Refused): void {
+      over();
       app.tell(why.message);
       back();
     }
@@ -77,17 +100,13 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
       pull(to) {
         if (isOver) return;
         wanted = { to, at: performance.now() };
-        flight ??= pump().catch((why: Refused) => {
-          flight = null;
-          failed(why);
-        });
+        run();
       },
       async drop() {
         if (isOver) return;
         await flight;
         if (isOver) return;
-        isOver = true;
-        current = null;
+        over();
         try {
           const next = await app.engine.drop();
           if (next === text) back();
@@ -98,9 +117,8 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
       },
       async cancel() {
         if (isOver) return;
-        isOver = true;
+        over();
         wanted = null;
-        current = null;
         await flight;
         await app.engine.drop().catch(() => undefined);
         back();
@@ -108,7 +126,7 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
     };
     current = gesture;
     try {
-      present(await app.engine.grab(good, app.view.value, what), performance.now());
+      present(await app.engine.grab(good, view, what), performance.now());
     } catch (why) {
       failed(why as Refused);
       return null;

@@ -4,13 +4,16 @@ import { byId, element } from "../dom.ts";
 import { name } from "../layout/say.ts";
 import { say } from "../layout/words.ts";
 import { language } from "../words.ts";
-import type { Viewport } from "./viewport.ts";
+import type { Box, Viewport } from "./viewport.ts";
 
 /** A joint as an element over the picture, which a hand or the keyboard takes. */
 export interface Grip {
   readonly button: HTMLButtonElement;
   handle: Handle;
 }
+
+const isIn = (box: Box | null, [x, y]: readonly [number, number]): boolean =>
+  box === null || (x >= box[0] && y >= box[1] && x <= box[0] + box[2] && y <= box[1] + box[3]);
 
 /** The joints over the picture. An element stays while its joint does, so that focus and a finger stay on it. */
 export function handles(app: App, view: Viewport, made: (grip: Grip) => void): void {
@@ -36,6 +39,7 @@ export function handles(app: App, view: Viewport, made: (grip: Grip) => void): v
   function place(): void {
     for (const { button, handle } of grips.values()) {
       const [x, y] = view.toPane(handle.at);
+      button.hidden = !isIn(view.alone(), handle.at) && !button.matches(".pulled");
       button.style.transform = `translate(${x}px, ${y}px)`;
     }
   }

@@ -18,8 +18,12 @@ export function pane(app: App, view: Viewport): void {
     root.setAttribute("viewBox", `${left} ${top} ${width / scale} ${height / scale}`);
     const picture = app.picture.value;
     if (picture === null) return;
-    const [x, y] = view.toPane([0, 0]);
-    paper.style.cssText = `transform: translate(${x}px, ${y}px); width: ${picture.width * scale}px; height: ${picture.height * scale}px`;
+    // A panel alone is cut out of the sheet.
+    const [x0, y0, wide, high] = view.alone() ?? [0, 0, picture.width, picture.height];
+    const [x, y] = view.toPane([x0, y0]);
+    paper.style.cssText = `transform: translate(${x}px, ${y}px); width: ${wide * scale}px; height: ${high * scale}px`;
+    const [right, bottom] = [view.size.width - x - wide * scale, view.size.height - y - high * scale];
+    root.style.clipPath = view.alone() === null ? "" : `inset(${Math.max(0, y)}px ${Math.max(0, right)}px ${Math.max(0, bottom)}px ${Math.max(0, x)}px)`;
   }
 
   function draw(picture: Picture): void {
@@ -32,6 +36,7 @@ export function pane(app: App, view: Viewport): void {
   isDark.on(() => app.picture.value !== null && draw(app.picture.value));
   app.solved.on(({ opened, refused }) => {
     box.classList.toggle("stale", refused !== null);
+    byId("no-picture").hidden = opened !== null || refused === null;
     root.setAttribute("aria-label", opened?.title ?? "");
   });
   new ResizeObserver(() => view.resize(box.clientWidth, box.clientHeight)).observe(box);

@@ -1,6 +1,7 @@
 import type { App } from "../app.ts";
 import type { Grab } from "../engine/types.ts";
 import { byId } from "../dom.ts";
+import { speak } from "../layout/messages.ts";
 import { say } from "../layout/words.ts";
 import type { Gesture, Gestures } from "./gesture.ts";
 import type { Grip } from "./handles.ts";
@@ -57,7 +58,7 @@ export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { 
       button.classList.remove("pulled");
       bubble.at(null);
       void taken.then(() => gesture?.[how]());
-      if (how === "cancel") app.tell(say("put_back"));
+      if (how === "cancel") speak(say("put_back"));
     };
     on("pointermove", (move) => {
       if (move.pointerId !== event.pointerId) return;
@@ -99,7 +100,7 @@ export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { 
       if (event.key === "Escape" && gesture !== null) {
         event.stopPropagation();
         finish("cancel");
-        app.tell(say("put_back"));
+        speak(say("put_back"));
         return;
       }
       const step = event.shiftKey ? 0.1 : 1;

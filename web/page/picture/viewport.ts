@@ -17,6 +17,8 @@ export interface Viewport {
   readonly now: Signal<Window>;
   /** Size of the pane in pixels. */
   readonly size: { width: number; height: number };
+  /** The box that is shown alone; null where somebody has zoomed or panned. */
+  alone(): Box | null;
   /** Whether more is zoomed in than fits. */
   isZoomed(): boolean;
   /** The pane has another size. */
@@ -34,7 +36,7 @@ export interface Viewport {
 
 /** Room around what is fitted, in pixels; above it stand the buttons. */
 const MARGIN = 10;
-const ABOVE = 56;
+const ABOVE = 54;
 /** How much larger than fitting, and how much smaller. */
 const [LEAST, MOST] = [0.5, 40];
 
@@ -63,6 +65,7 @@ export function viewport(): Viewport {
   return {
     now,
     size,
+    alone: () => (isOwn ? null : box),
     isZoomed: () => isOwn && now.value.scale > fitting() * 1.01,
     resize(width, height) {
       Object.assign(size, { width, height });

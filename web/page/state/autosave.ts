@@ -1,5 +1,10 @@
 import type { App } from "../app.ts";
-import type { Store } from "./storage.ts";
+import type { Kept, Store } from "./storage.ts";
+
+/** The document as it is kept. */
+export function asKept(app: App): Kept {
+  return { ...app.history.now.value, title: app.solved.value.opened?.title ?? "", student: app.student.value, time: Date.now() };
+}
 
 /** Keeps the document a moment after each change, and at once when the page is left. */
 export function autosave(app: App, store: Store): void {
@@ -10,7 +15,7 @@ export function autosave(app: App, store: Store): void {
     const now = app.history.now.value;
     if (now === kept) return;
     kept = now;
-    store.keep({ ...now, title: app.solved.value.opened?.title ?? "", time: Date.now() });
+    store.keep(asKept(app));
   };
   app.history.now.on(() => {
     clearTimeout(clock);

@@ -18,7 +18,6 @@ export interface History {
   readonly canRedo: Signal<boolean>;
   /** Changes a part. Changes with the same gesture, one after the other, are one entry. */
   change(part: Partial<Document>, gesture?: string): void;
-  /** Begins anew with another document; the old one can be had back by undo. */
   undo(): void;
   redo(): void;
 }

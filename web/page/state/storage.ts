@@ -3,6 +3,8 @@ import type { Document } from "./history.ts";
 /** A document as it is kept. */
 export interface Kept extends Document {
   title: string;
+  /** Whether it came by a student's link. */
+  student?: boolean;
   /** When it was kept, in ms since 1970. */
   time: number;
 }

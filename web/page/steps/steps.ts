@@ -20,10 +20,9 @@ export interface Steps {
 function listed(opened: Opened | null, coarse: boolean): Pick<Step, "caption" | "equation">[] {
   if (opened === null) return [];
   if (!coarse) return opened.steps;
-  return opened.passages.map(([first, last]) => {
-    const own = opened.steps.slice(first - 1, last);
-    const equations = own.map(({ equation }) => equation).filter((equation) => equation !== "");
-    return { caption: own.map(({ caption }) => caption).join(" "), equation: equations.join("\n") };
+  return opened.passages.map(([first, last], index) => {
+    const equations = opened.steps.slice(first - 1, last).map(({ equation }) => equation);
+    return { caption: opened.passage_captions[index] ?? "", equation: equations.filter((equation) => equation !== "").join("\n") };
   });
 }
 
@@ -34,6 +33,7 @@ export function steps(app: App): Steps {
   const now = (): number => app.view.value.step ?? count() + 1;
 
   function go(step: number): void {
+    if (app.student.value || count() === 0) return;
     on.set(true);
     const next = Math.min(Math.max(step, 1), count() + 1);
     set(next > count() ? null : next);
@@ -49,6 +49,7 @@ export function steps(app: App): Steps {
     if (opened !== null && step !== null && step > count()) set(null);
   });
   on.on((is) => is || set(null));
+  app.student.on((is) => is && on.set(false));
 
   return {
     on,

@@ -1,0 +1,106 @@
+use super::files;
+use super::message::{Failure, note};
+use super::output::FileSet;
+use crate::format::{OpenScene, workbench};
+use crate::scene::Scene;
+use clap::Args;
+use etcetera::BaseStrategy;
+use std::path::{Path, PathBuf};
+
+/// The name of the page's file.
+const NAME: &str = "kinegon.html";
+
+/// Text of `--help` behind the options.
+const AFTER_HELP: &str = "\
+The workbench is one file and needs no network: it can be copied, sent and put on a course page, and works without this program.
+
+Examples:
+  kinegon app                       opens the workbench in the browser
+  kinegon app scene.json            opens it with this scene
+  kinegon app -o kinegon.html       writes it";
+
+/// Open the workbench, the program as a page in the browser.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
+pub(super) struct App {
+    /// Scene file to open it with, `-` for stdin.
+    scene: Option<PathBuf>,
+    /// Write the page to this file, or into a folder, or to stdout for `-`, and open nothing.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl App {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let page = self.page()?;
+        match &self.output {
+            Some(output) if output == Path::new("-") => files::print(page.as_bytes()),
+            Some(output) if files::is_folder(output) => self.write(&output.join(NAME), &page),
+            Some(output) => self.write(output, &page),
+            None => {
+                let path = place()?;
+                self.write(&path, &page)?;
+                show(&path)
+            }
+        }
+    }
+
+    /// The page, with the scene if one is named. A scene that cannot be assembled may be: the workbench is where to mend
+    /// it.
+    fn page(&self) -> Result<String, Failure> {
+        let Some(path) = &self.scene else {
+            return Ok(workbench(None));
+        };
+        let source = files::read(path)?;
+        Scene::read(&source.text).map_err(|error| source.fail(error))?;
+        Ok(workbench(Some(OpenScene { text: &source.text, step: None })))
+    }
+
+    fn write(&self, path: &Path, page: &str) -> Result<(), Failure> {
+        if let Some(scene) = &self.scene {
+            files::refuse_overwriting("scene", scene, path)?;
+        }
+        let mut files = FileSet::default();
+        files.add(path, page.as_bytes())?;
+        files.finish()
+    }
+}
+
+/// Where the page lies that is opened: always the same place, as browsers keep what was last done on it by its address.
+fn place() -> Result<PathBuf, Failure> {
+    let folders = etcetera::choose_base_strategy().map_err(|error| {
+        Failure::Misuse(
+            format!("there is no place for the page: {error}"),
+            Some(format!("write it with -o {NAME}, and open that file in a browser")),
+        )
+    })?;
+    Ok(folders.cache_dir().join("kinegon").join(NAME))
+}
+
+/// Opens a file in the person's browser.
+fn show(path: &Path) -> Result<(), Failure> {
+    let shown = path.display();
+    let tried = if has_screen() {
+        open::that_detached(path).map_err(|error| error.to_string())
+    } else {
+        Err("there is no screen".into())
+    };
+    match tried {
+        Ok(()) => {
+            note(&format!("the workbench is open in the browser: {shown}"));
+            Ok(())
+        }
+        Err(error) => Err(Failure::Outside(format!(
+            "no browser can be started: {error}; the workbench is in {shown}\n  \
+             try: open that file in a browser, or copy it to a machine that has one"
+        ))),
+    }
+}
+
+/// Whether there is a screen to show something on; systems other than those with X or Wayland always have one.
+fn has_screen() -> bool {
+    let is_set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let asks_for_one = cfg!(all(unix, not(target_os = "macos")));
+    // Within Windows, and where a person has named a browser, there is a way without.
+    !asks_for_one || ["DISPLAY", "WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"].into_iter().any(is_set)
+}

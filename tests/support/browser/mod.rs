@@ -1,0 +1,208 @@
+//! A headless Chromium, spoken to by the Chrome DevTools Protocol: what it hears (`mod.rs`), what a person's hands do
+//! (`hands.rs`), what is seen of it (`looks.rs`).
+
+mod hands;
+mod looks;
+
+use serde_json::{Value, json};
+use std::net::TcpStream;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use tungstenite::stream::MaybeTlsStream;
+use tungstenite::{Message, WebSocket};
+
+/// How long anything may take.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A browser with one page.
+pub struct Browser {
+    process: Child,
+    socket: WebSocket<MaybeTlsStream<TcpStream>>,
+    session: String,
+    last: u64,
+    /// A folder of its own.
+    folder: PathBuf,
+    /// All that the page and its workers have put out so far: exceptions, messages of any level.
+    pub console: Vec<String>,
+    /// The addresses that the page and its workers have asked for, but for those that are in the page itself.
+    pub requests: Vec<String>,
+}
+
+impl Browser {
+    /// A browser with an empty page of that many pixels, without a network; `None`, with a word on stderr, where no
+    /// Chromium is installed.
+    pub fn start(folder: &Path, [width, height]: [u32; 2]) -> Option<Browser> {
+        let process = Command::new("chromium")
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--mute-audio"])
+            .args(["--disable-quic", "--no-first-run", "--hide-scrollbars"])
+            .args(["--disable-background-networking", "--disable-sync"])
+            .args(["--disable-component-update", "--remote-debugging-port=0"])
+            .arg("--host-resolver-rules=MAP * ~NOTFOUND")
+            .arg(format!("--window-size={width},{height}"))
+            .arg(format!("--user-data-dir={}", folder.display()))
+            .arg("about:blank")
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn();
+        let Ok(process) = process else {
+            eprintln!("SKIPPED: there is no `chromium` on this machine to try the page in");
+            return None;
+        };
+        let port = folder.join("DevToolsActivePort");
+        let address = wait("the browser", || {
+            let text = std::fs::read_to_string(&port).ok()?;
+            let (port, path) = text.trim().split_once('\n')?;
+            Some(format!("ws://127.0.0.1:{port}{path}"))
+        });
+        let (socket, _) = tungstenite::connect(address).expect("the browser answers");
+        let mut browser = Browser {
+            process,
+            socket,
+            session: String::new(),
+            last: 0,
+            folder: folder.to_owned(),
+            console: Vec::new(),
+            requests: Vec::new(),
+        };
+        let target = wait("a page", || {
+            let targets = browser.call("Target.getTargets", json!({}));
+            let mut targets = targets["targetInfos"].as_array()?.iter();
+            let page = targets.find(|t| t["type"] == "page")?;
+            Some(page["targetId"].clone())
+        });
+        let attach = json!({ "targetId": target, "flatten": true });
+        let attached = browser.call("Target.attachToTarget", attach);
+        browser.session = attached["sessionId"].as_str().expect("a session").to_owned();
+        for domain in ["Runtime.enable", "Log.enable", "Network.enable", "Page.enable"] {
+            browser.call(domain, json!({}));
+        }
+        // Workers wait until they are listened to.
+        let workers = json!({ "autoAttach": true, "waitForDebuggerOnStart": true, "flatten": true });
+        browser.call("Target.setAutoAttach", workers);
+        let offline = json!({ "offline": true, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
+        browser.call("Network.emulateNetworkConditions", offline);
+        let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+        browser.call("Emulation.setDeviceMetricsOverride", size);
+        Some(browser)
+    }
+
+    /// Sends a command and waits for its answer; what the page says on the way is kept.
+    pub fn call(&mut self, method: &str, parameters: Value) -> Value {
+        let session = self.session.clone();
+        let id = self.send(&session, method, parameters);
+        loop {
+            let heard = self.socket.read().expect("the browser answers");
+            let Message::Text(text) = heard else { continue };
+            let heard: Value = serde_json::from_str(&text).expect("it is JSON");
+            if heard["id"] == id {
+                assert!(heard["error"].is_null(), "{method}: {}", heard["error"]);
+                return heard["result"].clone();
+            }
+            self.hear(&heard);
+        }
+    }
+
+    fn send(&mut self, session: &str, method: &str, parameters: Value) -> u64 {
+        self.last += 1;
+        let mut message = json!({ "id": self.last, "method": method, "params": parameters });
+        if !session.is_empty() {
+            message["sessionId"] = session.into();
+        }
+        let sent = self.socket.send(Message::text(message.to_string()));
+        sent.expect("the browser listens");
+        self.last
+    }
+
+    /// Keeps what the page or a worker says by itself.
+    fn hear(&mut self, heard: &Value) {
+        let told = &heard["params"];
+        match heard["method"].as_str() {
+            Some("Runtime.exceptionThrown" | "Runtime.consoleAPICalled" | "Log.entryAdded") => {
+                self.console.push(told.to_string());
+            }
+            Some("Network.requestWillBeSent") => {
+                let address = told["request"]["url"].as_str().unwrap_or_default();
+                let is_page = told["type"] == "Document" && address.starts_with("file:");
+                if !is_page && !["blob:", "data:"].iter().any(|inside| address.starts_with(inside)) {
+                    self.requests.push(address.to_owned());
+                }
+            }
+            Some("Target.attachedToTarget") => {
+                let worker = told["sessionId"].as_str().unwrap_or_default().to_owned();
+                for method in ["Runtime.enable", "Log.enable", "Network.enable", "Runtime.runIfWaitingForDebugger"] {
+                    self.send(&worker, method, json!({}));
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Opens a file, with what stands behind its name in the address, and waits until `ready` is true there.
+    pub fn open_at(&mut self, file: &Path, behind: &str, ready: &str) {
+        // Another part behind # alone would load nothing.
+        self.call("Page.navigate", json!({ "url": "about:blank" }));
+        self.until("location.href === 'about:blank'");
+        let url = format!("file://{}{behind}", file.display());
+        self.call("Page.navigate", json!({ "url": url }));
+        self.until(ready);
+    }
+
+    /// Opens a file and waits until `ready` is true there.
+    pub fn open(&mut self, file: &Path, ready: &str) {
+        self.open_at(file, "", ready);
+    }
+
+    /// The value of an expression in the page; a promise's value.
+    pub fn value(&mut self, expression: &str) -> Value {
+        let asked = json!({ "expression": expression, "returnByValue": true, "awaitPromise": true });
+        let answer = self.call("Runtime.evaluate", asked);
+        let thrown = &answer["exceptionDetails"];
+        assert!(thrown.is_null(), "{expression}: {thrown}");
+        answer["result"]["value"].clone()
+    }
+
+    /// The number that an expression in the page is.
+    pub fn number(&mut self, expression: &str) -> f64 {
+        let value = self.value(expression);
+        value.as_f64().unwrap_or_else(|| panic!("{expression}: {value} is no number"))
+    }
+
+    /// The text that an expression in the page is.
+    pub fn text(&mut self, expression: &str) -> String {
+        let value = self.value(expression);
+        value.as_str().unwrap_or_else(|| panic!("{expression}: {value} is no text")).to_owned()
+    }
+
+    /// Waits until an expression is true.
+    pub fn until(&mut self, expression: &str) {
+        wait(expression, || (self.value(expression) == true).then_some(()));
+    }
+
+    /// Asserts that nothing was asked for outside, and nothing put out.
+    pub fn assert_quiet(&mut self) {
+        self.value("1");
+        assert_eq!(self.requests, Vec::<String>::new(), "requests");
+        assert_eq!(self.console, Vec::<String>::new(), "messages");
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// Asks until there is an answer.
+fn wait<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
+    let begin = Instant::now();
+    loop {
+        if let Some(answer) = ask() {
+            return answer;
+        }
+        assert!(begin.elapsed() < PATIENCE, "waited in vain for: {what}");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+}

@@ -1,0 +1,41 @@
+import { element } from "../output/element.ts";
+import { bySubject, named } from "../output/subject.ts";
+
+/** Symbols in place of the names of quantities, where there are better ones. */
+const SYMBOLS: Record<string, [string, string?]> = {
+  angle: ["φ"],
+  omega: ["ω"],
+  alpha: ["α"],
+  position: ["s"],
+  v_r: ["v", "r"],
+  a_r: ["a", "r"],
+  a_c: ["a", "c"],
+};
+
+/** Names to tick, grouped by link, slider and point; `toggle` hears of each change. */
+export function choices(names: string[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
+  const groups = bySubject(names, (name) => name).map(([subject, members]) => {
+    const boxes = members.map((name) => chip(name, subject.name, chosen.includes(name), toggle));
+    return element("fieldset", {}, element("legend", {}, named(subject)), element("div", { class: "chips" }, ...boxes));
+  });
+  return element("div", { class: "choices" }, ...groups);
+}
+
+/** Points to tick. */
+export function points(names: string[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
+  return element("div", { class: "chips" }, ...names.map((name) => chip(name, "", chosen.includes(name), toggle)));
+}
+
+function chip(name: string, subject: string, on: boolean, toggle: (name: string, on: boolean) => void): HTMLLabelElement {
+  const box = element("input", { type: "checkbox", checked: on, "aria-label": name, onchange: () => toggle(name, box.checked) });
+  return element("label", { class: "chip", title: name }, box, element("span", {}, ...symbol(name, subject)));
+}
+
+/** A quantity's symbol, where its subject stands beside: `ω` for `omega(3)`, `v` for `v(D)`. */
+function symbol(name: string, subject: string): (Node | string)[] {
+  const [, head, inside, part = ""] = /^(\w+)\((.*)\)(.*)$/.exec(name) ?? [];
+  if (head === undefined || inside !== subject) return [name];
+  const [letter, index] = SYMBOLS[head] ?? [head];
+  const symbol = element("i", {}, letter);
+  return index === undefined ? [symbol, part] : [symbol, element("sub", {}, index), part];
+}

@@ -1,0 +1,121 @@
+import type { App, Panel } from "../../app.ts";
+import type { Curves, FileRequest } from "../../engine/types.ts";
+import { signal, type Signal } from "../../state/signal.ts";
+import { language } from "../../words.ts";
+import { keepCurrent, said } from "../output/current.ts";
+import { download, fileName, TYPES } from "../output/download.ts";
+import { button, element, tick, worded } from "../output/element.ts";
+import { oneOf } from "../output/one_of.ts";
+import { sheet } from "../output/sheet.ts";
+import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, wantedOf } from "./choice.ts";
+import { choices, points } from "./chooser.ts";
+import { large } from "./large.ts";
+import { say } from "./words.ts";
+
+/** Curves of quantities, hodographs of vectors and paths of points over the cycle. */
+export const curves: Panel = {
+  id: "curves",
+  title: { en: "Curves", es: "Curvas" },
+  mount(root, app) {
+    const choice = signal<Choice>({ kind: "curves", names: { curves: [], hodograph: [], path: [] }, beyond: false });
+    const drawn = element("p", {});
+    worded(drawn, () => say("drawn"));
+    const contents = element("div", {}, chooser(app, choice), picture(app, choice));
+    root.append(drawn, contents);
+    app.solved.on(({ opened }) => {
+      if (opened === null) return;
+      drawn.hidden = !opened.is_drawn;
+      contents.hidden = opened.is_drawn;
+      choice.set(fitted(choice.value, opened));
+    });
+  },
+};
+
+type Chosen = Signal<Choice>;
+
+/** What to draw: its kind, and names to tick. */
+function chooser(app: App, choice: Chosen): HTMLElement {
+  const kind = signal<Kind>("curves");
+  kind.on((now) => choice.set({ ...choice.value, kind: now }));
+  const kinds = oneOf(kind, KINDS, () => say("what"), (value) => say(value));
+  const names = element("div");
+  const beyond = tick(() => say("beyond"), (on) => choice.set({ ...choice.value, beyond: on }));
+  const clear = button(() => say("clear"), () => {
+    const { kind } = choice.value;
+    choice.set({ ...choice.value, names: { ...choice.value.names, [kind]: [] } });
+    list(true);
+  }, { class: "framed" });
+  const summary = element("summary");
+  const fold = element("details", { open: true }, summary, names, clear);
+
+  function toggle(name: string, on: boolean): void {
+    const { kind, names } = choice.value;
+    const others = names[kind].filter((other) => other !== name);
+    choice.set({ ...choice.value, names: { ...names, [kind]: on ? [...others, name] : others } });
+  }
+  let listed = "";
+  /** Lists anew what can be ticked, where that is other than what stands there. */
+  function list(always = false): void {
+    const { opened } = app.solved.value;
+    const { kind, names: chosen } = choice.value;
+    summary.textContent = `${say("choose")}: ${chosen[kind].join(", ")}`;
+    beyond.label.hidden = kind !== "path";
+    if (opened === null) return;
+    const all = offered(opened)[kind];
+    const now = [language.value, kind, ...all].join("\n");
+    if (now === listed && !always) return;
+    listed = now;
+    names.replaceChildren(kind === "path" ? points(all, chosen.path, toggle) : choices(all, chosen[kind], toggle));
+  }
+  choice.on(() => list());
+  language.on(() => list());
+  return element("div", { class: "chooser" }, kinds.root, fold, beyond.label);
+}
+
+/** The picture with its events, and ways to save it. */
+function picture(app: App, choice: Chosen): HTMLElement {
+  let shown: Curves | null = null;
+  const message = element("p", { role: "alert", class: "bad" });
+  const drawing = sheet();
+  const dialog = large();
+  const enlarge = (): void => {
+    if (shown !== null) dialog.show(shown.svg, shown.width, shown.height);
+  };
+  const events = element("ul", { class: "events" });
+  const name = (): string => `${fileName(app.solved.value.opened?.title ?? "")}-${choice.value.kind}`;
+
+  async function save(format: FileRequest["format"], ending: string): Promise<void> {
+    const of = format === "csv" ? { curves: columnsOf(choice.value) } : wantedOf(choice.value);
+    try {
+      download(`${name()}.${ending}`, await app.engine.file(app.solved.value.good, { format, of }), TYPES[format]);
+    } catch (refused) {
+      app.tell(said(refused));
+    }
+  }
+  const formats = [["svg", "SVG", "svg"], ["png", "PNG", "png"], ["pdf", "PDF", "pdf"], ["tikz", "TikZ", "tex"]] as const;
+  const saves = formats.map(([format, title, ending]) => {
+    const made = button(() => title, () => void save(format, ending));
+    return worded(made, () => say("save", { format: title }), "aria-label");
+  });
+  const tools = element("div", { class: "tools" }, button(() => say("large"), enlarge), ...saves);
+  tools.append(button(() => say("table"), () => void save("csv", "csv")));
+
+  keepCurrent(app, curves.id, [app.solved, choice, language], async () => {
+    const { good, opened } = app.solved.value;
+    if (opened === null || opened.is_drawn) return;
+    const isNothing = choice.value.names[choice.value.kind].length === 0;
+    try {
+      shown = isNothing ? null : await app.engine.curves(good, wantedOf(choice.value));
+      message.textContent = isNothing ? say("none") : "";
+    } catch (refused) {
+      // The last good picture stays.
+      message.textContent = said(refused);
+    }
+    tools.hidden = drawing.root.hidden = shown === null;
+    if (shown === null) return;
+    drawing.show(shown.svg);
+    const lines = shown.events.length > 0 ? shown.events : [say("no_events")];
+    events.replaceChildren(...lines.map((text) => element("li", {}, text)));
+  });
+  return element("div", {}, message, drawing.root, tools, worded(element("h3"), () => say("events")), events, dialog.root);
+}

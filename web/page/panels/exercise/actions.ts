@@ -1,0 +1,85 @@
+import type { App } from "../../app.ts";
+import { element } from "../../dom.ts";
+import type { Refused } from "../../engine/types.ts";
+import { saveFile } from "../check/files.ts";
+import { copied, studentLink } from "./link.ts";
+import type { Made } from "./making.ts";
+import { type Saying, say } from "./words.ts";
+
+type Found = { exercise: NonNullable<Made["exercise"]>; wanted: NonNullable<Made["wanted"]> };
+
+function button(text: string, press: () => void, main = false): HTMLButtonElement {
+  const made = element("button", { type: "button", ...(main ? { class: "main" } : {}) }, text);
+  made.onclick = press;
+  return made;
+}
+
+/** A file of the exercise, with its ending. */
+function file(app: App, { exercise, wanted }: Found, saying: Saying, ending: string, contents: string | "sheet" | "key", type: string): HTMLButtonElement {
+  const own = { sheet: "sheet", key: "key", form: "form", scene: "scene", key_values: "key" }[saying as string] ?? saying;
+  const name = `${exercise.name}-${own}.${ending}`;
+  return button(`${say(saying)} (${ending.toUpperCase()})`, () => {
+    if (contents !== "sheet" && contents !== "key") return saveFile(name, contents, type);
+    const { text, seed, number, options } = wanted;
+    void app.engine.exercise_file(text, seed, number, options, contents).then(
+      (bytes) => saveFile(name, bytes, type),
+      (why: Refused) => app.tell(why.message),
+    );
+  });
+}
+
+/** What a teacher gives to the students: print, link, files. */
+export function forStudents(app: App, found: Found): HTMLElement {
+  const { exercise } = found;
+  const address = element("input", { type: "text", readonly: "", "aria-label": say("link_address"), hidden: "" });
+  address.onfocus = () => address.select();
+  async function link(): Promise<void> {
+    address.value = await studentLink(app, exercise);
+    address.hidden = false;
+    const isCopied = await copied(address.value);
+    app.tell(say(isCopied ? "copied" : "not_copied"));
+    if (!isCopied) address.focus();
+  }
+  return element(
+    "section",
+    {},
+    element("h3", {}, say("student")),
+    element(
+      "p",
+      { class: "buttons" },
+      button(say("print"), () => app.print(exercise.sheet, exercise.width, exercise.height), true),
+      button(say("link"), () => void link()),
+      file(app, found, "sheet", "pdf", "sheet", "application/pdf"),
+      file(app, found, "sheet", "svg", exercise.sheet, "image/svg+xml"),
+      file(app, found, "form", "json", exercise.form, "application/json"),
+      file(app, found, "form", "csv", exercise.form_csv, "text/csv"),
+      file(app, found, "scene", "json", exercise.text, "application/json"),
+    ),
+    address,
+    element("p", { class: "quiet" }, say("print_hint")),
+    element("p", { class: "quiet" }, say("link_hint")),
+  );
+}
+
+/** What stays with the teacher. */
+export function forTeacher(app: App, found: Found, key: HTMLElement): HTMLElement {
+  const { exercise } = found;
+  return element(
+    "section",
+    {},
+    element("h3", {}, say("teacher")),
+    element(
+      "p",
+      { class: "buttons" },
+      button(say("open"), () => {
+        app.open(exercise.text);
+        app.tell(say("opened", { name: exercise.name }));
+      }),
+      button(say("print_key"), () => app.print(exercise.key, exercise.key_width, exercise.key_height)),
+      file(app, found, "key", "pdf", "key", "application/pdf"),
+      file(app, found, "key", "svg", exercise.key, "image/svg+xml"),
+      file(app, found, "key_values", "json", exercise.key_values, "application/json"),
+    ),
+    key,
+  );
+}

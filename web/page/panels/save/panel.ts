@@ -1,0 +1,18 @@
+import type { Panel } from "../../app.ts";
+import { element, worded } from "../output/element.ts";
+import { construction } from "./construction.ts";
+import { pictures } from "./pictures.ts";
+import { print } from "./print.ts";
+import { numbers, share } from "./share.ts";
+import { say } from "./words.ts";
+
+/** All that can be taken along: files, links, prints. */
+export const save: Panel = {
+  id: "save",
+  title: { en: "Save & share", es: "Guardar y compartir" },
+  mount(root, app) {
+    const old = worded(element("p", { class: "notice", role: "status", hidden: true }), () => say("old_text"));
+    app.solved.on(({ refused }) => (old.hidden = refused === null));
+    root.append(old, pictures(app), print(app), share(app), construction(app), numbers(app));
+  },
+};

@@ -1,0 +1,112 @@
+import { speaker, type Words } from "../../words.ts";
+
+type Key =
+  | "old_text"
+  | "pictures"
+  | "figure"
+  | "worksheet"
+  | "this_step"
+  | "as"
+  | "steps"
+  | "coarse"
+  | "sheets"
+  | "steps_text"
+  | "packing"
+  | "numbers"
+  | "motion"
+  | "results"
+  | "scene"
+  | "scene_about"
+  | "scene_file"
+  | "page_file"
+  | "page_about"
+  | "copy_link"
+  | "link_of"
+  | "link_copied"
+  | "link_not_copied"
+  | "link_long"
+  | "link_local"
+  | "print"
+  | "print_now"
+  | "size"
+  | "on"
+  | "preview"
+  | "to_scale"
+  | "ruler"
+  | "saved";
+
+const WORDS: Words<Key> = {
+  en: {
+    old_text: "The scene’s text has a mistake. Pictures, numbers and prints are those of the last good text; scene file, page and link have the text as it is.",
+    pictures: "Pictures",
+    figure: "Figure",
+    worksheet: "Work sheet",
+    this_step: "Step {number}",
+    as: "{what} as {format}",
+    steps: "Construction",
+    coarse: "Steps that belong together on one sheet",
+    sheets: "{count} sheets, {format} (ZIP)",
+    steps_text: "Text of the steps",
+    packing: "Sheet {number} of {count} …",
+    numbers: "Numbers",
+    motion: "Motion over the cycle (CSV)",
+    results: "Results (JSON)",
+    scene: "Scene",
+    scene_about: "The file goes back into this page and into the program. The page as one file has everything inside and needs no network: put it on a stick, a course page, a mail.",
+    scene_file: "Scene file",
+    page_file: "This page with the scene",
+    page_about: "The page was not loaded whole, so it cannot be saved. Reload it.",
+    copy_link: "Copy the link",
+    link_of: "Link with the scene in it, {size} characters",
+    link_copied: "The link is on the clipboard: {size} characters.",
+    link_not_copied: "This browser does not let the page use the clipboard. The link is selected: copy it with Ctrl+C.",
+    link_long: "At {size} characters this link is too long for some mail programs and chats. The scene file or the page as one file is safer.",
+    link_local: "This page was opened from a file of this computer: its links work only here. Open it from a web page to share links, or share the page as one file.",
+    print: "Print at 100 %",
+    print_now: "Print …",
+    size: "{name} {width} mm × {height} mm",
+    on: "Sheet {number} of {count}",
+    preview: "The sheet as it is printed",
+    to_scale: "In the print dialogue choose 100 % (actual size), this paper, and no margins.",
+    ruler: "The work sheet has a ruler. If it measures 50 mm on the print, everything is true to scale.",
+    saved: "Saved: {name}",
+  },
+  es: {
+    old_text: "El texto de la escena tiene un error. Las figuras, los números y lo impreso son los del último texto correcto; el archivo de escena, la página y el enlace llevan el texto tal como está.",
+    pictures: "Figuras",
+    figure: "Figura",
+    worksheet: "Hoja de trabajo",
+    this_step: "Paso {number}",
+    as: "{what} como {format}",
+    steps: "Construcción",
+    coarse: "En una hoja los pasos que van juntos",
+    sheets: "{count} hojas, {format} (ZIP)",
+    steps_text: "Texto de los pasos",
+    packing: "Hoja {number} de {count} …",
+    numbers: "Números",
+    motion: "Movimiento a lo largo del ciclo (CSV)",
+    results: "Resultados (JSON)",
+    scene: "Escena",
+    scene_about: "El archivo vuelve a entrar en esta página y en el programa. La página en un solo archivo lo lleva todo dentro y no necesita red: póngala en una memoria, en la página del curso, en un correo.",
+    scene_file: "Archivo de escena",
+    page_file: "Esta página con la escena",
+    page_about: "La página no se cargó entera y no puede guardarse. Vuelva a cargarla.",
+    copy_link: "Copiar el enlace",
+    link_of: "Enlace con la escena dentro, {size} caracteres",
+    link_copied: "El enlace está en el portapapeles: {size} caracteres.",
+    link_not_copied: "Este navegador no deja que la página use el portapapeles. El enlace está seleccionado: cópielo con Ctrl+C.",
+    link_long: "Con {size} caracteres este enlace es demasiado largo para algunos programas de correo y chats. El archivo de escena o la página en un solo archivo son más seguros.",
+    link_local: "Esta página se abrió desde un archivo de este ordenador: sus enlaces solo valen aquí. Ábrala desde la web para compartir enlaces, o comparta la página en un solo archivo.",
+    print: "Imprimir al 100 %",
+    print_now: "Imprimir …",
+    size: "{name} {width} mm × {height} mm",
+    on: "Hoja {number} de {count}",
+    preview: "La hoja tal como se imprime",
+    to_scale: "En el diálogo de impresión elija 100 % (tamaño real), este papel y ningún margen.",
+    ruler: "La hoja de trabajo tiene una regla. Si mide 50 mm en el papel, todo está a escala.",
+    saved: "Guardado: {name}",
+  },
+};
+
+/** The panel's sentences. */
+export const say = speaker(WORDS);

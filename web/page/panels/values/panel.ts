@@ -1,0 +1,105 @@
+import type { App, Panel } from "../../app.ts";
+import type { Value } from "../../engine/types.ts";
+import { language } from "../../words.ts";
+import { keepCurrent, said } from "../output/current.ts";
+import { copied, download, fileName } from "../output/download.ts";
+import { button, element, worded } from "../output/element.ts";
+import { tableOf } from "./table.ts";
+import { aligned, csv } from "./text.ts";
+import { say } from "./words.ts";
+
+/** How many digits can be asked for; null is all that are certain. */
+const DIGITS = [null, 4, 6];
+
+/** All rates, velocities and accelerations of the scene's position, and what the mechanism is made of. */
+export const values: Panel = {
+  id: "values",
+  title: { en: "Values", es: "Valores" },
+  mount(root, app) {
+    const contents = element("div");
+    root.append(contents);
+    cover(contents, app);
+    fill(contents, app);
+  },
+};
+
+/** Hides the values of a student's page until they are asked for. */
+function cover(contents: HTMLElement, app: App): void {
+  const sentence = worded(element("p"), () => say("hidden"));
+  const reveal = button(() => say("reveal"), () => {
+    covering.remove();
+    contents.hidden = false;
+    contents.querySelector("input")?.focus();
+  }, { class: "framed" });
+  const covering = element("div", { class: "covering" }, sentence, reveal);
+  contents.before(covering);
+  app.student.on((student) => {
+    covering.hidden = !student;
+    contents.hidden = student;
+  });
+}
+
+function fill(contents: HTMLElement, app: App): void {
+  let rows: Value[] = [];
+  let shown: Value[] = [];
+  const search = worded(element("input", { type: "search", oninput: () => list() }), () => say("find"), "placeholder");
+  worded(search, () => say("find"), "aria-label");
+  const digits = element("select", { onchange: () => list() });
+  const count = element("output", { class: "quiet" });
+  const table = element("div", { class: "scroll", tabindex: 0, role: "region" });
+  worded(table, () => values.title[language.value], "aria-label");
+  const message = element("p", { role: "alert", class: "bad" });
+  const structure = element("pre", { class: "structure" });
+  const warnings = element("ul");
+  const warned = element("div", {}, worded(element("h3"), () => say("warnings")), warnings);
+
+  function list(): void {
+    const wanted = search.value.trim().toLowerCase();
+    shown = rows.filter(({ name, label }) => `${name} ${plain(label)}`.toLowerCase().includes(wanted));
+    count.textContent = say("count", { count: shown.length, all: rows.length });
+    const digitsWanted = DIGITS[digits.selectedIndex] ?? null;
+    table.replaceChildren(shown.length === 0 && rows.length > 0 ? say("none") : tableOf(shown, digitsWanted));
+  }
+  async function copy(): Promise<void> {
+    app.tell(say((await copied(aligned(shown))) ? "copied" : "not_copied"));
+  }
+  const save = (): void => download(`${fileName(app.solved.value.opened?.title ?? "")}-values.csv`, csv(shown), "text/csv");
+
+  language.on(() => {
+    const chosen = Math.max(0, digits.selectedIndex);
+    digits.replaceChildren(...DIGITS.map((n) => element("option", {}, n === null ? say("certain") : say("few", { count: n }))));
+    digits.selectedIndex = chosen;
+  });
+  const digitsLabel = element("label", {}, worded(element("span"), () => say("digits")), " ", digits);
+  const tools = element("div", { class: "tools" }, search, digitsLabel, button(() => say("copy"), () => void copy()), button(() => say("save"), save));
+  contents.append(
+    tools,
+    message,
+    count,
+    table,
+    worded(element("p", { class: "quiet" }), () => say("about")),
+    worded(element("h3"), () => say("groups")),
+    structure,
+    warned,
+  );
+
+  keepCurrent(app, values.id, [app.solved, language], async () => {
+    const { good, opened } = app.solved.value;
+    if (opened === null) return;
+    structure.textContent = opened.structure;
+    warnings.replaceChildren(...opened.warnings.map((text) => element("li", {}, text)));
+    warned.hidden = opened.warnings.length === 0;
+    try {
+      rows = await app.engine.values(good);
+      message.textContent = "";
+      list();
+    } catch (refused) {
+      message.textContent = said(refused);
+    }
+  });
+}
+
+/** A label without its scripts. */
+function plain(label: string): string {
+  return label.replace(/<[^>]*>/g, "");
+}

@@ -1,0 +1,34 @@
+import type { Value } from "../../engine/types.ts";
+import { element } from "../output/element.ts";
+import { bySubject, named } from "../output/subject.ts";
+import { shortened } from "./text.ts";
+import { say } from "./words.ts";
+
+/** The table of values, with a heading for each link, slider and point; with so many digits, or all (null). */
+export function tableOf(values: Value[], digits: number | null): HTMLTableElement {
+  const errors = digits === null && values.some((value) => value.error !== undefined);
+  const heads = [say("quantity"), say("value"), say("unit"), ...(errors ? [say("error")] : [])];
+  const head = element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text))));
+  const table = element("table", { class: "values" }, head);
+  const shown = values.map((row) => ({ row, text: digits === null ? row.value : shortened(row.value, digits) }));
+  const before = Math.max(0, ...shown.map(({ text }) => wholePart(text)));
+  for (const [subject, rows] of bySubject(shown, ({ row }) => row.name)) {
+    const title = element("th", { scope: "rowgroup", colspan: heads.length }, named(subject));
+    const lines = rows.map(({ row, text }) => lineOf(row, text.padStart(text.length + before - wholePart(text)), errors));
+    table.append(element("tbody", {}, element("tr", {}, title), ...lines));
+  }
+  return table;
+}
+
+/** The letters before the decimal point: columns are aligned at it. */
+function wholePart(text: string): number {
+  return /^-?\d*/.exec(text)![0].length;
+}
+
+function lineOf({ name, label, unit, error }: Value, text: string, errors: boolean): HTMLTableRowElement {
+  const title = element("th", { scope: "row", title: name });
+  title.innerHTML = label;
+  const cells = [element("td", { class: "number" }, text), element("td", {}, unit)];
+  if (errors) cells.push(element("td", { class: "error" }, error === undefined ? "" : `± ${error}`));
+  return element("tr", {}, title, ...cells);
+}
