@@ -8,7 +8,7 @@ export type EngineClient = {
 };
 
 /** What the picture waits for; everything else has a worker of its own, so that no curve and no check stops a hand. */
-const AT_ONCE = new Set(["kinds", "open", "picture", "grab", "drag", "drop", "edit", "font"]);
+const AT_ONCE = new Set(["kinds", "open", "picture", "grab", "drag", "drop", "edit", "places", "font"]);
 
 /** Starts the engine in a worker, and in a second one as soon as something slow is asked for. */
 export function startEngine(
