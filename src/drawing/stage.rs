@@ -7,7 +7,7 @@ use super::layout::{Layout, Placed};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
-use super::view::{Extent, View};
+use super::view::{Extent, View, next_scale};
 use crate::construction::{Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
@@ -20,10 +20,16 @@ use std::sync::Arc;
 const POSITIONS: usize = 24;
 /// Every so many of them is asked for the height of its words.
 const WORDS_OF: usize = 4;
+/// Scales that are tried for one at which the joints stay in sight.
+const TRIED: usize = 6;
+
+/// Scales by panel, in units per mm of paper.
+type Scales = [Option<f64>; PanelName::ALL.len()];
 
 /// The layout of a mechanism's figure, for drawing it in any of its positions.
 ///
-/// Scales are those of the figure in the scene's own position. Panels are large enough for its whole content and, as far
+/// Scales are those of the figure in the scene's own position; the scheme's is coarser where joints would leave the panel on their
+/// way, unless the scene gives it. Panels are large enough for its whole content and, as far
 /// as the sheet allows, for the joints and their images in the other positions of the first drive, except for plans
 /// several times as large as most: near a limit position rates and special points go to infinity. Where a position's
 /// content does not fit, the panel says that it is cut at the edge; poles stay in sight. There is no work sheet.
@@ -45,7 +51,7 @@ const WORDS_OF: usize = 4;
 pub struct Stage {
     layout: Layout,
     /// The scales that were chosen, by panel.
-    mu: [Option<f64>; PanelName::ALL.len()],
+    mu: Scales,
     /// By panel: the extent of all positions.
     extents: Vec<(PanelName, Extent)>,
     /// The extent of the scheme in the own position, which is held in sight.
@@ -89,7 +95,7 @@ impl Stage {
     #[must_use]
     pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> Stage {
         let traces = Arc::new(Traces::of(own));
-        let own_scheme = with_modes(Scheme::with(own, Arc::clone(&traces)).with_scales_of(steps), modes);
+        let mut own_scheme = with_modes(Scheme::with(own, Arc::clone(&traces)).with_scales_of(steps), modes);
         let animation = Animation::new(own, None, POSITIONS).ok();
         let positions = animation.as_ref().map_or(&[][..], |animation| &animation.positions);
         let schemes: Vec<Scheme<'_>> = positions
@@ -105,6 +111,9 @@ impl Stage {
             }
         };
         let sheet = Sheet { steps, table: None };
+        if own.scene.figure.mu_l.is_none() {
+            own_scheme.mu = with_joints_in_sight(&own_scheme, &extents, sheet);
+        }
         let own_sheet = composed(&own_scheme, &extents, sheet);
         let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
         let below = heights.fold(own_sheet.height_below(), f64::max);
@@ -274,6 +283,23 @@ impl Stage {
     fn enlarged(&self) -> Affine {
         Affine::scale(self.layout.panels.first().map_or(1.0, |placed| placed.unit))
     }
+}
+
+/// The scales with the next coarser one of the scheme at which its whole extent fits: a hand holds joints, and must not lose them
+/// beyond the edge.
+fn with_joints_in_sight(own: &Scheme<'_>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Scales {
+    let scheme = PanelName::Scheme as usize;
+    let Some(index) = extents.iter().position(|(panel, _)| *panel == PanelName::Scheme) else {
+        return own.mu;
+    };
+    let composition = composed(own, extents, sheet);
+    let coarser = |mu: &Scales| {
+        let mut next = *mu;
+        next[scheme] = Some(next_scale(1.01 * mu[scheme]?));
+        Some(next)
+    };
+    let holds = |mu: &Scales| composition.layout_at(mu).panels[index].holds(&extents[index].1);
+    std::iter::successors(Some(own.mu), coarser).take(TRIED).find(holds).unwrap_or(own.mu)
 }
 
 fn with_modes<'a>(scheme: Scheme<'a>, modes: Option<&'a OtherModes>) -> Scheme<'a> {
