@@ -133,7 +133,7 @@ function checks(app: App, field: ChecksField): Live {
     input.addEventListener("change", () => toggled(value, input.checked));
     return input;
   });
-  const options = field.options.map(({ text }, index) => h("label", { class: "check" }, inputs[index], h("span", {}, text)));
+  const options = field.options.map(({ text }, index) => h("label", { class: "tick" }, inputs[index], h("span", {}, text)));
   const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
   const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "checks" }, ...options));
   return {
@@ -149,7 +149,7 @@ function checks(app: App, field: ChecksField): Live {
 function onOff(app: App, field: SwitchField): Live {
   const input = h("input", { type: "checkbox" });
   input.addEventListener("change", () => void edit(app, [put(field.path, input.checked === field.usual ? undefined : input.checked)]));
-  const label = h("label", { class: "check" }, input, h("span", {}, field.label));
+  const label = h("label", { class: "tick" }, input, h("span", {}, field.label));
   return {
     root: h("div", { class: "field", "data-path": dotted(field.path) }, label),
     show: (scene) => (input.checked = (at(scene, field.path) ?? field.usual) === true),
