@@ -80,6 +80,10 @@ pub fn report_parts(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> 
         causes: causes.collect(),
         sure: (!best.findings.is_empty()).then(|| text.sure(best)),
         further: if is_off { text.unexplained().into_iter().chain(text.mirrored()).collect() } else { Vec::new() },
-        others: if is_off { checked.diagnosis.others.iter().map(|other| text.other(other)).collect() } else { Vec::new() },
+        others: if is_off {
+            checked.diagnosis.others.iter().map(|other| text.other(other)).collect()
+        } else {
+            Vec::new()
+        },
     }
 }

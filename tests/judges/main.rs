@@ -7,3 +7,4 @@ mod support;
 mod pdf;
 mod rasters;
 mod tikz;
+mod workbench;

@@ -3,9 +3,10 @@
 
 use crate::support::faults::{faults, id, panels};
 use crate::support::files;
+use crate::support::stages::staged;
 use kinegon::construction::Aim;
 use kinegon::cycle::Animation;
-use kinegon::drawing::{Drawing, Pen, Shape, frames};
+use kinegon::drawing::{Drawing, Pen, Shape};
 use kinegon::scene::{Figure, Page, PanelName, ScalesFor, StyleName};
 use kinegon::{Scene, Solution};
 
@@ -67,7 +68,7 @@ fn all_sheets_of_a_scene_have_the_same_scales() {
     for (name, text) in files::templates() {
         let solution = solved_as(&text, |_| ());
         let worksheet = solved_as(&text, |figure| figure.worksheet = true);
-        let page = frames(std::slice::from_ref(&solution), 0);
+        let page = staged(std::slice::from_ref(&solution), 0);
         let all = [solution.stepwise_figure(), solution.coarse_figure(), worksheet.figure(), page[0].clone()];
         let own = scales(&solution.figure());
         assert_eq!(own.len(), 3, "{name}: {own:?}");
@@ -124,7 +125,7 @@ fn no_plan_of_a_cycle_is_cut_without_a_word() {
     for (name, text) in scenes {
         let solution = solved_as(&text, |_| ());
         let animation = Animation::new(&solution, None, 36).expect("it moves");
-        let page = frames(&animation.positions, animation.own);
+        let page = staged(&animation.positions, animation.own);
         let scales = solution.scales();
         for (value, (frame, position)) in animation.values.iter().zip(page.iter().zip(&animation.positions)) {
             let finished = frame.after_step(frame.steps.len() + 1);
@@ -153,10 +154,10 @@ fn scales_of_a_cycle_hold_all_its_plans() {
         let text = files::read(&format!("templates/{name}.json"));
         let solution = solved_as(&text, |figure| figure.scales = ScalesFor::Cycle);
         let animation = Animation::new(&solution, None, 72).expect("it moves");
-        for drawing in frames(&animation.positions, animation.own) {
+        for drawing in staged(&animation.positions, animation.own) {
             assert!(!drawing.marks.iter().any(|mark| id(mark).ends_with("-cut")), "{name}");
         }
-        assert_eq!(scales(&solution.figure()), scales(&frames(&animation.positions, animation.own)[0]), "{name}");
+        assert_eq!(scales(&solution.figure()), scales(&staged(&animation.positions, animation.own)[0]), "{name}");
     }
 }
 

@@ -2,10 +2,10 @@
 
 use crate::support::faults::{MOST_BYTES, faults, id};
 use crate::support::files;
-use crate::support::stages::solved;
+use crate::support::stages::{solved, staged};
 use kinegon::Solution;
 use kinegon::cycle::{Animation, Drive, Path, PointPath, PointPaths, Traces};
-use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape, frames, paths};
+use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape, paths};
 use kinegon::geometry;
 use kinegon::scene::Scene;
 use std::f64::consts::PI;
@@ -379,7 +379,7 @@ fn a_path_belongs_to_all_steps_and_to_all_frames() {
     let first = own.stepwise_figure().after_step(1);
     assert_eq!(drawn_path(&first, "path-F").len(), 1);
     let animation = Animation::new(&own, None, 8).expect("it moves");
-    let drawings = frames(&animation.positions, animation.own);
+    let drawings = staged(&animation.positions, animation.own);
     assert!(drawings.len() >= 8);
     let traced = |drawing: &Drawing| -> Vec<Mark> {
         let of = |pen| matches!(pen, Pen::Trace | Pen::Ghost);

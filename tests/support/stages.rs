@@ -2,6 +2,7 @@
 
 use kinegon::check::{AnswerKey, LATITUDE};
 use kinegon::construction::Tolerance;
+use kinegon::drawing::{Drawing, Stage, Steps};
 use kinegon::{Error, Scene, Solution, solve};
 
 /// A scene's text, solved.
@@ -12,4 +13,10 @@ pub fn solved(text: &str) -> Result<Solution, Error> {
 /// What a student's values are held against; so many mistakes at once are looked for.
 pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
     AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), latitude: LATITUDE, depth }
+}
+
+/// The stepwise figures of positions on one stage, that of the position of an index.
+pub fn staged(positions: &[Solution], own: usize) -> Vec<Drawing> {
+    let stage = Stage::new(&positions[own], Some(Steps::Fine), None);
+    positions.iter().map(|position| stage.draw(position, None)).collect()
 }

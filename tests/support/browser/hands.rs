@@ -38,8 +38,8 @@ impl Browser {
         for kind in ["keyDown", "keyUp"] {
             let mut event = event.clone();
             event["type"] = kind.into();
-            if kind == "keyUp" {
-                event["text"] = Value::Null;
+            if let (Value::Object(event), "keyUp") = (&mut event, kind) {
+                event.remove("text");
             }
             self.call("Input.dispatchKeyEvent", event);
         }

@@ -1,0 +1,53 @@
+//! Nobody is kept out: what axe-core finds, in all panels, light and dark, on a screen and on a telephone.
+
+use super::bench::Bench;
+use crate::support::files;
+
+/// Rules of WCAG 2.2, levels A and AA, and best practice.
+const RUN: &str = "axe.run(document, { resultTypes: ['violations'] }).then(({ violations }) => \
+    violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(' ')).slice(0, 4).join(', ')}`))";
+
+#[test]
+fn axe_finds_nothing() {
+    let Ok(axe) = std::fs::read_to_string(files::path("web/node_modules/axe-core/axe.min.js")) else {
+        eprintln!("SKIPPED: axe-core is not installed; npm ci in web/ does");
+        return;
+    };
+    let Some(mut bench) = Bench::open("axe") else { return };
+    bench.value(&axe);
+    let mut found = Vec::new();
+    for (look, is_small) in [("light", false), ("dark", false), ("light", true)] {
+        bench.media("", &[("prefers-color-scheme", look), ("prefers-reduced-motion", "reduce")]);
+        if is_small {
+            bench.telephone([360, 640]);
+        }
+        for panel in ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"] {
+            bench.value(&format!("kinegon.app.show('{panel}')"));
+            bench.settle();
+            let violations = bench.value(RUN);
+            let violations = violations.as_array().expect("a list").iter();
+            found.extend(
+                violations.map(|v| format!("{look}, {}, {panel}: {v}", if is_small { "telephone" } else { "screen" })),
+            );
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    bench.assert_quiet();
+}
+
+#[test]
+fn what_changes_is_said() {
+    let Some(mut bench) = Bench::open("said") else { return };
+    let live = bench.number("document.querySelectorAll('[aria-live], [role=status], [role=alert]').length");
+    assert!(live >= 3.0);
+    bench.press("Home");
+    bench.settle();
+    assert_eq!(bench.value("document.querySelector('#step-caption').closest('[aria-live]') !== null"), true);
+    bench.put("{");
+    assert_eq!(bench.value("document.querySelector('#message').getAttribute('role')"), "alert");
+    let nameless = bench.value(
+        "[...document.querySelectorAll('button, input, select, [role=slider]')].filter((e) => e.getClientRects().length > 0 \
+         && !(e.ariaLabel || e.textContent.trim() || e.labels?.length || e.title || e.getAttribute('aria-labelledby'))).map((e) => e.outerHTML.slice(0, 90))",
+    );
+    assert_eq!(nameless, serde_json::json!([]));
+}

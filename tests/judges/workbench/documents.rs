@@ -1,0 +1,66 @@
+//! Form, text and picture are one scene; nothing is lost.
+
+use super::bench::Bench;
+use crate::support::files;
+
+const AB: &str = "#panel-mechanism [data-path=\"links.1.lengths.AB\"] input";
+
+#[test]
+fn form_text_and_picture_are_one_scene() {
+    let text = files::read("templates/four-bar.json");
+    let Some(mut bench) = Bench::of("one-scene", &text) else { return };
+    let before = bench.marks();
+    bench.panel("mechanism");
+    bench.fill(AB, "50");
+    assert_eq!(bench.at("/links/1/lengths/AB"), 50);
+    assert_eq!(bench.scene(), text.replace("\"AB\": 60", "\"AB\": 50"), "the rest stays to the letter");
+    assert_ne!(bench.marks(), before, "the picture follows the form");
+    let with_50 = bench.marks();
+    // The same in the text.
+    bench.panel("text");
+    assert!(bench.text("document.querySelector('#panel-text .cm-content').textContent").contains("\"AB\": 50"));
+    bench.picture("text");
+    bench.value("(() => { const { view } = document.querySelector('#panel-text .cm-content').cmTile ?? {}; })()");
+    bench.focus("#panel-text .cm-content");
+    bench.press("Control+Home");
+    let at = bench.scene().find("50 }").expect("the length");
+    for _ in 0..at {
+        bench.press("ArrowRight");
+    }
+    bench.press("Delete");
+    bench.type_text("7");
+    bench.until("kinegon.history.now.value.text.includes('\"AB\": 70')");
+    bench.settle();
+    assert_ne!(bench.marks(), with_50, "the picture follows the text");
+    bench.panel("mechanism");
+    assert_eq!(bench.text(&format!("document.querySelector('{AB}').value")), "70");
+    // The same by the hand: the drive in picture, form and text.
+    bench.pull_joint("B", [-60.0, 30.0]);
+    let angle = bench.at("/links/1/drive/angle").as_f64().expect("an angle");
+    assert!((angle - 60.0).abs() > 3.0, "{angle}");
+    let shown =
+        bench.text("document.querySelector('#panel-mechanism [data-path=\"links.1.drive.angle\"] input').value");
+    assert_eq!(shown.parse::<f64>().ok(), Some(angle));
+    bench.picture("mechanism");
+    // One gesture, one entry.
+    for expected in [70, 50, 60] {
+        bench.click("#undo");
+        bench.settle();
+        assert_eq!(bench.at("/links/1/lengths/AB"), expected);
+    }
+    assert_eq!(bench.scene(), text);
+    assert_eq!(bench.marks(), before);
+    assert_eq!(bench.value("document.querySelector('#undo').disabled"), true);
+    bench.assert_quiet();
+}
+
+#[test]
+fn nothing_is_lost_by_closing_the_tab() {
+    let Some(mut bench) = Bench::open("kept") else { return };
+    bench.put(&files::read("templates/slotted-lever.json").replace("Crank", "My own crank"));
+    let mine = bench.scene();
+    // At once, before any pause.
+    bench.load("");
+    assert_eq!(bench.scene(), mine);
+    bench.assert_quiet();
+}

@@ -1,0 +1,198 @@
+//! A teacher in class: the crank in the hand, steps by keys, panels one by one, full screen, dark; limits and other modes.
+
+use super::bench::Bench;
+use crate::support::files;
+use kinegon::format::OpenScene;
+
+/// The window onto the sheet, in mm.
+const SIGHT: &str = "document.querySelector('#sheet').viewBox.baseVal.width";
+
+#[test]
+fn plans_follow_the_crank() {
+    let Some(mut bench) = Bench::open("crank") else { return };
+    let before = bench.marks();
+    let [x, y] = bench.joint("B");
+    bench.take_hold([x, y]);
+    bench.pull([x - 30.0, y + 20.0]);
+    bench.frame();
+    bench.pull([x - 60.0, y + 30.0]);
+    bench.until("!document.querySelector('#bubble').hidden && /°/.test(document.querySelector('#bubble').textContent)");
+    bench.frame();
+    let under_way = bench.marks();
+    assert_ne!(under_way, before, "the picture follows while the hand holds");
+    bench.picture("crank");
+    // Escape puts it back.
+    bench.press("Escape");
+    bench.let_go([x - 60.0, y + 30.0]);
+    bench.settle();
+    assert_eq!(bench.marks(), before);
+    // The slider of the drive, and keys.
+    let angle = bench.at("/links/1/drive/angle").as_f64().expect("an angle");
+    bench.focus("#drive-1");
+    bench.press("ArrowRight");
+    bench.press("ArrowRight");
+    bench.value("document.activeElement.blur()");
+    bench.settle();
+    assert_eq!(bench.at("/links/1/drive/angle").as_f64(), Some(angle + 2.0));
+    // Any moving joint moves it.
+    let any = bench.marks();
+    bench.pull_joint("D", [0.0, 12.0]);
+    assert_ne!(bench.marks(), any);
+    bench.assert_quiet();
+}
+
+#[test]
+fn it_plays_by_itself() {
+    let Some(mut bench) = Bench::open("play") else { return };
+    bench.value("kinegon.frames.length = 0");
+    bench.press(" ");
+    bench.until("document.querySelector('#play').ariaPressed === 'true' && kinegon.frames.length > 20");
+    let pictures = bench.number(
+        "new Promise((done) => { const from = kinegon.frames.length; setTimeout(() => done(kinegon.frames.length - from), 1000); })",
+    );
+    println!("{pictures:.0} pictures a second");
+    bench.press(" ");
+    bench.until("document.querySelector('#play').ariaPressed === 'false'");
+    bench.settle();
+    // Going round is one gesture.
+    bench.press("Control+z");
+    bench.settle();
+    assert_eq!(bench.value("kinegon.history.canUndo.value"), false);
+    // Who wants little motion gets two pictures a second.
+    bench.media("", &[("prefers-reduced-motion", "reduce")]);
+    bench.value("kinegon.frames.length = 0");
+    bench.click("#play");
+    let calm = bench.number("new Promise((done) => setTimeout(() => done(kinegon.frames.length), 1500))");
+    bench.click("#play");
+    assert!(calm <= 6.0, "{calm} pictures in 1.5 s");
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_lesson_goes_step_by_step() {
+    let text = files::read("examples/figure-2.json");
+    let scene = Some(OpenScene { text: &text, step: Some(1) });
+    let Some(mut bench) = Bench::with("steps", scene) else { return };
+    let caption = "document.querySelector('#step-caption').textContent";
+    assert_eq!(bench.value("document.querySelector('#steps').hidden"), false, "a lesson begins with its steps");
+    assert_eq!(bench.value("kinegon.app.view.value.step"), 1);
+    bench.value("document.activeElement.blur()");
+    for _ in 0..6 {
+        bench.press("ArrowRight");
+    }
+    bench.click("#step-forward");
+    bench.settle();
+    assert_eq!(bench.value("kinegon.app.view.value.step"), 8);
+    assert_eq!(bench.text(caption), "Lay off the velocity of B, normal to AB, in the sense of ω_1.");
+    assert!(bench.marks().contains("velocity-vector-p-b"));
+    bench.picture("step");
+    bench.value("document.activeElement.blur()");
+    bench.press("ArrowLeft");
+    bench.settle();
+    assert!(!bench.marks().contains("velocity-vector-p-b"));
+    // The mechanism moves while a step is shown.
+    let at_seven = bench.marks();
+    bench.press("ArrowUp");
+    bench.until("document.querySelector('#bubble').hidden");
+    bench.settle();
+    bench.until(&format!("document.querySelector('#sheet').innerHTML !== {}", serde_json::json!(at_seven)));
+    bench.press("End");
+    bench.settle();
+    assert_eq!(bench.value("kinegon.app.view.value.step === null"), true);
+    bench.press("Home");
+    bench.settle();
+    assert_eq!(bench.value("kinegon.app.view.value.step"), 1);
+    bench.click("#step-coarse");
+    bench.settle();
+    assert_eq!(bench.value("kinegon.app.view.value.coarse"), true);
+    bench.assert_quiet();
+}
+
+#[test]
+fn it_is_seen_from_the_last_row() {
+    let Some(mut bench) = Bench::open("seen") else { return };
+    let all = bench.number(SIGHT);
+    bench.press("2");
+    bench.frame();
+    bench.until(&format!("{SIGHT} < {}", 0.8 * all));
+    bench.picture("velocity-panel");
+    bench.press("a");
+    bench.until(&format!("Math.abs({SIGHT} - {all}) < 1"));
+    bench.press("+");
+    bench.until(&format!("{SIGHT} < {}", 0.95 * all));
+    bench.press("0");
+    bench.until(&format!("Math.abs({SIGHT} - {all}) < 1"));
+    bench.press("d");
+    let [dark, light] = ["backgroundColor", "color"].map(|look| {
+        let colour = bench.text(&format!("getComputedStyle(document.body).{look}"));
+        let parts = colour.trim_start_matches(|c: char| !c.is_ascii_digit()).split([',', ' ', ')', '/']);
+        parts.filter_map(|part| part.parse::<f64>().ok()).take(3).sum::<f64>()
+    });
+    assert!(dark < light, "{dark} {light}");
+    bench.picture("dark");
+    bench.press("d");
+    bench.press("p");
+    bench.until("document.body.classList.contains('presenting')");
+    bench.settle();
+    let share = bench.number("document.querySelector('#pane').clientHeight / innerHeight");
+    assert!(share > 0.7, "{share}");
+    bench.picture("full-screen");
+    bench.press("Escape");
+    bench.until("!document.body.classList.contains('presenting')");
+    bench.screen([1920, 1080]);
+    bench.settle();
+    bench.picture("projector");
+    assert_eq!(bench.value("document.documentElement.scrollWidth <= 1920"), true);
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_limit_stops_the_hand_and_says_so() {
+    // Its crank cannot turn round.
+    let text = files::read("tests/lecture/watt.json");
+    let Some(mut bench) = Bench::of("limit", &text) else { return };
+    let low = bench.value("kinegon.app.solved.value.opened.drives[0].low");
+    assert!(low.is_number(), "this drive has limits");
+    bench.focus("#drive-1");
+    let [x, y, width, _] = bench.place("#drive-1");
+    bench.drag(&[[x, y], [x - 0.3 * width, y], [x - 0.7 * width, y]]);
+    bench.settle();
+    let name = bench.text("kinegon.app.picture.value.handles.find((h) => !h.is_fixed).name");
+    let [x, y] = bench.joint(&name);
+    bench.take_hold([x, y]);
+    for k in 1..=12 {
+        bench.pull([x + 45.0 * f64::from(k), y - 45.0 * f64::from(k)]);
+        bench.frame();
+        if bench.value("document.querySelector('#bubble').classList.contains('stopped')") == true {
+            break;
+        }
+    }
+    bench.until("document.querySelector('#bubble').classList.contains('stopped')");
+    bench.picture("limit");
+    bench.let_go([x, y]);
+    bench.settle();
+    assert_eq!(bench.message(), "");
+    bench.assert_quiet();
+}
+
+#[test]
+fn other_modes_are_seen_and_chosen() {
+    let text = files::read("templates/four-bar.json");
+    let Some(mut bench) = Bench::of("modes", &text) else { return };
+    let own = bench.marks();
+    bench.panel("modes");
+    bench.until("document.querySelectorAll('#panel-modes input[type=radio]').length === 2");
+    bench.click("#panel-modes input[type=checkbox]");
+    bench.settle();
+    let ghosts = bench.marks();
+    assert!(ghosts.len() > own.len(), "the other mode is drawn pale");
+    bench.picture("modes");
+    bench.click("#panel-modes input[type=radio]:not(:checked)");
+    bench.settle();
+    let near = bench.at("/near/C/1").as_f64().expect("a rough place");
+    assert!(near < 0.0, "{near}");
+    bench.click("#undo");
+    bench.settle();
+    assert_eq!(bench.scene(), text);
+    bench.assert_quiet();
+}

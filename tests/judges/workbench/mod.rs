@@ -1,0 +1,17 @@
+//! The workbench in a browser, used as people use it: with hands, keys and fingers. Where it has not been built the tests are
+//! skipped, with a word on stderr. `KINEGON_PAGE` names another page than the committed one; with `KINEGON_PICTURES` each
+//! test leaves pictures in `target/pictures`.
+
+mod access;
+mod bench;
+mod bytes;
+mod documents;
+mod gestures;
+mod hostile;
+mod keyboard;
+mod lesson;
+mod prepare;
+mod share;
+mod speed;
+mod student;
+mod telephone;

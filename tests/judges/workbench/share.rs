@@ -1,0 +1,128 @@
+//! A teacher after class: links, files, prints.
+
+use super::bench::Bench;
+use crate::support::files;
+use crate::support::program::with_scene;
+use serde_json::json;
+
+const FIGURE: &str = "examples/figure-2.json";
+
+/// A link as it stands behind the page's name.
+fn link(bench: &mut Bench, shared: serde_json::Value) -> String {
+    bench.text(&format!("kinegon.app.link({shared}).then((link) => link.slice(link.indexOf('#')))"))
+}
+
+#[test]
+fn a_link_holds_the_scene() {
+    let text = files::read("templates/whitworth.json").replace("\"title\": \"", "\"title\": \"Ω <b> & ");
+    let Some(mut bench) = Bench::open("link") else { return };
+    let hash = link(&mut bench, json!({ "text": text, "view": { "step": 5, "coarse": false, "modes": false } }));
+    assert!(hash.starts_with("#1=") && hash.len() < 2_500, "{} letters", hash.len());
+    bench.load(&hash);
+    assert_eq!(bench.scene(), text);
+    assert_eq!(bench.value("kinegon.app.view.value.step"), 5);
+    assert_eq!(bench.text("location.hash"), "", "the address is cleaned");
+    // The button says how long it is.
+    bench.panel("save");
+    bench.press_named("#panel-save", "Copy the link");
+    let shown =
+        bench.text("[...document.querySelectorAll('#panel-save input')].find((e) => e.value.includes('#1=')).value");
+    let (_, own) = shown.split_once('#').expect("a link");
+    bench.load(&format!("#{own}"));
+    assert_eq!(bench.scene(), text);
+    bench.picture("save");
+    bench.assert_quiet();
+}
+
+#[test]
+fn saved_files_are_those_of_the_program() {
+    let Some(mut bench) = Bench::open("saved") else { return };
+    let text = files::read(FIGURE);
+    bench.put(&text);
+    bench.panel("save");
+    for (button, ending, arguments) in [
+        ("Figure as SVG", ".svg", &["draw", "-", "-o", "-"][..]),
+        ("Figure as TikZ", ".tex", &["draw", "-", "-o", "-", "--format", "tikz"]),
+        ("Figure as PDF", ".pdf", &["draw", "-", "-o", "-", "--format", "pdf"]),
+        ("Figure as PNG", ".png", &["draw", "-", "-o", "-", "--format", "png"]),
+        ("Motion over the cycle", ".csv", &["sweep", "-"]),
+        ("Results", ".json", &["solve", "-"]),
+    ] {
+        let (name, saved) = bench_saved(&mut bench, button);
+        assert!(name.ends_with(ending), "{button}: {name}");
+        assert!(saved == with_scene(arguments, text.as_bytes()).stdout, "{button}: other bytes than the program's");
+    }
+    let (name, saved) = bench_saved(&mut bench, "Scene file");
+    assert!(name.ends_with(".json") && saved == text.as_bytes());
+    // The page with the scene in it is a workbench again.
+    let (_, page) = bench_saved(&mut bench, "This page with the scene");
+    let file = bench.folder().join("again.html");
+    std::fs::write(&file, page).expect("written");
+    bench.open(&file, super::bench::READY);
+    bench.settle();
+    assert_eq!(bench.scene(), text);
+    bench.assert_quiet();
+}
+
+fn bench_saved(bench: &mut Bench, button: &str) -> (String, Vec<u8>) {
+    bench.value(&format!(
+        "(() => {{ document.querySelectorAll('[data-saves]').forEach((e) => delete e.dataset.saves); \
+         [...document.querySelectorAll('#panel-save button')].find((e) => \
+         (e.getAttribute('aria-label') ?? e.textContent).startsWith({})).dataset.saves = ''; }})()",
+        json!(button)
+    ));
+    bench.saved(|browser| browser.click("[data-saves]"))
+}
+
+/// Side lengths of each page in mm.
+fn papers(pdf: &[u8]) -> Vec<[f64; 2]> {
+    let pdf = lopdf::Document::load_mem(pdf).expect("PDF");
+    let sides = |id| -> [f64; 2] {
+        let page: &lopdf::Dictionary = pdf.get_dictionary(id).expect("a page");
+        let found = page.get(b"MediaBox").and_then(lopdf::Object::as_array).expect("a box");
+        let side = |k: usize| f64::from(found[k].as_float().expect("a number")) / 72.0 * 25.4;
+        [side(2) - side(0), side(3) - side(1)]
+    };
+    pdf.get_pages().into_values().map(sides).collect()
+}
+
+#[test]
+fn a_print_has_its_true_size() {
+    let Some(mut bench) = Bench::open("print") else { return };
+    bench.put(&files::read(FIGURE));
+    bench.value("window.print = () => { window.asked = true; }");
+    bench.panel("save");
+    bench.until("document.querySelector('#panel-save .preview svg') !== null");
+    bench.press_named("#panel-save", "Print …");
+    bench.until("window.asked === true");
+    let found = papers(&bench.printed());
+    assert_eq!(found.len(), 1);
+    let [width, height] = found[0];
+    assert!((width - 297.0).abs() < 0.6 && (height - 210.0).abs() < 0.6, "{width} mm × {height} mm");
+    bench.media("print", &[]);
+    let size = bench.number("document.querySelector('#print svg').getBoundingClientRect().width / 96 * 25.4");
+    assert!((size - 297.0).abs() < 0.2, "{size} mm");
+    bench.media("", &[]);
+    bench.assert_quiet();
+}
+
+#[test]
+fn values_and_curves_stand_beside_the_figure() {
+    let Some(mut bench) = Bench::open("curves") else { return };
+    bench.panel("values");
+    bench.until("document.querySelectorAll('#panel-values tr').length > 10");
+    let printed = with_scene(&["solve", "-", "--digits"], bench.scene().as_bytes()).stdout;
+    let printed = String::from_utf8(printed).expect("UTF-8");
+    let rows = bench.ask("values", &[json!(files::read(FIGURE))]);
+    let rows = rows.as_array().expect("rows");
+    for row in rows {
+        let value = row["value"].as_str().expect("digits");
+        assert!(printed.contains(value), "{row}");
+    }
+    bench.picture("values");
+    bench.panel("curves");
+    bench.until("document.querySelector('#panel-curves svg path') !== null");
+    bench.settle();
+    bench.picture("curves");
+    bench.assert_quiet();
+}

@@ -1,0 +1,69 @@
+//! How long people wait: opening, dragging. Limits are wide, as tests run beside each other; what was measured is printed.
+
+use super::bench::Bench;
+use crate::support::files;
+use serde_json::json;
+
+/// Notes when the first picture stands.
+const FIRST: &str = "new MutationObserver((_, watch) => { if (document.querySelector('#sheet path')) { \
+    requestAnimationFrame(() => (window.firstPicture ??= performance.now())); watch.disconnect(); } }) \
+    .observe(document, { subtree: true, childList: true })";
+
+#[test]
+fn it_opens_at_once_from_a_file_without_a_network() {
+    let Some(mut bench) = Bench::closed("opens", None) else { return };
+    bench.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": FIRST }));
+    let mut first = f64::INFINITY;
+    for _ in 0..2 {
+        bench.load("");
+        first = first.min(bench.number("window.firstPicture"));
+    }
+    println!("first picture after {first:.0} ms");
+    assert!(first < 3_000.0, "{first} ms");
+    assert_eq!(bench.text("document.querySelector('#title').textContent").is_empty(), false);
+    assert_eq!(bench.value("document.fonts.size >= 2"), true, "the page has brought its letters");
+    bench.picture("opened");
+    bench.assert_quiet();
+    let size = std::fs::metadata(bench.folder().join("kinegon.html")).expect("it is there").len();
+    println!("{size} bytes");
+    assert!(size <= 2_500_000);
+}
+
+/// Goes round with a joint for a second or two; the 95th percentile of the engine's share, of the page's, of the whole, in ms.
+fn drag(bench: &mut Bench, joint: &str, radius: f64) -> [f64; 3] {
+    let [x, y] = bench.joint(joint);
+    bench.value("kinegon.frames.length = 0");
+    bench.take_hold([x, y]);
+    bench.frame();
+    for k in 0..80 {
+        let angle = 0.06 * f64::from(k);
+        bench.pull([x + radius * (angle.cos() - 1.0), y - radius * angle.sin()]);
+        bench.frame();
+    }
+    bench.let_go([x, y]);
+    bench.settle();
+    let count = bench.number("kinegon.frames.length");
+    assert!(count > 40.0, "{count} pictures");
+    ["engine", "page", "total"].map(|part| {
+        bench.number(&format!(
+            "kinegon.frames.map((f) => f.{part}).sort((a, b) => a - b)[Math.floor(0.95 * kinegon.frames.length)]"
+        ))
+    })
+}
+
+#[test]
+fn the_picture_follows_the_hand() {
+    let Some(mut bench) = Bench::open("drag") else { return };
+    let jansen = files::read("tests/lecture/jansen.json");
+    for (name, text, joint) in [("Figure 2", None, "B"), ("Jansen", Some(jansen), "B")] {
+        if let Some(text) = text {
+            bench.put(&text);
+        }
+        let [engine, page, total] = drag(&mut bench, joint, 40.0);
+        println!(
+            "{name}, p95 of a picture: {engine:.1} ms of engine, {page:.1} ms of page, {total:.1} ms from hand to picture"
+        );
+        assert!(engine < 60.0 && total < 400.0, "{name}: {engine} ms, {total} ms");
+    }
+    bench.assert_quiet();
+}

@@ -1,0 +1,63 @@
+//! On a telephone: nothing wider than the screen, targets for fingers, joints and pictures under them.
+
+use super::bench::Bench;
+
+/// Visible controls that are lower or narrower than a finger's 44 px; those of lines of text are excepted.
+const SMALL: &str = "[...document.querySelectorAll('button, select, input:not([type=checkbox]):not([type=radio]), summary')] \
+    .map((e) => [e, e.getBoundingClientRect()]) \
+    .filter(([e, r]) => r.width > 0 && !e.matches('.handle, .cm-editor *') && (r.height < 43.5)) \
+    .map(([e, r]) => `${e.id || e.className || e.tagName}: ${Math.round(r.width)}×${Math.round(r.height)}`)";
+
+#[test]
+fn it_is_used_with_fingers() {
+    let Some(mut bench) = Bench::closed("telephone", None) else { return };
+    bench.telephone([360, 640]);
+    bench.load("");
+    assert_eq!(bench.value("document.documentElement.scrollWidth"), 360);
+    bench.picture("telephone");
+    let height = bench.number("document.querySelector('#pane').getBoundingClientRect().height");
+    assert!(height > 200.0, "the picture is {height} px high");
+    // A finger turns the crank.
+    let angle = bench.at("/links/1/drive/angle");
+    let [x, y] = bench.joint("B");
+    bench.touch(&[&[[x, y]], &[[x - 8.0, y + 4.0]], &[[x - 20.0, y + 8.0]], &[[x - 24.0, y + 10.0]]]);
+    bench.settle();
+    assert_ne!(bench.at("/links/1/drive/angle"), angle);
+    // Two fingers make it larger.
+    let sight = "document.querySelector('#sheet').viewBox.baseVal.width";
+    let before = bench.number(sight);
+    let [x, y, ..] = bench.place("#pane");
+    let apart = |d: f64| [[x - d, y], [x + d, y]];
+    bench.touch(&[&apart(20.0), &apart(40.0), &apart(70.0)]);
+    bench.frame();
+    assert!(bench.number(sight) < before, "two fingers zoom");
+    let mut small = Vec::new();
+    for panel in ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"] {
+        bench.value(&format!("kinegon.app.show('{panel}')"));
+        bench.settle();
+        bench.picture(&format!("telephone-{panel}"));
+        assert_eq!(bench.value("document.documentElement.scrollWidth"), 360, "{panel}");
+        let wide = bench.value("[...document.querySelectorAll('#panels .panel:not([hidden]) *')].filter((e) => e.getBoundingClientRect().right > 361 \
+            && !e.closest('.cm-scroller, svg, table, [class*=scroll]')).map((e) => e.className || e.tagName).slice(0, 5)");
+        assert_eq!(wide, serde_json::json!([]), "{panel}: wider than the screen");
+        small.extend(bench.value(SMALL).as_array().expect("a list").iter().map(|s| format!("{panel}: {s}")));
+    }
+    small.dedup();
+    assert!(small.is_empty(), "{}", small.join("\n"));
+    bench.assert_quiet();
+}
+
+#[test]
+fn the_narrowest_screen_has_room() {
+    let Some(mut bench) = Bench::closed("narrow", None) else { return };
+    bench.telephone([320, 568]);
+    bench.load("");
+    assert_eq!(bench.value("document.documentElement.scrollWidth"), 320);
+    bench.picture("narrow");
+    // A film filled the width, too.
+    bench.telephone([640, 360]);
+    bench.settle();
+    assert_eq!(bench.value("document.documentElement.scrollWidth"), 640);
+    bench.picture("telephone-lying");
+    bench.assert_quiet();
+}
