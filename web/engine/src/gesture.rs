@@ -138,9 +138,10 @@ impl Gesture {
                     (_, Some(point), Some(place)) => pull.to_place(point, place),
                     _ => return Err(Refused::whole("a drive goes to a value, a joint to a place")),
                 };
-                let limit = pulled.limit.map(|end| end.text(&pull.drive().at(end.at)));
-                let moved = self.staged.own.moved(pulled.pose.clone());
                 let words = self.now.wording();
+                let place = |at| format!("{} = {}", pull.drive().quantity(), pull.drive().shown(at, &words));
+                let limit = pulled.limit.map(|end| end.text(&place(end.at)));
+                let moved = self.staged.own.moved(pulled.pose.clone());
                 if let Some(drive) = self.drives.iter_mut().find(|drive| drive.name == pull.drive().name) {
                     (drive.value, drive.shown) = (pulled.value, pull.drive().shown(pulled.value, &words));
                 }
