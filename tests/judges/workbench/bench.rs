@@ -202,6 +202,12 @@ impl Bench {
         self.text("document.querySelector('#sheet').innerHTML")
     }
 
+    /// Waits for a picture in a panel, which is in a tree of its own.
+    pub fn until_drawn(&mut self, selector: &str) {
+        let selector = json!(format!("{selector} .drawn"));
+        self.until(&format!("document.querySelector({selector})?.shadowRoot?.querySelector('svg path') != null"));
+    }
+
     /// What the page says of a mistake; empty where there is none.
     pub fn message(&mut self) -> String {
         self.text("(document.querySelector('#message:not([hidden])')?.textContent ?? '').trim()")

@@ -92,17 +92,17 @@ fn a_print_has_its_true_size() {
     bench.put(&files::read(FIGURE));
     bench.value("window.print = () => { window.asked = true; }");
     bench.panel("save");
-    bench.until("document.querySelector('#panel-save .preview svg') !== null");
+    bench.until_drawn("#panel-save .preview");
     bench.press_named("#panel-save", "Print …");
     bench.until("window.asked === true");
-    let found = papers(&bench.printed());
-    assert_eq!(found.len(), 1);
-    let [width, height] = found[0];
-    assert!((width - 297.0).abs() < 0.6 && (height - 210.0).abs() < 0.6, "{width} mm × {height} mm");
     bench.media("print", &[]);
     let size = bench.number("document.querySelector('#print svg').getBoundingClientRect().width / 96 * 25.4");
     assert!((size - 297.0).abs() < 0.2, "{size} mm");
     bench.media("", &[]);
+    let found = papers(&bench.printed());
+    assert_eq!(found.len(), 1);
+    let [width, height] = found[0];
+    assert!((width - 297.0).abs() < 0.6 && (height - 210.0).abs() < 0.6, "{width} mm × {height} mm");
     bench.assert_quiet();
 }
 
@@ -121,7 +121,7 @@ fn values_and_curves_stand_beside_the_figure() {
     }
     bench.picture("values");
     bench.panel("curves");
-    bench.until("document.querySelector('#panel-curves svg path') !== null");
+    bench.until_drawn("#panel-curves");
     bench.settle();
     bench.picture("curves");
     bench.assert_quiet();

@@ -190,6 +190,11 @@ impl Browser {
 
 impl Drop for Browser {
     fn drop(&mut self) {
+        if std::thread::panicking() {
+            let of = self.folder.parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
+            eprintln!("requests: {:?}\nmessages: {:#?}", self.requests, self.console);
+            self.picture(&format!("failed-{of}"));
+        }
         let _ = self.process.kill();
         let _ = self.process.wait();
     }

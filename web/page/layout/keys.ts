@@ -72,7 +72,7 @@ export function keys(app: App, { steps, drives, play, full, store }: KeyParts): 
       }
       return;
     }
-    if (event.altKey || takesText(target) || document.querySelector("dialog[open]") !== null) return;
+    if (event.altKey || takesText(target) || document.querySelector("dialog:modal") !== null) return;
     const control = target instanceof Element ? target.closest("button, a, summary, input, [role=radio], [role=tab], [role=option], [role=slider]") : null;
     // In a panel arrows move its own things and scroll it.
     const inPanel = target instanceof Element && target.closest("#panels, [popover]:popover-open") !== null;
