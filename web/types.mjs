@@ -5,7 +5,12 @@ import { compile } from "json-schema-to-typescript";
 
 const here = import.meta.dirname;
 const [schema, output] = ["engine/schema.json", "page/engine/types.ts"].map((path) => join(here, path));
-const types = await compile(JSON.parse(readFileSync(schema, "utf8")), "Engine", {
+/** What says nothing of a value holds any; the tool would take it for an object. */
+const read = (key, value) =>
+  value?.description !== undefined && Object.keys(value).every((word) => ["description", "default"].includes(word))
+    ? { ...value, tsType: "unknown" }
+    : value;
+const types = await compile(JSON.parse(readFileSync(schema, "utf8"), read), "Engine", {
   additionalProperties: false,
   bannerComment: "// What goes into the engine and comes out of it. Made from engine/schema.json by types.mjs: web/README.md says how.\n",
   unreachableDefinitions: true,

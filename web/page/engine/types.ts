@@ -1,323 +1,986 @@
-/** Why a text is not understood or a scene gives no result; places are in the text that was handed over. */
-export interface Refused {
-  /** What is wrong. */
-  message: string;
-  /** What to try. */
-  hint: string | null;
-  /** The JSON path, as `links.4.lengths.GD`; empty for the text as a whole. */
-  path: string;
-  /** Where it stands in the text, in UTF-16 units; null for the text as a whole. */
-  from: number | null;
-  to: number | null;
-  /** Line and column, counted from 1. */
-  line: number | null;
-  column: number | null;
-}
+// What goes into the engine and comes out of it. Made from engine/schema.json by types.mjs: web/README.md says how.
 
-/** A starting scene. */
-export interface Kind {
-  name: string;
-  title: string;
-  text: string;
-}
-
-/** A drive and where it stands. */
-export interface Drive {
-  /** As in `kinegon sweep --drive`: a link, or a slider on a moving link such as 3/2. */
-  name: string;
-  is_angle: boolean;
-  /** In degrees or units of length. */
-  value: number;
-  /** In words, as `70.0°`. */
-  shown: string;
-  /** The range that it can reach; null where it turns all the way round or slides without end. */
-  low: number | null;
-  high: number | null;
-}
-
-/** A step of the construction. */
-export interface Step {
-  /** Counted from 1. */
-  number: number;
-  caption: string;
-  /** Its equation in plain text, or empty. */
-  equation: string;
-  /** `scheme`, `velocity`, `acceleration`. */
-  panel: string;
-}
-
-/** What is known of a scene that could be solved. */
-export interface Opened {
-  title: string;
-  /** The scene file as JSON. */
-  scene: SceneFile;
-  drives: Drive[];
-  steps: Step[];
-  /** Steps that a lecturer shows together: the numbers of the first and the last of each. */
-  passages: [number, number][];
-  /** What is done in each of them. */
-  passage_captions: string[];
-  /** Names of points whose paths can be drawn. */
-  traceable: string[];
-  /** Names of quantities for curves, tables and values. */
-  quantities: string[];
-  /** Names of vectors for hodographs. */
-  vectors: string[];
-  /** The Assur groups in solving order, as `kinegon structure` prints them. */
-  structure: string;
-  warnings: string[];
-  /** Whether it is a drawn configuration, which cannot be moved. */
-  is_drawn: boolean;
-}
-
-/** How a scene is shown besides what its `figure` says. */
-export interface View {
-  /** The step after which it is shown; null for the finished figure. */
-  step: number | null;
-  /** Whether steps are the passages. */
-  coarse: boolean;
-  /** Whether all other assembly modes are drawn pale. */
-  modes: boolean;
-  /** The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows the scheme alone. */
-  panels?: string[] | null;
-}
-
-/** A place that can be taken hold of. */
-export interface Handle {
-  /** The point's name. */
-  name: string;
-  /** On the sheet, in mm from its upper left corner. */
-  at: [number, number];
-  is_fixed: boolean;
-}
-
-/** A picture of the scene in one position. */
-export interface Picture {
-  svg: string;
-  /** Size of the sheet in mm. */
-  width: number;
-  height: number;
-  /** By panel: its name in words, its key (`scheme`, `velocity`, `acceleration`), its box [x, y, width, height] in mm. */
-  panels: { name: string; key: string; box: [number, number, number, number]; is_cut: boolean }[];
-  handles: Handle[];
-  drives: Drive[];
-  /** What is to be told: a limit that stops the drive, a panel that is cut. */
-  notes: string[];
-}
-
-/** What is taken hold of. */
-export type Grab =
-  /** A joint, to move the mechanism: the first drive follows. */
-  | { kind: "move"; point: string }
-  /** A drive. */
-  | { kind: "drive"; drive: string }
-  /** A joint, to change lengths (or the place of a fixed point); pinned joints stay, pinned lengths keep their values. */
-  | { kind: "shape"; point: string; pins: Pins };
-
-export interface Pins {
-  /** Points that stay where they are. */
-  points: string[];
-  /** Lengths that stay, as `2.BC`: link and length. */
-  lengths: string[];
-}
-
-/** Where to. */
-export type Pull =
-  /** A place on the sheet, in mm. */
-  | { to: [number, number] }
-  /** A value of the drive. */
-  | { value: number };
-
-/** One change of a scene's text. */
-export type Edit =
-  /** Puts a value at a JSON path, in place of what is there; `null` as the last value removes it. */
-  | { set: (string | number)[]; value: unknown }
-  | { remove: (string | number)[] }
-  /** Gives a point, link or drive another name everywhere. */
-  | { rename: "point" | "link"; from: string; to: string }
-  /** A new link between points; those that are new get a place. */
-  | { add_link: { points: { name: string; at: [number, number] }[] } }
-  /** A further point of a link. */
-  | { add_point: { link: string; name: string; at: [number, number] } }
-  /** A pin that slides: of a link along a guide on the ground or another link. */
-  | { add_slider: { link: string; at: string; on: string; along: number | string } }
-  /** Removes a link, or a point, with all that names it. */
-  | { drop_link: string }
-  | { drop_point: string };
-
-/** A way to assemble the scene. */
-export interface Mode {
-  number: number;
-  /** The places of moving points, and angles of links, in words. */
-  shown: string;
-  is_own: boolean;
-}
-
-/** A file as the program writes it. */
-export interface FileRequest {
-  /** `csv` is the table of the motion, `json` the result, `steps` the text of the construction. */
-  format: "svg" | "png" | "pdf" | "tikz" | "csv" | "json" | "steps";
-  /**
-   * What is drawn: the figure, the work sheet, its second sheet, the sheet after a step or passage (counted from 1); over the
-   * cycle curves, paths, hodographs.
-   */
-  of: "figure" | "worksheet" | { worksheet: number } | { step: number } | { passage: number } | OverCycle;
-}
-
-/** What is drawn over the cycle, by names of quantities, points, vectors. */
-export type OverCycle = { curves: string[] } | { path: string[]; beyond_limits?: boolean } | { hodograph: string[] };
-
-/** What can be drawn over the cycle. */
-export interface Curves {
-  svg: string;
-  width: number;
-  height: number;
-  /** Extremes, dead centres, limits, in words. */
-  events: string[];
-  /** The axis of the drive; null where nothing is drawn over it. */
-  axis?: DriveAxis | null;
-}
-
-/** Where the values of the drive are in graphs one above the other. */
-export interface DriveAxis {
-  /** The value at the left edge of the graphs, in degrees or units of length. */
-  low: number;
-  /** At the right edge. */
-  high: number;
-  /** The graphs: [x, y, width, height] in mm. */
-  areas: [number, number, number, number][];
-}
-
-/** A box of the form of measured values. */
-export interface FormRow {
-  /** The name under which its value stands in the form file. */
-  name: string;
-  /** As letters with scripts, as the sheet shows it: HTML of `<i>`, `<sub>`, `<sup>` and text alone. */
-  label: string;
-  unit: string;
-  /** `scheme`, `velocity`, `acceleration`. */
-  panel: string;
-  /** The step that gives it, and that step's caption. */
-  step: number;
-  caption: string;
-  /** Whether it has a sense, which a sign tells. */
-  has_sense: boolean;
-  /** Whether that sense is one of rotation. */
-  turns: boolean;
-  /** Whether it can be given in mm of paper, with `/mu` behind its name. */
-  on_paper: boolean;
-  /** Whether the empty form asks for it. */
-  is_asked: boolean;
-}
-
-/** A point of a plan: its name in the form file, and as the sheet shows it. */
-export interface PlanPoint {
-  name: string;
-  label: string;
-}
-
-export interface Form {
-  /** In the order of the construction; behind them those of further values of a filled form. */
-  rows: FormRow[];
-  /** Scales of the sheet: units per mm of paper. */
-  mu_l: number | null;
-  mu_v: number | null;
-  mu_a: number | null;
-  /** By plan: the pole and the points whose places can be given. */
-  points: { velocity: PlanPoint[]; acceleration: PlanPoint[] };
-  /** The empty form, as `kinegon check --template` writes it. */
-  json: string;
-  csv: string;
-}
-
-/** A form that was checked. All texts of its parts are HTML of `<sub>`, `<sup>` and text alone. */
-export interface Checked {
-  /** As `kinegon check --json`; null where no value is understood. */
-  result: CheckResult | null;
-  /** As `kinegon check`. */
-  report: string;
-  /** The report piece by piece. */
-  parts: ReportParts | null;
-  /** Values that are not understood, by their names in the form; the others are checked. */
-  faults: { name: string; message: string; hint: string | null }[];
-  /** The student's drawing over the right one, where it was asked for. */
-  overlays: { svg: string; width: number; height: number }[];
-  /** The page that `--feedback` writes, where it was asked for. */
-  feedback: string;
-  /** The marks, where a marking scheme was given, in words. */
-  marks: string | null;
-}
-
-/** A report piece by piece. */
-export interface ReportParts {
-  /** How many values are right, within the tolerance, off. */
-  counts: string;
-  /** How much is allowed, and how accurate the drawing is. */
-  accuracy: string[];
-  /** Headings of a value's cells. */
-  columns: string[];
-  /** The values in the order of `result.values`: the box of each, and name, own value, right value, difference, on paper, per cent, allowed, verdict. */
-  rows: { name: string; cells: string[] }[];
-  senses: string | null;
-  heading: string;
-  /** What was probably done, the step's caption, what it should be, what follows from it. */
-  causes: { done: string; caption: string | null; should: string; follows: string | null }[];
-  sure: string | null;
-  further: string[];
-  others: string[];
-}
-
-export interface CheckOptions {
-  /** Marking scheme, as for `kinegon check --marks`, or null. */
-  marks: string | null;
-  /** Tolerance of the pencil, in mm and degrees; null for what the sheet shows. */
-  pencil_mm: number | null;
-  pencil_degrees: number | null;
-  /** Whether overlays and feedback are made, too. */
-  drawn: boolean;
-}
-
-/** How exercises are written, as the options of `kinegon exercise`; null: as the scene has it. */
-export interface ExerciseOptions {
-  page: string | null;
-  language: string | null;
-  notation: string | null;
-  decimal: string | null;
-}
-
-/** An exercise: the files of its folder, and the sizes of its sheets in mm. */
-export interface Exercise {
-  /** Its scene. */
-  text: string;
-  name: string;
-  sheet: string;
-  width: number;
-  height: number;
-  key: string;
-  key_width: number;
-  key_height: number;
-  /** The empty form, also as a table, and the key's values. */
-  form: string;
-  form_csv: string;
-  key_values: string;
-}
-
-/** A scene file, as docs/scenes.md has it. */
-// eslint-disable-next-line
+/**
+ * A scene file, as docs/scenes.md has it.
+ */
 export type SceneFile = Record<string, any>;
-/** `kinegon schema check`. */
+/**
+ * What is taken hold of.
+ */
+export type Grab =
+  | {
+      kind: "move";
+      /**
+       * The joint.
+       */
+      point: string;
+    }
+  | {
+      kind: "drive";
+      /**
+       * The drive.
+       */
+      drive: string;
+    }
+  | {
+      kind: "shape";
+      /**
+       * The joint.
+       */
+      point: string;
+      /**
+       * What stays.
+       */
+      pins: Pins;
+    };
+/**
+ * Where to.
+ */
+export type Pull =
+  | {
+      /**
+       * In mm.
+       *
+       * @minItems 2
+       * @maxItems 2
+       */
+      to: [number, number];
+    }
+  | {
+      /**
+       * In degrees or units of length.
+       */
+      value: number;
+    };
+/**
+ * One change of a scene's text.
+ */
+export type Edit =
+  | {
+      /**
+       * The path: keys, and indices of lists.
+       */
+      set: Key[];
+      /**
+       * The value.
+       */
+      value: unknown;
+    }
+  | {
+      /**
+       * The path.
+       */
+      remove: Key[];
+    }
+  | {
+      /**
+       * What is renamed.
+       */
+      rename: Named;
+      /**
+       * Its name.
+       */
+      from: string;
+      /**
+       * Its new name.
+       */
+      to: string;
+    }
+  | {
+      /**
+       * The link.
+       */
+      add_link: NewLink;
+    }
+  | {
+      /**
+       * The point.
+       */
+      add_point: NewPoint;
+    }
+  | {
+      /**
+       * The slider.
+       */
+      add_slider: NewSlider;
+    }
+  | {
+      /**
+       * Its name.
+       */
+      drop_link: string;
+    }
+  | {
+      /**
+       * Its name.
+       */
+      drop_point: string;
+    };
+/**
+ * A step of a JSON path.
+ */
+export type Key = number | string;
+/**
+ * What has a name.
+ */
+export type Named = "point" | "link";
+/**
+ * The direction of a new guide.
+ */
+export type Along = number | string;
+/**
+ * A kind of file: `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
+ */
+export type Format = "svg" | "png" | "pdf" | "tikz" | "csv" | "json" | "steps";
+/**
+ * What is drawn.
+ */
+export type Subject =
+  | SheetName
+  | {
+      /**
+       * Counted from 1; a table without room beside the panels is on the second.
+       */
+      worksheet: number;
+    }
+  | {
+      /**
+       * Counted from 1.
+       */
+      step: number;
+    }
+  | {
+      /**
+       * Counted from 1.
+       */
+      passage: number;
+    }
+  | OverCycle;
+/**
+ * A sheet.
+ */
+export type SheetName = "figure" | "worksheet";
+/**
+ * What is drawn over the cycle of the first drive, by names of quantities, points, vectors.
+ */
+export type OverCycle =
+  | {
+      /**
+       * Their names; without any those that the scene wants, or all ω.
+       */
+      curves: string[];
+    }
+  | {
+      /**
+       * Their names.
+       */
+      path: string[];
+      /**
+       * Whether the paths go on beyond limits of the drive.
+       */
+      beyond_limits?: boolean;
+    }
+  | {
+      /**
+       * Their names.
+       */
+      hodograph: string[];
+    };
+/**
+ * `kinegon schema check`.
+ */
 export type CheckResult = Record<string, any>;
 
-
-/** A value of the scene's own position. */
-export interface Value {
-  /** Its name, as `v(D).size`. */
+/**
+ * Why a text is not understood or a scene gives no result.
+ */
+export interface Refused {
+  /**
+   * What is wrong.
+   */
+  message: string;
+  /**
+   * What to try.
+   */
+  hint: string | null;
+  /**
+   * The JSON path, as `links.4.lengths.GD`; empty for the text as a whole.
+   */
+  path: string;
+  /**
+   * Where it begins in the text, in UTF-16 units as JavaScript counts; none for the text as a whole.
+   */
+  from: number | null;
+  /**
+   * Where it ends.
+   */
+  to: number | null;
+  /**
+   * Line, counted from 1.
+   */
+  line: number | null;
+  /**
+   * Column in characters, counted from 1.
+   */
+  column: number | null;
+}
+/**
+ * A starting scene.
+ */
+export interface Kind {
+  /**
+   * Its name, as `kinegon new` has it.
+   */
   name: string;
-  /** As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone. */
+  /**
+   * Its title.
+   */
+  title: string;
+  /**
+   * Its text.
+   */
+  text: string;
+}
+/**
+ * What is known of a scene that could be solved.
+ */
+export interface Opened {
+  /**
+   * Its title, or the usual one.
+   */
+  title: string;
+  /**
+   * The scene file as JSON.
+   */
+  scene: SceneFile;
+  /**
+   * Its drives and where they stand.
+   */
+  drives: Drive[];
+  /**
+   * The steps of the construction; none of a scene that is too large for them.
+   */
+  steps: Step[];
+  /**
+   * Steps that a lecturer shows together: the numbers of the first and the last of each.
+   */
+  passages: [number, number][];
+  /**
+   * What is done in each passage.
+   */
+  passage_captions: string[];
+  /**
+   * Names of points whose paths can be drawn.
+   */
+  traceable: string[];
+  /**
+   * Names of quantities for curves, tables and values.
+   */
+  quantities: string[];
+  /**
+   * Names of vectors for hodographs.
+   */
+  vectors: string[];
+  /**
+   * The Assur groups in solving order, as `kinegon structure` prints them.
+   */
+  structure: string;
+  /**
+   * Warnings of all stages.
+   */
+  warnings: string[];
+  /**
+   * Whether it is a drawn configuration, which cannot be moved.
+   */
+  is_drawn: boolean;
+}
+/**
+ * A drive and where it stands.
+ */
+export interface Drive {
+  /**
+   * A driven link, or a slider on a moving link such as 3/2.
+   */
+  name: string;
+  /**
+   * Whether it turns.
+   */
+  is_angle: boolean;
+  /**
+   * In degrees or units of length.
+   */
+  value: number;
+  /**
+   * In words, as `70.0°`.
+   */
+  shown: string;
+  /**
+   * The least value that it can reach; none where it turns all the way round or slides without end.
+   */
+  low: number | null;
+  /**
+   * The greatest.
+   */
+  high: number | null;
+}
+/**
+ * A step of the construction.
+ */
+export interface Step {
+  /**
+   * Counted from 1.
+   */
+  number: number;
+  /**
+   * What is done.
+   */
+  caption: string;
+  /**
+   * Its equation in plain text, or empty.
+   */
+  equation: string;
+  /**
+   * `scheme`, `velocity`, `acceleration`.
+   */
+  panel: string;
+}
+/**
+ * How a scene is shown besides what its `figure` says.
+ */
+export interface View {
+  /**
+   * The step after which it is shown, from 1; none for the finished figure.
+   */
+  step: number | null;
+  /**
+   * Whether steps are the passages.
+   */
+  coarse: boolean;
+  /**
+   * Whether all other assembly modes are drawn pale.
+   */
+  modes: boolean;
+  /**
+   * The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows
+   * the scheme alone.
+   */
+  panels?: string[] | null;
+}
+/**
+ * A picture of the scene in one position.
+ */
+export interface Picture {
+  /**
+   * The sheet.
+   */
+  svg: string;
+  /**
+   * Width of the sheet in mm.
+   */
+  width: number;
+  /**
+   * Height of the sheet in mm.
+   */
+  height: number;
+  /**
+   * Its panels.
+   */
+  panels: Panel[];
+  /**
+   * What can be taken hold of: the points of the mechanism.
+   */
+  handles: Handle[];
+  /**
+   * The points of the plans that are shown, their poles among them.
+   */
+  plan_points: Handle[];
+  /**
+   * The drives and where they stand.
+   */
+  drives: Drive[];
+  /**
+   * What is to be told: a limit that stops the drive, a panel that is cut.
+   */
+  notes: string[];
+}
+/**
+ * A panel of a picture.
+ */
+export interface Panel {
+  /**
+   * Its name in words.
+   */
+  name: string;
+  /**
+   * `scheme`, `velocity`, `acceleration`.
+   */
+  key: string;
+  /**
+   * [x, y, width, height] in mm.
+   *
+   * @minItems 4
+   * @maxItems 4
+   */
+  box: [number, number, number, number];
+  /**
+   * Whether something is cut off at its edge.
+   */
+  is_cut: boolean;
+}
+/**
+ * A place that can be taken hold of.
+ */
+export interface Handle {
+  /**
+   * The point's name.
+   */
+  name: string;
+  /**
+   * The panel in which it is: `scheme`, `velocity`, `acceleration`.
+   */
+  panel: string;
+  /**
+   * On the sheet, in mm from its upper left corner.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * Whether it never moves: a point of the ground, or a pole.
+   */
+  is_fixed: boolean;
+}
+/**
+ * What stays when a joint is pulled.
+ */
+export interface Pins {
+  /**
+   * Points that stay where they are.
+   */
+  points: string[];
+  /**
+   * Lengths that stay, as `2.BC`: link and length; or a link's angle, as `1.angle`.
+   */
+  lengths: string[];
+}
+/**
+ * A new link.
+ */
+export interface NewLink {
+  /**
+   * Its points. One that the scene has already becomes a joint.
+   */
+  points: PlacedPoint[];
+}
+/**
+ * A point where it is, or is to be, in the present position.
+ */
+export interface PlacedPoint {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * Its place in the fixed frame, in units of length.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * A further point of a link.
+ */
+export interface NewPoint {
+  /**
+   * The link, or `ground`.
+   */
+  link: string;
+  /**
+   * The point's name.
+   */
+  name: string;
+  /**
+   * Its place in the present position, in the fixed frame.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * A new slider.
+ */
+export interface NewSlider {
+  /**
+   * The sliding link; empty for a pin in a slot.
+   */
+  link: string;
+  /**
+   * The point of it that is on the guide, or the pin.
+   */
+  at: string;
+  /**
+   * What carries the guide: a link, or `ground`.
+   */
+  on: string;
+  /**
+   * The guide's direction: degrees, or two points of its carrier as `BE`.
+   */
+  along: Along;
+}
+/**
+ * A point of the scene in its own coordinates.
+ */
+export interface Place {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * Where it is, in units of length.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * A way to assemble the scene.
+ */
+export interface Mode {
+  /**
+   * Its number, as `kinegon modes` counts.
+   */
+  number: number;
+  /**
+   * The places of moving points, and angles of links, in words.
+   */
+  shown: string;
+  /**
+   * Whether it is that of the scene.
+   */
+  is_own: boolean;
+}
+/**
+ * A file as the program writes it.
+ */
+export interface FileRequest {
+  /**
+   * What kind of file.
+   */
+  format: Format;
+  /**
+   * What is drawn.
+   */
+  of: Subject;
+}
+/**
+ * What can be drawn over the cycle.
+ */
+export interface Curves {
+  /**
+   * The sheet.
+   */
+  svg: string;
+  /**
+   * Width of the sheet in mm.
+   */
+  width: number;
+  /**
+   * Height of the sheet in mm.
+   */
+  height: number;
+  /**
+   * Extreme positions, change points, limits, in words.
+   */
+  events: string[];
+  /**
+   * The axis of the drive; none where nothing is drawn over it.
+   */
+  axis: DriveAxis | null;
+}
+/**
+ * Where the values of the drive are in graphs one above the other.
+ */
+export interface DriveAxis {
+  /**
+   * The value at the left edge of the graphs, in degrees or units of length.
+   */
+  low: number;
+  /**
+   * At the right edge.
+   */
+  high: number;
+  /**
+   * The graphs: [x, y, width, height] in mm.
+   */
+  areas: [number, number, number, number][];
+}
+/**
+ * A value of the scene's own position.
+ */
+export interface Value {
+  /**
+   * Its name, as `v(D).size`.
+   */
+  name: string;
+  /**
+   * As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+   */
   label: string;
-  /** Those digits that are certain. */
+  /**
+   * Those digits that are certain.
+   */
   value: string;
+  /**
+   * Its unit.
+   */
   unit: string;
-  /** How far the value can be from the true one, in the same unit; absent where that is not known. */
+  /**
+   * How far the value can be from the true one, in the same unit; none where that is not known.
+   */
   error?: string | null;
+}
+/**
+ * The form of a scene.
+ */
+export interface Form {
+  /**
+   * Its boxes in the order of the construction; behind them those of further values that a filled form has.
+   */
+  rows: FormRow[];
+  /**
+   * Scale of the scheme in units per mm of paper.
+   */
+  mu_l: number | null;
+  /**
+   * Scale of the velocity plan.
+   */
+  mu_v: number | null;
+  /**
+   * Scale of the acceleration plan.
+   */
+  mu_a: number | null;
+  /**
+   * By plan: the pole and the points whose places can be given.
+   */
+  points: PlanPoints;
+  /**
+   * The empty form, as `kinegon check --template` writes it.
+   */
+  json: string;
+  /**
+   * The same as a table.
+   */
+  csv: string;
+}
+/**
+ * A box of the form of measured values.
+ */
+export interface FormRow {
+  /**
+   * The name under which its value stands in the form file.
+   */
+  name: string;
+  /**
+   * As the sheet writes it: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+   */
+  label: string;
+  /**
+   * The scene's unit of it.
+   */
+  unit: string;
+  /**
+   * `scheme`, `velocity`, `acceleration`.
+   */
+  panel: string;
+  /**
+   * The step that gives it.
+   */
+  step: number;
+  /**
+   * That step's caption.
+   */
+  caption: string;
+  /**
+   * Whether it has a sense, which a sign tells.
+   */
+  has_sense: boolean;
+  /**
+   * Whether that sense is one of rotation.
+   */
+  turns: boolean;
+  /**
+   * Whether it can be given in millimetres of paper, with `/mu` behind its name.
+   */
+  on_paper: boolean;
+  /**
+   * Whether the empty form asks for it.
+   */
+  is_asked: boolean;
+}
+/**
+ * Points whose places on paper can be given, by the names of the form file; the pole first.
+ */
+export interface PlanPoints {
+  /**
+   * Of the velocity plan.
+   */
+  velocity: PlanPoint[];
+  /**
+   * Of the acceleration plan.
+   */
+  acceleration: PlanPoint[];
+}
+/**
+ * A point of a plan.
+ */
+export interface PlanPoint {
+  /**
+   * The name under which its place stands in the form file.
+   */
+  name: string;
+  /**
+   * As the sheet writes it, in HTML.
+   */
+  label: string;
+}
+/**
+ * A form that was checked.
+ */
+export interface Checked {
+  /**
+   * As `kinegon check --json`; none where no value is understood.
+   */
+  result: CheckResult | null;
+  /**
+   * As `kinegon check`.
+   */
+  report: string;
+  /**
+   * The report piece by piece.
+   */
+  parts: ReportParts | null;
+  /**
+   * Values that are not understood, by their names in the form.
+   */
+  faults: Fault[];
+  /**
+   * The student's drawing over the right one, where it was asked for.
+   */
+  overlays: OverlaySheet[];
+  /**
+   * The page that `--feedback` writes for a browser, where it was asked for.
+   */
+  feedback: string;
+  /**
+   * The marks in words, where a marking scheme was given.
+   */
+  marks: string | null;
+}
+/**
+ * A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
+ */
+export interface ReportParts {
+  /**
+   * How many values are right, within the tolerance, off.
+   */
+  counts: string;
+  /**
+   * How much is allowed, and how accurate the drawing is.
+   */
+  accuracy: string[];
+  /**
+   * Headings of a value's cells.
+   */
+  columns: string[];
+  /**
+   * The values in the order of `result.values`.
+   */
+  rows: PartsRow[];
+  /**
+   * About rates without a sense.
+   */
+  senses: string | null;
+  /**
+   * The heading of the causes, or the sentence that there are none, or that none can be told.
+   */
+  heading: string;
+  /**
+   * What was probably done.
+   */
+  causes: CauseOf[];
+  /**
+   * How sure that is.
+   */
+  sure: string | null;
+  /**
+   * Which values nothing explains, which plans are mirrored.
+   */
+  further: string[];
+  /**
+   * What else explains the values.
+   */
+  others: string[];
+}
+/**
+ * A value of a report.
+ */
+export interface PartsRow {
+  /**
+   * The name of its box in the form file.
+   */
+  name: string;
+  /**
+   * Name, own value, exact value, difference, the same on paper and in per cent, what is allowed, verdict.
+   */
+  cells: string[];
+}
+/**
+ * A mistake that was probably made.
+ */
+export interface CauseOf {
+  /**
+   * At which step, and what was done.
+   */
+  done: string;
+  /**
+   * That step's caption.
+   */
+  caption: string | null;
+  /**
+   * What it should be.
+   */
+  should: string;
+  /**
+   * Which values follow from it.
+   */
+  follows: string | null;
+}
+/**
+ * A value that is not understood.
+ */
+export interface Fault {
+  /**
+   * Its name as the form has it.
+   */
+  name: string;
+  /**
+   * Why.
+   */
+  message: string;
+  /**
+   * What to try.
+   */
+  hint: string | null;
+}
+/**
+ * A sheet.
+ */
+export interface OverlaySheet {
+  /**
+   * The sheet.
+   */
+  svg: string;
+  /**
+   * Width in mm.
+   */
+  width: number;
+  /**
+   * Height in mm.
+   */
+  height: number;
+}
+/**
+ * How a form is checked.
+ */
+export interface CheckOptions {
+  /**
+   * Marking scheme, as for `kinegon check --marks`.
+   */
+  marks: string | null;
+  /**
+   * Tolerance of the pencil in mm; none for what the sheet shows.
+   */
+  pencil_mm: number | null;
+  /**
+   * The same in degrees.
+   */
+  pencil_degrees: number | null;
+  /**
+   * Whether the student's drawing and the page for the student are made, too.
+   */
+  drawn: boolean;
+}
+/**
+ * An exercise with its files.
+ */
+export interface Exercise {
+  /**
+   * Its scene: scene.json.
+   */
+  text: string;
+  /**
+   * Its name: that of its folder.
+   */
+  name: string;
+  /**
+   * The student's sheet: sheet.svg.
+   */
+  sheet: string;
+  /**
+   * Its width in mm.
+   */
+  width: number;
+  /**
+   * Its height in mm.
+   */
+  height: number;
+  /**
+   * The teacher's key: key.svg.
+   */
+  key: string;
+  /**
+   * Its width in mm.
+   */
+  key_width: number;
+  /**
+   * Its height in mm.
+   */
+  key_height: number;
+  /**
+   * The empty form: form.json.
+   */
+  form: string;
+  /**
+   * The same as a table: form.csv.
+   */
+  form_csv: string;
+  /**
+   * The values of the key: key.json.
+   */
+  key_values: string;
+}
+/**
+ * How exercises are written, as the options of `kinegon exercise`; what is not given is the scene's.
+ */
+export interface ExerciseOptions {
+  /**
+   * The sheet, as `a4-landscape`; none for A4, or A3 where few variants can be drawn well on A4.
+   */
+  page: string | null;
+  /**
+   * Language, as `es`.
+   */
+  language: string | null;
+  /**
+   * Notation.
+   */
+  notation: string | null;
+  /**
+   * Decimal mark.
+   */
+  decimal: string | null;
 }
