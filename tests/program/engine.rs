@@ -285,3 +285,9 @@ fn a_refusal_has_its_place_in_utf_16() {
     let [from, to] = ["from", "to"].map(|key| refused[key].as_u64().expect("a place") as usize);
     assert_eq!(String::from_utf16_lossy(&units[from..to]), "\"linkz\"", "{refused}");
 }
+
+#[test]
+fn the_schema_is_current() {
+    let schema = format!("{:#}\n", kinegon_web::schema());
+    assert!(schema == read("web/engine/schema.json"), "web/README.md says how it is made");
+}
