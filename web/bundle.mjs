@@ -1,4 +1,5 @@
 // Makes one file of the page: node bundle.mjs FOLDER_OF_THE_ENGINE OUTPUT.html
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -29,6 +30,12 @@ async function bundled(entry) {
 /** Bytes as the browser unpacks them by itself. */
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
 
+/** A file by xz, as web/page/engine/unpack.ts unpacks it. */
+function tightlyPacked(path) {
+  const options = ["--compress", "--stdout", "--threads=1", "--check=crc32", "--lzma2=preset=9e,dict=8MiB"];
+  return execFileSync("xz", [...options, path], { maxBuffer: 1 << 28 }).toString("base64");
+}
+
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
 if (/<\/script|<!--/i.test(boot) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
 const policy = [
@@ -50,7 +57,7 @@ const contents = {
   boot,
   script: packed(script),
   worker: packed(worker),
-  engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
+  engine: tightlyPacked(join(engine, "kinegon_web_bg.wasm")),
 };
 const filled = (_, name) => {
   if (!(name in contents)) throw new Error(`index.html asks for ${name}`);
