@@ -29,11 +29,11 @@ async function bundled(entry) {
 /** Bytes as the browser unpacks them by itself. */
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
 
-const [script, worker, style] = await Promise.all(["main.ts", "engine/worker.ts", "style.css"].map(bundled));
-if (/<\/script|<!--/i.test(script) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
+const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
+if (/<\/script|<!--/i.test(boot) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
 const policy = [
   "default-src 'none'",
-  `script-src 'sha256-${createHash("sha256").update(script).digest("base64")}' 'wasm-unsafe-eval' blob:`,
+  `script-src 'sha256-${createHash("sha256").update(boot).digest("base64")}' 'wasm-unsafe-eval' blob:`,
   "worker-src blob:",
   "style-src 'unsafe-inline'",
   "img-src data: blob:",
@@ -47,7 +47,8 @@ const contents = {
   policy,
   sources: sources(),
   style,
-  script,
+  boot,
+  script: packed(script),
   worker: packed(worker),
   engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
 };
@@ -58,4 +59,4 @@ const filled = (_, name) => {
 const page = readFileSync(join(here, "page/index.html"), "utf8").replace(/\{\{(\w+)\}\}/g, filled);
 writeFileSync(output, page);
 const kB = (text) => `${Math.round(Buffer.byteLength(text) / 1000)} kB`;
-console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(script)}, style ${kB(style)}`);
+console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(contents.script)}, style ${kB(style)}`);

@@ -211,10 +211,10 @@ pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(),
         true => json!({ "pin": at, "on": on }),
         false => json!({ "link": link, "at": at, "on": on }),
     };
-    if let (Along::Degrees(_), None) = (along, &names.drawn) {
-        if let Some(through) = through(document, on, at) {
-            entry["through"] = through;
-        }
+    if let (Along::Degrees(_), None) = (along, &names.drawn)
+        && let Some(through) = through(document, on, at)
+    {
+        entry["through"] = through;
     }
     entry["along"] = match along {
         Along::Degrees(degrees) => super::number::json(*degrees),
@@ -242,14 +242,15 @@ fn through(document: &Document<'_>, on: &str, at: &str) -> Option<Json> {
 
 /// The smallest number that no link has.
 fn free_name(names: &Names) -> String {
-    let is_kept = |number: &String| {
-        names.links.contains_key(number)
-            || names.points().iter().any(|point| {
-                point.strip_prefix('S') == Some(number) || point.split_once('_').is_some_and(|(_, link)| link == number)
-            })
+    let points = names.points();
+    let is_kept = |number: &str| {
+        let is_beside = |point: &String| {
+            point.strip_prefix('S') == Some(number) || point.split_once('_').is_some_and(|(_, link)| link == number)
+        };
+        names.links.contains_key(number) || points.iter().any(is_beside)
     };
-    let numbers = (1..).map(|number: usize| number.to_string());
-    numbers.skip_while(is_kept).next().unwrap_or_default()
+    let mut numbers = (1..).map(|number: usize| number.to_string());
+    numbers.find(|number| !is_kept(number)).unwrap_or_default()
 }
 
 /// Refuses what is no name of a point.

@@ -75,15 +75,6 @@ fn refused(scene: &Scene, path: &[&str], message: &str) -> SceneError {
     scene.error_at(path, message, hint.map(str::to_owned))
 }
 
-/// Where the points of a text are, in the fixed frame and in units of length: as solved; of a scene that cannot be solved,
-/// those of the ground, of a drawing and of `near`.
-///
-/// # Errors
-/// The text is not JSON.
-pub fn places(text: &str) -> Result<IndexMap<String, Point>, SceneError> {
-    Ok(Present::of(&Document::new(text)?).places)
-}
-
 /// What is known of the places of points: all, if the scene can be solved; else those that the text gives.
 #[derive(Clone, Debug)]
 pub(super) struct Present {
@@ -117,6 +108,16 @@ impl Present {
         let axis = Vector::new(own.dot(&fixed), own.perp(&fixed));
         Some(placed(unit(axis)?, first.0, first.1))
     }
+}
+
+/// Where the points of a scene are in the fixed frame, in its unit of length: as solved; of a text that is no complete scene, or
+/// cannot be assembled, those that it says, be it roughly.
+///
+/// # Errors
+/// The text is not JSON.
+pub fn places(text: &str) -> Result<IndexMap<String, [f64; 2]>, SceneError> {
+    let present = Present::of(&Document::new(text)?);
+    Ok(present.places.into_iter().map(|(name, place)| (name, place.into())).collect())
 }
 
 /// The places that a text gives: those of the ground, of a drawing and of `near`.

@@ -133,10 +133,14 @@ async function start(): Promise<void> {
   sayAll();
   theme(store);
   const tell = teller();
-  const [script, wasm, first] = await Promise.all([unpacked("worker"), unpacked("engine"), beginning(location.hash, store)]);
+  // The engine is compiled while it is being unpacked.
+  const compiled = WebAssembly.compileStreaming(unpacked("engine", "application/wasm"));
+  const script = unpacked("worker", "text/javascript").text();
+  const first = await beginning(location.hash, store);
   const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
-  const { engine, busy } = startEngine(new TextDecoder().decode(script), await WebAssembly.compile(wasm), (why) => {
-    notice(restarted(why));
+  const { engine, busy } = startEngine(await script, await compiled, (why, during) => {
+    // Of a text that cannot be solved the message bar tells.
+    if (during !== "open") notice(restarted(why));
     return restarted(why);
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));

@@ -3,7 +3,7 @@
 use super::{Change, Pins};
 use crate::editing::number::Decimals;
 use crate::editing::present::Solved;
-use crate::geometry::{Turn, Vector, degrees_of, unit};
+use crate::geometry::{Turn, degrees_of, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::position::Pose;
 use crate::scene::{Along, At, GivenBy, On, Slider};
@@ -67,10 +67,9 @@ impl Lever {
         for point in solved.mechanism.body(self.link).points.iter().filter(|point| **point != self.pivot) {
             wanted.points[point.0] = pivot + turn * before.arm(self.pivot, *point);
         }
-        let turned = |direction: Vector| turn * direction;
-        wanted.guides[self.slider.0] = turned(before.guides[self.slider.0]);
+        wanted.guides[self.slider.0] = turn * before.guides[self.slider.0];
         for body in [self.link, solved.mechanism.slider(self.slider).link] {
-            wanted.axes[body.0] = before.axes[body.0].map(turned);
+            wanted.axes[body.0] = before.axes[body.0].map(|axis| turn * axis);
         }
     }
 }

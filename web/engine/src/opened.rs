@@ -91,7 +91,7 @@ impl Desk {
 /// Where the points are, as far as that is known.
 pub fn places(text: &str) -> Result<Vec<Place>, Refused> {
     let places = editing::places(text).map_err(|error| Refused::of(text, error))?;
-    Ok(places.into_iter().map(|(name, at)| Place { name, at: [at.x, at.y] }).collect())
+    Ok(places.into_iter().map(|(name, at)| Place { name, at }).collect())
 }
 
 /// The steps of the construction, in the figure's language.

@@ -19,7 +19,7 @@ export interface Watch {
   /** It works longer than it takes to notice, or is idle again. */
   busy(is: boolean): void;
   /** It fell or took too long, and was started again. The answer is what the caller is told. */
-  restarted(why: "fell" | "too_slow"): string;
+  restarted(why: "fell" | "too_slow", during: string): string;
 }
 
 /** A refusal that is about no place in a text. */
@@ -65,7 +65,7 @@ export function hand(address: string, module: WebAssembly.Module, watch: Watch):
     worker.terminate();
     const call = settle();
     worker = started();
-    const told = watch.restarted(why);
+    const told = watch.restarted(why, call?.name ?? "");
     call?.refused(refusal(told));
     next();
   }

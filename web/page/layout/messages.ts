@@ -48,6 +48,9 @@ export function notice(message: string): void {
   close.onclick = () => (bar.hidden = true);
   bar.replaceChildren(element("p", {}, message), close);
   bar.hidden = false;
+  // Aloud it is said as everything else is.
+  byId("said").classList.remove("shown");
+  byId("said").textContent = message;
 }
 
 /** Says something aloud only, where the page shows it in another way. */

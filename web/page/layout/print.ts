@@ -9,8 +9,8 @@ export function printer(): App["print"] {
   document.head.append(style);
   return (given, width, height) => {
     const svgs = typeof given === "string" ? [given] : given;
-    // A hair less than the page, or rounding would bring an empty second one.
-    style.textContent = `@page { size: ${width}mm ${height}mm; margin: 0; } @media print { #print > * { width: ${width}mm; height: ${height - 0.05}mm; } }`;
+    // A little less than the page, which browsers round; else an empty one would follow. That is margin.
+    style.textContent = `@page { size: ${width}mm ${height}mm; margin: 0; } @media print { #print > * { width: ${width}mm; height: ${height - 0.5}mm; } }`;
     place.replaceChildren(
       ...svgs.map((svg, index) => {
         const root = sheetElement(svg, `print-${index}`, "");

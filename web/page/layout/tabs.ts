@@ -22,7 +22,13 @@ export function tabs(app: App, panels: Panel[], store: Store): void {
     button.onclick = () => app.shown.set(app.shown.value === panel.id ? "" : panel.id);
     return { id: panel.id, button, root, body };
   });
-  panels.forEach((panel, index) => panel.mount(buttons[index]!.body, app));
+  // A panel is filled when somebody first wants to see it.
+  const waiting = new Map(panels.map((panel) => [panel.id, panel]));
+  const fill = (id: string, body: HTMLElement): void => {
+    const panel = waiting.get(id);
+    waiting.delete(id);
+    panel?.mount(body, app);
+  };
 
   list.onkeydown = (event) => {
     const seen = buttons.filter(({ button }) => !button.hidden);
@@ -45,7 +51,8 @@ export function tabs(app: App, panels: Panel[], store: Store): void {
     byId("side").classList.toggle("folded", shown === "");
     document.body.classList.toggle("folded", shown === "");
     const focusable = buttons.some(({ id }) => id === shown) ? shown : buttons[0]?.id;
-    for (const { id, button, root } of buttons) {
+    for (const { id, button, root, body } of buttons) {
+      if (id === shown) fill(id, body);
       button.setAttribute("aria-selected", String(id === shown));
       button.tabIndex = id === focusable ? 0 : -1;
       root.hidden = id !== shown;

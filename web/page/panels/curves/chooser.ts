@@ -27,8 +27,13 @@ export function points(names: string[], chosen: string[], toggle: (name: string,
   return element("div", { class: "chips" }, ...names.map((name) => chip(name, "", chosen.includes(name), toggle)));
 }
 
+/** Ticks these names, and no others. */
+export function ticked(root: HTMLElement, chosen: string[]): void {
+  for (const box of root.querySelectorAll("input")) box.checked = chosen.includes(box.value);
+}
+
 function chip(name: string, subject: string, on: boolean, toggle: (name: string, on: boolean) => void): HTMLLabelElement {
-  const box = element("input", { type: "checkbox", checked: on, "aria-label": name, onchange: () => toggle(name, box.checked) });
+  const box = element("input", { type: "checkbox", value: name, checked: on, "aria-label": name, onchange: () => toggle(name, box.checked) });
   return element("label", { class: "chip", title: name }, box, element("span", {}, ...symbol(name, subject)));
 }
 

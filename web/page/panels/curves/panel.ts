@@ -8,7 +8,7 @@ import { button, element, tick, worded } from "../output/element.ts";
 import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
 import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, wantedOf } from "./choice.ts";
-import { choices, points } from "./chooser.ts";
+import { choices, points, ticked } from "./chooser.ts";
 import { follow } from "./follow.ts";
 import { large } from "./large.ts";
 import { say } from "./words.ts";
@@ -44,7 +44,6 @@ function chooser(app: App, choice: Chosen): HTMLElement {
   const clear = button(() => say("clear"), () => {
     const { kind } = choice.value;
     choice.set({ ...choice.value, names: { ...choice.value.names, [kind]: [] } });
-    list(true);
   }, { class: "framed" });
   const summary = element("summary");
   const fold = element("details", { open: true }, summary, names, clear);
@@ -55,8 +54,8 @@ function chooser(app: App, choice: Chosen): HTMLElement {
     choice.set({ ...choice.value, names: { ...names, [kind]: on ? [...others, name] : others } });
   }
   let listed = "";
-  /** Lists anew what can be ticked, where that is other than what stands there. */
-  function list(always = false): void {
+  /** Lists anew what can be ticked, where that is other than what stands there; ticks what is chosen. */
+  function list(): void {
     const { opened } = app.solved.value;
     const { kind, names: chosen } = choice.value;
     summary.textContent = `${say("choose")}: ${chosen[kind].join(", ")}`;
@@ -64,7 +63,7 @@ function chooser(app: App, choice: Chosen): HTMLElement {
     if (opened === null) return;
     const all = offered(opened)[kind];
     const now = [language.value, kind, ...all].join("\n");
-    if (now === listed && !always) return;
+    if (now === listed) return ticked(names, chosen[kind]);
     listed = now;
     names.replaceChildren(kind === "path" ? points(all, chosen.path, toggle) : choices(all, chosen[kind], toggle));
   }

@@ -72,7 +72,8 @@ export function forTeacher(app: App, found: Found, key: HTMLElement): HTMLElemen
       "p",
       { class: "buttons" },
       button(say("open"), () => {
-        app.open(exercise.text);
+        // A form of the scene before would not fit.
+        app.history.change({ text: exercise.text, form: "" });
         app.tell(say("opened", { name: exercise.name }));
       }),
       button(say("print_key"), () => app.print(exercise.key, exercise.key_width, exercise.key_height)),

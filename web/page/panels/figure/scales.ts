@@ -43,7 +43,7 @@ function scale(scene: SceneFile, key: keyof Scales, sign: string, unit: string, 
   const per = unit.includes("/") ? `(${unit})/mm` : `${unit}/mm`;
   const usual = present === null ? say("automatic") : String(present);
   const step = (present ?? 1) / 10;
-  return { label: say(key), path, fields: [{ kind: "number", path, label: sign, quiet: true, unit: per, step: roundStep(step), least: 0, usual }], buttons };
+  return { label: say(key), aligned: true, path, fields: [{ kind: "number", path, label: sign, quiet: true, unit: per, step: roundStep(step), least: 0, usual }], buttons };
 }
 
 /** A step of 1 before zeros. */

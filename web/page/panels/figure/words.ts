@@ -5,7 +5,7 @@ type Key =
   | "as_before" | "scales_for" | "position" | "sheet" | "cycle" | "look" | "style" | "paper" | "print" | "lecture" | "board" | "notation" | "n_paper"
   | "english" | "russian" | "german" | "language" | "decimal" | "point" | "comma" | "page" | "page_size" | "landscape" | "portrait" | "direction" | "worksheet"
   | "yes" | "no" | "contents" | "values" | "usual" | "with_unit" | "construction" | "whole" | "as_paper" | "hidden" | "special" | "paths" | "trace"
-  | "no_trace" | "beyond" | "ghosts" | "ghosts_unit" | "labels" | "labels_help" | "label_of" | "name" | "drop_label" | "of_scene" | "held"
+  | "no_trace" | "beyond" | "ghosts" | "ghosts_unit" | "labels" | "labels_help" | "label_of" | "drop_label"
   | "projector" | "own_name" | "add_label";
 
 const WORDS: Words<Key> = {
@@ -70,10 +70,7 @@ const WORDS: Words<Key> = {
     labels: "Other letters",
     labels_help: "Shown in place of a name. B_1 writes a subscript.",
     label_of: "Text for {name}",
-    name: "Name",
     drop_label: "Show the name of {name} again",
-    of_scene: "the scene’s",
-    held: "held",
     projector: "Projector 16:9",
     own_name: "Name to replace",
     add_label: "Text",
@@ -139,10 +136,7 @@ const WORDS: Words<Key> = {
     labels: "Otras letras",
     labels_help: "Se muestran en vez del nombre. B_1 escribe un subíndice.",
     label_of: "Texto para {name}",
-    name: "Nombre",
     drop_label: "Mostrar de nuevo el nombre de {name}",
-    of_scene: "el de la escena",
-    held: "fija",
     projector: "Proyector 16:9",
     own_name: "Nombre que se sustituye",
     add_label: "Texto",

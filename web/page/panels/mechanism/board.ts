@@ -9,7 +9,7 @@ import { parsed, unitsOf } from "../parts/scene.ts";
 import { follows, TOOLS, type Begun, type Press, type Tool } from "./board_tools.ts";
 import { command } from "./commands.ts";
 import type { Places } from "./places.ts";
-import { boxOf, gridOf, holds, linkAt, pointAt, sketch, type Box, type Place } from "./sketch.ts";
+import { boxOf, grainOf, gridOf, holds, linkAt, pointAt, sketch, type Box, type Place } from "./sketch.ts";
 import { say } from "./words.ts";
 
 /** Width of the board by its height. */
@@ -31,7 +31,7 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
   const svg = s("svg", { class: "board", tabindex: 0, role: "application", preserveAspectRatio: "xMidYMid meet" }, drawing, cursor);
   const state = h("p", { class: "state", role: "status" });
   const larger = h("button", { type: "button", class: "small" });
-  const dialog = h("dialog", { class: "desk", open: true }, h("div", { class: "head" }, tools, larger), hint, svg, state);
+  const dialog = h("dialog", { class: "desk", open: true }, tools, hint, svg, h("div", { class: "foot" }, state, larger));
   const root = h("details", { class: "gallery drawing-board" }, summary, dialog);
 
   /** A length of a dot on the screen, in the scene's units. */
@@ -88,7 +88,7 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
   function pressed(place: Place, reach: number): Press {
     const scene = parsed(app.history.now.value.text) ?? {};
     const point = pointAt(shownPlaces(), place, reach);
-    const grid = gridOf(box) / 4;
+    const grid = grainOf(box);
     const round = (value: number): number => Number((Math.round(value / grid) * grid).toPrecision(10));
     const at = point === null ? (place.map(round) as Place) : shownPlaces().get(point)!;
     return { at, point, link: linkAt(scene, places.value, place, reach) };
@@ -124,7 +124,7 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
   });
   svg.addEventListener("keydown", (event) => {
     const arrow = ARROWS[event.key];
-    const step = gridOf(box) / (event.shiftKey ? 4 : 1);
+    const step = event.shiftKey ? grainOf(box) : gridOf(box);
     if (arrow !== undefined) cross = cross.map((value, axis) => Math.round(value / step + arrow[axis]!) * step) as Place;
     else if (event.key === "Enter" || event.key === " ") void press(cross, gridOf(box) * 0.45);
     else if (event.key === "Escape" && begun !== null) begun = null;
@@ -156,7 +156,7 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
 
   function refit(always: boolean): void {
     const scene = parsed(app.history.now.value.text);
-    if (scene !== null && (always || !holds(box, places.value))) box = boxOf(places.value, unitsOf(scene).length, SHAPE);
+    if (scene !== null && (always || places.value.size === 0 || !holds(box, places.value))) box = boxOf(places.value, unitsOf(scene).length, SHAPE);
   }
   places.on(() => (refit(false), tell(), draw()));
   app.solved.on(tell);

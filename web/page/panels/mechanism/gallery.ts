@@ -18,7 +18,7 @@ export function gallery(app: App, begun: () => void): HTMLElement {
   };
   const empty = h("button", { type: "button", class: "small" });
   empty.addEventListener("click", () => (open(EMPTY), begun()));
-  const file = h("input", { type: "file", accept: ".json,application/json", class: "unseen", tabindex: -1 });
+  const file = h("input", { type: "file", accept: ".json,application/json", hidden: true });
   file.addEventListener("change", () => {
     void file.files?.[0]?.text().then(open, () => app.tell(say("unread_file")));
     file.value = "";
@@ -45,7 +45,7 @@ function grouped(app: App, kinds: Kind[], open: (text: string) => void): HTMLEle
     const found = GROUPS[group].flatMap((name) => kinds.filter((kind) => kind.name === name));
     const all = group === "groups_bars" ? [...found, ...others] : found;
     if (all.length === 0) return [];
-    return [h("section", {}, h("h4", {}, say(group)), h("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
+    return [h("section", {}, h("h3", {}, say(group)), h("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
   });
 }
 
@@ -57,10 +57,10 @@ function card(app: App, kind: Kind, open: (text: string) => void): HTMLElement {
   return button;
 }
 
-/** The scheme of a scene, small; null where it cannot be drawn. */
+/** A scene's mechanism, small; null where it cannot be drawn. */
 async function thumbnail(app: App, text: string): Promise<HTMLElement | null> {
   try {
-    const small = await app.engine.edit(text, [{ set: ["figure"], value: { panels: ["scheme"], focus: "scheme", page: "16x9", labels: {} } }]);
+    const small = await app.engine.edit(text, [{ set: ["figure"], value: { panels: ["scheme"], focus: "scheme", page: "16x9", style: "lecture", values: false, special_points: false, construction: false } }]);
     const picture = await app.engine.picture(small, { step: null, coarse: false, modes: false });
     return cut(picture);
   } catch {
@@ -68,14 +68,23 @@ async function thumbnail(app: App, text: string): Promise<HTMLElement | null> {
   }
 }
 
-/** The scheme's part of a picture, as an image by itself: nothing in it meets the page. */
+/** The mechanism in a picture, as an image by itself: nothing in it meets the page. */
 function cut(picture: Picture): HTMLElement | null {
   const svg = new DOMParser().parseFromString(picture.svg, "image/svg+xml").documentElement;
-  const box = picture.panels.find(({ key }) => key === "scheme")?.box;
+  const box = boxAround(picture.handles.map(({ at }) => at)) ?? picture.panels.find(({ key }) => key === "scheme")?.box;
   if (box === undefined || svg.nodeName !== "svg") return null;
   svg.setAttribute("viewBox", box.join(" "));
   svg.setAttribute("width", String(box[2]));
   svg.setAttribute("height", String(box[3]));
   const address = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(svg)], { type: "image/svg+xml" }));
   return h("img", { src: address, alt: "", onload: () => URL.revokeObjectURL(address) });
+}
+
+/** A box around places of the sheet, with room for feet and letters. */
+function boxAround(places: [number, number][]): [number, number, number, number] | null {
+  if (places.length < 2) return null;
+  const [across, down] = [places.map(([x]) => x), places.map(([, y]) => y)];
+  const [left, top] = [Math.min(...across), Math.min(...down)];
+  const room = 13;
+  return [left - room, top - room, Math.max(...across) - left + 2 * room, Math.max(...down) - top + 2 * room];
 }

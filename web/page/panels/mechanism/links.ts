@@ -17,7 +17,7 @@ export function links(scene: SceneFile): Group {
   const existing = points.map((value) => ({ value, text: value }));
   const fresh = [free, further].map((value) => ({ value, text: say("new_point", { name: value }) }));
   const lists = [
-    { label: say("from"), options: [...existing, fresh[0]!] },
+    { label: say("from"), options: [...existing.toReversed(), fresh[0]!] },
     { label: say("to"), options: [...fresh.slice(points.length === 0 ? 1 : 0), ...existing] },
   ];
   const add: Field = { kind: "adder", path: ["links", "+"], label: say("add_link"), text: say("add_link"), ask: { do: "link", with: [] }, lists };
@@ -96,7 +96,7 @@ function measureRows(scene: SceneFile, path: Path, points: string[]): Row[] {
 function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[] {
   const rows = entries(shape).map(([name, place]): Row => {
     const own: Path = [...path, name];
-    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), ask: { do: "beside", with: own.map(String) } }] : [];
+    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), icon: "add", ask: { do: "beside", with: own.map(String) } }] : [];
     const fields: Field[] = typeof place === "number" ? [{ kind: "number", path: own, label: "x", unit, step, needed: true }] : placeFields(own, unit, step);
     return { label: name, path: own, fields, buttons: beside };
   });

@@ -46,6 +46,13 @@ export function gridOf(box: Box): number {
   return [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= rough) ?? rough;
 }
 
+/** What places are rounded to: 1, 2 or 5 with zeros, at most a quarter of the grid. */
+export function grainOf(box: Box): number {
+  const most = gridOf(box) / 4;
+  const power = 10 ** Math.floor(Math.log10(most) + 1e-9);
+  return [5, 2, 1].map((factor) => factor * power).find((step) => step <= most * (1 + 1e-9)) ?? power;
+}
+
 /** Everything on the board; `dot` is a length on the screen in the scene's units. */
 export function sketch(scene: SceneFile, places: Places, box: Box, dot: number, chosen: string | null): SVGElement[] {
   const links = linksOf(scene).map((name) => linkShape(scene, places, name, dot, name === chosen));
@@ -68,12 +75,14 @@ function linkShape(scene: SceneFile, places: Places, name: string, dot: number, 
   const [first] = corners;
   if (first === undefined) return group;
   if (corners.length === 1) {
+    // Of a link with more points, where the others are is not known.
+    if (pointsOn(scene, name).length > 1) return group;
     group.append(s("rect", { x: first[0] - 1.8 * dot, y: -first[1] - 1.1 * dot, width: 3.6 * dot, height: 2.2 * dot }));
     return group;
   }
   group.append(s("polygon", { points: corners.map(([x, y]) => `${x},${-y}`).join(" ") }));
   const [x, y] = [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis]!, 0) / corners.length) as Place;
-  const text = s("text", { x: x + 0.8 * dot, y: -y - 0.8 * dot, "font-size": 2.2 * dot });
+  const text = s("text", { x: x + 0.8 * dot, y: -y - 0.8 * dot, "font-size": 2.9 * dot });
   text.textContent = name;
   group.append(text);
   return group;
@@ -83,7 +92,7 @@ function pointShape(name: string, [x, y]: Place, isFixed: boolean, dot: number, 
   const group = s("g", { class: `point${isChosen ? " chosen" : ""}` });
   if (isFixed) group.append(s("path", { class: "pivot", d: `M${x} ${-y}l${-1.5 * dot} ${2.4 * dot}h${3 * dot}z` }));
   group.append(s("circle", { cx: x, cy: -y, r: 0.75 * dot }));
-  const text = s("text", { x: x - 2.2 * dot, y: -y - 1.2 * dot, "font-size": 2.6 * dot });
+  const text = s("text", { x: x - 2.6 * dot, y: -y - 1.2 * dot, "font-size": 3.1 * dot });
   text.textContent = name;
   group.append(text);
   return group;

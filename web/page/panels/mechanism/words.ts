@@ -5,7 +5,7 @@ type Key =
   | "ground" | "ground_help" | "fixed_point" | "add_fixed" | "no_longer_there"
   | "links" | "links_help" | "link" | "link_name" | "add_link" | "from" | "to" | "new_point" | "points" | "point_name" | "drop_link" | "take_off"
   | "add_point" | "places_on_link" | "give_place" | "drive_it" | "drop_drive" | "drive" | "angle" | "speed"
-  | "turns" | "acceleration" | "position" | "axis_angle" | "block" | "driven" | "carries_shape" | "unsized" | "moves_as_known"
+  | "turns" | "acceleration" | "position" | "axis_angle" | "block" | "driven" | "unsized" | "moves_as_known"
   | "sliders" | "sliders_help" | "slider" | "pin_in_slot" | "what_slides" | "sliding_link" | "at" | "pin" | "on" | "ground_word" | "through" | "through_usual" | "through_place" | "along"
   | "along_usual" | "along_degrees" | "along_direction" | "degrees" | "turned" | "drop_slider" | "add_slider" | "new_block" | "link_at" | "pin_at"
   | "near" | "near_help" | "add_near" | "angle_of" | "drop_near"
@@ -42,7 +42,7 @@ const WORDS: Words<Key> = {
     take_off: "Take {name} off the link",
     add_point: "Point",
     places_on_link: "Places on the link itself; x runs along it",
-    give_place: "Beside the axis",
+    give_place: "y",
     drive_it: "Drive this link",
     drop_drive: "Remove the drive of {name}",
     drive: "Drive",
@@ -54,7 +54,6 @@ const WORDS: Words<Key> = {
     axis_angle: "Angle of its axis",
     block: "block",
     driven: "driven",
-    carries_shape: "rigid shape",
     unsized: "Four points or more need a shape: take points off and add them again.",
     moves_as_known: "known motion",
     sliders: "Sliders",
@@ -161,7 +160,7 @@ const WORDS: Words<Key> = {
     take_off: "Quitar {name} del eslabón",
     add_point: "Punto",
     places_on_link: "Lugares en el propio eslabón; x va a lo largo de él",
-    give_place: "Fuera del eje",
+    give_place: "y",
     drive_it: "Accionar este eslabón",
     drop_drive: "Quitar el accionamiento de {name}",
     drive: "Accionamiento",
@@ -173,7 +172,6 @@ const WORDS: Words<Key> = {
     axis_angle: "Ángulo de su eje",
     block: "corredera",
     driven: "conductor",
-    carries_shape: "forma rígida",
     unsized: "Cuatro puntos o más necesitan una forma: quite puntos y añádalos de nuevo.",
     moves_as_known: "movimiento conocido",
     sliders: "Correderas",

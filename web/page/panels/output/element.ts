@@ -38,5 +38,5 @@ export function button(text: () => string, press: () => void, attributes: Record
 /** A box to tick, with its name beside it. */
 export function tick(text: () => string, change: (on: boolean) => void): { label: HTMLLabelElement; box: HTMLInputElement } {
   const box = element("input", { type: "checkbox", onchange: () => change(box.checked) });
-  return { label: element("label", { class: "check" }, box, worded(element("span"), text)), box };
+  return { label: element("label", { class: "tick" }, box, worded(element("span"), text)), box };
 }

@@ -37,6 +37,8 @@ export interface Row {
   label?: string;
   /** Whether the label stands above its fields, as a title. */
   titled?: boolean;
+  /** Whether its fields begin where those of the rows above and below begin. */
+  aligned?: boolean;
   name?: NameField;
   path?: Path;
   fields: Field[];

@@ -24,6 +24,7 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
   const waits = h("div", { class: "waits", role: "status", hidden: true }, h("p", {}, ""), h("button", { type: "button" }, ""));
   waits.querySelector("button")!.addEventListener("click", () => app.show("text"));
   root.append(waits, body);
+  body.addEventListener("keydown", (event) => undone(app, event));
   let shape = "";
   const current = (): void => {
     const scene = parsed(app.history.now.value.text);
@@ -48,6 +49,16 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
   return { again: current };
 }
 
+/** Undo in a field is the document's: what the field shows follows. */
+function undone(app: App, event: KeyboardEvent): void {
+  const key = event.key.toLowerCase();
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
+  event.preventDefault();
+  event.stopPropagation();
+  if (key === "y" || event.shiftKey) app.history.redo();
+  else app.history.undo();
+}
+
 interface State {
   app: App;
   owner: Owner;
@@ -58,22 +69,34 @@ interface State {
 
 /** Builds the form anew; the focus stays where it was. */
 function rebuilt(body: HTMLElement, state: State, form: Form): void {
-  const focus = placeOfFocus(body);
+  const focus = placesOfFocus(body);
   state.live = [];
   body.replaceChildren(...form.groups.map((group) => groupOf(state, group)));
-  if (focus === null) return;
-  const again = body.querySelectorAll<HTMLElement>(focus.selector)[focus.index];
-  (again ?? body.querySelector<HTMLElement>("input, select, button"))?.focus();
+  for (const { selector, index } of focus) {
+    const again = body.querySelectorAll<HTMLElement>(selector)[index];
+    if (again === undefined) continue;
+    again.focus({ preventScroll: true });
+    return;
+  }
 }
 
-/** Where the focus is: the same field or button of the form that is built anew. */
-function placeOfFocus(body: HTMLElement): { selector: string; index: number } | null {
+/**
+ * Where the focus is, for the form that is built anew: the same field or button; where that is gone, the first of what it was in, from
+ * the inside out.
+ */
+function placesOfFocus(body: HTMLElement): { selector: string; index: number }[] {
   const element = document.activeElement;
-  if (!(element instanceof HTMLElement) || !body.contains(element)) return null;
-  const place = element.closest<HTMLElement>("[data-path]")?.dataset["path"];
-  const selector = `${place === undefined ? "" : `[data-path="${CSS.escape(place)}"] `}${element.localName}`;
-  const index = [...body.querySelectorAll(selector)].indexOf(element);
-  return { selector, index };
+  if (!(element instanceof HTMLElement) || !body.contains(element)) return [];
+  const places: { selector: string; index: number }[] = [];
+  for (let outer = element.closest<HTMLElement>("[data-path]"); outer !== null; outer = outer.parentElement?.closest<HTMLElement>("[data-path]") ?? null) {
+    const own = `[data-path="${CSS.escape(outer.dataset["path"]!)}"]`;
+    if (places.length === 0) {
+      const selector = `${own} ${element.localName}`;
+      places.push({ selector, index: [...body.querySelectorAll(selector)].indexOf(element) });
+    }
+    places.push({ selector: `${own} :is(input, select, button)`, index: 0 });
+  }
+  return [...places, { selector: "input, select, button", index: 0 }];
 }
 
 function groupOf(state: State, group: Group): HTMLElement {
@@ -109,7 +132,7 @@ function rowOf(state: State, row: Row): HTMLElement {
   state.live.push(...fields);
   return h(
     "div",
-    { class: row.titled === true ? "row titled" : "row", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },
+    { class: row.titled === true ? "row titled" : row.aligned === true ? "row aligned" : "row", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },
     row.label !== undefined && h("span", { class: "of" }, row.label),
     row.name !== undefined && nameInput(state.app, row.name),
     ...fields.map(({ root }) => root),

@@ -54,9 +54,8 @@ export function textEditor(parent: HTMLElement, app: App): TextEditor {
   ];
   const view = new EditorView({ parent, state: EditorState.create({ doc: edited(app.history.now.value.text), extensions }) });
   language.on((now) => {
-    view.contentDOM.setAttribute("aria-label", say("editor"));
     const own = now === "es" ? EditorState.phrases.of(SPANISH) : [];
-    view.dispatch({ effects: phrases.reconfigure([own, EditorView.contentAttributes.of({ "aria-label": say("editor"), lang: "zxx" })]) });
+    view.dispatch({ effects: phrases.reconfigure([own, EditorView.contentAttributes.of({ "aria-label": say("editor"), lang: "zxx", tabindex: "0" })]) });
   });
   app.history.now.on(({ text }) => {
     const next = edited(text);

@@ -12,20 +12,24 @@ function offered(context: CompletionContext): CompletionResult | null {
   const spot = spotAt(state, pos);
   const isInside = spot.from < pos;
   if (!isInside && !context.explicit) return null;
-  const parent = spot.isKey && isInside ? spot.path.slice(0, -1) : spot.path;
-  const options = spot.isKey ? keyOptions(parent, isInside) : valueOptions(spot.path);
-  return options.length === 0 ? null : { from: spot.from, to: spot.to, options };
+  const written = state.sliceDoc(spot.from, spot.to);
+  // Inside quotes the word alone is offered and put in their place.
+  const isQuoted = isInside && written.startsWith('"');
+  const path = spot.isKey && isInside ? spot.path.slice(0, -1) : spot.path;
+  const options = spot.isKey ? keyOptions(path, isQuoted) : valueOptions(path, isQuoted);
+  if (options.length === 0) return null;
+  if (!isQuoted) return { from: spot.from, to: spot.to, options };
+  const isClosed = written.length > 1 && written.endsWith('"');
+  return { from: spot.from + 1, to: isClosed ? spot.to - 1 : spot.to, options, validFor: /^[\w$]*$/ };
 }
 
-function keyOptions(path: string[], isWritten: boolean): Completion[] {
-  return keys(path).map(({ name, about }) => {
-    const word = JSON.stringify(name);
-    return { label: word, info: about, apply: isWritten ? word : `${word}: ` };
-  });
+function keyOptions(path: string[], isQuoted: boolean): Completion[] {
+  return keys(path).map(({ name, about }) => ({ label: name, info: about, apply: isQuoted ? name : `${JSON.stringify(name)}: ` }));
 }
 
-function valueOptions(path: string[]): Completion[] {
-  return values(path).map(({ value, about }) => ({ label: JSON.stringify(value), info: about }));
+function valueOptions(path: string[], isQuoted: boolean): Completion[] {
+  const found = values(path).filter(({ value }) => !isQuoted || typeof value === "string");
+  return found.map(({ value, about }) => ({ label: String(value), info: about, apply: isQuoted ? String(value) : JSON.stringify(value) }));
 }
 
 /** Says what a key means when the pointer rests on it. */
