@@ -78,6 +78,15 @@ export function focus(app: App, view: Viewport): Focus {
     }
   });
   on.on(mark);
+  // Where one panel is shown alone, it is that of the step.
+  app.view.on(({ step, coarse }) => {
+    const { steps = [], passages = [] } = app.solved.value.opened ?? {};
+    const number = step !== null && coarse ? passages[step - 1]?.[1] : step;
+    const key = steps[(number ?? 0) - 1]?.panel;
+    if (on.value === "" || key === undefined || !panels().some((panel) => panel.key === key)) return;
+    on.set(key);
+    fit();
+  });
   language.on(build);
 
   return {

@@ -37,16 +37,35 @@ export type Gestures = {
 export function gestures(app: App, show: (picture: Picture) => void, back: () => void): Gestures {
   let current: Gesture | null = null;
 
+  /** A picture goes into the page as soon as it is there, but only one for each frame of the screen: a later one waits for the next. */
+  let isFrameTaken = false;
+  let next: (() => void) | null = null;
+
+  function frame(): void {
+    isFrameTaken = next !== null;
+    next?.();
+    next = null;
+    if (isFrameTaken) requestAnimationFrame(frame);
+  }
+
   function present(picture: Picture, pulled: number): void {
     const engine = lastTook.ms;
-    requestAnimationFrame(() => {
+    const put = (): void => {
       const begin = performance.now();
       show(picture);
       const end = performance.now();
       frames.push({ engine, page: end - begin, total: end - pulled });
       performance.measure("kinegon-frame", { start: pulled, end });
-      if (frames.length > 10_000) frames.splice(0, 5_000);
-    });
+      if (frames.length <= 10_000) return;
+      frames.splice(0, 5_000);
+      performance.clearMeasures("kinegon-frame");
+    };
+    if (isFrameTaken) next = put;
+    else {
+      isFrameTaken = true;
+      put();
+      requestAnimationFrame(frame);
+    }
   }
 
   async function start(what: Grab): Promise<Gesture | null> {
@@ -86,6 +105,7 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
 
     function over(): void {
       isOver = true;
+      next = null;
       unlisten();
       if (current === gesture) current = null;
     }

@@ -4,12 +4,11 @@ import { say } from "../layout/words.ts";
 import { language } from "../words.ts";
 import type { Steps } from "./steps.ts";
 
-/** An equation in plain text, as `v_S3 = v_G + v_S3G`, with its marks set low. */
-function equation(plain: string): HTMLElement {
+/** Plain text, as `v_S3 = v_G + v_S3G`, with its marks set low. */
+function marked(plain: string): (string | HTMLElement)[] {
   const pieces = plain.split(/_(?:\{([^}]*)\}|([\p{L}\p{N}']+))/u);
   // By threes: text, mark in braces, mark without.
-  const parts = pieces.map((piece, at) => (at % 3 === 0 ? piece : element("sub", {}, piece ?? "")));
-  return element("span", {}, ...parts.filter((_, at) => at % 3 === 0 || pieces[at] !== undefined));
+  return pieces.flatMap<string | HTMLElement>((piece, at) => (at % 3 === 0 ? [piece] : piece === undefined ? [] : [element("sub", {}, piece)]));
 }
 
 /** The bar below the picture: caption and equation, and the controls to go through the steps. */
@@ -17,13 +16,16 @@ export function stepsBar(app: App, steps: Steps): void {
   const slider = byId<HTMLInputElement>("step-slider");
   const coarse = byId<HTMLInputElement>("step-coarse");
   const toggle = byId("steps-toggle");
+  let shown = "";
 
   function show(): void {
     const [count, now, said] = [steps.count(), steps.now(), steps.said()];
     const isFinished = said === null;
     const place = isFinished ? say("finished", { count }) : say("step_of", { number: now, count });
-    text("step-caption", isFinished ? (app.solved.value.opened?.title ?? "") : said.caption);
-    byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map(equation));
+    const caption = isFinished ? (app.solved.value.opened?.title ?? "") : said.caption;
+    if (caption !== shown) byId("step-caption").replaceChildren(...(isFinished ? [caption] : marked(caption)));
+    shown = caption;
+    byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map((line) => element("span", {}, ...marked(line))));
     text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
     slider.max = String(count + 1);
     slider.value = String(now);
