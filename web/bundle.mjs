@@ -56,7 +56,10 @@ const filled = (_, name) => {
   if (!(name in contents)) throw new Error(`index.html asks for ${name}`);
   return contents[name];
 };
-const page = readFileSync(join(here, "page/index.html"), "utf8").replace(/\{\{(\w+)\}\}/g, filled);
+// Attributes without a value as a browser gives them back: the page saves itself (page/panels/save/original.ts).
+const bare = / (checked|disabled|hidden|popover|selected)(?=[ >])/g;
+const template = readFileSync(join(here, "page/index.html"), "utf8").replace(bare, ' $1=""');
+const page = template.replace(/\{\{(\w+)\}\}/g, filled);
 writeFileSync(output, page);
 const kB = (text) => `${Math.round(Buffer.byteLength(text) / 1000)} kB`;
 console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(contents.script)}, style ${kB(style)}`);

@@ -78,7 +78,7 @@ function picture(app: App, choice: Chosen): HTMLElement {
   const message = element("p", { role: "alert", class: "bad" });
   const drawing = sheet(false);
   const dialog = large();
-  follow(app, drawing, () => shown?.axis ?? null);
+  for (const graphs of [drawing, dialog.picture]) follow(app, graphs, () => shown?.axis ?? null);
   const enlarge = (): void => {
     if (shown !== null) dialog.show(shown.svg, shown.width, shown.height);
   };

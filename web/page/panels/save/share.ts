@@ -43,9 +43,10 @@ function linkOf(app: App): HTMLElement[] {
     const done = await copied(link);
     if (!done) address.select();
     app.tell(done ? say("link_copied", { size }) : say("link_not_copied"));
-    const warnings = [...(done ? [] : [say("link_not_copied")]), ...(size > LONG ? [say("link_long", { size })] : [])];
+    const warnings = [say("link_of", { size }) + "."];
+    if (size > LONG) warnings.push(say("link_long", { size }));
     if (location.protocol === "file:") warnings.push(say("link_local"));
-    warning.textContent = [...(done ? [say("link_copied", { size })] : []), ...warnings].join(" ");
+    warning.textContent = warnings.join(" ");
   }
   return [element("div", { class: "tools" }, button(() => say("copy_link"), () => void copy())), address, warning];
 }
