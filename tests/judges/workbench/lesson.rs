@@ -83,7 +83,7 @@ fn a_lesson_goes_step_by_step() {
     bench.click("#step-forward");
     bench.settle();
     assert_eq!(bench.value("kinegon.app.view.value.step"), 8);
-    assert_eq!(bench.text(caption), "Lay off the velocity of B, normal to AB, in the sense of ω_1.");
+    assert_eq!(bench.text(caption), "Lay off the velocity of B, normal to AB, in the sense of ω1.");
     assert!(bench.marks().contains("velocity-vector-p-b"));
     bench.picture("step");
     bench.press("p");

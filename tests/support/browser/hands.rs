@@ -65,7 +65,7 @@ impl Browser {
     pub fn place(&mut self, selector: &str) -> [f64; 4] {
         let expression = format!(
             "(() => {{ const e = document.querySelector({}); if (!e) return null; \
-             e.scrollIntoView({{ block: 'nearest', inline: 'nearest' }}); const r = e.getBoundingClientRect(); \
+             e.scrollIntoView({{ block: 'center', inline: 'nearest' }}); const r = e.getBoundingClientRect(); \
              return [r.x + r.width / 2, r.y + r.height / 2, r.width, r.height]; }})()",
             json!(selector)
         );

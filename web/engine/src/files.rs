@@ -99,6 +99,15 @@ pub enum OverCycle {
     },
 }
 
+/// What is drawn over the cycle.
+struct Course {
+    sheet: Drawing,
+    /// What happens on the way.
+    events: Vec<String>,
+    /// The values of the drive at the edges of graphs over it.
+    ends: Option<[f64; 2]>,
+}
+
 impl Desk {
     /// A file with the bytes that the program writes.
     pub fn file(&mut self, text: &str, FileRequest { format, of }: &FileRequest) -> Result<Vec<u8>, Refused> {
@@ -134,7 +143,7 @@ impl Desk {
     /// What is drawn over the cycle.
     pub fn curves(&mut self, text: &str, of: &OverCycle) -> Result<Drawn, Refused> {
         let kept = self.kept(text)?;
-        let (sheet, events, ends) = kept.over_cycle(of).map_err(|error| kept.refused(error))?;
+        let Course { sheet, events, ends } = kept.over_cycle(of).map_err(|error| kept.refused(error))?;
         let areas = sheet.panels.iter().map(|(_, area)| [area.x0, area.y0, area.width(), area.height()]);
         let axis = ends.map(|[low, high]| DriveAxis { low, high, areas: areas.collect() });
         Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis })
@@ -156,8 +165,8 @@ impl Kept {
         let own_step = self.scene.figure.step;
         match of {
             Subject::Cycle(of) => {
-                let (sheet, ..) = self.over_cycle(of).map_err(|error| self.refused(error))?;
-                Ok(vec![sheet])
+                let course = self.over_cycle(of).map_err(|error| self.refused(error))?;
+                Ok(vec![course.sheet])
             }
             Subject::Sheet(SheetName::Figure) => match own_step {
                 Some(step) => self.after(step, false),
@@ -212,8 +221,8 @@ impl Kept {
         Ok(format::csv_header(&sweep) + &format::csv_rows(&sweep, &sweep.rows(0..count)))
     }
 
-    /// What is drawn over the cycle; what happens there; the values of the drive at the edges of graphs over it.
-    fn over_cycle(&self, of: &OverCycle) -> Result<(Drawing, Vec<String>, Option<[f64; 2]>), Error> {
+    /// What is drawn over the cycle.
+    fn over_cycle(&self, of: &OverCycle) -> Result<Course, Error> {
         let scene = &self.scene;
         let (mut path, range) = self.path()?;
         let range = path.shown_range(range);
@@ -233,6 +242,6 @@ impl Kept {
             OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?),
         };
         let events = path.happenings(range).into_iter().chain(path.limits(None)).collect();
-        Ok((sheet?, events, ends))
+        Ok(Course { sheet: sheet?, events, ends })
     }
 }

@@ -14,13 +14,13 @@ pub struct Refused {
     /// The JSON path, as `links.4.lengths.GD`; empty for the text as a whole.
     pub path: String,
     /// Where it begins in the text, in UTF-16 units as JavaScript counts; none for the text as a whole.
-    pub from: Option<usize>,
+    pub from: Option<u32>,
     /// Where it ends.
-    pub to: Option<usize>,
+    pub to: Option<u32>,
     /// Line, counted from 1.
-    pub line: Option<usize>,
+    pub line: Option<u32>,
     /// Column in characters, counted from 1.
-    pub column: Option<usize>,
+    pub column: Option<u32>,
 }
 
 impl Refused {
@@ -44,7 +44,8 @@ impl Refused {
     }
 
     fn at(text: &str, error: SceneError) -> Refused {
-        let units = |byte: usize| text.get(..byte).map_or(0, |before| before.encode_utf16().count());
+        let number = |count: usize| u32::try_from(count).unwrap_or(u32::MAX);
+        let units = |byte: usize| number(text.get(..byte).map_or(0, |before| before.encode_utf16().count()));
         let place = error.place.as_ref();
         Refused {
             message: error.message,
@@ -52,8 +53,8 @@ impl Refused {
             path: error.path,
             from: place.map(|place| units(place.span.start)),
             to: place.map(|place| units(place.span.end)),
-            line: place.map(|place| place.line),
-            column: place.map(|place| place.column),
+            line: place.map(|place| number(place.line)),
+            column: place.map(|place| number(place.column)),
         }
     }
 }
