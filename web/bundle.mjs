@@ -1,4 +1,5 @@
 // Makes one file of the page: node bundle.mjs FOLDER_OF_THE_ENGINE OUTPUT.html
+import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -26,6 +27,9 @@ async function bundled(entry) {
   return made.outputFiles[0].text;
 }
 
+/** The engine, packed by the program `zstd` as small as it can. */
+const engineBytes = execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", join(engine, "kinegon_web_bg.wasm")], { maxBuffer: 1 << 26 });
+
 /** Bytes as the browser unpacks them by itself. */
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
 
@@ -50,7 +54,7 @@ const contents = {
   boot,
   script: packed(script),
   worker: packed(worker),
-  engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
+  engine: engineBytes.toString("base64"),
 };
 const filled = (_, name) => {
   if (!(name in contents)) throw new Error(`index.html asks for ${name}`);

@@ -156,7 +156,7 @@ export interface Mode {
 /** A file as the program writes it. */
 export interface FileRequest {
   /** `csv` is the table of the motion, `json` the result, `steps` the text of the construction. */
-  format: "svg" | "png" | "pdf" | "tikz" | "csv" | "json" | "steps";
+  format: "svg" | "outlines" | "pdf" | "tikz" | "csv" | "json" | "steps";
   /**
    * What is drawn: the figure, the work sheet, its second sheet, the sheet after a step or passage (counted from 1); over the
    * cycle curves, paths, hodographs.
