@@ -27,14 +27,11 @@ async function bundled(entry) {
   return made.outputFiles[0].text;
 }
 
+/** The engine, packed by the program `zstd` as small as it can. */
+const engineBytes = execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", join(engine, "kinegon_web_bg.wasm")], { maxBuffer: 1 << 26 });
+
 /** Bytes as the browser unpacks them by itself. */
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
-
-/** A file by xz, as web/page/engine/unpack.ts unpacks it. */
-function tightlyPacked(path) {
-  const options = ["--compress", "--stdout", "--threads=1", "--check=crc32", "--lzma2=preset=9e,dict=8MiB"];
-  return execFileSync("xz", [...options, path], { maxBuffer: 1 << 28 }).toString("base64");
-}
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
 if (/<\/script|<!--/i.test(boot) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
@@ -57,7 +54,7 @@ const contents = {
   boot,
   script: packed(script),
   worker: packed(worker),
-  engine: tightlyPacked(join(engine, "kinegon_web_bg.wasm")),
+  engine: engineBytes.toString("base64"),
 };
 const filled = (_, name) => {
   if (!(name in contents)) throw new Error(`index.html asks for ${name}`);

@@ -1,7 +1,7 @@
 use super::{QuantityResult, ResultFile};
-use crate::Error;
 use crate::construction::Solution;
 use crate::quantity::{Asked, Quantity, measured_names};
+use crate::scene::SceneError;
 
 impl Solution {
     /// The result file's content with the quantities that the scene wants, or all that the construction measures if it
@@ -9,7 +9,7 @@ impl Solution {
     ///
     /// # Errors
     /// A quantity that is wanted has no value; the place is its place in the scene.
-    pub fn whole_result(&self) -> Result<ResultFile, Error> {
+    pub fn whole_result(&self) -> Result<ResultFile, SceneError> {
         let mut result = self.result();
         let names = match &self.scene.want {
             Some(want) => want.clone(),

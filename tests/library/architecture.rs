@@ -236,8 +236,9 @@ fn folders_use_earlier_folders_only() {
             seen += 1;
             match rank.get(name.as_str()) {
                 Some(&other) if other <= own => {}
-                // The error of all stages, which wraps theirs: for the program alone.
-                None if name == "Error" && folder == "cli" => {}
+                // What goes through all stages, and its error, which wraps theirs: for the program alone.
+                None if folder == "cli"
+                    && ["Error", "order_of_figure", "order_of_result", "posed"].contains(&name.as_str()) => {}
                 // Work on all cores, below all folders.
                 None if name == "cores" => {}
                 // Texts of strangers, below all folders.

@@ -45,7 +45,7 @@ fn a_crank_goes_to_the_angle_of_the_pointer_round_and_round() {
     let start = pull.value();
     for step in 1..=400 {
         let degrees = start + 13.7 * f64::from(step);
-        let (sine, cosine) = degrees.to_radians().sin_cos();
+        let (sine, cosine) = libm::sincos(degrees.to_radians());
         // Nearer than the pin or farther makes no difference.
         let arm = if step % 2 == 0 { 3.0 } else { 900.0 };
         let pulled = pull.to_place(pin, pivot + Vector::new(cosine, sine) * arm);
@@ -107,7 +107,8 @@ fn a_pulled_point_comes_nearest() {
 fn a_limit_stops_the_crank_and_lets_it_back() {
     let solution = scene("examples/figure-2.json");
     let (pivot, pin) = (solution.pose.point(point(&solution, "A")), point(&solution, "B"));
-    let at = |degrees: f64| pivot + Vector::new(degrees.to_radians().cos(), degrees.to_radians().sin()) * 100.0;
+    let at =
+        |degrees: f64| pivot + Vector::new(libm::cos(degrees.to_radians()), libm::sin(degrees.to_radians())) * 100.0;
     let mut pull = Pull::new(&solution, None).expect("it can be moved");
     assert!(pull.to_place(pin, at(120.0)).limit.is_none());
     let pulled = pull.to_place(pin, at(160.0));
@@ -159,7 +160,7 @@ fn a_piston_turns_its_crank() {
     // To and fro past both dead centres, as a hand does.
     for step in 1..=4000 {
         let at = solution.pose.point(pin);
-        let sway = (0.01 * f64::from(step)).sin();
+        let sway = libm::sin(0.01 * f64::from(step));
         let pulled = pull.to_place(pin, Point::new(1.5 * size(&solution) * sway, at.y));
         assert!(
             pulled.value * pull.value().signum() >= last * pull.value().signum() - 1e-6,

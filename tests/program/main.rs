@@ -16,7 +16,7 @@ mod command_line_sizes;
 mod command_line_sweep;
 mod command_line_values;
 mod command_line_variants;
-#[cfg(all(feature = "pdf", feature = "png"))]
+#[cfg(feature = "pdf")]
 mod engine;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say

@@ -40,8 +40,7 @@ import { store as browserStore, type Store } from "./state/storage.ts";
 import { studying } from "./state/studying.ts";
 import { steps } from "./steps/steps.ts";
 import { stepsBar } from "./steps/bar.ts";
-import { engineFile } from "./engine/unpack.ts";
-import { unpacked } from "./unpack.ts";
+import { engineBytes, unpacked } from "./unpack.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
 
@@ -134,8 +133,7 @@ async function start(): Promise<void> {
   sayAll();
   theme(store);
   const tell = teller();
-  // The engine is compiled while it is being unpacked.
-  const compiled = WebAssembly.compileStreaming(engineFile());
+  const compiled = WebAssembly.compile(engineBytes());
   const script = unpacked("worker", "text/javascript").text();
   const first = await beginning(location.hash, store);
   const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });

@@ -166,11 +166,11 @@ fn a_limit_stops_the_hand_and_says_so() {
          const { x, y } = new DOMPoint(...at).matrixTransform(document.querySelector('#sheet').getScreenCTM()); return [x, y]; })()",
     );
     let [cx, cy] = [0, 1].map(|k| centre[k].as_f64().expect("a place"));
-    let (radius, begin) = ((x - cx).hypot(y - cy), (y - cy).atan2(x - cx));
+    let (radius, begin) = (libm::hypot(x - cx, y - cy), libm::atan2(y - cy, x - cx));
     bench.take_hold([x, y]);
     for k in 1..=24 {
         let angle = begin - 0.1 * f64::from(k);
-        bench.pull([cx + radius * angle.cos(), cy + radius * angle.sin()]);
+        bench.pull([cx + radius * libm::cos(angle), cy + radius * libm::sin(angle)]);
         bench.frame();
     }
     bench.until("kinegon.app.picture.value.notes.some((note) => /limit/i.test(note))");

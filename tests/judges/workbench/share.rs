@@ -54,6 +54,9 @@ fn saved_files_are_those_of_the_program() {
         if ending == ".csv" {
             let [saved, printed] = [saved, printed].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
             super::bytes::same_table(button, &saved, &printed);
+        } else if ending == ".png" {
+            // The browser draws it; the picture has the program's size.
+            assert_eq!(png_size(&saved), png_size(&printed), "{button}");
         } else {
             assert!(saved == printed, "{button}: other bytes than the program's");
         }
@@ -131,4 +134,10 @@ fn values_and_curves_stand_beside_the_figure() {
     bench.settle();
     bench.picture("curves");
     bench.assert_quiet();
+}
+
+/// Width and height of a PNG in pixels.
+fn png_size(bytes: &[u8]) -> (u32, u32) {
+    let reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");
+    reader.info().size()
 }

@@ -13,9 +13,6 @@ use kinegon::scene::SizeLimit;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// Resolution of pictures in dots per inch, as the program has it.
-const DPI: f64 = 100.0;
-
 /// Most numbers of a table: more do not fit into a page's memory.
 const MOST_NUMBERS: usize = 10_000_000;
 
@@ -28,12 +25,12 @@ pub struct FileRequest {
     pub of: Subject,
 }
 
-/// A kind of file: `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
+/// A kind of file: `outlines` is SVG without letters, for a canvas that makes a PNG of it; `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub enum Format {
     Svg,
-    Png,
+    Outlines,
     Pdf,
     Tikz,
     Csv,
@@ -125,7 +122,7 @@ impl Desk {
                 let pencil = step_pencil(solution, Tolerance::default()).map_err(|error| Refused::of(text, error))?;
                 Ok(solution.steps(&pencil).into_bytes())
             }
-            Format::Svg | Format::Png | Format::Pdf | Format::Tikz => {
+            Format::Svg | Format::Outlines | Format::Pdf | Format::Tikz => {
                 let sheets = kept.sheets(of)?;
                 let number = if let Subject::Worksheet { worksheet } = of { *worksheet } else { 1 };
                 let sheet = number.checked_sub(1).and_then(|index| sheets.get(index));
@@ -152,7 +149,7 @@ impl Desk {
 
 fn bytes(sheet: &Drawing, format: Format) -> Result<Vec<u8>, Refused> {
     match format {
-        Format::Png => sheet.png(DPI).map_err(|error| Refused::whole(error.to_string())),
+        Format::Outlines => Ok(format::svg_with(sheet, format::Text::Outlines).into_bytes()),
         Format::Pdf => sheet.pdf().map_err(|error| Refused::whole(error.to_string())),
         Format::Tikz => Ok(sheet.tikz().into_bytes()),
         _ => Ok(sheet.svg().into_bytes()),

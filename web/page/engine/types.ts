@@ -129,9 +129,9 @@ export type Named = "point" | "link";
  */
 export type Along = number | string;
 /**
- * A kind of file: `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
+ * A kind of file: `outlines` is SVG without letters, for a canvas that makes a PNG of it; `csv` is the table of the motion, `json` the result, `steps` the text of the construction.
  */
-export type Format = "svg" | "png" | "pdf" | "tikz" | "csv" | "json" | "steps";
+export type Format = "svg" | "outlines" | "pdf" | "tikz" | "csv" | "json" | "steps";
 /**
  * What is drawn.
  */

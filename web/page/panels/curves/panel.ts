@@ -1,9 +1,9 @@
 import type { App, Panel } from "../../app.ts";
-import type { Curves, FileRequest } from "../../engine/types.ts";
+import type { Curves } from "../../engine/types.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
 import { keepCurrent, said } from "../output/current.ts";
-import { download, fileName, TYPES } from "../output/download.ts";
+import { download, type FileFormat, fileName, fileOf, TYPES } from "../output/download.ts";
 import { button, element, tick, worded } from "../output/element.ts";
 import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
@@ -85,10 +85,10 @@ function picture(app: App, choice: Chosen): HTMLElement {
   const events = element("ul", { class: "events" });
   const name = (): string => `${fileName(app.solved.value.opened?.title ?? "")}-${choice.value.kind}`;
 
-  async function save(format: FileRequest["format"], ending: string): Promise<void> {
+  async function save(format: FileFormat, ending: string): Promise<void> {
     const of = format === "csv" ? { curves: columnsOf(choice.value) } : wantedOf(choice.value);
     try {
-      download(`${name()}.${ending}`, await app.engine.file(app.solved.value.good, { format, of }), TYPES[format]);
+      download(`${name()}.${ending}`, await fileOf(app, format, of), TYPES[format]);
     } catch (refused) {
       app.tell(said(refused));
     }

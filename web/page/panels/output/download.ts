@@ -1,8 +1,19 @@
+import type { App } from "../../app.ts";
 import type { FileRequest } from "../../engine/types.ts";
 import { element } from "./element.ts";
+import { png } from "./png.ts";
+
+/** What can be saved: what the engine writes, and pictures of pixels, which the browser makes. */
+export type FileFormat = Exclude<FileRequest["format"], "outlines"> | "png";
+
+/** A file of the last good scene. */
+export async function fileOf(app: App, format: FileFormat, of: FileRequest["of"]): Promise<Uint8Array> {
+  const { good } = app.solved.value;
+  return format === "png" ? png(await app.engine.file(good, { format: "outlines", of })) : app.engine.file(good, { format, of });
+}
 
 /** Kinds of files by their formats. */
-export const TYPES: Record<FileRequest["format"], string> = {
+export const TYPES: Record<FileFormat, string> = {
   svg: "image/svg+xml",
   png: "image/png",
   pdf: "application/pdf",
@@ -13,7 +24,7 @@ export const TYPES: Record<FileRequest["format"], string> = {
 };
 
 /** Endings of files by their formats. */
-export const ENDINGS: Record<FileRequest["format"], string> = {
+export const ENDINGS: Record<FileFormat, string> = {
   svg: "svg",
   png: "png",
   pdf: "pdf",

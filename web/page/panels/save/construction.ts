@@ -1,6 +1,5 @@
 import { zipSync } from "fflate";
 import type { App } from "../../app.ts";
-import type { FileRequest } from "../../engine/types.ts";
 import { ENDINGS } from "../output/download.ts";
 import { button, element, tick, worded } from "../output/element.ts";
 import { orTell, saved, saveFile, stem } from "./files.ts";
@@ -23,7 +22,7 @@ export function construction(app: App): HTMLElement {
       made.disabled = count() === 0;
     });
   }
-  async function pack(format: FileRequest["format"]): Promise<void> {
+  async function pack(format: (typeof formats)[number]): Promise<void> {
     buttons.forEach((made) => (made.disabled = true));
     await orTell(app, () => sheets(app, format, coarse.box.checked, count(), (text) => (progress.textContent = text)));
     progress.textContent = "";
@@ -36,7 +35,7 @@ export function construction(app: App): HTMLElement {
 }
 
 /** Saves an archive of all sheets. */
-async function sheets(app: App, format: FileRequest["format"], coarse: boolean, count: number, tell: (text: string) => void): Promise<void> {
+async function sheets(app: App, format: "svg" | "pdf", coarse: boolean, count: number, tell: (text: string) => void): Promise<void> {
   const { good } = app.solved.value;
   const digits = Math.max(2, String(count).length);
   const files: Record<string, Uint8Array> = {};

@@ -1,7 +1,7 @@
 import type { App } from "../../app.ts";
 import type { FileRequest } from "../../engine/types.ts";
 import { said } from "../output/current.ts";
-import { download, ENDINGS, fileName, TYPES } from "../output/download.ts";
+import { download, ENDINGS, type FileFormat, fileName, fileOf, TYPES } from "../output/download.ts";
 import { say } from "./words.ts";
 
 /** Forms of a picture, with their names for people. */
@@ -13,15 +13,14 @@ export function stem(app: App): string {
 }
 
 /** Saves a file of the last good scene; `part` stands in its name. */
-export async function saveFile(app: App, request: FileRequest, part: string): Promise<void> {
-  const { good } = app.solved.value;
+export async function saveFile(app: App, request: { format: FileFormat; of: FileRequest["of"] }, part: string): Promise<void> {
   const name = [stem(app), part].filter(Boolean).join("-");
   await orTell(app, async () => {
     const isPicture = PICTURES.some(([format]) => format === request.format);
     const count = isPicture ? await pagesOf(app, request.of) : 1;
     for (let number = 1; number <= count; number += 1) {
       const of = number === 1 ? request.of : { worksheet: number };
-      const bytes = await app.engine.file(good, { ...request, of });
+      const bytes = await fileOf(app, request.format, of);
       saved(app, `${name}${number === 1 ? "" : `-${number}`}.${ENDINGS[request.format]}`, bytes, TYPES[request.format]);
     }
   });
