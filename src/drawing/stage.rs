@@ -23,9 +23,6 @@ const WORDS_OF: usize = 4;
 /// Scales that are tried for one at which the joints stay in sight.
 const TRIED: usize = 6;
 
-/// Scales by panel, in units per mm of paper.
-type Scales = [Option<f64>; PanelName::ALL.len()];
-
 /// The layout of a mechanism's figure, for drawing it in any of its positions.
 ///
 /// Scales are those of the figure in the scene's own position; the scheme's is coarser where joints would leave the panel on their
@@ -51,7 +48,7 @@ type Scales = [Option<f64>; PanelName::ALL.len()];
 pub struct Stage {
     layout: Layout,
     /// The scales that were chosen, by panel.
-    mu: Scales,
+    mu: [Option<f64>; PanelName::ALL.len()],
     /// By panel: the extent of all positions.
     extents: Vec<(PanelName, Extent)>,
     /// The extent of the scheme in the own position, which is held in sight.
@@ -111,19 +108,9 @@ impl Stage {
             }
         };
         let sheet = Sheet { steps, table: None };
-        if own.scene.figure.mu_l.is_none() {
-            own_scheme.mu = with_joints_in_sight(&own_scheme, &extents, sheet);
-        }
-        let own_sheet = composed(&own_scheme, &extents, sheet);
         let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
-        let below = heights.fold(own_sheet.height_below(), f64::max);
-        let layout = own_sheet.layout_above(below);
-        let shows_own = own_extents.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
-        // Else the panels are those of the step sheets.
-        let layout = match shows_own {
-            true => layout,
-            false => composed(&own_scheme, &own_extents, sheet).layout_above(below),
-        };
+        let below = heights.fold(composed(&own_scheme, &extents, sheet).height_below(), f64::max);
+        let (layout, extents) = laid_out(&mut own_scheme, &own_extents, extents, sheet, below);
         let scheme = own_extents.iter().find(|(panel, _)| *panel == PanelName::Scheme).map(|(_, extent)| *extent);
         let (mu, mechanism) = (own_scheme.mu, own.mechanism.clone());
         Stage { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
@@ -285,21 +272,36 @@ impl Stage {
     }
 }
 
-/// The scales with the next coarser one of the scheme at which its whole extent fits: a hand holds joints, and must not lose them
-/// beyond the edge.
-fn with_joints_in_sight(own: &Scheme<'_>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Scales {
-    let scheme = PanelName::Scheme as usize;
-    let Some(index) = extents.iter().position(|(panel, _)| *panel == PanelName::Scheme) else {
-        return own.mu;
-    };
-    let composition = composed(own, extents, sheet);
-    let coarser = |mu: &Scales| {
-        let mut next = *mu;
-        next[scheme] = Some(next_scale(1.01 * mu[scheme]?));
-        Some(next)
-    };
-    let holds = |mu: &Scales| composition.layout_at(mu).panels[index].holds(&extents[index].1);
-    std::iter::successors(Some(own.mu), coarser).take(TRIED).find(holds).unwrap_or(own.mu)
+/// The layout in which the own position is seen whole and no joint leaves the scheme on its way, because a hand holds it: at the
+/// finest scale of the scheme that allows it, with room for the plans of all positions, else of the own one. The scale is put
+/// into the scheme. Where there is no such layout it is the own position's, as on the sheets of its steps. With the extents that
+/// it has room for.
+fn laid_out(
+    own: &mut Scheme<'_>,
+    own_extents: &[(PanelName, Extent)],
+    all: Vec<(PanelName, Extent)>,
+    sheet: Sheet,
+    below: f64,
+) -> (Layout, Vec<(PanelName, Extent)>) {
+    const SCHEME: usize = PanelName::Scheme as usize;
+    let joints = |(all, own): (&(PanelName, Extent), &(PanelName, Extent))| if own.0 == PanelName::Scheme { *all } else { *own };
+    let least: Vec<(PanelName, Extent)> = all.iter().zip(own_extents).map(joints).collect();
+    let scale = own.mu[SCHEME];
+    let tried = if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == PanelName::Scheme) { TRIED } else { 1 };
+    let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
+    for mu in std::iter::successors(Some(scale), coarser).take(tried) {
+        own.mu[SCHEME] = mu;
+        for extents in [&all, &least] {
+            let layout = composed(own, extents, sheet).layout_above(below);
+            // Of a plan what the own position has, of the scheme all.
+            let seen = least.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
+            if seen {
+                return (layout, extents.clone());
+            }
+        }
+    }
+    own.mu[SCHEME] = scale;
+    (composed(own, own_extents, sheet).layout_above(below), all)
 }
 
 fn with_modes<'a>(scheme: Scheme<'a>, modes: Option<&'a OtherModes>) -> Scheme<'a> {

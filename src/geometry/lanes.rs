@@ -219,12 +219,12 @@ impl<S: Simd> Number for Register<S> {
 
     #[inline(always)]
     fn plus_product(self, a: Self, b: Self) -> Self {
-        Register { numbers: a.numbers.mul_add(b.numbers, self.numbers), ..self }
+        Register { numbers: a.numbers.mul_add_precise(b.numbers, self.numbers), ..self }
     }
 
     #[inline(always)]
     fn minus_product(self, a: Self, b: Self) -> Self {
-        Register { numbers: (-a.numbers).mul_add(b.numbers, self.numbers), ..self }
+        Register { numbers: (-a.numbers).mul_add_precise(b.numbers, self.numbers), ..self }
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@ use crate::support::faults::faults;
 use crate::support::files;
 use crate::support::stages::solved;
 use kinegon::Solution;
-use kinegon::cycle::{OtherModes, Pull};
+use kinegon::cycle::{Animation, OtherModes, Pull};
 use kinegon::drawing::{Drawing, Handle, Mark, Point, Shape, Stage, Steps, Vec2};
 use kinegon::position::counted_poses;
 use kinegon::scene::PanelName;
@@ -196,4 +196,31 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
         assert_eq!(stage.drag(&own, None, Some(2)).marks, stage.draw(&own, None).after_step(2).marks, "{name}");
     }
     assert!(held < free, "{held} jumps, {free} without");
+}
+
+/// The next fault: a joint beyond the scheme's frame in one of the positions of an animation, where it cannot be taken hold of.
+#[test]
+fn joints_stay_in_sight_all_round_the_cycle() {
+    let mut lost = Vec::new();
+    for (name, own) in scenes() {
+        let Ok(animation) = Animation::new(&own, None, 24) else { continue };
+        if own.scene.figure.mu_l.is_some() {
+            continue;
+        }
+        for steps in [None, Some(Steps::Fine)] {
+            let stage = Stage::new(&own, steps, None);
+            let drawing = stage.draw(&own, None);
+            let Some(frame) = stage.panels(&drawing).into_iter().find(|panel| panel.panel == PanelName::Scheme) else { continue };
+            let outside = |solution: &Solution| {
+                let handles = stage.handles(solution).into_iter();
+                handles.filter(|handle| !frame.frame.contains(handle.at)).map(|handle| handle.name).collect::<BTreeSet<_>>()
+            };
+            let outside: BTreeSet<String> = animation.positions.iter().flat_map(outside).collect();
+            println!("{name} {steps:?}: mu {:?}, frame {:.0} x {:.0}, own cut: {:?}", stage.mu(PanelName::Scheme), frame.frame.width(), frame.frame.height(), stage.panels(&drawing).iter().filter(|p| p.is_cut).map(|p| p.panel).collect::<Vec<_>>());
+            if !outside.is_empty() {
+                lost.push(format!("{name}, {steps:?}: {outside:?}"));
+            }
+        }
+    }
+    assert!(lost.is_empty(), "{}", lost.join("\n"));
 }
