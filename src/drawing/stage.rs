@@ -284,10 +284,12 @@ fn laid_out(
     below: f64,
 ) -> (Layout, Vec<(PanelName, Extent)>) {
     const SCHEME: usize = PanelName::Scheme as usize;
-    let joints = |(all, own): (&(PanelName, Extent), &(PanelName, Extent))| if own.0 == PanelName::Scheme { *all } else { *own };
+    let joints =
+        |(all, own): (&(PanelName, Extent), &(PanelName, Extent))| if own.0 == PanelName::Scheme { *all } else { *own };
     let least: Vec<(PanelName, Extent)> = all.iter().zip(own_extents).map(joints).collect();
     let scale = own.mu[SCHEME];
-    let tried = if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == PanelName::Scheme) { TRIED } else { 1 };
+    let tried =
+        if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == PanelName::Scheme) { TRIED } else { 1 };
     let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
     for mu in std::iter::successors(Some(scale), coarser).take(tried) {
         own.mu[SCHEME] = mu;

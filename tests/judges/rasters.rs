@@ -200,7 +200,8 @@ fn chromium_draws_the_same() {
         let whole = drawing(scene);
         let mut labels = whole.clone();
         labels.marks.retain(|mark| !matches!(mark.pen, Pen::Caption | Pen::Heading));
-        for (drawing, distance) in [(whole, 3), (labels, 1)] {
+        let is_first = scene == SCENES[0];
+        for (drawing, distance) in is_first.then_some((whole, 3)).into_iter().chain([(labels, 1)]) {
             let svg = drawing.svg();
             let (mut command, folder) = with_fonts(&program, "chromium");
             std::fs::write(folder.join("figure.svg"), &svg).expect("the test's folder can be written");

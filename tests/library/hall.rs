@@ -4,6 +4,7 @@
 use crate::support::faults::{faults, id, panels};
 use crate::support::files;
 use crate::support::stages::staged;
+use crate::support::survey::tried;
 use kinegon::construction::Aim;
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Pen, Shape};
@@ -126,7 +127,7 @@ fn no_plan_of_a_cycle_is_cut_without_a_word() {
     );
     for (name, text) in scenes {
         let solution = solved_as(&text, |_| ());
-        let animation = Animation::new(&solution, None, 36).expect("it moves");
+        let animation = Animation::new(&solution, None, tried(18, 36)).expect("it moves");
         let page = staged(&animation.positions, animation.own);
         let scales = solution.scales();
         for (value, (frame, position)) in animation.values.iter().zip(page.iter().zip(&animation.positions)) {
@@ -147,7 +148,7 @@ fn no_plan_of_a_cycle_is_cut_without_a_word() {
         }
     }
     assert!(wrong.is_empty(), "{} faults\n{}", wrong.len(), wrong.join("\n"));
-    assert!(sheets > 1500 && said > 100, "{sheets} sheets, {said} of them cut");
+    assert!(sheets > 750 && said > 50, "{sheets} sheets, {said} of them cut");
 }
 
 #[test]

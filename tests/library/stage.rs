@@ -27,8 +27,8 @@ fn ids(drawing: &Drawing) -> BTreeSet<String> {
 fn positions(own: &Solution) -> Vec<Solution> {
     let Ok(mut pull) = Pull::new(own, None) else { return vec![own.clone()] };
     let start = pull.value();
-    let step = if pull.drive().is_angle() { 17.0 } else { 0.05 };
-    let poses = (-4..=4).map(|k| pull.to_value(start + step * f64::from(k)).pose);
+    let step = if pull.drive().is_angle() { 35.0 } else { 0.1 };
+    let poses = (-2..=2).map(|k| pull.to_value(start + step * f64::from(k)).pose);
     poses.filter_map(|pose| own.moved(pose).ok()).collect()
 }
 
@@ -210,13 +210,24 @@ fn joints_stay_in_sight_all_round_the_cycle() {
         for steps in [None, Some(Steps::Fine)] {
             let stage = Stage::new(&own, steps, None);
             let drawing = stage.draw(&own, None);
-            let Some(frame) = stage.panels(&drawing).into_iter().find(|panel| panel.panel == PanelName::Scheme) else { continue };
+            let Some(frame) = stage.panels(&drawing).into_iter().find(|panel| panel.panel == PanelName::Scheme) else {
+                continue;
+            };
             let outside = |solution: &Solution| {
                 let handles = stage.handles(solution).into_iter();
-                handles.filter(|handle| !frame.frame.contains(handle.at)).map(|handle| handle.name).collect::<BTreeSet<_>>()
+                handles
+                    .filter(|handle| !frame.frame.contains(handle.at))
+                    .map(|handle| handle.name)
+                    .collect::<BTreeSet<_>>()
             };
             let outside: BTreeSet<String> = animation.positions.iter().flat_map(outside).collect();
-            println!("{name} {steps:?}: mu {:?}, frame {:.0} x {:.0}, own cut: {:?}", stage.mu(PanelName::Scheme), frame.frame.width(), frame.frame.height(), stage.panels(&drawing).iter().filter(|p| p.is_cut).map(|p| p.panel).collect::<Vec<_>>());
+            println!(
+                "{name} {steps:?}: mu {:?}, frame {:.0} x {:.0}, own cut: {:?}",
+                stage.mu(PanelName::Scheme),
+                frame.frame.width(),
+                frame.frame.height(),
+                stage.panels(&drawing).iter().filter(|p| p.is_cut).map(|p| p.panel).collect::<Vec<_>>()
+            );
             if !outside.is_empty() {
                 lost.push(format!("{name}, {steps:?}: {outside:?}"));
             }

@@ -30,34 +30,16 @@ fn files_are_those_of_the_program() {
             ("tikz", "figure", &["draw", "-", "-o", "-", "--format", "tikz"]),
             ("json", "figure", &["solve", "-"]),
             ("steps", "figure", &["steps", "-"]),
+            ("csv", "figure", &["sweep", "-"]),
         ] {
+            if format == "csv" && is_drawn {
+                continue;
+            }
             let made = bench.ask("file", &[json!(text), json!({ "format": format, "of": of })]);
             assert!(bytes(&made) == printed(command, &text), "{name}: {format}");
         }
-        if !is_drawn {
-            let made = bench.ask("file", &[json!(text), json!({ "format": "csv", "of": "figure" })]);
-            let [made, program] =
-                [bytes(&made), printed(&["sweep", "-"], &text)].map(|b| String::from_utf8(b).expect("UTF-8"));
-            same_table(&name, &made, &program);
-        }
     }
     bench.assert_quiet();
-}
-
-/// Tables with the same cells. Where a processor multiplies and adds with one rounding, last digits differ from those of
-/// the browser's engine, which does not.
-pub fn same_table(name: &str, made: &str, program: &str) {
-    assert_eq!(made.lines().count(), program.lines().count(), "{name}");
-    for (line, (ours, theirs)) in made.lines().zip(program.lines()).enumerate() {
-        assert_eq!(ours.split(',').count(), theirs.split(',').count(), "{name}, line {line}");
-        for (one, other) in ours.split(',').zip(theirs.split(',')) {
-            let near = match (one.parse::<f64>(), other.parse::<f64>()) {
-                (Ok(one), Ok(other)) => (one - other).abs() <= 1e-7 * (1.0 + one.abs()),
-                _ => one == other,
-            };
-            assert!(near, "{name}, line {line}: {one} and {other}");
-        }
-    }
 }
 
 /// JSON in which 10 and 10.0 are the same.

@@ -113,7 +113,7 @@ fn a_scene_of_two_hundred_links_is_drawn() {
 fn a_scene_typed_letter_by_letter_never_leaves_the_page_blank() {
     let Some(mut bench) = Bench::open("typed") else { return };
     let whole: Value = serde_json::from_str(&files::read("templates/slider-crank.json")).expect("JSON");
-    let whole = serde_json::to_string_pretty(&whole).expect("JSON");
+    let whole = serde_json::to_string(&whole).expect("JSON");
     // All beginnings of the text, as fast as the page can take them.
     let blank = bench.value(&format!(
         "(async () => {{ const whole = {}; const bad = []; \

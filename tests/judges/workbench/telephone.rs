@@ -31,8 +31,7 @@ fn it_is_used_with_fingers() {
     let [x, y] = [x + 0.22 * width, y + 0.3 * height];
     let apart = |d: f64| [[x - d, y], [x + d, y]];
     bench.touch(&[&apart(20.0), &apart(40.0), &apart(70.0)]);
-    bench.frame();
-    assert!(bench.number(sight) < before, "two fingers zoom");
+    bench.until(&format!("{sight} < {before}"));
     let mut small = Vec::new();
     for panel in ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"] {
         bench.value(&format!("kinegon.app.show('{panel}')"));

@@ -1,4 +1,5 @@
 use super::{position, size, solvable};
+use crate::support::survey::tried;
 use kinegon::cycle::{Drive, Path};
 use kinegon::editing::{with_mode, with_position};
 use kinegon::position::{Pose, counted_poses};
@@ -45,8 +46,9 @@ fn a_drive_put_into_the_text_stays_on_its_branch() {
             let Ok(mut path) = Path::new(&mechanism, &pose, of_path) else { continue };
             let Ok([from, to]) = path.cover(None, None) else { continue };
             let mut walker = path.walker();
-            for step in 0..72 {
-                let value = from + (to - from) * (f64::from(step) + 0.37) / 72.0;
+            let steps = tried(24, 72);
+            for step in 0..steps {
+                let value = from + (to - from) * (f64::from(step) + 0.37) / f64::from(steps);
                 let Some(now) = walker.position(value).map(|position| position.pose()) else { continue };
                 let moved =
                     with_position(&text, &now).unwrap_or_else(|error| panic!("{name} {drive} at {value}: {error}"));
@@ -60,7 +62,7 @@ fn a_drive_put_into_the_text_stays_on_its_branch() {
             }
         }
     }
-    assert!(seen > 2000 && as_it_was > seen / 2, "{as_it_was} of {seen}");
+    assert!(seen > 700 && as_it_was > seen / 2, "{as_it_was} of {seen}");
 }
 
 /// No other assembly mode is as near to the position that was meant; of a lever turned round, its axis tells.

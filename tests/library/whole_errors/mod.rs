@@ -22,7 +22,7 @@ use truth::{Pair, Reading, Real, Truth, cross, error, exactly, minus, plus, roun
 
 /// Mechanisms, each from lengths and as drawn.
 fn count() -> u64 {
-    tried(2000, 20_000)
+    tried(1000, 20_000)
 }
 
 /// The stated bound is at most this many errors, in the middle of all numbers.
@@ -185,7 +185,7 @@ fn of_starting_scenes_and_driven_sliders() {
         if scene.get("points").is_some() {
             continue;
         }
-        for turn in 0..tried(3, 60) {
+        for turn in 0..tried(2, 60) {
             let mut scene = scene.clone();
             scene.as_object_mut().expect("an object").shift_remove("want");
             for link in scene["links"].as_object_mut().expect("links").values_mut() {
