@@ -354,8 +354,8 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     for (kind, path, teaches) in KINDS {
         let solution = solution(path, |_| ())?;
         let drawing = solution.figure();
+        let structure = structure(&solution.mechanism, &solution.wording());
         let title = solution.scene.title.map_or_else(|| kind.to_owned(), |title| title.for_terminal());
-        let structure = structure(&solution.mechanism);
         let formula = structure.lines().next().unwrap_or_default();
         let _ = write!(
             page,

@@ -5,6 +5,7 @@ use kinegon::Solution;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
 use kinegon::quantity::{Asked, Quantity};
 use kinegon::scene::{Builder, LengthUnit, NewLink, TimeUnit, Turn};
+use kinegon::words::Wording;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Builder::new(LengthUnit::Mm, TimeUnit::S)
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     // Limit and dead centres, to 1e-12 of a turn.
     for event in path.events() {
-        println!("{}", event.text(&path.drive.at(event.at)));
+        println!("{}", path.told(&event, &Wording::default()));
     }
 
     // Any position, any quantity by name; names are looked up once.

@@ -6,6 +6,7 @@ use super::sweep::{Range, refuse_nothing, split_names};
 use super::wording::Words;
 use crate::cycle::{Curves, Hodographs, PointPaths};
 use crate::drawing::{curves, hodographs, paths};
+use crate::words::Wording;
 use clap::Args;
 
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
@@ -77,6 +78,6 @@ impl CurvesCommand {
         let mut files = FileSet::default();
         self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], page)?;
         files.finish()?;
-        self.range.report_events(&branch, range, "figure")
+        self.range.report_events(&branch, range, &Wording::of(&driven.scene.figure), "figure")
     }
 }

@@ -4,6 +4,7 @@ use crate::format;
 use crate::mechanism::mechanism;
 use crate::position::{counted_poses, with_nearest_sides};
 use crate::scene::Scene;
+use crate::words::Wording;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -18,8 +19,8 @@ impl Structure {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
         let text = || -> Result<String, crate::Error> {
-            let mechanism = mechanism(&Scene::read(&source.text)?)?;
-            Ok(format::structure(&mechanism))
+            let scene = Scene::read(&source.text)?;
+            Ok(format::structure(&mechanism(&scene)?, &Wording::of(&scene.figure)))
         };
         let text = text().map_err(|error| source.fail(error))?;
         print(&text)

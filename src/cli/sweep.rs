@@ -6,6 +6,7 @@ use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 use crate::scene::Scene;
+use crate::words::Wording;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -102,29 +103,34 @@ impl Range {
         self.from.is_some() || self.to.is_some()
     }
 
-    /// Notes the extreme and change points of the branch within `range`, and its limit positions. `product` is what is
-    /// made.
+    /// Notes the extreme and change points of the branch within `range`, and its limit positions, in the words of the
+    /// scene's figure. `product` is what is made.
     ///
     /// # Errors
     /// [`Failure::Partly`] if a given range goes beyond a limit position.
-    pub(super) fn report_events(&self, branch: &Branch, range: [f64; 2], product: &str) -> Result<(), Failure> {
-        let events = branch.happenings(range);
+    pub(super) fn report_events(
+        &self,
+        branch: &Branch,
+        range: [f64; 2],
+        words: &Wording,
+        product: &str,
+    ) -> Result<(), Failure> {
+        let events = branch.happenings(range, words);
         events.iter().take(NOTES).for_each(|event| note(event));
         if events.len() > NOTES {
-            let more = events.len() - NOTES;
-            note(&format!("{more} more extreme or change points follow"));
+            note(&words.language.events_left_out(&(events.len() - NOTES).to_string()));
         }
         let beyond = |value: f64| !(branch.low()..=branch.high()).contains(&value);
-        let ends = branch.limits(self.is_given().then_some(range));
+        let ends = |words: &Wording| branch.limits(self.is_given().then_some(range), words);
         if self.is_given() && range.into_iter().any(beyond) {
             let [from, to] = range.map(|v| branch.drive.amount(v));
             return Err(Failure::Partly(format!(
                 "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {}{}",
-                ends.join("; "),
+                ends(&Wording::default()).join("; "),
                 other_way_round(branch, range).unwrap_or_default()
             )));
         }
-        ends.iter().for_each(|end| note(end));
+        ends(words).iter().for_each(|end| note(end));
         Ok(())
     }
 }
@@ -195,7 +201,7 @@ impl SweepCommand {
             table::refuse_huge(&sweep, format)?;
         }
         table::write(&sweep, format, &self.output)?;
-        self.range.report_events(&branch, [from, to], "table")
+        self.range.report_events(&branch, [from, to], &Wording::of(&driven.scene.figure), "table")
     }
 
     fn table_format(&self) -> Result<TableFormat, Failure> {

@@ -47,8 +47,8 @@ impl Drive {
 
     /// The drive at this value, in words, as in `angle(1) = 30°`.
     #[must_use]
-    pub fn at(&self, value: f64) -> String {
-        format!("{} = {}", self.quantity(), self.amount(value))
+    pub fn at(&self, value: f64, words: &Wording) -> String {
+        format!("{} = {}", self.quantity(), words.number(self.amount(value)))
     }
 
     /// A value with its unit, as in `30°`.

@@ -3,6 +3,7 @@ use super::{Path, Walker};
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::kernel::{Single, Unknown};
 use crate::mechanism::SliderId;
+use crate::words::Wording;
 use std::cmp::Reverse;
 
 /// An event at one value of the drive.
@@ -63,29 +64,18 @@ impl Event {
 
     /// The event in words; `place` is the drive's value in words, as in `angle(1) = 30°`.
     #[must_use]
-    pub fn text(&self, place: &str) -> String {
+    pub fn text(&self, place: &str, words: &Wording) -> String {
+        let language = words.language;
+        let number = |value: f64| words.number(shortened(value, 9).to_string());
         match &self.what {
-            Happening::Limit { links } => {
-                format!("limit position at {place}: links {links} can go no further, their rates grow without bound")
-            }
-            Happening::RunsOff { links } => {
-                format!("limit position at {place}: links {links} run off to infinity")
-            }
-            Happening::Change { links } => format!(
-                "change point at {place}: links {links} could go on in another mode too; the smooth motion is followed, \
-                 and rates are left out there"
-            ),
-            Happening::Singular { links } => {
-                format!("singular position near {place}: links {links} cannot be followed through it")
-            }
+            Happening::Limit { links } => language.event_limit(place, links),
+            Happening::RunsOff { links } => language.event_runs_off(place, links),
+            Happening::Change { links } => language.event_change(place, links),
+            Happening::Singular { links } => language.event_singular(place, links),
             Happening::TurnsBack { link, angle } => {
-                let angle = shortened(snapped(*angle, 360.0), 9);
-                format!("extreme position at {place}: link {link} stops at {angle}° and turns back")
+                language.event_turns_back(place, link, &number(snapped(*angle, 360.0)))
             }
-            Happening::SlidesBack { slider, position } => {
-                let position = shortened(*position, 9);
-                format!("extreme position at {place}: slider {slider} stops at {position} and slides back")
-            }
+            Happening::SlidesBack { slider, position } => language.event_slides_back(place, slider, &number(*position)),
         }
     }
 }

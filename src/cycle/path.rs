@@ -8,6 +8,7 @@ use crate::geometry::{Lanes, Many, OneByOne, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
+use crate::words::Wording;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
@@ -103,7 +104,7 @@ impl<'a> Path<'a> {
         if let Some(group) = (0..path.mechanism.groups.len()).find(|g| !closed || is_singular(g)) {
             return Err(CycleError::Singular {
                 links: path.mechanism.groups[group].link_names(&path.mechanism),
-                at: path.drive.at(origin),
+                at: path.drive.at(origin, &Wording::default()),
             });
         }
         path.unit_rates(&mut block);
@@ -214,7 +215,7 @@ impl<'a> Path<'a> {
         }
         if outside(self) {
             let end = self.end(low > self.high());
-            let stop = end.map(|end| end.text(&self.drive.at(end.at)));
+            let stop = end.map(|end| self.told(end, &Wording::default()));
             let [from, to] = range.map(|v| self.drive.amount(v));
             let reached = [(false, self.low()), (true, self.high())];
             let [low, high] = reached.map(|(above, v)| self.drive.amount(self.end(above).map_or(v, |end| end.at)));

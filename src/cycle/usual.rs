@@ -1,6 +1,7 @@
 //! What is shown of a path where nobody says which part of it.
 
-use super::{CycleError, Path, Steps};
+use super::{CycleError, Event, Path, Steps};
+use crate::words::Wording;
 
 impl Path<'_> {
     /// The range of a figure, for the range that [`Path::cover`] gave without ends: one full turn is shown from 0° to 360°.
@@ -15,18 +16,24 @@ impl Path<'_> {
 
     /// What happens on the path within a range, in words: extreme and change points.
     #[must_use]
-    pub fn happenings(&self, range: [f64; 2]) -> Vec<String> {
+    pub fn happenings(&self, range: [f64; 2], words: &Wording) -> Vec<String> {
         let mut events = self.events();
         events.retain(|event| !event.is_end() && self.touches(event, range));
-        events.iter().map(|event| event.text(&self.drive.at(event.at))).collect()
+        events.iter().map(|event| self.told(event, words)).collect()
     }
 
     /// The limits that end the path within a range, in words; all of them without a range.
     #[must_use]
-    pub fn limits(&self, range: Option<[f64; 2]>) -> Vec<String> {
+    pub fn limits(&self, range: Option<[f64; 2]>, words: &Wording) -> Vec<String> {
         let is_inside = |at: f64| range.is_none_or(|[a, b]| (a.min(b)..=a.max(b)).contains(&at));
         let ends = [false, true].into_iter().filter_map(|above| self.end(above));
-        ends.filter(|end| is_inside(end.at)).map(|end| end.text(&self.drive.at(end.at))).collect()
+        ends.filter(|end| is_inside(end.at)).map(|end| self.told(end, words)).collect()
+    }
+
+    /// An event with its place, in words.
+    #[must_use]
+    pub fn told(&self, event: &Event, words: &Wording) -> String {
+        event.text(&self.drive.at(event.at, words), words)
     }
 
     /// The step of a table: 1° for an angle; for a slider the largest of 1, 2 or 5 times a power of ten that is at most a

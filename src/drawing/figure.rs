@@ -16,7 +16,6 @@ use super::view::{Extent, View, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
-use crate::mechanism::Class;
 use crate::quantity::{Kind, Scales};
 use crate::scene::PanelName;
 use crate::words::{Language, Wording};
@@ -359,13 +358,9 @@ fn description(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> String {
         _ => language.described_scheme(),
     };
     let panels: Vec<&str> = panels.iter().map(described).collect();
-    let groups = scheme.mechanism.groups.iter().map(|group| {
-        let class = match group.class {
-            Class::Higher => language.higher(),
-            other => other.numeral(),
-        };
-        language.described_group(class, &group.link_names(scheme.mechanism))
-    });
+    let groups = scheme.mechanism.groups.iter();
+    let groups = groups
+        .map(|group| language.described_group(group.class.in_words(language), &group.link_names(scheme.mechanism)));
     let description = language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "));
     scheme.sentence_on_paths().into_iter().fold(description, |text, paths| format!("{text} {paths}"))
 }

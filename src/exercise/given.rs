@@ -1,7 +1,7 @@
 //! The given numbers of an exercise in sentences, which a student gets beside the scheme.
 
 use crate::quantity::{Kind, Scales};
-use crate::scene::{Along, At, DecimalMark, GivenBy, On, Scene, Shape};
+use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
 use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
@@ -54,10 +54,8 @@ impl Teller<'_> {
         }
     }
 
-    fn pair(&self, [x, y]: [f64; 2]) -> String {
-        // Beside decimal commas the coordinates are separated by a semicolon.
-        let mark = if self.words.decimal == DecimalMark::Comma { ";" } else { "," };
-        format!("({}{mark} {})", self.number(x), self.number(y))
+    fn pair(&self, place: [f64; 2]) -> String {
+        self.words.place(place.map(|x| self.number(x)))
     }
 
     /// Fixed points and lengths of a scene from lengths; none of a drawn scene, whose scheme shows them.

@@ -1,14 +1,14 @@
 use crate::geometry::degrees_of;
 use crate::mechanism::{Body, BodyId, Class, Group, Joint, Mechanism, Role};
-use crate::position::{Count, Listed, Pose};
-use crate::scene::Scene;
-use std::fmt::Write;
+use crate::position::{Count, Listed, Pose, search_warnings};
+use crate::scene::{GivenBy, Scene};
+use crate::words::{Language, Wording};
 
 /// The structure of a mechanism as text: its formula with each group's links and joints, degrees of freedom, and each
 /// group's class and special points.
 #[must_use]
-pub fn structure(mechanism: &Mechanism) -> String {
-    let mut text = String::new();
+pub fn structure(mechanism: &Mechanism, words: &Wording) -> String {
+    let language = words.language;
     let drives = mechanism.drive_names();
     let is_given = |b: &&Body| matches!(b.role, Role::Carrier { .. } | Role::Moving { .. });
     let known: Vec<&str> = mechanism.bodies.iter().filter(is_given).map(|b| b.name.as_str()).collect();
@@ -19,55 +19,47 @@ pub fn structure(mechanism: &Mechanism) -> String {
     for group in &mechanism.groups {
         formula.push(format!(
             "{}({}; {})",
-            group.class.numeral(),
+            group.class.in_words(language),
             group.link_names(mechanism),
             joints(mechanism, group)
         ));
     }
-    let _ = writeln!(text, "{}", formula.join(" → "));
+    let mut lines = vec![formula.join(" → ")];
     // A group has as many constraints as freedoms, so the degrees of freedom are the drives.
-    let _ = match (drives.len(), known.len()) {
-        (n, 0) => writeln!(text, "degrees of freedom: {n}, as many as drives"),
-        (0, _) => writeln!(text, "known motions: {}", known.join(", ")),
-        (n, _) => writeln!(text, "drives: {n}; known motions: {}", known.join(", ")),
-    };
+    let count = drives.len().to_string();
+    lines.push(match (drives.len(), known.len()) {
+        (_, 0) => language.structure_freedoms(&count),
+        (0, _) => language.structure_known(&known.join(", ")),
+        _ => language.structure_drives(&count, &known.join(", ")),
+    });
     if let Some(placing) = &mechanism.placing {
         let groups = placing.mechanism.groups.iter().map(|group| {
             let links = group.link_names(&placing.mechanism);
-            format!("{}({links})", group.class.numeral())
+            format!("{}({links})", group.class.in_words(language))
         });
-        let _ = writeln!(
-            text,
-            "positions from angle({}) = {}°: {}",
-            mechanism.body(placing.link).name,
-            placing.angle,
-            groups.collect::<Vec<_>>().join(" → ")
-        );
+        let degrees = words.number(placing.angle.to_string());
+        let angle = format!("angle({}) = {degrees}°", mechanism.body(placing.link).name);
+        lines.push(language.structure_positions(&angle, &groups.collect::<Vec<_>>().join(" → ")));
     }
     for group in &mechanism.groups {
-        let _ = writeln!(
-            text,
-            "links {}: class {}, {}",
-            group.link_names(mechanism),
-            group.class.numeral(),
-            shape(group.class)
-        );
+        let (links, class) = (group.link_names(mechanism), group.class.in_words(language));
+        lines.push(language.structure_group(&links, class, shape(group.class, language)));
         let special = group.special.iter().filter(|s| s.target.is_none());
         let special: Vec<&str> = special.map(|s| s.name.as_str()).collect();
         if !special.is_empty() {
-            let _ = writeln!(text, "  special points {}", special.join(", "));
+            lines.push(format!("  {}", language.structure_special_points(&special.join(", "))));
         }
     }
-    text
+    lines.join("\n") + "\n"
 }
 
 /// The definition of a group's class, by this program's convention.
-fn shape(class: Class) -> &'static str {
+fn shape(class: Class, language: &Language) -> &str {
     match class {
-        Class::Second => "two links",
-        Class::Third => "a central link on three legs",
-        Class::Fourth => "two drag links joined by two closure links, a closed contour of four",
-        Class::Higher => "more links than the classes II to IV have, or joined in another way",
+        Class::Second => language.shape_second(),
+        Class::Third => language.shape_third(),
+        Class::Fourth => language.shape_fourth(),
+        Class::Higher => language.shape_higher(),
     }
 }
 
@@ -101,36 +93,43 @@ pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, listed: &Listed) -> St
 }
 
 fn written(scene: &Scene, mechanism: &Mechanism, poses: &[Pose], count: Count) -> String {
-    let mut text = String::new();
-    let unit = scene.units.length.as_str();
-    let plural = if count.number == 1 { "" } else { "s" };
-    let first = match poses.len() {
-        all if all as u64 == count.number && count.is_exact => String::new(),
-        listed => format!(", listed are the first {listed}"),
+    let words = Wording::of(&scene.figure);
+    let language = words.language;
+    let number = count.number.to_string();
+    let counted = if count.is_exact { number } else { language.modes_at_least(&number) };
+    let modes = match count.number {
+        1 => language.modes_one(&counted),
+        _ => language.modes_many(&counted),
     };
-    let _ = writeln!(text, "{count} assembly mode{plural}{first}; coordinates in {unit}, angles in degrees");
-    for (index, pose) in poses.iter().enumerate() {
-        let _ = writeln!(text, "{:3}. {}", index + 1, mode(mechanism, pose).join("\n     "));
+    let modes = match poses.len() {
+        all if all as u64 == count.number && count.is_exact => modes,
+        listed => language.modes_listed(&modes, &listed.to_string()),
+    };
+    let mut lines = vec![language.modes_heading(&modes, scene.units.length.as_str())];
+    let numbered = poses.iter().zip(1..);
+    lines.extend(
+        numbered.map(|(pose, number)| format!("{number:3}. {}", mode(mechanism, pose, &words).join("\n     "))),
+    );
+    if scene.given_by == GivenBy::Lengths {
+        lines.extend(search_warnings(mechanism.for_positions(), language));
     }
-    for remark in poses.iter().take(1).flat_map(|pose| &pose.warnings) {
-        let _ = writeln!(text, "{remark}");
-    }
-    text
+    lines.join("\n") + "\n"
 }
 
 /// An assembly mode in words: a line with the places of its inner points and one with the angles of its groups' links.
 #[must_use]
-pub fn mode(mechanism: &Mechanism, pose: &Pose) -> Vec<String> {
+pub fn mode(mechanism: &Mechanism, pose: &Pose, words: &Wording) -> Vec<String> {
+    let number = |x: f64| words.number(format!("{x:.6}"));
     // A driving link without a given angle is one of the links whose positions are sought.
     let mechanism = mechanism.for_positions();
     let points = mechanism.inner_points().into_iter().map(|p| {
         let q = pose.point(p);
-        format!("{} ({:.6}, {:.6})", mechanism.point_name(p), q.x, q.y)
+        format!("{} {}", mechanism.point_name(p), words.place([q.x, q.y].map(number)))
     });
     let members = mechanism.links().filter(|(id, _)| mechanism.is_sought(*id));
     let angles = members.filter_map(|(id, body)| {
         let axis = pose.axes[id.0]?;
-        Some(format!("angle({}) {:.6}", body.name, degrees_of(axis)))
+        Some(format!("angle({}) {}", body.name, number(degrees_of(axis))))
     });
     let mut lines = [points.collect::<Vec<_>>(), angles.collect()].map(|line| line.join("  ")).to_vec();
     // A slotted lever and its block have no point whose position is sought.

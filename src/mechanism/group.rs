@@ -1,4 +1,5 @@
 use super::{BodyId, DrivenSlide, JointId, Mechanism, PointId};
+use crate::words::Language;
 
 /// The class of an Assur group: class II has two links; class III four, a central link on three legs; class IV four in
 /// a closed contour, two of them on known bodies.
@@ -15,6 +16,15 @@ pub enum Class {
 }
 
 impl Class {
+    /// The Roman numeral, or the word for a higher class.
+    #[must_use]
+    pub fn in_words(self, language: &Language) -> &str {
+        match self {
+            Class::Higher => language.higher(),
+            other => other.numeral(),
+        }
+    }
+
     /// The Roman numeral.
     #[must_use]
     pub fn numeral(self) -> &'static str {

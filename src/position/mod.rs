@@ -27,3 +27,4 @@ pub use count::Count;
 pub use error::AssemblyError;
 pub use pose::{Assembly, Pose};
 pub use sides::with_nearest_sides;
+pub(crate) use tree::search_warnings;

@@ -5,6 +5,7 @@ use super::rough::Rough;
 use super::{Assembly, Pose};
 use crate::geometry::{Placement, Vector};
 use crate::mechanism::{BodyId, Class, Mechanism, Role};
+use crate::words::{Language, Wording};
 
 /// The assemblies of a mechanism as a tree: each mode of a group leaves the groups after it modes of their own.
 ///
@@ -192,20 +193,15 @@ impl Way {
             guides,
             slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
             assemblies: self.assemblies,
-            warnings: search_warnings(mechanism.for_positions()).collect(),
+            warnings: search_warnings(mechanism.for_positions(), Wording::default().language).collect(),
         }
     }
 }
 
 /// Warnings for groups whose assembly modes come from a search, not from a polynomial. A group without a loop has one
 /// mode.
-fn search_warnings(mechanism: &Mechanism) -> impl Iterator<Item = String> {
+pub(crate) fn search_warnings(mechanism: &Mechanism, language: &Language) -> impl Iterator<Item = String> {
     let groups = mechanism.groups.iter();
     let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
-    higher.map(|group| {
-        format!(
-            "links {} form a group of higher class: its assembly modes were found by a search, and there may be more",
-            group.link_names(mechanism)
-        )
-    })
+    higher.map(|group| language.modes_searched(&group.link_names(mechanism)))
 }

@@ -1,6 +1,6 @@
 //! Catalogues: the sentences of one language in a text file, read once into a list in the order of the declarations.
 
-/// All sentences of a language, with a method for each; `sentences.rs` declares them.
+/// All sentences of a language, with a method for each; `sentences/` declares them.
 #[derive(Clone, Debug)]
 pub struct Language {
     /// Its code in scenes and on the command line, as `en`.

@@ -2,7 +2,7 @@
 
 use super::catalogue::{Declared, Language, Sentence, read};
 use super::mistakes::MISTAKES;
-use super::sentences::SENTENCES;
+use super::sentences::sentences;
 use crate::scene::LanguageName;
 use std::sync::LazyLock;
 
@@ -16,7 +16,7 @@ fn catalogue(name: LanguageName) -> &'static str {
 
 /// The declarations of all sentences: those of figures and reports, then those of mistakes.
 fn declared() -> Vec<Declared> {
-    SENTENCES.iter().chain(MISTAKES).copied().collect()
+    sentences().chain(MISTAKES).copied().collect()
 }
 
 /// The languages in the order of [`LanguageName::ALL`]. A sentence that a catalogue lacks is taken from the English
@@ -43,6 +43,7 @@ impl Language {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::words::sentences::COUNT;
 
     /// The sentences of a catalogue, which must have no faults.
     fn faultless(name: LanguageName) -> Vec<Sentence> {
@@ -73,7 +74,7 @@ mod tests {
     #[test]
     fn every_blank_of_a_mistake_is_told() {
         let english = faultless(LanguageName::English);
-        for (declared, sentences) in MISTAKES.chunks(2).zip(english[SENTENCES.len()..].chunks(2)) {
+        for (declared, sentences) in MISTAKES.chunks(2).zip(english[COUNT..].chunks(2)) {
             let told = &sentences[0].blanks() | &sentences[1].blanks();
             assert_eq!(told.len(), declared[0].blanks.len(), "`{}` does not tell all", declared[0].key);
         }

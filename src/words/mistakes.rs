@@ -2,7 +2,7 @@
 
 use super::Wording;
 use super::catalogue::Declared;
-use super::sentences::SENTENCES;
+use super::sentences;
 
 /// Turns the text for a blank into the text that is shown.
 type Show = fn(&Wording, &str) -> String;
@@ -15,7 +15,7 @@ macro_rules! mistakes {
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum MistakeWords { $($(#[$about])+ $mistake),+ }
 
-        /// The keys and blanks of every catalogue, behind [`SENTENCES`].
+        /// The keys and blanks of every catalogue, behind [those of all others](sentences).
         pub(super) const MISTAKES: &[Declared] = &[$(
             Declared { key: concat!(stringify!($mistake), ".done"), blanks: &[$(stringify!($blank)),*], needs_all: false },
             Declared { key: concat!(stringify!($mistake), ".should"), blanks: &[$(stringify!($blank)),*], needs_all: false },
@@ -163,7 +163,7 @@ impl Wording {
         let given = blanks.into_iter().chain(core::iter::repeat(""));
         let shown: Vec<String> = SHOWN[mistake].iter().zip(given).map(|(shown, blank)| shown(self, blank)).collect();
         let shown: Vec<&str> = shown.iter().map(String::as_str).collect();
-        [0, 1].map(|which| self.language.sentences[SENTENCES.len() + 2 * mistake + which].filled(&shown))
+        [0, 1].map(|which| self.language.sentences[sentences::COUNT + 2 * mistake + which].filled(&shown))
     }
 }
 

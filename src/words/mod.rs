@@ -2,8 +2,8 @@
 //! of figures and of the text of the construction. Names of quantities, keys of files and messages of errors are the
 //! same in every language and are not here.
 //!
-//! Each language is a text file of sentences with named blanks, as `english.txt`. `sentences.rs` and `mistakes.rs`
-//! declare every sentence once and give it a method: the compiler checks that every blank is filled, a test that every
+//! Each language is a text file of sentences with named blanks, as `english.txt`. `sentences/` and `mistakes.rs` declare
+//! every sentence once and give it a method: the compiler checks that every blank is filled, a test that every
 //! language has every sentence. A file is read once; then a sentence is found by its index. (Fluent and rust-i18n find
 //! sentences by name at run time, and bring plural forms that two or three sentences would use.)
 
@@ -59,6 +59,13 @@ impl Wording {
     #[must_use]
     pub fn write(&self, x: f64, style: NumberStyle) -> String {
         style.write(x, self.decimal)
+    }
+
+    /// A place by its written coordinates, as `(10, 5)`; beside decimal commas a semicolon separates them.
+    #[must_use]
+    pub fn place(&self, [x, y]: [String; 2]) -> String {
+        let mark = if self.decimal == DecimalMark::Comma { ";" } else { "," };
+        format!("({x}{mark} {y})")
     }
 
     /// A length in millimetres of paper at the scale `mu`, in units per millimetre; `None` for one of a kilometre and

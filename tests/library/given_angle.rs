@@ -9,6 +9,7 @@ use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose, poses};
 use kinegon::scene::Scene;
+use kinegon::words::Wording;
 use serde_json::{Value, json};
 
 /// Error of a recovered angle in degrees or of a place in the mechanism's size, for a position of condition 1; the angle of a link
@@ -154,7 +155,7 @@ fn angles_that_do_not_count_out_get_a_message() {
     };
     assert_eq!(places(&own), places(&same));
     let rocker = Scene::read(&four_bar(open, "", angle)).expect("a scene");
-    let text = structure(&mechanism(&rocker).expect("a mechanism"));
+    let text = structure(&mechanism(&rocker).expect("a mechanism"), &Wording::default());
     let line = "positions from angle(3) = 30°: II(3) → II(1, 2)\n";
     assert!(text.contains(line), "{text}");
 }

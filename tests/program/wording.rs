@@ -11,6 +11,7 @@ use kinegon::quantity::{Asked, pencil, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
 use kinegon::{Solution, format};
+use kinegon_web::Engine;
 
 /// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.
 fn scenes() -> Vec<(String, String)> {
@@ -51,17 +52,22 @@ fn said(drawing: &Drawing) -> Vec<String> {
     texts.chain(others).chain(drawing.steps.clone()).collect()
 }
 
-/// All that is said of a scene: on the figure, on the sheets of its steps, in the text of the steps, on its curves.
+/// All that is said of a scene: on the figure, on the sheets of its steps, in the text of the steps, on its curves, of its
+/// structure, its assembly and its special positions.
 fn all_said(name: &str, text: &str) -> Vec<String> {
     let solution = solved(text).unwrap_or_else(|error| panic!("{name}: {error}"));
     let mut lines = said(&solution.figure());
     lines.extend(said(&solution.stepwise_figure()));
     lines.extend(steps(&solution).lines().map(str::to_owned));
     lines.extend(said_of_curves(&solution));
+    let Solution { scene, mechanism, pose, .. } = &solution;
+    let structure = format::structure(mechanism, &solution.wording());
+    let assembly = format::modes(scene, mechanism, std::slice::from_ref(pose));
+    lines.extend([structure, assembly].iter().flat_map(|text| text.lines().map(str::to_owned)));
     lines
 }
 
-/// What the curves of link rates say, for scenes that can be moved.
+/// What the curves of link rates say and what happens on the way, for scenes that can be moved.
 fn said_of_curves(solution: &Solution) -> Vec<String> {
     let Ok(drive) = Drive::new(&solution.mechanism, None) else {
         return Vec::new();
@@ -78,7 +84,10 @@ fn said_of_curves(solution: &Solution) -> Vec<String> {
     let Ok(sampled) = Curves::new(&path, range, Some(&names)) else {
         return Vec::new();
     };
-    said(&curves(&solution.scene, &sampled).expect("it fits"))
+    let mut lines = said(&curves(&solution.scene, &sampled).expect("it fits"));
+    let words = solution.wording();
+    lines.extend(path.happenings(range, &words).into_iter().chain(path.limits(None, &words)));
+    lines
 }
 
 /// Words of the English sentences that no Spanish one has, and that are no accelerations of points either (`an`, `at`).
@@ -87,11 +96,12 @@ const ENGLISH: &str = "the of and or to on by in is are it its where from throug
     special link links guide ray rays crossing crossings segment segments measured image images infinity parallel tangential sliding \
     relative reversed given known part parts both body sense turns uniformly construction loop equations equation agree differ \
     rates rate largest allow printed value values paper direction roughly honest hand drawings keep least greatest bound position angle \
-    length drive limit change scene dead curves panels groups class mechanism two cross stops come alone figure so depends higher";
+    length drive limit change scene dead curves panels groups class mechanism two cross stops come alone figure so depends higher \
+    extreme back further modes degrees freedom known contour";
 
 /// Words of the Spanish sentences that English ones do not have.
-const SPANISH: &str =
-    "el la los las del de polo escala plano velocidad velocidades aceleraciones eslabón trazar medir marcar recta";
+const SPANISH: &str = "el la los las del de polo escala plano velocidad velocidades aceleraciones eslabón eslabones trazar medir marcar recta \
+    posición cambio grados libertad montaje clase";
 
 /// The words of a list that a line has, apart from names of quantities such as `angle(2)` and of lengths such as DE.
 fn words_of<'a>(list: &'a str, line: &str) -> Vec<&'a str> {
@@ -200,6 +210,79 @@ fn a_check_speaks_the_language_asked_for() {
         }
         let done = mistakes[0]["done"].as_str().expect("a text");
         assert_eq!(done.contains("se midió"), language == "es", "{done}");
+    }
+}
+
+/// A four-bar whose crank is too long to turn round, in this language with decimal commas.
+fn rocking(language: &str) -> String {
+    let text = files::read("templates/four-bar.json").replace(r#""AB": 60"#, r#""AB": 120"#);
+    with(&text, &[("language", language), ("decimal", "comma")])
+}
+
+#[test]
+fn structure_modes_and_limits_are_told_in_the_language_asked_for() {
+    let run = |language: &str, arguments: &[&str]| {
+        let output = program::with_scene(arguments, rocking(language).as_bytes());
+        let told = [output.stdout, output.stderr].map(|text| String::from_utf8(text).expect("text"));
+        (output.status.code(), told)
+    };
+    let limit = "posición límite en angle(1) = 125,869247732°: los eslabones 2, 3 no pueden ir más allá";
+    for (arguments, heard) in [
+        (&["structure", "-"][..], "\neslabones 2, 3: clase II, dos eslabones\n"),
+        (&["modes", "-"], "2 modos de montaje; coordenadas en mm, ángulos en grados\n  1. C (56,065208; -36,021646)\n"),
+        (&["sweep", "-", "--step", "90"], limit),
+        (&["curves", "-", "-o", "-"], limit),
+        (&["curves", "-", "-o", "-", "--path", "C"], limit),
+    ] {
+        let (code, [output, notes]) = run("es", arguments);
+        assert_eq!(code, Some(0), "{notes}");
+        assert!(output.contains(heard) || notes.contains(heard), "{arguments:?}: {notes}{output}");
+        for line in notes.lines() {
+            let line = line.strip_prefix("note: ").expect("notes alone");
+            assert_eq!(words_of(ENGLISH, line), [""; 0], "{line}");
+        }
+    }
+    // The option goes before the scene; errors are in English, as their hints are.
+    let (_, [_, notes]) = run("es", &["curves", "-", "-o", "-", "--language", "en"]);
+    assert!(notes.contains("note: limit position at angle(1) = 125,869247732°: links 2, 3 can go no"), "{notes}");
+    let (code, [_, error]) = run("es", &["sweep", "-", "--step", "90", "--from", "0", "--to", "300"]);
+    assert_eq!(code, Some(1));
+    assert!(error.contains("limit position at angle(1) = 125.869247732°"), "{error}");
+    // A table has the same bytes in every language.
+    let table = |language: &str| run(language, &["sweep", "-", "--step", "90"]).1[0].clone();
+    assert_eq!(table("es"), table("en"));
+}
+
+#[test]
+fn the_workbench_tells_structure_and_limits_in_the_language_of_the_scene() {
+    let mut engine = Engine::new();
+    let parsed = |told: Result<String, String>| -> serde_json::Value {
+        serde_json::from_str(&told.expect("an answer")).expect("JSON")
+    };
+    for (language, foreign, limit) in [("es", ENGLISH, "posición límite en"), ("en", SPANISH, "limit position at")] {
+        let text = rocking(language);
+        let structure = parsed(engine.open(&text))["structure"].as_str().expect("a text").to_owned();
+        assert_eq!(structure.as_bytes(), program::with_scene(&["structure", "-"], text.as_bytes()).stdout);
+        let events = parsed(engine.curves(&text, r#"{"curves":[]}"#))["events"].clone();
+        let view = r#"{"step":null,"coarse":false,"modes":false}"#;
+        parsed(engine.grab(&text, view, r#"{"kind":"drive","drive":"1"}"#));
+        let notes = parsed(engine.drag(r#"{"value":300}"#))["notes"].clone();
+        // A pull that puts two joints in one place is refused.
+        let pins = r#"{"kind":"shape","point":"C","pins":{"points":[],"lengths":[]}}"#;
+        let picture = parsed(engine.grab(&text, view, pins));
+        let handles = picture["handles"].as_array().expect("a list");
+        let fixed = handles.iter().find(|handle| handle["name"] == "D").expect("a joint");
+        let refused = parsed(engine.drag(&serde_json::json!({ "to": fixed["at"] }).to_string()))["notes"].clone();
+        let mut told = vec![structure];
+        for notes in [&events, &notes, &refused] {
+            let notes = notes.as_array().expect("a list");
+            assert!(!notes.is_empty(), "{language}: nothing is told");
+            told.extend(notes.iter().map(|note| note.as_str().expect("a text").to_owned()));
+        }
+        assert_eq!(told.iter().filter(|line| line.starts_with(limit)).count(), 3, "{told:?}");
+        for line in told {
+            assert_eq!(words_of(foreign, &line), [""; 0], "{language}: {line}");
+        }
     }
 }
 

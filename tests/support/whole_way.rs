@@ -31,7 +31,7 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
     let layered = format::layered_svg(&all, format::Text::Letters);
     assert!(Document::parse(&layered).is_ok(), "{layered}");
     assert!(!solution.figure().tikz().is_empty());
-    assert!(!format::structure(&solution.mechanism).is_empty());
+    assert!(!format::structure(&solution.mechanism, &solution.wording()).is_empty());
     let names = step_names(&solution.construction);
     let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism));
     let asked = asked.map(|a| a.expect("steps measure quantities")).collect();

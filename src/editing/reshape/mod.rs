@@ -19,6 +19,7 @@ use crate::geometry::Point;
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::position::Pose;
 use crate::scene::{GivenBy, Scene, SceneError};
+use crate::words::{Language, Wording};
 use held::Held;
 use lever::Lever;
 
@@ -124,7 +125,7 @@ impl Reshape {
                 Err(error) => failure = Some(error),
             }
         }
-        Err(failure.unwrap_or_else(|| self.error("the joint cannot go there")))
+        Err(failure.unwrap_or_else(|| self.error(self.language().held_nowhere())))
     }
 
     fn unchanged(&self, note: Option<String>) -> Reshaped {
@@ -132,8 +133,13 @@ impl Reshape {
         Reshaped { text: self.text.clone(), scene, mechanism, pose, note }
     }
 
+    /// Why the joint cannot go where it is pulled, in the figure's language as the notes are.
     fn error(&self, message: &str) -> SceneError {
-        self.before.scene.error_at(&["links"], message, Some("pull the joint to another place".to_owned()))
+        self.before.scene.error_at(&["links"], message, Some(self.language().held_try().to_owned()))
+    }
+
+    fn language(&self) -> &'static Language {
+        Wording::of(&self.before.scene.figure).language
     }
 
     /// Refuses a place at another point of one of the joint's links.
@@ -145,8 +151,7 @@ impl Reshape {
             let near = |point: &&PointId| (pose.point(**point) - place).norm() < self.decimals.step();
             if let Some(other) = others.into_iter().find(near) {
                 let [point, other] = [self.point, *other].map(|point| mechanism.point_name(point));
-                let message = format!("link {} would have {point} and {other} in one place", body.name);
-                return Err(self.error(&message));
+                return Err(self.error(&self.language().held_in_one_place(&body.name, point, other)));
             }
         }
         Ok(())
@@ -180,9 +185,7 @@ impl Reshape {
         let solved = settle(&mut document, &wanted)?;
         match distance(&wanted, &solved.pose) <= MOVED {
             true => Ok((document.text(), solved)),
-            false => {
-                Err(self.error("with the joint there, rounded lengths leave the other joints no place near their own"))
-            }
+            false => Err(self.error(self.language().held_rounded())),
         }
     }
 }

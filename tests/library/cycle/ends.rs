@@ -3,6 +3,7 @@
 use super::four_bars::FourBar;
 use super::{TURN, followed, posed};
 use kinegon::cycle::{Event, Happening};
+use kinegon::words::Wording;
 
 /// How exactly places are known, in parts of a turn or of the mechanism's size.
 const LOCATED: f64 = 1e-12;
@@ -160,5 +161,5 @@ fn a_tangent() {
     let runs_off = |what: &Happening| matches!(what, Happening::RunsOff { .. });
     happen(&events, runs_off, &[90.0, -90.0]);
     happen(&events, limit, &[]);
-    assert!(events[0].text("P").contains("infinity"));
+    assert!(events[0].text("P", &Wording::default()).contains("infinity"));
 }

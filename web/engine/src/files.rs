@@ -10,6 +10,7 @@ use kinegon::motion::Order;
 use kinegon::order_of_result;
 use kinegon::quantity::step_pencil;
 use kinegon::scene::SizeLimit;
+use kinegon::words::Wording;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -238,7 +239,8 @@ impl Kept {
             }
             OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?),
         };
-        let events = path.happenings(range).into_iter().chain(path.limits(None)).collect();
+        let words = Wording::of(&scene.figure);
+        let events = path.happenings(range, &words).into_iter().chain(path.limits(None, &words)).collect();
         Ok(Course { sheet: sheet?, events, ends })
     }
 }

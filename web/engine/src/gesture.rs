@@ -140,7 +140,7 @@ impl Gesture {
                 };
                 let words = self.now.wording();
                 let place = |at| format!("{} = {}", pull.drive().quantity(), pull.drive().shown(at, &words));
-                let limit = pulled.limit.map(|end| end.text(&place(end.at)));
+                let limit = pulled.limit.map(|end| end.text(&place(end.at), &words));
                 let moved = self.staged.own.moved(pulled.pose.clone());
                 if let Some(drive) = self.drives.iter_mut().find(|drive| drive.name == pull.drive().name) {
                     (drive.value, drive.shown) = (pulled.value, pull.drive().shown(pulled.value, &words));

@@ -49,7 +49,7 @@ impl Desk {
             traceable: mechanism.points.iter().filter(is_traceable).cloned().collect(),
             vectors: quantities.iter().filter(is_vector).cloned().collect(),
             quantities,
-            structure: format::structure(mechanism),
+            structure: format::structure(mechanism, &words),
             warnings: solution.warnings().chain(solution.overflow_warnings()).chain(too_large).collect(),
             is_drawn: scene.given_by == GivenBy::Drawing,
         })
@@ -60,9 +60,10 @@ impl Desk {
         let kept = self.kept(text)?;
         let Kept { scene, mechanism, pose: own, .. } = &*kept;
         let listed = counted_poses(mechanism, &scene.near).map_err(|error| kept.refused(error))?;
+        let words = Wording::of(&scene.figure);
         let modes = listed.poses.iter().zip(1..).map(|(pose, number)| Mode {
             number,
-            shown: format::mode(mechanism, pose).join("\n"),
+            shown: format::mode(mechanism, pose, &words).join("\n"),
             is_own: own.is_same_as(pose),
         });
         Ok(modes.collect())

@@ -8,7 +8,7 @@ export interface Subject {
 
 const say = speaker({
   en: { link: "Link {name}", slider: "Slider {name}", point: "Point {name}", others: "Others" },
-  es: { link: "Eslabón {name}", slider: "Deslizadera {name}", point: "Punto {name}", others: "Otras" },
+  es: { link: "Eslabón {name}", slider: "Corredera {name}", point: "Punto {name}", others: "Otras" },
 });
 
 const OF_LINKS = /^(?:angle|omega|alpha)\((.+)\)/;

@@ -1,0 +1,35 @@
+//! Sentences of the sheets of exercises.
+
+sentences! {
+    Group::Exercise =>
+
+    // The sheets of exercises.
+    /// All that is given, separated by commas.
+    exercise_given(all);
+    /// The scales of the plans, separated by commas.
+    exercise_draw(scales);
+    /// Where the guide of a slider on the ground is, among the given numbers: a place on it, its direction in degrees.
+    exercise_guide(slider, place, degrees);
+    /// The same of a guide along a line of two points.
+    exercise_guide_through(slider, line);
+    /// The sizes of both plans on paper, and the paper on which each has room.
+    exercise_room(velocity, acceleration, paper);
+    /// Which sense is positive.
+    exercise_senses;
+    /// The same where slides are asked for: their symbols, separated by commas.
+    exercise_senses_of_slides(slides);
+    /// What the auxiliary points of the plans are, separated by semicolons.
+    exercise_points(all);
+    /// Ends of normal parts, separated by commas.
+    exercise_normal_ends(points);
+    /// Ends of Coriolis accelerations.
+    exercise_coriolis_ends(points);
+    /// Ends of sliding velocities or accelerations.
+    exercise_sliding_ends(points);
+    /// Lines for the student's name and the date.
+    exercise_name;
+    /// Below the drawn key: what ± means.
+    exercise_allowed;
+    /// Heading of the names of quantities to be found.
+    exercise_quantity;
+}
