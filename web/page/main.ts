@@ -1,11 +1,12 @@
 /** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
-import { byId } from "./dom.ts";
+import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
 import { PATIENCE } from "./engine/hand.ts";
 import type { Picture, View } from "./engine/types.ts";
 import { loadFonts } from "./fonts.ts";
-import { documents, dropped } from "./layout/documents.ts";
+import { dropped } from "./layout/brought.ts";
+import { documents } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
 import { help } from "./layout/help.ts";
 import { keys } from "./layout/keys.ts";
@@ -38,8 +39,8 @@ import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
 import { store as browserStore, type Store } from "./state/storage.ts";
 import { studying } from "./state/studying.ts";
-import { steps } from "./steps/steps.ts";
 import { stepsBar } from "./steps/bar.ts";
+import { steps } from "./steps/steps.ts";
 import { engineBytes, unpacked } from "./unpack.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
@@ -64,6 +65,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     shown: signal(""),
     show: (panel) => app.shown.set(panel),
     place: signal<{ from: number; to: number } | null>(null),
+    brought: signal<{ name: string; text: string } | null>(null),
     pick: () => () => undefined,
     markers: signal([]),
     open: (text) => app.history.change({ text }),

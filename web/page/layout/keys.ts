@@ -1,10 +1,10 @@
 import type { App } from "../app.ts";
-import { byId, takesText } from "../dom.ts";
+import { byId, takesText } from "../dom/find.ts";
 import type { Drives } from "../motion/drives.ts";
 import type { Play } from "../motion/play.ts";
 import { choose } from "../picture/focus.ts";
-import type { Steps } from "../steps/steps.ts";
 import type { Store } from "../state/storage.ts";
+import type { Steps } from "../steps/steps.ts";
 import { speak } from "./messages.ts";
 import { say } from "./words.ts";
 

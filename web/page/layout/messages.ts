@@ -1,5 +1,7 @@
 import type { App } from "../app.ts";
-import { byId, element } from "../dom.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
+import { withLine } from "../refused.ts";
 import { language } from "../words.ts";
 import { say } from "./words.ts";
 
@@ -12,8 +14,7 @@ export function messages(app: App): void {
     const why = app.solved.value.refused;
     bar.hidden = why === null;
     if (why === null) return bar.replaceChildren();
-    const message = why.line === null ? why.message : say("line", { line: why.line, message: why.message });
-    const text = element("p", {}, element("strong", {}, message));
+    const text = element("p", {}, element("strong", {}, withLine(why)));
     if (why.hint !== null) text.append(" ", why.hint);
     bar.replaceChildren(text);
     const { from, to } = why;

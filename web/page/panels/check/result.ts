@@ -1,5 +1,5 @@
 import type { App } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Checked, ReportParts } from "../../engine/types.ts";
 import type { Verdicts } from "./checking.ts";
 import type { Overlay } from "./overlay.ts";

@@ -1,9 +1,11 @@
 /** A board on which a mechanism is put together point by point, also while it is not complete. */
 import type { App } from "../../app.ts";
+import { element, svgElement } from "../../dom/element.ts";
+import { radios } from "../../dom/radios.ts";
+import { worded } from "../../dom/worded.ts";
 import type { Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
 import { edit } from "../parts/edits.ts";
-import { h, s } from "../parts/element.ts";
 import { newId } from "../parts/fields.ts";
 import { parsed, unitsOf } from "../parts/scene.ts";
 import { follows, TOOLS, type Begun, type Press, type Tool } from "./board_tools.ts";
@@ -23,16 +25,18 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
   let box: Box = boxOf(places.value, "mm", SHAPE);
   let cross: Place = [0, 0];
 
-  const summary = h("summary", {});
-  const tools = h("div", { class: "tools", role: "radiogroup" });
-  const hint = h("p", { class: "hint", role: "status" });
-  const drawing = s("g");
-  const cursor = s("path", { class: "cross" });
-  const svg = s("svg", { class: "board", tabindex: 0, role: "application", preserveAspectRatio: "xMidYMid meet" }, drawing, cursor);
-  const state = h("p", { class: "state", role: "status" });
-  const larger = h("button", { type: "button", class: "small" });
-  const dialog = h("dialog", { class: "desk", open: true }, tools, hint, svg, h("div", { class: "foot" }, state, larger));
-  const root = h("details", { class: "gallery drawing-board" }, summary, dialog);
+  const summary = element("summary", {});
+  const buttons = TOOLS.map((name) => worded(element("button", { type: "button", role: "radio", onclick: () => choose(name) }), () => say(`tool_${name}`)));
+  const tools = element("div", { class: "tools", role: "radiogroup" }, ...buttons);
+  radios(tools);
+  const hint = element("p", { class: "hint", role: "status" });
+  const drawing = svgElement("g");
+  const cursor = svgElement("path", { class: "cross" });
+  const svg = svgElement("svg", { class: "board", tabindex: 0, role: "application", preserveAspectRatio: "xMidYMid meet" }, drawing, cursor);
+  const state = element("p", { class: "state", role: "status" });
+  const larger = element("button", { type: "button", class: "small" });
+  const dialog = element("dialog", { class: "desk", open: true }, tools, hint, svg, element("div", { class: "foot" }, state, larger));
+  const root = element("details", { class: "gallery drawing-board" }, summary, dialog);
 
   /** A length of a dot on the screen, in the scene's units. */
   const dot = (): number => (5 * box.width) / Math.max(svg.clientWidth, 240);
@@ -56,23 +60,18 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
     summary.textContent = say("board");
     larger.textContent = say(dialog.matches(":modal") ? "done" : "larger");
     tools.setAttribute("aria-label", say("board"));
-    tools.replaceChildren(...TOOLS.map(toolButton));
     tell();
   }
 
-  function toolButton(name: Tool): HTMLElement {
-    const button = h("button", { type: "button", role: "radio", "aria-checked": String(name === tool), tabindex: name === tool ? 0 : -1 }, say(`tool_${name}`));
-    button.addEventListener("click", () => choose(name));
-    return button;
-  }
-
   function choose(name: Tool): void {
-    const hadFocus = tools.contains(document.activeElement);
     tool = name;
     begun = null;
-    words();
+    buttons.forEach((button, index) => {
+      button.setAttribute("aria-checked", String(TOOLS[index] === tool));
+      button.tabIndex = TOOLS[index] === tool ? 0 : -1;
+    });
+    tell();
     draw();
-    if (hadFocus) tools.querySelector<HTMLElement>("[aria-checked=true]")?.focus();
   }
 
   function tell(): void {
@@ -134,12 +133,6 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
     tell();
     draw();
   });
-  tools.addEventListener("keydown", (event) => {
-    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    choose(TOOLS[(TOOLS.indexOf(tool) + by + TOOLS.length) % TOOLS.length]!);
-  });
   larger.addEventListener("click", () => {
     const isLarge = dialog.matches(":modal");
     dialog.close();
@@ -161,5 +154,6 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
   places.on(() => (refit(false), tell(), draw()));
   app.solved.on(tell);
   language.on(() => (words(), draw()));
+  choose(tool);
   return { root, open: () => void ((root.open = true), svg.focus()) };
 }
