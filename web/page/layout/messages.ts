@@ -62,6 +62,17 @@ export function speak(message: string): void {
 /** How long a word stays on the page, in ms for a letter, and at least. */
 const [LETTER, LEAST] = [60, 4000];
 
+/** Puts a word at the foot of the picture, or below the picture's head where it covers fewer joints there. */
+function settle(word: HTMLElement): void {
+  const covered = (): number => {
+    const own = word.getBoundingClientRect();
+    const boxes = [...document.querySelectorAll("#pane :is(.handle, #warnings)")].map((control) => control.getBoundingClientRect());
+    return boxes.filter((box) => box.width > 0 && box.left < own.right && box.right > own.left && box.top < own.bottom && box.bottom > own.top).length;
+  };
+  const isHigh = (is: boolean): number => (word.classList.toggle("high", is), covered());
+  isHigh(isHigh(true) < isHigh(false));
+}
+
 /** Says something for a moment, aloud and on the page. */
 export function teller(): (message: string) => void {
   const place = byId("said");
@@ -71,6 +82,7 @@ export function teller(): (message: string) => void {
     // The same words again are said again.
     place.textContent = "";
     place.textContent = message;
+    settle(place);
     place.classList.add("shown");
     clock = window.setTimeout(() => place.classList.remove("shown"), Math.max(LEAST, message.length * LETTER));
   };
