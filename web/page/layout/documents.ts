@@ -40,7 +40,8 @@ export function documents(app: App, store: Store): void {
   const title = (): void => {
     const text = app.solved.value.opened?.title || say("untitled");
     byId("title").textContent = text;
-    document.title = `${text} – Kinegon`;
+    // In full screen the toolbar is away, but the page still has a name.
+    document.title = byId("name").textContent = `${text} – Kinegon`;
   };
   app.solved.on(title);
   language.on(title);

@@ -17,6 +17,8 @@ export function messages(app: App): void {
     const text = element("p", {}, element("strong", {}, withLine(why)));
     if (why.hint !== null) text.append(" ", why.hint);
     bar.replaceChildren(text);
+    // What is scrolled is scrolled by keys, too.
+    if (text.scrollHeight > text.clientHeight) text.tabIndex = 0;
     const { from, to } = why;
     if (from === null) return;
     const go = element("button", { type: "button", id: "message-place" }, say("to_text"));
