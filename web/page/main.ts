@@ -38,7 +38,7 @@ import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
 import { store as browserStore, type Store } from "./state/storage.ts";
-import { studying } from "./state/studying.ts";
+import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { steps } from "./steps/steps.ts";
 import { engineBytes, unpacked } from "./unpack.ts";
@@ -122,8 +122,9 @@ function watchAddress(app: App, store: Store): void {
   window.addEventListener("hashchange", () => void read());
 }
 
-/** Which panel is open at first: the link's, the one that was open, else the first where there is room. */
+/** Which panel is open at first: a student’s; the link's, the one that was open, else the first where there is room. */
 function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
+  if (app.student.value) return app.show(STUDENTS_PANEL);
   const known = (id: string | null | undefined): id is string => PANELS.some((panel) => panel.id === id);
   const before = from === "link" ? null : store.preference("panel");
   const roomy = window.innerWidth >= 960 ? (PANELS[0]?.id ?? "") : "";

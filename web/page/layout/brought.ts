@@ -55,13 +55,15 @@ export function dropped(app: App): void {
     document.body.classList.add("dropping");
   });
   document.addEventListener("dragleave", (event) => event.relatedTarget === null && document.body.classList.remove("dropping"));
+  // Before the editor, which would put the file's text into its own.
   document.addEventListener("drop", (event) => {
     document.body.classList.remove("dropping");
     const file = event.dataTransfer?.files[0];
-    if (file === undefined || event.defaultPrevented) return;
+    if (file === undefined) return;
     event.preventDefault();
+    event.stopPropagation();
     void openFile(app, file);
-  });
+  }, { capture: true });
   document.addEventListener("paste", (event) => {
     if (event.defaultPrevented || takesText(event.target)) return;
     const text = event.clipboardData?.getData("text/plain") ?? "";

@@ -116,6 +116,8 @@ function mount(root: HTMLElement, app: App): void {
     if (isAsking) return;
     isAsking = true;
     known = key;
+    const boxesOf = (of: Form | null): string => JSON.stringify([of?.rows, of?.points]);
+    const before = boxesOf(form);
     try {
       form = await app.engine.form(good, file === null ? "" : text);
     } catch {
@@ -123,7 +125,8 @@ function mount(root: HTMLElement, app: App): void {
       form = await app.engine.form(good, "").catch(() => null);
     }
     isAsking = false;
-    build();
+    // The same boxes stay, and with them what is being written: the first letter makes a form of none.
+    if (form === null || boxesOf(form) !== before) build();
     void refresh();
   }
 

@@ -199,7 +199,8 @@ export function nameInput(app: App, { of, name, label }: NameField): HTMLElement
   input.addEventListener("change", () => void renamed());
   input.addEventListener("input", () => (input.size = Math.max(2, input.value.length)));
   input.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
+    if (event.key !== "Escape" || (input.value === name && why.hidden)) return;
+    event.preventDefault();
     input.value = name;
     refuse(null);
   });
