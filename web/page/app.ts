@@ -38,6 +38,8 @@ export interface App {
   shown: Signal<string>;
   /** A place in the text where the eye shall go, in UTF-16 units; the text panel follows and sets it to null. */
   place: Signal<{ from: number; to: number } | null>;
+  /** A form or a marking scheme that somebody brings; the panel of the check takes it and sets it to null. */
+  brought: Signal<{ name: string; text: string } | null>;
   /**
    * Lets the person mark a place on the picture: the next presses on it call `picked` with the place on the sheet in mm, until
    * the answer is called. `markers` are drawn there.

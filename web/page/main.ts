@@ -1,11 +1,12 @@
 /** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
-import { byId } from "./dom.ts";
+import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
 import { PATIENCE } from "./engine/hand.ts";
 import type { Picture, View } from "./engine/types.ts";
 import { loadFonts } from "./fonts.ts";
-import { documents, dropped } from "./layout/documents.ts";
+import { dropped } from "./layout/brought.ts";
+import { documents } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
 import { help } from "./layout/help.ts";
 import { keys } from "./layout/keys.ts";
@@ -37,9 +38,9 @@ import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
 import { store as browserStore, type Store } from "./state/storage.ts";
-import { studying } from "./state/studying.ts";
-import { steps } from "./steps/steps.ts";
+import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
+import { steps } from "./steps/steps.ts";
 import { engineBytes, unpacked } from "./unpack.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
@@ -64,6 +65,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     shown: signal(""),
     show: (panel) => app.shown.set(panel),
     place: signal<{ from: number; to: number } | null>(null),
+    brought: signal<{ name: string; text: string } | null>(null),
     pick: () => () => undefined,
     markers: signal([]),
     open: (text) => app.history.change({ text }),
@@ -120,8 +122,9 @@ function watchAddress(app: App, store: Store): void {
   window.addEventListener("hashchange", () => void read());
 }
 
-/** Which panel is open at first: the link's, the one that was open, else the first where there is room. */
+/** Which panel is open at first: a student’s; the link's, the one that was open, else the first where there is room. */
 function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
+  if (app.student.value) return app.show(STUDENTS_PANEL);
   const known = (id: string | null | undefined): id is string => PANELS.some((panel) => panel.id === id);
   const before = from === "link" ? null : store.preference("panel");
   const roomy = window.innerWidth >= 960 ? (PANELS[0]?.id ?? "") : "";

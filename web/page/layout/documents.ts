@@ -1,32 +1,16 @@
 import type { App } from "../app.ts";
-import { byId, element } from "../dom.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
+import { icon } from "../dom/icon.ts";
+import { askedFor } from "../files/open.ts";
 import type { Kept, Store } from "../state/storage.ts";
 import { language } from "../words.ts";
-import { icon } from "./icons.ts";
-import { notice } from "./messages.ts";
+import { openFile, READABLE } from "./brought.ts";
 import { say } from "./words.ts";
-
-/** As large as a scene may be (docs/scenes.md). */
-const MOST = 4 << 20;
-
-/** Opens a file of a scene. */
-async function openFile(app: App, file: File): Promise<void> {
-  if (file.size > MOST) return notice(say("file_too_large", { name: file.name }));
-  app.open(await file.text());
-  app.tell(say("opened_file", { name: file.name }));
-}
 
 /** The menu below the title: open a file, or what was worked on before. */
 export function documents(app: App, store: Store): void {
   const menu = byId("documents");
-  const chooser = element("input", { type: "file", accept: ".json,application/json", hidden: "" });
-  chooser.onchange = () => {
-    const file = chooser.files?.[0];
-    chooser.value = "";
-    if (file !== undefined) void openFile(app, file);
-  };
-  document.body.append(chooser);
-
   function entry(text: Node[], act: () => void): HTMLButtonElement {
     const button = element("button", { type: "button", class: "entry" }, ...text);
     button.onclick = () => {
@@ -42,7 +26,7 @@ export function documents(app: App, store: Store): void {
   }
 
   function build(): void {
-    const open = entry([icon("file"), element("span", {}, say("open_file"))], () => chooser.click());
+    const open = entry([icon("file"), element("span", {}, say("open_file"))], () => void askedFor(READABLE).then((file) => openFile(app, file)));
     open.id = "open-file";
     const others = store.others();
     menu.replaceChildren(open);
@@ -56,34 +40,9 @@ export function documents(app: App, store: Store): void {
   const title = (): void => {
     const text = app.solved.value.opened?.title || say("untitled");
     byId("title").textContent = text;
-    document.title = `${text} – Kinegon`;
+    // In full screen the toolbar is away, but the page still has a name.
+    document.title = byId("name").textContent = `${text} – Kinegon`;
   };
   app.solved.on(title);
   language.on(title);
-}
-
-/** A file that is dropped on the page, or a scene that is pasted outside of a box of text, is opened. */
-export function dropped(app: App): void {
-  const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
-  document.addEventListener("dragover", (event) => {
-    if (!isFile(event)) return;
-    event.preventDefault();
-    document.body.classList.add("dropping");
-  });
-  document.addEventListener("dragleave", (event) => event.relatedTarget === null && document.body.classList.remove("dropping"));
-  document.addEventListener("drop", (event) => {
-    document.body.classList.remove("dropping");
-    const file = event.dataTransfer?.files[0];
-    if (file === undefined || event.defaultPrevented) return;
-    event.preventDefault();
-    void openFile(app, file);
-  });
-  document.addEventListener("paste", (event) => {
-    const target = event.target instanceof HTMLElement ? event.target : null;
-    if (event.defaultPrevented || target?.closest("input, textarea, [contenteditable=true]") != null) return;
-    const text = event.clipboardData?.getData("text/plain") ?? "";
-    if (!/^\s*\{/.test(text)) return;
-    event.preventDefault();
-    app.open(text);
-  });
 }

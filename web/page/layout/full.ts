@@ -1,4 +1,4 @@
-import { byId } from "../dom.ts";
+import { byId } from "../dom/find.ts";
 import { signal } from "../state/signal.ts";
 import { language } from "../words.ts";
 import { name } from "./say.ts";

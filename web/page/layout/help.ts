@@ -1,6 +1,7 @@
-import { byId, element } from "../dom.ts";
-import { language } from "../words.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
 import type { Store } from "../state/storage.ts";
+import { language } from "../words.ts";
 import { say, type Saying } from "./words.ts";
 
 const KEYS: [string, Saying][] = [

@@ -1,10 +1,10 @@
 import type { App } from "../app.ts";
-import { byId, takesText } from "../dom.ts";
+import { byId, takesText } from "../dom/find.ts";
 import type { Drives } from "../motion/drives.ts";
 import type { Play } from "../motion/play.ts";
 import { choose } from "../picture/focus.ts";
-import type { Steps } from "../steps/steps.ts";
 import type { Store } from "../state/storage.ts";
+import type { Steps } from "../steps/steps.ts";
 import { speak } from "./messages.ts";
 import { say } from "./words.ts";
 
@@ -72,6 +72,9 @@ export function keys(app: App, { steps, drives, play, full, store }: KeyParts): 
       }
       return;
     }
+    // Out of a panel, to its tab; in the editor Escape has a meaning of its own.
+    if (key === "Escape" && target instanceof Element && target.closest("#panels") !== null && target.closest(".cm-editor, dialog:modal, [type=search]:not(:placeholder-shown)") === null)
+      return document.querySelector<HTMLElement>("#tabs [aria-selected=true]")?.focus();
     if (event.altKey || takesText(target) || document.querySelector("dialog:modal") !== null) return;
     const control = target instanceof Element ? target.closest("button, a, summary, input, [role=radio], [role=tab], [role=option], [role=slider]") : null;
     // In a panel arrows move its own things and scroll it.

@@ -1,5 +1,7 @@
 import type { App } from "../app.ts";
-import { byId, element } from "../dom.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
+import { withLine } from "../refused.ts";
 import { language } from "../words.ts";
 import { say } from "./words.ts";
 
@@ -12,10 +14,11 @@ export function messages(app: App): void {
     const why = app.solved.value.refused;
     bar.hidden = why === null;
     if (why === null) return bar.replaceChildren();
-    const message = why.line === null ? why.message : say("line", { line: why.line, message: why.message });
-    const text = element("p", {}, element("strong", {}, message));
+    const text = element("p", {}, element("strong", {}, withLine(why)));
     if (why.hint !== null) text.append(" ", why.hint);
     bar.replaceChildren(text);
+    // What is scrolled is scrolled by keys, too.
+    if (text.scrollHeight > text.clientHeight) text.tabIndex = 0;
     const { from, to } = why;
     if (from === null) return;
     const go = element("button", { type: "button", id: "message-place" }, say("to_text"));
@@ -61,6 +64,17 @@ export function speak(message: string): void {
 /** How long a word stays on the page, in ms for a letter, and at least. */
 const [LETTER, LEAST] = [60, 4000];
 
+/** Puts a word at the foot of the picture, or below the picture's head where it covers fewer joints there. */
+function settle(word: HTMLElement): void {
+  const covered = (): number => {
+    const own = word.getBoundingClientRect();
+    const boxes = [...document.querySelectorAll("#pane :is(.handle, #warnings)")].map((control) => control.getBoundingClientRect());
+    return boxes.filter((box) => box.width > 0 && box.left < own.right && box.right > own.left && box.top < own.bottom && box.bottom > own.top).length;
+  };
+  const isHigh = (is: boolean): number => (word.classList.toggle("high", is), covered());
+  isHigh(isHigh(true) < isHigh(false));
+}
+
 /** Says something for a moment, aloud and on the page. */
 export function teller(): (message: string) => void {
   const place = byId("said");
@@ -70,6 +84,7 @@ export function teller(): (message: string) => void {
     // The same words again are said again.
     place.textContent = "";
     place.textContent = message;
+    settle(place);
     place.classList.add("shown");
     clock = window.setTimeout(() => place.classList.remove("shown"), Math.max(LEAST, message.length * LETTER));
   };

@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
-import { byId, element } from "../dom.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
 import { sheetElement } from "../picture/sheet.ts";
 
 /** Prints sheets at their true size: one on a page, without a margin of the browser's. */

@@ -1,16 +1,14 @@
+import { element } from "../dom/element.ts";
+import { icon } from "../dom/icon.ts";
 import { language } from "../words.ts";
-import { icon } from "./icons.ts";
 import { say, type Saying } from "./words.ts";
 
 /** Sets pictograms and words of index.html: `data-icon`, `data-say` (its text), `data-name` (its name for the mouse and for screen readers). */
 export function sayAll(): void {
   for (const place of document.querySelectorAll<HTMLElement>("[data-icon]")) place.prepend(icon(place.dataset["icon"] ?? ""));
   for (const place of document.querySelectorAll<HTMLElement>("button[data-say]")) {
-    const text = document.createElement("span");
-    text.className = "text";
-    text.dataset["say"] = place.dataset["say"] ?? "";
+    place.append(element("span", { class: "text", "data-say": place.dataset["say"] }));
     delete place.dataset["say"];
-    place.append(text);
   }
   language.on((now) => {
     document.documentElement.lang = now;

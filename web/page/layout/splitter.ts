@@ -1,4 +1,4 @@
-import { byId } from "../dom.ts";
+import { byId } from "../dom/find.ts";
 import type { Store } from "../state/storage.ts";
 
 /** Narrowest and widest panel, in pixels. */

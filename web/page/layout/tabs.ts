@@ -1,9 +1,10 @@
 import type { App, Panel } from "../app.ts";
-import { byId, element } from "../dom.ts";
-import { language } from "../words.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
+import { icon } from "../dom/icon.ts";
 import type { Store } from "../state/storage.ts";
 import { STUDENTS_PANEL } from "../state/studying.ts";
-import { icon } from "./icons.ts";
+import { language } from "../words.ts";
 
 /** The panels beside the picture, one at a time, by tabs. Pressing the shown panel's tab hides it. */
 export function tabs(app: App, panels: Panel[], store: Store): void {

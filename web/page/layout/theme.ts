@@ -1,6 +1,6 @@
+import { byId } from "../dom/find.ts";
 import { signal } from "../state/signal.ts";
 import type { Store } from "../state/storage.ts";
-import { byId } from "../dom.ts";
 
 /** Whether the page is dark. */
 export const isDark = signal(false);

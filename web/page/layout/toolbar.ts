@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
-import { byId } from "../dom.ts";
+import { byId } from "../dom/find.ts";
+import { radios } from "../dom/radios.ts";
 import { language, LANGUAGES, type Language } from "../words.ts";
 import { redo, undo } from "./keys.ts";
 
@@ -39,18 +40,4 @@ async function changeLanguage(app: App, to: Language): Promise<void> {
     // A text that is no scene has no key for it; the page changes all the same.
     language.set(to);
   }
-}
-
-/** Arrow keys choose in a group of radio buttons. */
-function radios(group: HTMLElement): void {
-  group.addEventListener("keydown", (event) => {
-    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    if (by === undefined) return;
-    const all = [...group.querySelectorAll<HTMLElement>("[role=radio]")];
-    const next = all[(all.indexOf(document.activeElement as HTMLElement) + by + all.length) % all.length];
-    event.preventDefault();
-    event.stopPropagation();
-    next?.click();
-    next?.focus();
-  });
 }

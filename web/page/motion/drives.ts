@@ -1,8 +1,9 @@
 import type { App } from "../app.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
 import type { Drive } from "../engine/types.ts";
-import { byId, element } from "../dom.ts";
 import { say } from "../layout/words.ts";
-import type { Gesture, Gestures } from "../picture/gesture.ts";
+import { REST, type Gesture, type Gestures } from "../picture/gesture.ts";
 import { language } from "../words.ts";
 
 /** A drive in words. */
@@ -29,9 +30,6 @@ interface Row {
   slider: HTMLInputElement;
   value: HTMLOutputElement;
 }
-
-/** How long the keyboard may rest before a gesture by keys is over, in ms. */
-const REST = 700;
 
 /** The sliders of the drives. */
 export interface Drives {

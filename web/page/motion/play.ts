@@ -1,6 +1,6 @@
-import { byId } from "../dom.ts";
 import type { App } from "../app.ts";
-import { icon } from "../layout/icons.ts";
+import { byId } from "../dom/find.ts";
+import { icon } from "../dom/icon.ts";
 import { name } from "../layout/say.ts";
 import { say } from "../layout/words.ts";
 import type { Gesture, Gestures } from "../picture/gesture.ts";

@@ -1,5 +1,5 @@
 import type { App } from "../app.ts";
-import { byId } from "../dom.ts";
+import { byId } from "../dom/find.ts";
 import { speak } from "../layout/messages.ts";
 import { driveName } from "../motion/drives.ts";
 

@@ -1,6 +1,7 @@
 import type { App } from "../app.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
 import type { Picture } from "../engine/types.ts";
-import { byId, element } from "../dom.ts";
 import { say } from "../layout/words.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import { language } from "../words.ts";

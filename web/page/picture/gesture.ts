@@ -15,6 +15,9 @@ export interface Frame {
 /** The pictures since the page was opened, the last ten thousand. */
 export const frames: Frame[] = [];
 
+/** How long the keyboard may rest before a gesture by keys is over, in ms. */
+export const REST = 700;
+
 /** What is dragged at present. */
 export interface Gesture {
   /** Where to. The newest pull wins. */

@@ -1,6 +1,7 @@
 import type { App } from "../app.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
 import type { Handle } from "../engine/types.ts";
-import { byId, element } from "../dom.ts";
 import { name } from "../layout/say.ts";
 import { say } from "../layout/words.ts";
 import { language } from "../words.ts";

@@ -1,4 +1,4 @@
-import { byId } from "../dom.ts";
+import { byId } from "../dom/find.ts";
 import type { Focus } from "./focus.ts";
 import { choose } from "./focus.ts";
 import { inPane } from "./pulling.ts";

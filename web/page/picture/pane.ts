@@ -1,6 +1,6 @@
 import type { App } from "../app.ts";
+import { byId } from "../dom/find.ts";
 import type { Picture } from "../engine/types.ts";
-import { byId } from "../dom.ts";
 import { isDark } from "../layout/theme.ts";
 import { fill, forDark } from "./sheet.ts";
 import type { Viewport } from "./viewport.ts";

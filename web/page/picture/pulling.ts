@@ -1,9 +1,9 @@
 import type { App } from "../app.ts";
+import { byId } from "../dom/find.ts";
 import type { Grab } from "../engine/types.ts";
-import { byId } from "../dom.ts";
 import { speak } from "../layout/messages.ts";
 import { say } from "../layout/words.ts";
-import type { Gesture, Gestures } from "./gesture.ts";
+import { REST, type Gesture, type Gestures } from "./gesture.ts";
 import type { Grip } from "./handles.ts";
 import type { Viewport } from "./viewport.ts";
 
@@ -12,9 +12,6 @@ export function inPane(event: { clientX: number; clientY: number }): [number, nu
   const { left, top } = byId("pane").getBoundingClientRect();
   return [event.clientX - left, event.clientY - top];
 }
-
-/** How long the keyboard may rest before a gesture by keys is over, in ms. */
-const REST = 700;
 
 /** Pulls joints by mouse, pen and finger, and by arrow keys. */
 export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { at(pixels: [number, number] | null): void }): (grip: Grip) => void {

@@ -69,8 +69,9 @@ export function viewport(): Viewport {
     isZoomed: () => isOwn && now.value.scale > fitting() * 1.01,
     resize(width, height) {
       Object.assign(size, { width, height });
-      if (isOwn) now.set({ ...now.value });
-      else refit();
+      if (!isOwn) refit();
+      // Also where the window stays, as the pane's height alone decides.
+      now.set({ ...now.value });
     },
     fit(next) {
       box = next;

@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
-import { byId, element } from "../dom.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
 import { say } from "../layout/words.ts";
 import { language } from "../words.ts";
 import type { Steps } from "./steps.ts";

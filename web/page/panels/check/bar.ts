@@ -1,4 +1,4 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Checked } from "../../engine/types.ts";
 import type { Verdicts } from "./checking.ts";
 import { SIGNS } from "./verdict.ts";
@@ -11,7 +11,7 @@ function counts(checked: Checked): Node[] {
   const values = (checked.result?.["values"] ?? []) as { verdict: string }[];
   const all = COUNTED.map((kind) => ({ kind, count: values.filter((value) => value.verdict === kind).length }));
   const seen = all.filter(({ count }) => count > 0).map(({ kind, count }) => element("span", { "data-kind": kind, "aria-hidden": "true" }, `${SIGNS[kind]} ${count}`));
-  const told = element("span", { class: "off-screen" });
+  const told = element("span", { class: "unseen" });
   told.innerHTML = checked.parts?.counts ?? "";
   return [...seen, told];
 }
@@ -35,7 +35,7 @@ export function bar(goTo: { result(): void; firstOff(): void }): { root: HTMLEle
       more.hidden = checked === null && refused === null;
       if (checked?.parts === null || checked === null) text.textContent = say("filled", { filled, all });
       else text.replaceChildren(...counts(checked));
-      text.title = text.querySelector(".off-screen")?.textContent ?? "";
+      text.title = text.querySelector(".unseen")?.textContent ?? "";
     },
   };
 }

@@ -1,5 +1,6 @@
 import type { App } from "../../app.ts";
 import type { Checked, Refused } from "../../engine/types.ts";
+import { newest } from "../../state/newest.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { formFile, hasValues } from "./form.ts";
 
@@ -31,11 +32,9 @@ export function checking(app: App): Checking {
   const scheme: Checking["scheme"] = signal<{ name: string; text: string } | null>(null);
   const writing = signal<string | null>(null);
   const unchecked = new Set<string>();
-  let isRunning = false;
-  let isStale = false;
   let pause: ReturnType<typeof setTimeout> | undefined;
 
-  async function once(): Promise<void> {
+  const checks = newest<void>(async () => {
     const { form } = app.history.now.value;
     const { good } = app.solved.value;
     const file = formFile(form);
@@ -45,7 +44,7 @@ export function checking(app: App): Checking {
       return;
     }
     const under = [...unchecked];
-    const settle = (): void => under.forEach((name) => !isStale && name !== writing.value && unchecked.delete(name));
+    const settle = (): void => under.forEach((name) => !checks.isStale() && name !== writing.value && unchecked.delete(name));
     verdicts.set({ ...verdicts.value, isChecking: true });
     const options = { marks: scheme.value?.text ?? null, pencil_mm: null, pencil_degrees: null, drawn: false };
     try {
@@ -56,18 +55,11 @@ export function checking(app: App): Checking {
       settle();
       verdicts.set({ checked: null, refused: why as Refused, isChecking: false });
     }
-  }
+  });
 
-  async function run(): Promise<void> {
+  function run(): void {
     clearTimeout(pause);
-    isStale = true;
-    if (isRunning) return;
-    isRunning = true;
-    while (isStale) {
-      isStale = false;
-      await once();
-    }
-    isRunning = false;
+    checks.want();
   }
 
   let known = { form: "", good: "" };
@@ -76,14 +68,14 @@ export function checking(app: App): Checking {
     if (now.form === known.form && now.good === known.good) return;
     known = now;
     clearTimeout(pause);
-    if (writing.value === null) void run();
+    if (writing.value === null) run();
     else pause = setTimeout(() => writing.set(null), PAUSE);
   }
   app.history.now.on(changed);
   app.solved.on(changed);
-  scheme.on(() => void run());
+  scheme.on(run);
   writing.on((field) => {
-    if (field === null) void run();
+    if (field === null) run();
     else unchecked.add(field);
   });
   return { verdicts, scheme, writing, unchecked };

@@ -1,12 +1,19 @@
 import type { App } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
+import { askedFor } from "../../files/open.ts";
+import { fileName, saveFile } from "../../files/save.ts";
+import { readFile, READABLE } from "../../layout/brought.ts";
 import type { Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
-import { askedFor, formName, saveFile, textOf } from "./files.ts";
-import { refusal } from "./refusal.ts";
 import { cleared, filledNames, type FormFile, formFile, formText } from "./form.ts";
+import { refusal } from "./refusal.ts";
 import { type Saying, say } from "./words.ts";
+
+/** What a form is called: after its exercise or scene, and its student. */
+export function formName(app: App, { exercise, name }: FormFile): string {
+  return fileName(exercise ?? app.solved.value.opened?.title, name ?? "form");
+}
 
 /** Opening and saving: the form as a file, a marking scheme. */
 export function formFiles(app: App, scheme: Signal<{ name: string; text: string } | null>, present: () => FormFile): HTMLElement {
@@ -20,7 +27,7 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
     return made;
   };
 
-  const problem = element("p", { class: "problem bad", role: "alert", hidden: "" });
+  const problem = element("p", { class: "problem bad", role: "alert", hidden: true });
   /** Why a file was not taken; it stays until another file is. */
   function refuse(name: string, why: Refused | null): void {
     problem.hidden = why === null;
@@ -29,30 +36,31 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
 
   async function chosen(accept: string): Promise<{ name: string; text: string } | null> {
     const file = await askedFor(accept);
-    if (file === null) return null;
-    const text = await textOf(file);
-    if (text === null) app.tell(say("too_large", { name: file.name }));
-    refuse("", null);
-    return text === null ? null : { name: file.name, text };
+    return file === null ? null : readFile(file);
   }
 
-  async function open(): Promise<void> {
-    const file = await chosen(".json,.csv,.txt,.tsv,application/json,text/csv");
-    if (file === null) return;
+  async function read({ name, text }: { name: string; text: string }): Promise<void> {
+    refuse("", null);
+    if (/"kinegon_marks"\s*:/.test(text)) return scheme.set({ name, text });
     try {
-      const form = await app.engine.read_form(app.solved.value.good, file.text);
+      const form = await app.engine.read_form(app.solved.value.good, text);
       app.history.change({ form });
-      const read = formFile(form);
-      app.tell(say("opened", { name: file.name, count: read === null ? 0 : filledNames(read).length }));
+      const file = formFile(form);
+      app.tell(say("opened", { name, count: file === null ? 0 : filledNames(file).length }));
     } catch (why) {
-      refuse(file.name, why as Refused);
+      refuse(name, why as Refused);
     }
   }
+  app.brought.on((file) => {
+    if (file === null) return;
+    app.brought.set(null);
+    void read(file);
+  });
 
   async function saveTable(): Promise<void> {
     try {
       const table = await app.engine.write_form(app.solved.value.good, formText(present()));
-      saveFile(`${formName(app, present().exercise, present().name)}.csv`, table, "text/csv");
+      saveFile(`${formName(app, present())}.csv`, table, "text/csv");
     } catch (why) {
       app.tell((why as Refused).message);
     }
@@ -69,8 +77,8 @@ export function formFiles(app: App, scheme: Signal<{ name: string; text: string 
   return element(
     "div",
     { class: "files" },
-    button("open", () => void open()),
-    button("save_json", () => saveFile(`${formName(app, present().exercise, present().name)}.json`, formText(present()), "application/json")),
+    button("open", () => void chosen(READABLE).then((file) => void (file !== null && read(file)))),
+    button("save_json", () => saveFile(`${formName(app, present())}.json`, formText(present()), "application/json")),
     button("save_csv", () => void saveTable()),
     button("clear", () => {
       app.history.change({ form: formText(cleared(present())) });

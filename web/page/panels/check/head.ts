@@ -1,5 +1,6 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Form, FormRow } from "../../engine/types.ts";
+import { evaluated } from "../../number.ts";
 import { type FormFile, SCALES, type Scale, withHead } from "./form.ts";
 import { say } from "./words.ts";
 
@@ -33,8 +34,8 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     const unit = unitOf(rows, scale);
     const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${say("scales")}: ${unit}, ${say(scale)}` });
     input.oninput = () => {
-      const value = Number(input.value.replace(",", "."));
-      const isScale = Number.isFinite(value) && value > 0;
+      const value = evaluated(input.value);
+      const isScale = value !== null && value > 0;
       input.setAttribute("aria-invalid", String(!isScale && input.value.trim() !== ""));
       if (isScale || input.value.trim() === "") change((file) => withHead(file, scale, isScale ? value : undefined), scale);
     };
@@ -68,7 +69,7 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
   function show(file: FormFile): void {
     for (const [key, input] of fields) {
       const text = String(file[key] ?? "");
-      const isSame = document.activeElement === input && (key === "name" ? input.value === text : Number(input.value.replace(",", ".")) === file[key]);
+      const isSame = document.activeElement === input && (key === "name" ? input.value === text : evaluated(input.value) === file[key]);
       if (!isSame) input.value = text;
       if (key !== "name") input.setAttribute("aria-invalid", "false");
     }

@@ -1,13 +1,13 @@
 import type { App, Panel } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Form, Refused } from "../../engine/types.ts";
+import { saveFile } from "../../files/save.ts";
 import { redo, undo } from "../../layout/keys.ts";
 import { language } from "../../words.ts";
 import { bar } from "./bar.ts";
 import { checking } from "./checking.ts";
 import { begun, filledNames, type FormFile, formFile, formText, withoutValue, withValue } from "./form.ts";
-import { formFiles } from "./form_files.ts";
-import { saveFile, formName } from "./files.ts";
+import { formFiles, formName } from "./form_files.ts";
 import { head } from "./head.ts";
 import { judged } from "./judged.ts";
 import { overlay } from "./overlay.ts";
@@ -53,10 +53,7 @@ function mount(root: HTMLElement, app: App): void {
   });
   const points = pointsPart(change, left, present);
   const whole = result(app, drawing, () => {
-    void drawing.drawn().then(({ feedback }) => {
-      const file = present();
-      saveFile(`${formName(app, file.exercise, file.name)}.html`, feedback, "text/html");
-    }, (why: Refused) => app.tell(why.message));
+    void drawing.drawn().then(({ feedback }) => saveFile(`${formName(app, present())}.html`, feedback, "text/html"), (why: Refused) => app.tell(why.message));
   });
   const foot = bar({
     result: () => {
@@ -119,6 +116,8 @@ function mount(root: HTMLElement, app: App): void {
     if (isAsking) return;
     isAsking = true;
     known = key;
+    const boxesOf = (of: Form | null): string => JSON.stringify([of?.rows, of?.points]);
+    const before = boxesOf(form);
     try {
       form = await app.engine.form(good, file === null ? "" : text);
     } catch {
@@ -126,7 +125,8 @@ function mount(root: HTMLElement, app: App): void {
       form = await app.engine.form(good, "").catch(() => null);
     }
     isAsking = false;
-    build();
+    // The same boxes stay, and with them what is being written: the first letter makes a form of none.
+    if (form === null || boxesOf(form) !== before) build();
     void refresh();
   }
 

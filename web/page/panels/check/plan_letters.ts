@@ -1,16 +1,11 @@
-/** A new element of SVG. */
-export function svg<Tag extends keyof SVGElementTagNameMap>(tag: Tag, attributes: Record<string, string> = {}): SVGElementTagNameMap[Tag] {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  return made;
-}
+import { svgElement } from "../../dom/element.ts";
 
 /** Size of low letters over that of the others, and how low they stand, in em. */
 const LOW = { size: 0.7, drop: 0.25 };
 
 /** A label of the engine, which is HTML with `<i>` and `<sub>`, as text of SVG; a name of a file alone is taken as it is. */
 export function letters(label: string | undefined, name: string): SVGTextElement {
-  const text = svg("text", { x: "1.6", y: "-1.6" });
+  const text = svgElement("text", { x: "1.6", y: "-1.6" });
   if (label === undefined) {
     text.textContent = name;
     return text;
@@ -20,7 +15,7 @@ export function letters(label: string | undefined, name: string): SVGTextElement
   let low = 0;
   const walk = (node: Node, depth: number): void => {
     if (node.nodeType === Node.TEXT_NODE) {
-      const run = svg("tspan", { dy: `${(depth - low) * LOW.drop}em`, "font-size": `${100 * LOW.size ** Math.abs(depth)}%` });
+      const run = svgElement("tspan", { dy: `${(depth - low) * LOW.drop}em`, "font-size": `${100 * LOW.size ** Math.abs(depth)}%` });
       low = depth;
       run.textContent = node.textContent;
       text.append(run);

@@ -1,7 +1,7 @@
-import { element } from "../../dom.ts";
+import { element, svgElement } from "../../dom/element.ts";
 import type { PlanPoint } from "../../engine/types.ts";
 import type { Place } from "./form.ts";
-import { letters, svg } from "./plan_letters.ts";
+import { letters } from "./plan_letters.ts";
 import { say } from "./words.ts";
 
 /** The sheet before anything is on it, in mm. */
@@ -24,10 +24,10 @@ export interface PlanSheet {
 
 /** Squared paper for the points of a plan. Places are in mm, x to the right, y up; on the SVG y is down. */
 export function planSheet(events: Events): PlanSheet {
-  const paper = svg("svg", { class: "paper", tabindex: "0", role: "application" });
-  const squares = svg("g", { class: "squares" });
-  const drawn = svg("g");
-  const cross = svg("path", { class: "cross", d: "M-4 0H4M0-4V4" });
+  const paper = svgElement("svg", { class: "paper", tabindex: "0", role: "application" });
+  const squares = svgElement("g", { class: "squares" });
+  const drawn = svgElement("g");
+  const cross = svgElement("path", { class: "cross", d: "M-4 0H4M0-4V4" });
   paper.append(squares, drawn, cross);
   let sheet = { ...USUAL };
   let cursor: Place = [40, 60];
@@ -94,11 +94,11 @@ export function planSheet(events: Events): PlanSheet {
     paper.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const lines = (from: number, to: number, line: (x: number) => string): string =>
       Array.from({ length: Math.floor((to - from) / 5) + 1 }, (_, index) => line(5 * index)).join("");
-    squares.replaceChildren(svg("path", { d: lines(0, width, (x) => `M${x} 0V${height}`) + lines(0, height, (y) => `M0 ${y}H${width}`) }));
+    squares.replaceChildren(svgElement("path", { d: lines(0, width, (x) => `M${x} 0V${height}`) + lines(0, height, (y) => `M0 ${y}H${width}`) }));
   }
 
   const scroller = element("div", { class: "scroller" });
-  scroller.append(paper as unknown as Node);
+  scroller.append(paper);
   const zoomButton = (sign: string, factor: number): HTMLButtonElement => {
     const made = element("button", { type: "button", "aria-label": sign === "+" ? "+" : "−" }, sign);
     made.onclick = () => {
@@ -126,11 +126,11 @@ export function planSheet(events: Events): PlanSheet {
       });
       const marks = Object.entries(places).map(([name, place]) => {
         const [x, y] = at(place);
-        const mark = svg("g", { class: name === chosen ? "point chosen" : "point", "data-point": name, transform: `translate(${x} ${y})` });
-        mark.append(svg("circle", { class: "touch", r: "5" }), svg("circle", { class: "dot", r: "1" }), letters(labels.get(name), name));
+        const mark = svgElement("g", { class: name === chosen ? "point chosen" : "point", "data-point": name, transform: `translate(${x} ${y})` });
+        mark.append(svgElement("circle", { class: "touch", r: "5" }), svgElement("circle", { class: "dot", r: "1" }), letters(labels.get(name), name));
         return mark;
       });
-      drawn.replaceChildren(svg("path", { class: "rays", d: rays.join("") }), ...marks);
+      drawn.replaceChildren(svgElement("path", { class: "rays", d: rays.join("") }), ...marks);
     },
   };
 }

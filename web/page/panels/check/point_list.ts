@@ -1,5 +1,6 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { PlanPoint } from "../../engine/types.ts";
+import { evaluated } from "../../number.ts";
 import type { Place } from "./form.ts";
 import { say } from "./words.ts";
 
@@ -56,13 +57,11 @@ function line(point: PlanPoint, isForeign: boolean, events: Events): Line {
   const remove = element("button", { type: "button", class: "remove", "aria-label": say("take_away", { name }) }, "×");
   remove.onclick = () => events.remove(point.name);
 
-  function numbers(): number[] {
-    return fields.map((field) => (field.value.trim() === "" ? Number.NaN : Number(field.value.replace(",", ".").replace("−", "-"))));
-  }
+  const numbers = (): (number | null)[] => fields.map((field) => evaluated(field.value));
 
   function typed(): void {
-    const [x, y] = numbers();
-    if (x !== undefined && y !== undefined && Number.isFinite(x) && Number.isFinite(y)) events.typed(point.name, [x, y]);
+    const [x = null, y = null] = numbers();
+    if (x !== null && y !== null) events.typed(point.name, [x, y]);
   }
 
   return {

@@ -1,4 +1,4 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Form, PlanPoint } from "../../engine/types.ts";
 import { type FormFile, type Place, type PlanName, placesOf, withPlace } from "./form.ts";
 import { planSheet } from "./plan_sheet.ts";

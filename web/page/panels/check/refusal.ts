@@ -1,4 +1,4 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 
 /** Hints for the command line help nobody here. */
 const COMMAND = /`kinegon /;

@@ -1,5 +1,5 @@
 import type { App } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Checked, ReportParts } from "../../engine/types.ts";
 import type { Verdicts } from "./checking.ts";
 import type { Overlay } from "./overlay.ts";
@@ -33,7 +33,7 @@ function causes(parts: ReportParts): HTMLElement {
 function table(parts: ReportParts): HTMLElement {
   const head = element("tr", {}, ...parts.columns.map((name) => fragment("th", name)));
   const rows = parts.rows.map(({ cells }) => element("tr", {}, ...cells.map((cell, index) => fragment(index === 0 ? "th" : "td", cell))));
-  return element("div", { class: "table" }, element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows)));
+  return element("div", { class: "table", tabindex: 0, role: "region", "aria-label": say("right_values") }, element("table", {}, element("thead", {}, head), element("tbody", {}, ...rows)));
 }
 
 export interface Result {

@@ -1,4 +1,4 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { FormRow } from "../../engine/types.ts";
 import { type FormFile, type Value, valueOf } from "./form.ts";
 import { type Sense, sensed, signed } from "./sense.ts";
@@ -97,7 +97,7 @@ export function row(of: FormRow, events: RowEvents): Row {
     input.placeholder = fromPoints ?? "";
     const isFromPoints = own.digits === "" && fromPoints !== null;
     note.title = isFromPoints ? say("from_points") : "";
-    note.replaceChildren(...(isFromPoints ? [element("span", { "aria-hidden": "true" }, "⌖"), element("span", { class: "off-screen" }, say("from_points"))] : []));
+    note.replaceChildren(...(isFromPoints ? [element("span", { "aria-hidden": "true" }, "⌖"), element("span", { class: "unseen" }, say("from_points"))] : []));
   }
 
   return {

@@ -1,4 +1,4 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Form, FormRow } from "../../engine/types.ts";
 import { filledNames, type FormFile } from "./form.ts";
 import type { Judged } from "./judged.ts";

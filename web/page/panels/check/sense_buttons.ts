@@ -1,4 +1,5 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
+import { radios } from "../../dom/radios.ts";
 import type { Sense } from "./sense.ts";
 import { say } from "./words.ts";
 
@@ -24,14 +25,7 @@ export function senseButtons(name: string, turns: boolean, choose: (sense: Sense
       button.tabIndex = own === sense || (sense === "" && own === "+") ? 0 : -1;
     }
   }
-  root.onkeydown = (event) => {
-    if (!/^Arrow/.test(event.key)) return;
-    event.preventDefault();
-    const [other, sense] = document.activeElement === plus ? all[1]! : all[0]!;
-    other.focus();
-    show(sense);
-    choose(sense);
-  };
+  radios(root);
   show("");
   return { root, show };
 }

@@ -1,4 +1,4 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import { refusal } from "./refusal.ts";
 import { say } from "./words.ts";
 

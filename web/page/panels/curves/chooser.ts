@@ -1,4 +1,4 @@
-import { element } from "../output/element.ts";
+import { element } from "../../dom/element.ts";
 import { bySubject, named } from "../output/subject.ts";
 
 /** Symbols in place of the names of quantities, where there are better ones. */

@@ -1,4 +1,5 @@
 import type { App } from "../../app.ts";
+import { svgElement } from "../../dom/element.ts";
 import type { Drive, DriveAxis } from "../../engine/types.ts";
 import type { Sheet } from "../output/sheet.ts";
 
@@ -14,10 +15,7 @@ function share({ low, high }: DriveAxis, { value, is_angle }: Drive): number | n
 
 /** Lets a line go through the graphs with the first drive, also while it is pulled or plays; `axis` is that of the picture shown. */
 export function follow(app: App, sheet: Sheet, axis: () => DriveAxis | null): void {
-  const line = document.createElementNS("http://www.w3.org/2000/svg", "path");
-  for (const [name, value] of Object.entries({ stroke: "var(--accent)", "stroke-width": "0.7", "aria-hidden": "true" })) {
-    line.setAttribute(name, value);
-  }
+  const line = svgElement("path", { stroke: "var(--accent)", "stroke-width": "0.7", "aria-hidden": "true" });
   function place(): void {
     const drive = app.picture.value?.drives[0];
     const graphs = axis();

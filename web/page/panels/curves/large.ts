@@ -1,4 +1,5 @@
-import { button, element } from "../output/element.ts";
+import { element } from "../../dom/element.ts";
+import { button } from "../../dom/worded.ts";
 import { sheet, type Sheet } from "../output/sheet.ts";
 import { say } from "./words.ts";
 

@@ -1,10 +1,13 @@
 import type { App, Panel } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { button, tick, worded } from "../../dom/worded.ts";
 import type { Curves } from "../../engine/types.ts";
+import { fileName, saveFile } from "../../files/save.ts";
+import { orTell, said } from "../../refused.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
-import { keepCurrent, said } from "../output/current.ts";
-import { download, type FileFormat, fileName, fileOf, TYPES } from "../output/download.ts";
-import { button, element, tick, worded } from "../output/element.ts";
+import { keepCurrent } from "../output/current.ts";
+import { ENDINGS, type FileFormat, fileOf, PICTURES, TYPES } from "../output/formats.ts";
 import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
 import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, wantedOf } from "./choice.ts";
@@ -83,23 +86,17 @@ function picture(app: App, choice: Chosen): HTMLElement {
     if (shown !== null) dialog.show(shown.svg, shown.width, shown.height);
   };
   const events = element("ul", { class: "events" });
-  const name = (): string => `${fileName(app.solved.value.opened?.title ?? "")}-${choice.value.kind}`;
-
-  async function save(format: FileFormat, ending: string): Promise<void> {
+  function save(format: FileFormat): Promise<void> {
     const of = format === "csv" ? { curves: columnsOf(choice.value) } : wantedOf(choice.value);
-    try {
-      download(`${name()}.${ending}`, await fileOf(app, format, of), TYPES[format]);
-    } catch (refused) {
-      app.tell(said(refused));
-    }
+    const name = `${fileName(app.solved.value.opened?.title)}-${choice.value.kind}.${ENDINGS[format]}`;
+    return orTell(app, async () => saveFile(name, await fileOf(app, format, of), TYPES[format]));
   }
-  const formats = [["svg", "SVG", "svg"], ["png", "PNG", "png"], ["pdf", "PDF", "pdf"], ["tikz", "TikZ", "tex"]] as const;
-  const saves = formats.map(([format, title, ending]) => {
-    const made = button(() => title, () => void save(format, ending));
+  const saves = PICTURES.map(([format, title]) => {
+    const made = button(() => title, () => void save(format));
     return worded(made, () => say("save", { format: title }), "aria-label");
   });
   const tools = element("div", { class: "tools" }, button(() => say("large"), enlarge), ...saves);
-  tools.append(worded(button(() => "CSV", () => void save("csv", "csv")), () => say("table"), "aria-label"));
+  tools.append(worded(button(() => "CSV", () => void save("csv")), () => say("table"), "aria-label"));
 
   keepCurrent(app, curves.id, [app.solved, choice, language], async () => {
     const { good, opened } = app.solved.value;

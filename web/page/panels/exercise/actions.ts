@@ -1,8 +1,9 @@
 import type { App } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
-import { saveFile } from "../check/files.ts";
-import { copied, studentLink } from "./link.ts";
+import { copied } from "../../files/clipboard.ts";
+import { saveFile } from "../../files/save.ts";
+import { studentLink } from "./link.ts";
 import type { Made } from "./making.ts";
 import { type Saying, say } from "./words.ts";
 
@@ -31,7 +32,7 @@ function file(app: App, { exercise, wanted }: Found, saying: Saying, ending: str
 /** What a teacher gives to the students: print, link, files. */
 export function forStudents(app: App, found: Found): HTMLElement {
   const { exercise } = found;
-  const address = element("input", { type: "text", readonly: "", "aria-label": say("link_address"), hidden: "" });
+  const address = element("input", { type: "text", readonly: true, "aria-label": say("link_address"), hidden: true });
   address.onfocus = () => address.select();
   async function link(): Promise<void> {
     address.value = await studentLink(app, exercise);

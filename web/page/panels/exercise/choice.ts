@@ -1,6 +1,6 @@
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
+import { icon } from "../../dom/icon.ts";
 import type { ExerciseOptions, Kind } from "../../engine/types.ts";
-import { icon } from "../../layout/icons.ts";
 import { language } from "../../words.ts";
 import { say } from "./words.ts";
 

@@ -6,13 +6,3 @@ import { begun, formText } from "../check/form.ts";
 export function studentLink(app: App, { text, form }: Exercise): Promise<string> {
   return app.link({ text, form: formText(begun(form, true)), panel: "check", student: true });
 }
-
-/** Puts a text on the clipboard; tells whether that was possible. */
-export async function copied(text: string): Promise<boolean> {
-  try {
-    await navigator.clipboard.writeText(text);
-    return true;
-  } catch {
-    return false;
-  }
-}

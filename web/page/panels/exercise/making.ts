@@ -1,5 +1,6 @@
 import type { App } from "../../app.ts";
 import type { Exercise, ExerciseOptions, Refused } from "../../engine/types.ts";
+import { newest } from "../../state/newest.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 
 /** Which exercise is wanted. */
@@ -25,32 +26,15 @@ export interface Made {
 /** Makes exercises one after the other; the newest that is wanted wins. */
 export function making(app: App): { made: Signal<Made>; make(wanted: Wanted): void } {
   const made = signal<Made>({ exercise: null, wanted: null, refused: null, isMaking: false });
-  let next: Wanted | null = null;
-  let isMaking = false;
-
-  async function run(): Promise<void> {
-    if (isMaking) return;
-    isMaking = true;
-    while (next !== null) {
-      const wanted = next;
-      next = null;
-      made.set({ ...made.value, isMaking: true });
-      const { text, name, seed, number, options } = wanted;
-      try {
-        const exercise = await app.engine.exercise(text, name, seed, number, options);
-        made.set({ exercise, wanted, refused: null, isMaking: false });
-      } catch (why) {
-        made.set({ exercise: null, wanted, refused: why as Refused, isMaking: false });
-      }
+  const { want } = newest(async (wanted: Wanted) => {
+    made.set({ ...made.value, isMaking: true });
+    const { text, name, seed, number, options } = wanted;
+    try {
+      const exercise = await app.engine.exercise(text, name, seed, number, options);
+      made.set({ exercise, wanted, refused: null, isMaking: false });
+    } catch (why) {
+      made.set({ exercise: null, wanted, refused: why as Refused, isMaking: false });
     }
-    isMaking = false;
-  }
-
-  return {
-    made,
-    make(wanted) {
-      next = wanted;
-      void run();
-    },
-  };
+  });
+  return { made, make: want };
 }

@@ -1,11 +1,12 @@
 import type { App, Panel } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../../dom/element.ts";
 import type { Exercise, Kind } from "../../engine/types.ts";
+import { fileName } from "../../files/save.ts";
 import { isDark } from "../../layout/theme.ts";
-import { forDark, sheetElement } from "../../picture/sheet.ts";
 import { instead } from "../../picture/instead.ts";
+import { forDark, sheetElement } from "../../picture/sheet.ts";
+import { said } from "../../refused.ts";
 import { language } from "../../words.ts";
-import { fileName } from "../check/files.ts";
 import { forStudents, forTeacher } from "./actions.ts";
 import { choice } from "./choice.ts";
 import { making, type Made } from "./making.ts";
@@ -55,7 +56,7 @@ function mount(root: HTMLElement, app: App): void {
   }
 
   function show({ exercise, wanted, refused, isMaking }: Made): void {
-    status.textContent = isMaking ? say("making") : refused !== null ? [refused.message, refused.hint].filter(Boolean).join(" ") : (exercise?.name ?? "");
+    status.textContent = isMaking ? say("making") : refused !== null ? said(refused) : (exercise?.name ?? "");
     status.classList.toggle("bad", refused !== null && !isMaking);
     sheet.classList.toggle("busy", isMaking);
     largeButton.hidden = exercise === null;

@@ -1,8 +1,8 @@
 import type { App, Panel } from "../../app.ts";
+import { element } from "../../dom/element.ts";
 import type { SceneFile } from "../../engine/types.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { edit } from "../parts/edits.ts";
-import { h } from "../parts/element.ts";
 import type { Form } from "../parts/form.ts";
 import { keepForm } from "../parts/sheet.ts";
 import { contents, look, page, shown } from "./look.ts";
@@ -15,7 +15,7 @@ export const figure: Panel = {
   title: { en: "Figure", es: "Figura" },
   mount(root, app) {
     const present = presentScales(app);
-    const form = h("div", {});
+    const form = element("div", {});
     root.append(form);
     const describe = (scene: SceneFile): Form => ({
       groups: [look(scene), shown(), scales(scene, present.value), page(scene), contents(), paths(scene, app.solved.value.opened?.traceable ?? []), labels(scene)],

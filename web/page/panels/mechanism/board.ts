@@ -1,12 +1,16 @@
 /** A board on which a mechanism is put together point by point, also while it is not complete. */
 import type { App } from "../../app.ts";
+import { element, svgElement } from "../../dom/element.ts";
+import { radios } from "../../dom/radios.ts";
+import { worded } from "../../dom/worded.ts";
+import { speak } from "../../layout/messages.ts";
 import type { Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
 import { edit } from "../parts/edits.ts";
-import { h, s } from "../parts/element.ts";
 import { newId } from "../parts/fields.ts";
 import { parsed, unitsOf } from "../parts/scene.ts";
 import { follows, TOOLS, type Begun, type Press, type Tool } from "./board_tools.ts";
+import { crossShape, isAt, moved, thingsFor } from "./board_cross.ts";
 import { command } from "./commands.ts";
 import type { Places } from "./places.ts";
 import { boxOf, grainOf, gridOf, holds, linkAt, pointAt, sketch, type Box, type Place } from "./sketch.ts";
@@ -14,7 +18,6 @@ import { say } from "./words.ts";
 
 /** Width of the board by its height. */
 const SHAPE = 1.4;
-const ARROWS: Record<string, Place> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /** The board, closed at first; `open` opens it. */
 export function board(app: App, places: Signal<Places>): { root: HTMLElement; open(): void } {
@@ -23,16 +26,19 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
   let box: Box = boxOf(places.value, "mm", SHAPE);
   let cross: Place = [0, 0];
 
-  const summary = h("summary", {});
-  const tools = h("div", { class: "tools", role: "radiogroup" });
-  const hint = h("p", { class: "hint", role: "status" });
-  const drawing = s("g");
-  const cursor = s("path", { class: "cross" });
-  const svg = s("svg", { class: "board", tabindex: 0, role: "application", preserveAspectRatio: "xMidYMid meet" }, drawing, cursor);
-  const state = h("p", { class: "state", role: "status" });
-  const larger = h("button", { type: "button", class: "small" });
-  const dialog = h("dialog", { class: "desk", open: true }, tools, hint, svg, h("div", { class: "foot" }, state, larger));
-  const root = h("details", { class: "gallery drawing-board" }, summary, dialog);
+  const summary = element("summary", {});
+  const buttons = TOOLS.map((name) => worded(element("button", { type: "button", role: "radio", onclick: () => choose(name) }), () => say(`tool_${name}`)));
+  const tools = element("div", { class: "tools", role: "radiogroup" }, ...buttons);
+  radios(tools);
+  const hint = element("p", { class: "hint", role: "status" });
+  const drawing = svgElement("g");
+  const cursor = svgElement("g", { class: "cross" });
+  const help = element("p", { id: newId(), class: "keys" });
+  const svg = svgElement("svg", { class: "board", tabindex: 0, role: "application", "aria-describedby": help.id, preserveAspectRatio: "xMidYMid meet" }, drawing, cursor);
+  const state = element("p", { class: "state", role: "status" });
+  const larger = element("button", { type: "button", class: "small" });
+  const dialog = element("dialog", { class: "desk", open: true }, tools, hint, svg, element("div", { class: "foot" }, state, larger), help);
+  const root = element("details", { class: "gallery drawing-board" }, summary, dialog);
 
   /** A length of a dot on the screen, in the scene's units. */
   const dot = (): number => (5 * box.width) / Math.max(svg.clientWidth, 240);
@@ -43,8 +49,7 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
     svg.setAttribute("viewBox", `${box.x} ${-box.y - box.height} ${box.width} ${box.height}`);
     svg.setAttribute("aria-label", say("board_label", { count: places.value.size }));
     drawing.replaceChildren(...sketch(scene, shownPlaces(), box, dot(), begun?.name ?? null));
-    const arm = 2 * dot();
-    cursor.setAttribute("d", `M${cross[0] - arm} ${-cross[1]}h${2 * arm}M${cross[0]} ${-cross[1] - arm}v${2 * arm}`);
+    cursor.replaceChildren(...crossShape(cross, dot(), whereabouts()));
   }
 
   /** The places with the point that was begun. */
@@ -54,25 +59,21 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
 
   function words(): void {
     summary.textContent = say("board");
+    help.textContent = say("board_keys");
     larger.textContent = say(dialog.matches(":modal") ? "done" : "larger");
     tools.setAttribute("aria-label", say("board"));
-    tools.replaceChildren(...TOOLS.map(toolButton));
     tell();
   }
 
-  function toolButton(name: Tool): HTMLElement {
-    const button = h("button", { type: "button", role: "radio", "aria-checked": String(name === tool), tabindex: name === tool ? 0 : -1 }, say(`tool_${name}`));
-    button.addEventListener("click", () => choose(name));
-    return button;
-  }
-
   function choose(name: Tool): void {
-    const hadFocus = tools.contains(document.activeElement);
     tool = name;
     begun = null;
-    words();
+    buttons.forEach((button, index) => {
+      button.setAttribute("aria-checked", String(TOOLS[index] === tool));
+      button.tabIndex = TOOLS[index] === tool ? 0 : -1;
+    });
+    tell();
     draw();
-    if (hadFocus) tools.querySelector<HTMLElement>("[aria-checked=true]")?.focus();
   }
 
   function tell(): void {
@@ -119,26 +120,36 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
 
   svg.addEventListener("pointerup", (event) => {
     cross = placeOf(event);
-    const reach = (event.pointerType === "mouse" ? 12 : 24) * (box.width / svg.clientWidth);
-    void press(cross, reach);
+    const near = (event.pointerType === "mouse" ? 12 : 24) * (box.width / svg.clientWidth);
+    void press(cross, near);
   });
+  /** What the next press may take. */
+  const things = (): Place[] => thingsFor(tool, begun, parsed(app.history.now.value.text) ?? {}, shownPlaces());
+  /** How near to the cross something must be; where the cross has been put on a thing, it is that alone. */
+  const reach = (): number => gridOf(box) * (things().some((thing) => isAt(thing, cross)) ? 1e-6 : 0.45);
+
+  /** Where the cross is: what the tool would take there, or the place. */
+  function whereabouts(): string {
+    const { at, point, link } = pressed(cross, reach());
+    const wantsLink = point === null || tool === "drive" || (tool === "third" && begun === null);
+    return link !== null && wantsLink && tool !== "link" && tool !== "ground" ? say("at_link", { name: link }) : (point ?? at.join(", "));
+  }
+
   svg.addEventListener("keydown", (event) => {
-    const arrow = ARROWS[event.key];
-    const step = event.shiftKey ? grainOf(box) : gridOf(box);
-    if (arrow !== undefined) cross = cross.map((value, axis) => Math.round(value / step + arrow[axis]!) * step) as Place;
-    else if (event.key === "Enter" || event.key === " ") void press(cross, gridOf(box) * 0.45);
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const next = moved(cross, event.key, event.shiftKey ? grainOf(box) : gridOf(box), box, things());
+    const numbered = TOOLS[Number(event.key) - 1];
+    if (next !== null) {
+      cross = next;
+      speak(whereabouts());
+    } else if (event.key === "Enter" || event.key === " ") void press(cross, reach());
+    else if (numbered !== undefined) choose(numbered);
     else if (event.key === "Escape" && begun !== null) begun = null;
     else return;
     event.preventDefault();
     event.stopPropagation();
     tell();
     draw();
-  });
-  tools.addEventListener("keydown", (event) => {
-    const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    if (by === undefined) return;
-    event.preventDefault();
-    choose(TOOLS[(TOOLS.indexOf(tool) + by + TOOLS.length) % TOOLS.length]!);
   });
   larger.addEventListener("click", () => {
     const isLarge = dialog.matches(":modal");
@@ -156,10 +167,16 @@ export function board(app: App, places: Signal<Places>): { root: HTMLElement; op
 
   function refit(always: boolean): void {
     const scene = parsed(app.history.now.value.text);
-    if (scene !== null && (always || places.value.size === 0 || !holds(box, places.value))) box = boxOf(places.value, unitsOf(scene).length, SHAPE);
+    if (scene !== null && (always || places.value.size === 0 || !holds(box, places.value))) {
+      box = boxOf(places.value, unitsOf(scene).length, SHAPE);
+      const grid = gridOf(box);
+      // The cross stays on the board.
+      if (!holds(box, new Map([["", cross]]))) cross = [box.x + box.width / 2, box.y + box.height / 2].map((value) => Number((Math.round(value / grid) * grid).toPrecision(10))) as Place;
+    }
   }
   places.on(() => (refit(false), tell(), draw()));
   app.solved.on(tell);
   language.on(() => (words(), draw()));
+  choose(tool);
   return { root, open: () => void ((root.open = true), svg.focus()) };
 }

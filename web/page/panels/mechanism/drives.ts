@@ -1,6 +1,6 @@
 import type { SceneFile } from "../../engine/types.ts";
+import { stepFor } from "../../number.ts";
 import type { Button, Field, Row } from "../parts/form.ts";
-import { stepFor } from "../parts/number.ts";
 import { at, isDrawn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
 import { say } from "./words.ts";
 

@@ -1,29 +1,28 @@
 /** The starting scenes, with pictures. */
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { icon } from "../../dom/icon.ts";
 import type { Kind, Picture } from "../../engine/types.ts";
+import { askedFor } from "../../files/open.ts";
+import { openFile, READABLE } from "../../layout/brought.ts";
 import { language } from "../../words.ts";
-import { h, icon } from "../parts/element.ts";
 import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
 import { say } from "./words.ts";
 
 /** The choice of a starting scene, closed at first; `begun` is called with an empty one. */
 export function gallery(app: App, begun: () => void): HTMLElement {
-  const summary = h("summary", {});
-  const groups = h("div", { class: "kinds" });
-  const root = h("details", { class: "gallery" }, summary, groups);
+  const summary = element("summary", {});
+  const groups = element("div", { class: "kinds" });
+  const root = element("details", { class: "gallery" }, summary, groups);
   const open = (text: string): void => {
     root.open = false;
     app.open(text);
     summary.focus();
   };
-  const empty = h("button", { type: "button", class: "small" });
+  const empty = element("button", { type: "button", class: "small" });
   empty.addEventListener("click", () => (open(EMPTY), begun()));
-  const file = h("input", { type: "file", accept: ".json,application/json", hidden: true });
-  file.addEventListener("change", () => {
-    void file.files?.[0]?.text().then(open, () => app.tell(say("unread_file")));
-    file.value = "";
-  });
-  const browse = h("button", { type: "button", class: "small", onclick: () => file.click() });
+  const browse = element("button", { type: "button", class: "small" });
+  browse.addEventListener("click", () => void askedFor(READABLE).then((file) => openFile(app, file)));
   let drawn = false;
   root.addEventListener("toggle", () => {
     if (!root.open || drawn) return;
@@ -32,10 +31,10 @@ export function gallery(app: App, begun: () => void): HTMLElement {
   });
   language.on(() => {
     summary.textContent = say("change_kind");
-    empty.replaceChildren(icon("add"), say("empty"));
+    empty.replaceChildren(icon("plus"), say("empty"));
     browse.textContent = say("open_file");
   });
-  return h("div", { class: "start" }, root, h("div", { class: "buttons" }, empty, browse, file));
+  return element("div", { class: "start" }, root, element("div", { class: "buttons" }, empty, browse));
 }
 
 function grouped(app: App, kinds: Kind[], open: (text: string) => void): HTMLElement[] {
@@ -45,14 +44,14 @@ function grouped(app: App, kinds: Kind[], open: (text: string) => void): HTMLEle
     const found = GROUPS[group].flatMap((name) => kinds.filter((kind) => kind.name === name));
     const all = group === "groups_bars" ? [...found, ...others] : found;
     if (all.length === 0) return [];
-    return [h("section", {}, h("h3", {}, say(group)), h("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
+    return [element("section", {}, element("h3", {}, say(group)), element("div", { class: "cards" }, ...all.map((kind) => card(app, kind, open))))];
   });
 }
 
 function card(app: App, kind: Kind, open: (text: string) => void): HTMLElement {
-  const sketch = h("span", { class: "sketch" });
+  const sketch = element("span", { class: "sketch" });
   void thumbnail(app, kind.text).then((svg) => svg !== null && sketch.append(svg));
-  const button = h("button", { type: "button", class: "kind" }, sketch, h("span", {}, titleOf(kind, language.value)));
+  const button = element("button", { type: "button", class: "kind" }, sketch, element("span", {}, titleOf(kind, language.value)));
   button.addEventListener("click", () => open(kind.text));
   return button;
 }
@@ -77,7 +76,7 @@ function cut(picture: Picture): HTMLElement | null {
   svg.setAttribute("width", String(box[2]));
   svg.setAttribute("height", String(box[3]));
   const address = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(svg)], { type: "image/svg+xml" }));
-  return h("img", { src: address, alt: "", onload: () => URL.revokeObjectURL(address) });
+  return element("img", { src: address, alt: "", onload: () => URL.revokeObjectURL(address) });
 }
 
 /** A box around places of the sheet, with room for feet and letters. */

@@ -1,7 +1,7 @@
 import type { SceneFile } from "../../engine/types.ts";
+import { stepFor } from "../../number.ts";
 import type { Group } from "../parts/form.ts";
 import { allPoints, entries, groundOf, isDrawn, sizeOf, unitsOf } from "../parts/scene.ts";
-import { stepFor } from "../parts/number.ts";
 import { freePoint } from "./free_name.ts";
 import { vectorFields } from "./vector.ts";
 import { say } from "./words.ts";

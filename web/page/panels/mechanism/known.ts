@@ -1,6 +1,6 @@
 import type { SceneFile } from "../../engine/types.ts";
+import { stepFor } from "../../number.ts";
 import type { Button, Field, Group, Row } from "../parts/form.ts";
-import { stepFor } from "../parts/number.ts";
 import { allPoints, at, entries, groundOf, pointsOf, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
 import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
 import { placeFields, vectorFields, vectorForm } from "./vector.ts";
@@ -70,7 +70,7 @@ function rates(scene: SceneFile, path: Path): Row[] {
   const step = stepFor(sizeOf(scene));
   const first: Row = { label: say("velocity"), titled: true, path: velocity, fields: [...vectorFields(scene, velocity, units.velocity, step), vectorForm(velocity, say("velocity"))] };
   const isGiven = at(scene, acceleration) !== undefined;
-  const add: Button = { text: say("add_acceleration"), icon: "add", edits: [{ set: acceleration, value: [0, 0] }] };
+  const add: Button = { text: say("add_acceleration"), icon: "plus", edits: [{ set: acceleration, value: [0, 0] }] };
   if (!isGiven) return [first, { fields: [], buttons: [add] }];
   const remove: Button = { text: say("drop_acceleration"), icon: "remove", edits: [{ remove: acceleration }] };
   const fields = [...vectorFields(scene, acceleration, units.acceleration, 10 * step), vectorForm(acceleration, say("acceleration"))];
@@ -90,8 +90,8 @@ export function motionRows(scene: SceneFile, name: string): Row[] {
   const motion: Path = [...path, "motion"];
   if (at(scene, motion) !== undefined) return motionFields(scene, motion, points, name);
   const buttons: Button[] = [];
-  if (points.filter((point) => groundOf(scene).includes(point)).length === 1) buttons.push({ text: say("drive_it"), icon: "add", ask: { do: "drive", with: [name] } });
-  if (points.length > 1) buttons.push({ text: say("known_motion"), icon: "add", ask: { do: "motion", with: [name] } });
+  if (points.filter((point) => groundOf(scene).includes(point)).length === 1) buttons.push({ text: say("drive_it"), icon: "plus", ask: { do: "drive", with: [name] } });
+  if (points.length > 1) buttons.push({ text: say("known_motion"), icon: "plus", ask: { do: "motion", with: [name] } });
   return buttons.length === 0 ? [] : [{ fields: [], buttons }];
 }
 

@@ -1,6 +1,6 @@
 import type { SceneFile } from "../../engine/types.ts";
+import { stepFor } from "../../number.ts";
 import type { Button, Card, Field, Group, Row } from "../parts/form.ts";
-import { stepFor } from "../parts/number.ts";
 import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
 import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
 import { freePoint } from "./free_name.ts";
@@ -96,7 +96,7 @@ function measureRows(scene: SceneFile, path: Path, points: string[]): Row[] {
 function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[] {
   const rows = entries(shape).map(([name, place]): Row => {
     const own: Path = [...path, name];
-    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), icon: "add", ask: { do: "beside", with: own.map(String) } }] : [];
+    const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), icon: "plus", ask: { do: "beside", with: own.map(String) } }] : [];
     const fields: Field[] = typeof place === "number" ? [{ kind: "number", path: own, label: "x", unit, step, needed: true }] : placeFields(own, unit, step);
     return { label: name, path: own, fields, buttons: beside };
   });
@@ -117,7 +117,7 @@ function motionOf(scene: SceneFile, name: string, points: string[]): Row[] {
     rows.push({ fields: [{ kind: "number", path: [...path, "angle"], label: say("axis_angle"), unit: "°", step: 1, usual: "–" }] });
   }
   const pivots = points.filter((point) => groundOf(scene).includes(point));
-  if (pivots.length === 1) rows.push({ fields: [], buttons: [{ text: say("drive_it"), icon: "add", ask: { do: "drive", with: [name] } }] });
+  if (pivots.length === 1) rows.push({ fields: [], buttons: [{ text: say("drive_it"), icon: "plus", ask: { do: "drive", with: [name] } }] });
   return rows;
 }
 

@@ -1,6 +1,6 @@
 import type { SceneFile } from "../../engine/types.ts";
+import { stepFor } from "../../number.ts";
 import type { Field, Group, Row } from "../parts/form.ts";
-import { stepFor } from "../parts/number.ts";
 import { allPoints, entries, groundOf, linksOf, pointsOn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
 import { placeFields } from "./vector.ts";
 import { say } from "./words.ts";

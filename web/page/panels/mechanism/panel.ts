@@ -1,6 +1,6 @@
 import type { Panel } from "../../app.ts";
+import { element } from "../../dom/element.ts";
 import type { SceneFile } from "../../engine/types.ts";
-import { h } from "../parts/element.ts";
 import type { Form } from "../parts/form.ts";
 import { at, isDrawn } from "../parts/scene.ts";
 import { keepForm } from "../parts/sheet.ts";
@@ -22,7 +22,7 @@ export const mechanism: Panel = {
     const places = placesOf(app);
     const desk = board(app, places);
     root.append(gallery(app, desk.open), desk.root);
-    const form = h("div", {});
+    const form = element("div", {});
     root.append(form);
     keepForm(form, app, { describe, asked: (ask) => void command(app, places.value, ask) });
   },

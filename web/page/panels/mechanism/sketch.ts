@@ -1,6 +1,6 @@
 /** The mechanism on the drawing board, as far as places are known: lines, points and guides, no plans. */
+import { svgElement } from "../../dom/element.ts";
 import type { SceneFile } from "../../engine/types.ts";
-import { s } from "../parts/element.ts";
 import { at, groundOf, linksOf, pointsOn } from "../parts/scene.ts";
 import type { Places } from "./places.ts";
 
@@ -65,34 +65,34 @@ function gridLines(box: Box): SVGElement {
   const lines: string[] = [];
   for (let x = Math.ceil(box.x / step) * step; x < box.x + box.width; x += step) lines.push(`M${x} ${-box.y}V${-box.y - box.height}`);
   for (let y = Math.ceil(box.y / step) * step; y < box.y + box.height; y += step) lines.push(`M${box.x} ${-y}H${box.x + box.width}`);
-  return s("path", { class: "grid", d: lines.join("") });
+  return svgElement("path", { class: "grid", d: lines.join("") });
 }
 
 function linkShape(scene: SceneFile, places: Places, name: string, dot: number, isChosen: boolean): SVGElement {
   const corners = pointsOn(scene, name).flatMap((point) => (places.has(point) ? [places.get(point)!] : []));
   const isDriven = at(scene, ["links", name, "drive"]) !== undefined;
-  const group = s("g", { class: `link${isDriven ? " driven" : ""}${isChosen ? " chosen" : ""}` });
+  const group = svgElement("g", { class: `link${isDriven ? " driven" : ""}${isChosen ? " chosen" : ""}` });
   const [first] = corners;
   if (first === undefined) return group;
   if (corners.length === 1) {
     // Of a link with more points, where the others are is not known.
     if (pointsOn(scene, name).length > 1) return group;
-    group.append(s("rect", { x: first[0] - 1.8 * dot, y: -first[1] - 1.1 * dot, width: 3.6 * dot, height: 2.2 * dot }));
+    group.append(svgElement("rect", { x: first[0] - 1.8 * dot, y: -first[1] - 1.1 * dot, width: 3.6 * dot, height: 2.2 * dot }));
     return group;
   }
-  group.append(s("polygon", { points: corners.map(([x, y]) => `${x},${-y}`).join(" ") }));
+  group.append(svgElement("polygon", { points: corners.map(([x, y]) => `${x},${-y}`).join(" ") }));
   const [x, y] = [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis]!, 0) / corners.length) as Place;
-  const text = s("text", { x: x + 0.8 * dot, y: -y - 0.8 * dot, "font-size": 2.9 * dot });
+  const text = svgElement("text", { x: x + 0.8 * dot, y: -y - 0.8 * dot, "font-size": 2.9 * dot });
   text.textContent = name;
   group.append(text);
   return group;
 }
 
 function pointShape(name: string, [x, y]: Place, isFixed: boolean, dot: number, isChosen: boolean): SVGElement {
-  const group = s("g", { class: `point${isChosen ? " chosen" : ""}` });
-  if (isFixed) group.append(s("path", { class: "pivot", d: `M${x} ${-y}l${-1.5 * dot} ${2.4 * dot}h${3 * dot}z` }));
-  group.append(s("circle", { cx: x, cy: -y, r: 0.75 * dot }));
-  const text = s("text", { x: x - 2.6 * dot, y: -y - 1.2 * dot, "font-size": 3.1 * dot });
+  const group = svgElement("g", { class: `point${isChosen ? " chosen" : ""}` });
+  if (isFixed) group.append(svgElement("path", { class: "pivot", d: `M${x} ${-y}l${-1.5 * dot} ${2.4 * dot}h${3 * dot}z` }));
+  group.append(svgElement("circle", { cx: x, cy: -y, r: 0.75 * dot }));
+  const text = svgElement("text", { x: x - 2.6 * dot, y: -y - 1.2 * dot, "font-size": 3.1 * dot });
   text.textContent = name;
   group.append(text);
   return group;
@@ -109,7 +109,7 @@ function guides(scene: SceneFile, places: Places, box: Box): SVGElement[] {
     if (from === undefined || direction === null) return [];
     const reach = box.width * 0.35;
     const [dx, dy] = direction.map((part) => part * reach) as Place;
-    return [s("line", { class: "guide", x1: from[0] - dx, y1: -from[1] + dy, x2: from[0] + dx, y2: -from[1] - dy })];
+    return [svgElement("line", { class: "guide", x1: from[0] - dx, y1: -from[1] + dy, x2: from[0] + dx, y2: -from[1] - dy })];
   });
 }
 

@@ -1,6 +1,6 @@
 import type { SceneFile } from "../../engine/types.ts";
+import { stepFor } from "../../number.ts";
 import type { Button, Card, Field, Group, Option, Row } from "../parts/form.ts";
-import { stepFor } from "../parts/number.ts";
 import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
 import { slidingDriveFields } from "./drives.ts";
 import { placeFields } from "./vector.ts";
@@ -102,5 +102,5 @@ function driveOf(scene: SceneFile, slider: unknown, path: Path, name: string): R
   const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: own }] };
   if (at(slider, ["drive"]) !== undefined) return [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }];
   if (at(scene, ["links", String(at(slider, ["link"])), "drive"]) !== undefined) return [];
-  return [{ fields: [], buttons: [{ text: say("drive"), icon: "add", ask: { do: "push", with: path.map(String) } }] }];
+  return [{ fields: [], buttons: [{ text: say("drive"), icon: "plus", ask: { do: "push", with: path.map(String) } }] }];
 }

@@ -11,10 +11,10 @@ type Key =
   | "near" | "near_help" | "add_near" | "angle_of" | "drop_near"
   | "drawn_points" | "drawn_help" | "fixed" | "known" | "known_help" | "add_known" | "drop_known" | "velocity" | "by_parts" | "by_size" | "size" | "known_motion"
   | "drop_motion" | "add_acceleration" | "drop_acceleration" | "stub" | "moving"
-  | "change_kind" | "empty" | "open_file" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper" | "unread_file"
+  | "change_kind" | "empty" | "open_file" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper"
   | "board" | "tool_ground" | "tool_link" | "tool_third" | "tool_block" | "tool_drive" | "tool_drop" | "board_link" | "board_third"
   | "board_block" | "board_drive" | "board_ground" | "board_drop" | "board_pick_second" | "board_pick_link" | "board_pick_guide" | "begin" | "incomplete" | "shape_help"
-  | "larger" | "done" | "board_label";
+  | "larger" | "done" | "board_label" | "board_keys" | "at_link";
 
 const WORDS: Words<Key> = {
   en: {
@@ -111,7 +111,6 @@ const WORDS: Words<Key> = {
     groups_class: "Third and fourth class",
     groups_drawn: "Groups as a textbook draws them",
     groups_paper: "From the paper",
-    unread_file: "This file cannot be read.",
     board: "Drawing board",
     tool_ground: "Fixed point",
     tool_link: "Link",
@@ -134,6 +133,8 @@ const WORDS: Words<Key> = {
     larger: "Larger",
     done: "Done",
     board_label: "Drawing board with {count} points",
+    board_keys: "By keys: arrows move the cross, with Shift finer; Page Down and Page Up go from one thing to the next; Enter is a click; 1 to 6 choose what to do; Esc begins anew.",
+    at_link: "link {name}",
   },
   es: {
     about: "General",
@@ -229,7 +230,6 @@ const WORDS: Words<Key> = {
     groups_class: "Tercera y cuarta clase",
     groups_drawn: "Grupos como en un libro",
     groups_paper: "Del artículo",
-    unread_file: "Este archivo no se puede leer.",
     board: "Tablero de dibujo",
     tool_ground: "Punto fijo",
     tool_link: "Eslabón",
@@ -252,6 +252,8 @@ const WORDS: Words<Key> = {
     larger: "Mayor",
     done: "Listo",
     board_label: "Tablero de dibujo con {count} puntos",
+    board_keys: "Con teclas: las flechas mueven la cruz, con Mayús más fino; Av Pág y Re Pág van de una cosa a la siguiente; Intro es un clic; de 1 a 6 se elige qué hacer; Esc empieza de nuevo.",
+    at_link: "eslabón {name}",
   },
 };
 

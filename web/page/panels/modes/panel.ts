@@ -1,8 +1,10 @@
 import type { App, Panel } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { tick, worded } from "../../dom/worded.ts";
 import type { Mode } from "../../engine/types.ts";
+import { orTell, said } from "../../refused.ts";
 import { language } from "../../words.ts";
-import { keepCurrent, said } from "../output/current.ts";
-import { element, tick, worded } from "../output/element.ts";
+import { keepCurrent } from "../output/current.ts";
 import { sheet, type Sheet } from "../output/sheet.ts";
 import { say } from "./words.ts";
 
@@ -64,11 +66,9 @@ async function draw(picture: Sheet, app: App, text: string, mode: Mode): Promise
   picture.show(svg, panels.find(({ key }) => key === "scheme")?.box);
 }
 
-async function choose(app: App, text: string, number: number): Promise<void> {
-  try {
+function choose(app: App, text: string, number: number): Promise<void> {
+  return orTell(app, async () => {
     app.history.change({ text: await app.engine.choose_mode(text, number) });
     app.tell(say("chosen", { number }));
-  } catch (refused) {
-    app.tell(said(refused));
-  }
+  });
 }

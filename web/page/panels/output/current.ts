@@ -1,5 +1,4 @@
 import type { App } from "../../app.ts";
-import type { Refused } from "../../engine/types.ts";
 import type { Signal } from "../../state/signal.ts";
 
 /** What is watched: anything that tells when it changes. */
@@ -31,10 +30,4 @@ export function keepCurrent(app: App, panel: string, watched: Watched[], refresh
     });
   }
   app.shown.on(() => void run());
-}
-
-/** The sentence of a refusal, with what to try. */
-export function said(refused: unknown): string {
-  const { message, hint } = refused as Partial<Refused>;
-  return [message ?? String(refused), hint].filter(Boolean).join(" ");
 }

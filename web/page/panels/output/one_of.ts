@@ -1,6 +1,7 @@
+import { element } from "../../dom/element.ts";
+import { worded } from "../../dom/worded.ts";
 import type { Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
-import { element, worded } from "./element.ts";
 
 let count = 0;
 

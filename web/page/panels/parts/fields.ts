@@ -1,7 +1,8 @@
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { icon } from "../../dom/icon.ts";
 import type { Edit } from "../../engine/types.ts";
 import { edit } from "./edits.ts";
-import { h, icon } from "./element.ts";
 import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, PointsField, SwitchField, TextField } from "./form.ts";
 import { numberInput } from "./number_input.ts";
 import { pinButton } from "./pin.ts";
@@ -58,12 +59,12 @@ export function fieldOf(desk: Desk, field: Field): Live {
 /** A label with its input. */
 export function labelled(field: { path: Path; label: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
   input.id = newId();
-  const label = h("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, field.label);
-  return h("div", { class: "field", "data-path": dotted(field.path) }, label, h("div", { class: "value" }, input, ...more));
+  const label = element("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, field.label);
+  return element("div", { class: "field", "data-path": dotted(field.path) }, label, element("div", { class: "value" }, input, ...more));
 }
 
 function textInput(app: App, field: TextField): Live {
-  const input = h("input", { type: "text", autocomplete: "off", placeholder: field.usual });
+  const input = element("input", { type: "text", autocomplete: "off", placeholder: field.usual });
   let gesture = newId();
   input.addEventListener("focus", () => (gesture = newId()));
   input.addEventListener("input", () => {
@@ -98,7 +99,7 @@ function choose({ app, owner }: Desk, field: ChoiceField, index: number): void {
 }
 
 function select(desk: Desk, field: ChoiceField): Live {
-  const input = h("select", {}, ...field.options.map(({ text }, index) => h("option", { value: index }, text)));
+  const input = element("select", {}, ...field.options.map(({ text }, index) => element("option", { value: index }, text)));
   input.addEventListener("change", () => choose(desk, field, Number(input.value)));
   return { root: labelled(field, input), show: (scene) => (input.value = String(chosen(field, scene))) };
 }
@@ -106,10 +107,10 @@ function select(desk: Desk, field: ChoiceField): Live {
 /** All options side by side. */
 function openChoice(desk: Desk, field: ChoiceField): Live {
   const name = newId();
-  const inputs = field.options.map((_, index) => h("input", { type: "radio", name, value: index, onchange: () => choose(desk, field, index) }));
-  const options = field.options.map(({ text }, index) => h("label", { class: "option" }, inputs[index], h("span", {}, text)));
-  const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
-  const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "options" }, ...options));
+  const inputs = field.options.map((_, index) => element("input", { type: "radio", name, value: index, onchange: () => choose(desk, field, index) }));
+  const options = field.options.map(({ text }, index) => element("label", { class: "option" }, inputs[index], element("span", {}, text)));
+  const legend = element("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
+  const root = element("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, element("div", { class: "options" }, ...options));
   return {
     root,
     show(scene) {
@@ -129,13 +130,13 @@ function checks(app: App, field: ChecksField): Live {
     void edit(app, [put(field.path, isUsual ? undefined : next)]);
   };
   const inputs = field.options.map(({ value }) => {
-    const input = h("input", { type: "checkbox" });
+    const input = element("input", { type: "checkbox" });
     input.addEventListener("change", () => toggled(value, input.checked));
     return input;
   });
-  const options = field.options.map(({ text }, index) => h("label", { class: "tick" }, inputs[index], h("span", {}, text)));
-  const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
-  const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "checks" }, ...options));
+  const options = field.options.map(({ text }, index) => element("label", { class: "tick" }, inputs[index], element("span", {}, text)));
+  const legend = element("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
+  const root = element("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, element("div", { class: "checks" }, ...options));
   return {
     root,
     show(scene) {
@@ -147,11 +148,11 @@ function checks(app: App, field: ChecksField): Live {
 }
 
 function onOff(app: App, field: SwitchField): Live {
-  const input = h("input", { type: "checkbox" });
+  const input = element("input", { type: "checkbox" });
   input.addEventListener("change", () => void edit(app, [put(field.path, input.checked === field.usual ? undefined : input.checked)]));
-  const label = h("label", { class: "tick" }, input, h("span", {}, field.label));
+  const label = element("label", { class: "tick" }, input, element("span", {}, field.label));
   return {
-    root: h("div", { class: "field", "data-path": dotted(field.path) }, label),
+    root: element("div", { class: "field", "data-path": dotted(field.path) }, label),
     show: (scene) => (input.checked = (at(scene, field.path) ?? field.usual) === true),
   };
 }
@@ -159,31 +160,31 @@ function onOff(app: App, field: SwitchField): Live {
 /** Names of a link's points, each with its pin. */
 function pointNames({ app, owner }: Desk, field: PointsField): Live {
   const chips = field.points.map(({ name, label, remove, ask }) => {
-    const button = h("button", { type: "button", class: "bare", "aria-label": remove, title: remove }, icon("remove"));
+    const button = element("button", { type: "button", class: "bare", "aria-label": remove, title: remove }, icon("remove"));
     button.addEventListener("click", () => owner.asked?.(ask));
-    return h("div", { class: "chip" }, nameInput(app, { of: "point", name, label }), pinButton(app, { point: name }), button);
+    return element("div", { class: "chip" }, nameInput(app, { of: "point", name, label }), pinButton(app, { point: name }), button);
   });
-  const legend = h("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
-  const root = h("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, h("div", { class: "chips" }, ...chips));
+  const legend = element("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
+  const root = element("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, element("div", { class: "chips" }, ...chips));
   return { root, show: () => undefined };
 }
 
 /** Lists and a button that adds what is chosen in them. */
 function adder({ owner }: Desk, field: Adder): Live {
   const lists = field.lists.map(({ label, options }) =>
-    h("select", { "aria-label": label, title: label }, ...options.map(({ value, text }) => h("option", { value }, text))),
+    element("select", { "aria-label": label, title: label }, ...options.map(({ value, text }) => element("option", { value }, text))),
   );
-  const button = h("button", { type: "button", class: "small" }, icon("add"), field.text);
+  const button = element("button", { type: "button", class: "small" }, icon("plus"), field.text);
   button.addEventListener("click", () => owner.asked?.({ do: field.ask.do, with: [...field.ask.with, ...lists.map(({ value }) => value)] }));
-  const root = h("div", { class: "field adder", role: "group", "aria-label": field.label, "data-path": dotted(field.path) }, ...lists, button);
+  const root = element("div", { class: "field adder", role: "group", "aria-label": field.label, "data-path": dotted(field.path) }, ...lists, button);
   return { root, show: () => undefined };
 }
 
 /** The name of a point or link; a change of it is made everywhere when the field is left. */
 export function nameInput(app: App, { of, name, label }: NameField): HTMLElement {
-  const input = h("input", { type: "text", class: "name", value: name, "aria-label": label, autocomplete: "off", spellcheck: "false", autocapitalize: "off" });
+  const input = element("input", { type: "text", class: "name", value: name, "aria-label": label, autocomplete: "off", spellcheck: "false", autocapitalize: "off" });
   input.size = Math.max(2, name.length);
-  const why = h("p", { class: "why", role: "alert", hidden: true });
+  const why = element("p", { class: "why", role: "alert", hidden: true });
   const refuse = (message: string | null): void => {
     input.setAttribute("aria-invalid", String(message !== null));
     why.textContent = message ?? "";
@@ -198,9 +199,10 @@ export function nameInput(app: App, { of, name, label }: NameField): HTMLElement
   input.addEventListener("change", () => void renamed());
   input.addEventListener("input", () => (input.size = Math.max(2, input.value.length)));
   input.addEventListener("keydown", (event) => {
-    if (event.key !== "Escape") return;
+    if (event.key !== "Escape" || (input.value === name && why.hidden)) return;
+    event.preventDefault();
     input.value = name;
     refuse(null);
   });
-  return h("div", { class: "naming" }, input, why);
+  return element("div", { class: "naming" }, input, why);
 }

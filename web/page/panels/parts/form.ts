@@ -142,7 +142,7 @@ export interface NameField {
 /** A button that changes the scene. */
 export interface Button {
   text: string;
-  icon?: "add" | "remove" | "pin";
+  icon?: "plus" | "remove" | "pin";
   /** Whether it is on, of a button that is on or off. */
   pressed?: boolean;
   /** Changes that it makes. */

@@ -1,9 +1,9 @@
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { evaluated, shownNumber, stepped } from "../../number.ts";
 import { edit } from "./edits.ts";
-import { h } from "./element.ts";
 import { labelled, newId, put, type Live } from "./fields.ts";
 import type { NumberField } from "./form.ts";
-import { evaluated, shownNumber, stepped } from "./number.ts";
 import { pinButton } from "./pin.ts";
 import { at } from "./scene.ts";
 import { say } from "./words.ts";
@@ -17,7 +17,7 @@ const KEYS: Record<string, number> = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, Pa
  */
 export function numberInput(app: App, field: NumberField): Live {
   const { path, unit, step } = field;
-  const input = h("input", {
+  const input = element("input", {
     type: "text",
     inputmode: "decimal",
     class: "number",
@@ -25,7 +25,7 @@ export function numberInput(app: App, field: NumberField): Live {
     spellcheck: "false",
     placeholder: field.usual ?? (field.needed === true ? "?" : null),
   });
-  const why = h("p", { class: "why", role: "alert", id: newId(), hidden: true });
+  const why = element("p", { class: "why", role: "alert", id: newId(), hidden: true });
   let gesture = newId();
   let given: number | undefined;
   let comma = false;
@@ -80,7 +80,7 @@ export function numberInput(app: App, field: NumberField): Live {
     go(event.deltaY < 0 ? 1 : -1);
   }, { passive: false });
 
-  const root = labelled(field, input, h("span", { class: "unit" }, unit), ...(field.pin === undefined ? [] : [pinButton(app, field.pin)]));
+  const root = labelled(field, input, element("span", { class: "unit" }, unit), ...(field.pin === undefined ? [] : [pinButton(app, field.pin)]));
   root.append(why);
   return {
     root,

@@ -1,9 +1,10 @@
 /** A form on the page: built from its description, kept current, with messages at their fields. */
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { icon } from "../../dom/icon.ts";
 import type { Refused, SceneFile } from "../../engine/types.ts";
 import { language } from "../../words.ts";
 import { edit } from "./edits.ts";
-import { h, icon } from "./element.ts";
 import { fieldOf, nameInput, newId, type Live } from "./fields.ts";
 import type { Ask, Button, Card, Form, Group, Row } from "./form.ts";
 import { dotted, parsed } from "./scene.ts";
@@ -20,8 +21,8 @@ export interface Owner {
 /** Keeps a form of the scene in `root`; `again` describes it anew, for what is not in the scene. */
 export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): void } {
   const state: State = { app, owner, live: [], open: new Map() };
-  const body = h("div", { class: "form" });
-  const waits = h("div", { class: "waits", role: "status", hidden: true }, h("p", {}, ""), h("button", { type: "button" }, ""));
+  const body = element("div", { class: "form" });
+  const waits = element("div", { class: "waits", role: "status", hidden: true }, element("p", {}, ""), element("button", { type: "button" }, ""));
   waits.querySelector("button")!.addEventListener("click", () => app.show("text"));
   root.append(waits, body);
   body.addEventListener("keydown", (event) => undone(app, event));
@@ -100,40 +101,40 @@ function placesOfFocus(body: HTMLElement): { selector: string; index: number }[]
 }
 
 function groupOf(state: State, group: Group): HTMLElement {
-  const inner = h(
+  const inner = element(
     "div",
     { class: "inner" },
-    group.help !== undefined && h("p", { class: "help" }, group.help),
+    group.help !== undefined && element("p", { class: "help" }, group.help),
     ...(group.cards ?? []).map((card) => cardOf(state, card)),
     ...(group.rows ?? []).map((row) => rowOf(state, row)),
     buttonsOf(state, group.buttons),
   );
   const given = { class: "group", "data-path": group.path === undefined ? null : dotted(group.path) };
-  if (group.folded === undefined) return h("section", given, h("h3", {}, group.title), inner);
-  const details = h("details", { ...given, open: state.open.get(group.id) ?? !group.folded }, h("summary", {}, h("h3", {}, group.title)), inner);
+  if (group.folded === undefined) return element("section", given, element("h3", {}, group.title), inner);
+  const details = element("details", { ...given, open: state.open.get(group.id) ?? !group.folded }, element("summary", {}, element("h3", {}, group.title)), inner);
   details.addEventListener("toggle", () => state.open.set(group.id, details.open));
   return details;
 }
 
 function cardOf(state: State, card: Card): HTMLElement {
-  const heading = h(
+  const heading = element(
     "header",
     {},
-    h("h4", {}, card.title),
+    element("h4", {}, card.title),
     card.name !== undefined && nameInput(state.app, card.name),
-    card.role !== undefined && h("span", { class: "role" }, card.role),
+    card.role !== undefined && element("span", { class: "role" }, card.role),
     buttonsOf(state, card.buttons),
   );
-  return h("article", { class: "card", "data-path": dotted(card.path), "aria-label": `${card.title} ${card.name?.name ?? ""}` }, heading, ...card.rows.map((row) => rowOf(state, row)));
+  return element("article", { class: "card", "data-path": dotted(card.path), "aria-label": `${card.title} ${card.name?.name ?? ""}` }, heading, ...card.rows.map((row) => rowOf(state, row)));
 }
 
 function rowOf(state: State, row: Row): HTMLElement {
   const fields = row.fields.map((field) => fieldOf(state, field));
   state.live.push(...fields);
-  return h(
+  return element(
     "div",
     { class: row.titled === true ? "row titled" : row.aligned === true ? "row aligned" : "row", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },
-    row.label !== undefined && h("span", { class: "of" }, row.label),
+    row.label !== undefined && element("span", { class: "of" }, row.label),
     row.name !== undefined && nameInput(state.app, row.name),
     ...fields.map(({ root }) => root),
     buttonsOf(state, row.buttons),
@@ -142,12 +143,12 @@ function rowOf(state: State, row: Row): HTMLElement {
 
 function buttonsOf(state: State, buttons: Button[] | undefined): HTMLElement | null {
   if (buttons === undefined || buttons.length === 0) return null;
-  return h("div", { class: "buttons" }, ...buttons.map((button) => buttonOf(state, button)));
+  return element("div", { class: "buttons" }, ...buttons.map((button) => buttonOf(state, button)));
 }
 
 function buttonOf({ app, owner }: State, { text, icon: drawn, edits, ask, pressed }: Button): HTMLElement {
   const isIcon = drawn === "remove" || drawn === "pin";
-  const button = h(
+  const button = element(
     "button",
     { type: "button", class: drawn === "pin" ? "pin" : isIcon ? "bare" : "small", "aria-pressed": pressed === undefined ? null : String(pressed), "aria-label": isIcon ? text : null, title: isIcon ? text : null },
     drawn !== undefined && icon(drawn),
@@ -173,7 +174,7 @@ function placeMessage(body: HTMLElement, refused: Refused | null): void {
   const path = refused.path.replaceAll(/\[(\d+)\]/g, ".$1");
   const about = places.filter((place) => `${path}.`.startsWith(`${place.dataset["path"]}.`)).sort((a, b) => length(b) - length(a))[0];
   if (about === undefined) return;
-  const message = h("p", { class: "refusal", id: newId() }, refused.message, refused.hint !== null && h("span", { class: "hint" }, ` ${refused.hint}`));
+  const message = element("p", { class: "refusal", id: newId() }, refused.message, refused.hint !== null && element("span", { class: "hint" }, ` ${refused.hint}`));
   about.append(message);
   const input = about.matches(".field") ? about.querySelector("input, select") : null;
   input?.setAttribute("aria-invalid", "true");

@@ -1,8 +1,10 @@
 import { zipSync } from "fflate";
 import type { App } from "../../app.ts";
-import { ENDINGS } from "../output/download.ts";
-import { button, element, tick, worded } from "../output/element.ts";
-import { orTell, saved, saveFile, stem } from "./files.ts";
+import { element } from "../../dom/element.ts";
+import { button, tick, worded } from "../../dom/worded.ts";
+import { orTell } from "../../refused.ts";
+import { ENDINGS } from "../output/formats.ts";
+import { saved, saveOfScene, stem } from "./files.ts";
 import { say } from "./words.ts";
 
 /** The sheets of the construction in one archive, and its text. */
@@ -29,7 +31,7 @@ export function construction(app: App): HTMLElement {
     name();
   }
   app.solved.on(name);
-  const text = button(() => say("steps_text"), () => void saveFile(app, { format: "steps", of: "figure" }, "steps"));
+  const text = button(() => say("steps_text"), () => void saveOfScene(app, { format: "steps", of: "figure" }, "steps"));
   const tools = element("div", { class: "tools" }, ...buttons, text);
   return element("section", {}, worded(element("h3"), () => say("steps")), tools, coarse.label, progress);
 }

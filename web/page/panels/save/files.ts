@@ -1,19 +1,17 @@
 import type { App } from "../../app.ts";
 import type { FileRequest } from "../../engine/types.ts";
-import { said } from "../output/current.ts";
-import { download, ENDINGS, type FileFormat, fileName, fileOf, TYPES } from "../output/download.ts";
+import { fileName, saveFile } from "../../files/save.ts";
+import { orTell } from "../../refused.ts";
+import { ENDINGS, type FileFormat, fileOf, PICTURES, TYPES } from "../output/formats.ts";
 import { say } from "./words.ts";
-
-/** Forms of a picture, with their names for people. */
-export const PICTURES = [["svg", "SVG"], ["pdf", "PDF"], ["png", "PNG"], ["tikz", "TikZ"]] as const;
 
 /** A name for files of the present scene, without an ending. */
 export function stem(app: App): string {
-  return fileName(app.solved.value.opened?.title ?? "");
+  return fileName(app.solved.value.opened?.title);
 }
 
-/** Saves a file of the last good scene; `part` stands in its name. */
-export async function saveFile(app: App, request: { format: FileFormat; of: FileRequest["of"] }, part: string): Promise<void> {
+/** Saves what the engine writes of the last good scene; `part` stands in its name. */
+export async function saveOfScene(app: App, request: { format: FileFormat; of: FileRequest["of"] }, part: string): Promise<void> {
   const name = [stem(app), part].filter(Boolean).join("-");
   await orTell(app, async () => {
     const isPicture = PICTURES.some(([format]) => format === request.format);
@@ -35,15 +33,6 @@ export async function pagesOf(app: App, of: FileRequest["of"]): Promise<number> 
 
 /** Saves and says so. */
 export function saved(app: App, name: string, contents: Uint8Array | string, type: string): void {
-  download(name, contents, type);
+  saveFile(name, contents, type);
   app.tell(say("saved", { name }));
-}
-
-/** Does something; what the engine refuses is told. */
-export async function orTell(app: App, act: () => Promise<void>): Promise<void> {
-  try {
-    await act();
-  } catch (refused) {
-    app.tell(said(refused));
-  }
 }

@@ -1,5 +1,6 @@
 import type { Panel } from "../../app.ts";
-import { element, worded } from "../output/element.ts";
+import { element } from "../../dom/element.ts";
+import { worded } from "../../dom/worded.ts";
 import { construction } from "./construction.ts";
 import { pictures } from "./pictures.ts";
 import { print } from "./print.ts";

@@ -1,7 +1,9 @@
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { button, worded } from "../../dom/worded.ts";
 import type { FileRequest } from "../../engine/types.ts";
-import { button, element, worded } from "../output/element.ts";
-import { PICTURES, saveFile } from "./files.ts";
+import { PICTURES } from "../output/formats.ts";
+import { saveOfScene } from "./files.ts";
 import { say } from "./words.ts";
 
 /** Rows of buttons: each thing that can be drawn, in each form. */
@@ -23,7 +25,7 @@ function row(app: App, title: () => string, of: () => FileRequest["of"], part: (
   const name = worded(element("span", { class: "what" }), title);
   app.view.on(() => (name.textContent = title()));
   const buttons = PICTURES.map(([format, shown]) => {
-    const press = button(() => shown, () => void saveFile(app, { format, of: of() }, part()));
+    const press = button(() => shown, () => void saveOfScene(app, { format, of: of() }, part()));
     app.view.on(() => press.setAttribute("aria-label", say("as", { what: title(), format: shown })));
     return worded(press, () => say("as", { what: title(), format: shown }), "aria-label");
   });

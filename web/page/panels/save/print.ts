@@ -1,9 +1,11 @@
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { button, worded } from "../../dom/worded.ts";
 import type { FileRequest } from "../../engine/types.ts";
+import { said } from "../../refused.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { language } from "../../words.ts";
-import { keepCurrent, said } from "../output/current.ts";
-import { button, element, worded } from "../output/element.ts";
+import { keepCurrent } from "../output/current.ts";
 import { oneOf } from "../output/one_of.ts";
 import { sheet, sizeOf } from "../output/sheet.ts";
 import { pagesOf } from "./files.ts";

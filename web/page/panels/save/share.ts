@@ -1,7 +1,8 @@
 import type { App } from "../../app.ts";
-import { copied } from "../output/download.ts";
-import { button, element, worded } from "../output/element.ts";
-import { saved, saveFile, stem } from "./files.ts";
+import { element } from "../../dom/element.ts";
+import { button, worded } from "../../dom/worded.ts";
+import { copied } from "../../files/clipboard.ts";
+import { saved, saveOfScene, stem } from "./files.ts";
 import { pageWith } from "./original.ts";
 import { say } from "./words.ts";
 
@@ -10,8 +11,8 @@ const LONG = 8000;
 
 /** Tables and results of the scene. */
 export function numbers(app: App): HTMLElement {
-  const motion = button(() => say("motion"), () => void saveFile(app, { format: "csv", of: "figure" }, "motion"));
-  const results = button(() => say("results"), () => void saveFile(app, { format: "json", of: "figure" }, "result"));
+  const motion = button(() => say("motion"), () => void saveOfScene(app, { format: "csv", of: "figure" }, "motion"));
+  const results = button(() => say("results"), () => void saveOfScene(app, { format: "json", of: "figure" }, "result"));
   app.solved.on(({ opened }) => (motion.disabled = opened?.is_drawn ?? true));
   return element("section", {}, worded(element("h3"), () => say("numbers")), element("div", { class: "tools" }, motion, results));
 }

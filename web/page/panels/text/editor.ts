@@ -1,6 +1,6 @@
 /** The editor of the scene's text. Undo is the page's own. */
-import { defaultKeymap } from "@codemirror/commands";
 import { closeBrackets, closeBracketsKeymap, completionKeymap } from "@codemirror/autocomplete";
+import { defaultKeymap } from "@codemirror/commands";
 import { json } from "@codemirror/lang-json";
 import { bracketMatching, foldGutter, foldKeymap, indentOnInput, indentUnit } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
@@ -8,9 +8,9 @@ import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/sea
 import { Annotation, Compartment, EditorState, type Extension } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import type { App } from "../../app.ts";
+import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
 import { language } from "../../words.ts";
-import { h } from "../parts/element.ts";
 import { newId } from "../parts/fields.ts";
 import { smallest } from "./change.ts";
 import { edited, endsOf, filed, placed } from "./ends.ts";
@@ -85,7 +85,7 @@ function marks(text: string, refused: Refused | null): Parameters<typeof setDiag
   const from = placed(text, refused.from);
   const to = Math.max(from, placed(text, refused.to ?? refused.from));
   const { message, hint } = refused;
-  const renderMessage = (): Node => h("div", {}, message, hint !== null && h("div", { class: "hint" }, hint));
+  const renderMessage = (): Node => element("div", {}, message, hint !== null && element("div", { class: "hint" }, hint));
   return [{ from, to, severity: "error", message: hint === null ? message : `${message} ${hint}`, renderMessage }];
 }
 

@@ -1,6 +1,6 @@
 import { autocompletion, type Completion, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
 import { hoverTooltip, type EditorView } from "@codemirror/view";
-import { h } from "../parts/element.ts";
+import { element } from "../../dom/element.ts";
 import { spotAt } from "./path.ts";
 import { keys, meaning, values } from "./schema.ts";
 
@@ -37,5 +37,5 @@ export const meanings = hoverTooltip((view: EditorView, place, side) => {
   const spot = spotAt(view.state, side < 0 ? place : place + 1);
   const said = spot.isKey && spot.from < spot.to ? meaning(spot.path) : null;
   if (said === null) return null;
-  return { pos: spot.from, end: spot.to, above: true, create: () => ({ dom: h("div", { class: "meaning" }, said) }) };
+  return { pos: spot.from, end: spot.to, above: true, create: () => ({ dom: element("div", { class: "meaning" }, said) }) };
 });

@@ -1,6 +1,7 @@
 import type { Panel } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { withLine } from "../../refused.ts";
 import { language } from "../../words.ts";
-import { h } from "../parts/element.ts";
 import { textEditor } from "./editor.ts";
 import { say } from "./words.ts";
 
@@ -9,16 +10,15 @@ export const text: Panel = {
   id: "text",
   title: { en: "Text", es: "Texto" },
   mount(root, app) {
-    const box = h("div", { class: "text-editor" });
-    const message = h("p", {});
-    const go = h("button", { type: "button", class: "small", hidden: true });
-    const help = h("p", { class: "help" });
-    root.append(h("div", { class: "text-panel" }, box, h("div", { class: "text-status", role: "status" }, message, go), help));
+    const box = element("div", { class: "text-editor" });
+    const message = element("p", {});
+    const go = element("button", { type: "button", class: "small", hidden: true });
+    const help = element("p", { class: "help" });
+    root.append(element("div", { class: "text-panel" }, box, element("div", { class: "text-status", role: "status" }, message, go), help));
     const editor = textEditor(box, app);
     const tell = (): void => {
       const { refused } = app.solved.value;
-      const line = refused?.line ?? null;
-      message.textContent = refused === null ? say("good") : line === null ? refused.message : say("line", { line, message: refused.message });
+      message.textContent = refused === null ? say("good") : withLine(refused);
       message.classList.toggle("bad", refused !== null);
       go.hidden = refused?.from === undefined || refused.from === null;
       go.textContent = say("go");

@@ -1,19 +1,17 @@
 import { speaker, type Words } from "../../words.ts";
 
-type Key = "editor" | "good" | "line" | "go" | "help";
+type Key = "editor" | "good" | "go" | "help";
 
 const WORDS: Words<Key> = {
   en: {
     editor: "Text of the scene",
     good: "The text is a complete scene.",
-    line: "Line {line}: {message}",
     go: "Go there",
     help: "This text is the whole document: a scene file of the program. Ctrl+Space offers keys, Ctrl+F searches, Esc then Tab leaves.",
   },
   es: {
     editor: "Texto de la escena",
     good: "El texto es una escena completa.",
-    line: "Línea {line}: {message}",
     go: "Ir allí",
     help: "Este texto es todo el documento: un archivo de escena del programa. Ctrl+Espacio ofrece claves, Ctrl+F busca, Esc y Tab sale.",
   },

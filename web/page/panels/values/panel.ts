@@ -1,9 +1,12 @@
 import type { App, Panel } from "../../app.ts";
+import { element } from "../../dom/element.ts";
+import { button, worded } from "../../dom/worded.ts";
 import type { Value } from "../../engine/types.ts";
+import { copied } from "../../files/clipboard.ts";
+import { fileName, saveFile } from "../../files/save.ts";
+import { said } from "../../refused.ts";
 import { language } from "../../words.ts";
-import { keepCurrent, said } from "../output/current.ts";
-import { copied, download, fileName } from "../output/download.ts";
-import { button, element, worded } from "../output/element.ts";
+import { keepCurrent } from "../output/current.ts";
 import { tableOf } from "./table.ts";
 import { aligned, csv } from "./text.ts";
 import { say } from "./words.ts";
@@ -63,7 +66,7 @@ function fill(contents: HTMLElement, app: App): void {
   async function copy(): Promise<void> {
     app.tell(say((await copied(aligned(shown))) ? "copied" : "not_copied"));
   }
-  const save = (): void => download(`${fileName(app.solved.value.opened?.title ?? "")}-values.csv`, csv(shown), "text/csv");
+  const save = (): void => saveFile(`${fileName(app.solved.value.opened?.title)}-values.csv`, csv(shown), "text/csv");
 
   language.on(() => {
     const chosen = Math.max(0, digits.selectedIndex);

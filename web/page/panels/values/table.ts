@@ -1,5 +1,5 @@
+import { element } from "../../dom/element.ts";
 import type { Value } from "../../engine/types.ts";
-import { element } from "../output/element.ts";
 import { bySubject, named } from "../output/subject.ts";
 import { shortened } from "./text.ts";
 import { say } from "./words.ts";

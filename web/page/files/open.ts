@@ -1,13 +1,12 @@
-import type { App } from "../../app.ts";
-import { element } from "../../dom.ts";
+import { element } from "../dom/element.ts";
 
-/** Largest form that is read, in bytes; with a thousand values it has far less. */
-const MOST = 2 << 20;
+/** As large as a scene may be (docs/scenes.md), in bytes; forms have far less. */
+const MOST = 4 << 20;
 
-/** Asks for a file; `null` where none is chosen. */
+/** Asks for a file; null where none is chosen. */
 export function askedFor(accept: string): Promise<File | null> {
   return new Promise((done) => {
-    const input = element("input", { type: "file", accept, hidden: "" });
+    const input = element("input", { type: "file", accept, hidden: true });
     input.onchange = () => done(input.files?.[0] ?? null);
     input.oncancel = () => done(null);
     document.body.append(input);
@@ -41,27 +40,4 @@ function byZeros(bytes: Uint8Array): "utf-16le" | "utf-16be" | null {
   if (half > 1 && zeros(1) > half / 2 && zeros(0) === 0) return "utf-16le";
   if (half > 1 && zeros(0) > half / 2 && zeros(1) === 0) return "utf-16be";
   return null;
-}
-
-/** Lets the browser save a file. */
-export function saveFile(name: string, contents: Uint8Array | string, type: string): void {
-  const address = URL.createObjectURL(new Blob([contents as BlobPart], { type }));
-  const link = element("a", { href: address, download: name, hidden: "" });
-  document.body.append(link);
-  link.click();
-  link.remove();
-  // A browser may begin reading only after it has asked where to.
-  setTimeout(() => URL.revokeObjectURL(address), 60_000);
-}
-
-/** Words as the name of a file on any computer, without an ending. */
-export function fileName(...words: (string | undefined)[]): string {
-  const text = words.filter(Boolean).join(" ").normalize("NFC").toLowerCase();
-  const name = [...text.replace(/[^\p{L}\p{N}]+/gu, "-")].slice(0, 60).join("").replace(/^-+|-+$/g, "");
-  return name === "" ? "kinegon" : name;
-}
-
-/** What a form is called: after its exercise or scene, and its student. */
-export function formName(app: App, exercise: string | undefined, student: string | undefined): string {
-  return fileName(exercise ?? app.solved.value.opened?.title, student ?? "form");
 }

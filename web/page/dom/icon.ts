@@ -1,3 +1,5 @@
+import { svgElement } from "./element.ts";
+
 /** Pictograms, drawn with lines in a square of 24. */
 const ICONS: Record<string, string> = {
   undo: "M9 6 4 11l5 5M4 11h10.500a4.500 4.500 0 0 1 0 9H11",
@@ -19,7 +21,8 @@ const ICONS: Record<string, string> = {
   minus: "M5 12h14",
   fit: "M4 8V5h4M20 8V5h-4M4 16v3h4M20 16v3h-4M9 10h6v4H9z",
   panels: "M4 5h16v14H4zM14.500 5v14",
-  close: "M6 6l12 12M18 6 6 18",
+  remove: "M6 6l12 12M18 6 6 18",
+  pin: "M9 3h6l-.750 6.750L18 13.500H6l3.750-3.750zM12 13.500v7.500",
   file: "M6 3h8l4 4v14H6zM14 3v4h4",
   mechanism: "M6 18 10 8l8 4M6 18m-2 0a2 2 0 1 0 4 0 2 2 0 1 0-4 0M10 8m-2 0a2 2 0 1 0 4 0 2 2 0 1 0-4 0M18 12m-2 0a2 2 0 1 0 4 0 2 2 0 1 0-4 0",
   text: "M9 5c-3 0-1 6-4 7 3 1 1 7 4 7M15 5c3 0 1 6 4 7-3 1-1 7-4 7",
@@ -32,15 +35,8 @@ const ICONS: Record<string, string> = {
   save: "M12 3v12m-5-5 5 5 5-5M4 20h16",
 };
 
-/** A icon; it says nothing to screen readers. */
+/** A pictogram; it says nothing to screen readers: what a button does is its own name. */
 export function icon(name: string): SVGSVGElement {
-  const space = "http://www.w3.org/2000/svg";
-  const image = document.createElementNS(space, "svg");
-  image.setAttribute("viewBox", "0 0 24 24");
-  image.setAttribute("class", "icon");
-  image.setAttribute("aria-hidden", "true");
-  const path = document.createElementNS(space, "path");
-  path.setAttribute("d", ICONS[name] ?? "M12 12m-4 0a4 4 0 1 0 8 0 4 4 0 1 0-8 0");
-  image.append(path);
-  return image;
+  const path = svgElement("path", { d: ICONS[name] ?? "M12 12m-4 0a4 4 0 1 0 8 0 4 4 0 1 0-8 0" });
+  return svgElement("svg", { class: "icon", viewBox: "0 0 24 24", "aria-hidden": "true" }, path);
 }

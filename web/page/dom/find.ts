@@ -5,18 +5,6 @@ export function byId<Kind extends Element = HTMLElement>(id: string): Kind {
   return found as unknown as Kind;
 }
 
-/** A new element with attributes and contents; texts are texts, never markup. */
-export function element<Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag,
-  attributes: Record<string, string> = {},
-  ...contents: (Node | string)[]
-): HTMLElementTagNameMap[Tag] {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  made.append(...contents);
-  return made;
-}
-
 /** Whether keys go into this element as letters. */
 export function takesText(target: EventTarget | null): boolean {
   const found = target instanceof HTMLElement ? target : null;
