@@ -97,3 +97,16 @@ fn a_student_works_by_keys() {
     assert!(!bench.text("kinegon.history.now.value.form").contains("12.5"));
     bench.assert_quiet();
 }
+
+#[test]
+fn no_letter_of_the_first_value_is_lost() {
+    let text = files::read("templates/four-bar.json");
+    let Some(mut bench) = Bench::of("first-value", &text) else { return };
+    bench.panel("check");
+    tab_to(&mut bench, "#panel-check .row input");
+    bench.type_text("12.5");
+    bench.press("Tab");
+    bench.settle();
+    assert!(bench.text("kinegon.history.now.value.form").contains("12.5"), "what was typed before there was a form");
+    bench.assert_quiet();
+}
