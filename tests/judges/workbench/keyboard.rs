@@ -107,6 +107,7 @@ fn no_letter_of_the_first_value_is_lost() {
     bench.type_text("12.5");
     bench.press("Tab");
     bench.settle();
-    assert!(bench.text("kinegon.history.now.value.form").contains("12.5"), "what was typed before there was a form");
+    let form = bench.text("kinegon.history.now.value.form");
+    assert!(form.contains("12.5"), "what was typed before there was a form: {form}");
     bench.assert_quiet();
 }

@@ -136,7 +136,8 @@ function mount(root: HTMLElement, app: App): void {
     show();
     if (!verdicts.isChecking) drawing.follow();
   });
-  check.writing.on(show);
+  // A letter is told first and then put into the form: shown in between, the field would lose it.
+  check.writing.on(() => queueMicrotask(show));
   app.student.on(show);
   language.on(() => form !== null && build());
 }
