@@ -32,6 +32,8 @@ fn it_is_used_with_fingers() {
     let apart = |d: f64| [[x - d, y], [x + d, y]];
     bench.touch(&[&apart(20.0), &apart(40.0), &apart(70.0)]);
     bench.until(&format!("{sight} < {before}"));
+    bench.press("0");
+    bench.until(&format!("Math.abs({sight} - {before}) < 1"));
     let mut small = Vec::new();
     for panel in ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"] {
         bench.value(&format!("kinegon.app.show('{panel}')"));

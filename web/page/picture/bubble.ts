@@ -35,9 +35,12 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
         return;
       }
       if (wasHidden) write();
+      // Beside the hand, on the side with more room, and never beyond the pane.
       const [x, y] = pixels;
-      const isRight = x > pane.clientWidth / 2;
-      place.style.transform = `translate(${x + (isRight ? -28 : 28)}px, ${Math.max(8, y - 60)}px) translateX(${isRight ? "-100%" : "0"})`;
+      const { offsetWidth: width, offsetHeight: height } = place;
+      const beside = x > pane.clientWidth / 2 ? x - 28 - width : x + 28;
+      const within = (value: number, room: number): number => Math.max(8, Math.min(value, room - 8));
+      place.style.transform = `translate(${within(beside, pane.clientWidth - width)}px, ${within(y - 60, pane.clientHeight - height)}px)`;
     },
   };
 }

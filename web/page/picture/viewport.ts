@@ -68,10 +68,12 @@ export function viewport(): Viewport {
     alone: () => (isOwn ? null : box),
     isZoomed: () => isOwn && now.value.scale > fitting() * 1.01,
     resize(width, height) {
+      const before = fitting();
       Object.assign(size, { width, height });
       if (!isOwn) refit();
-      // Also where the window stays, as the pane's height alone decides.
-      now.set({ ...now.value });
+      // Who has zoomed keeps what is seen in sight. Told also where the window stays, as the pane's height alone decides.
+      const scale = isOwn ? (now.value.scale * fitting()) / before : now.value.scale;
+      now.set({ ...now.value, scale });
     },
     fit(next) {
       box = next;
