@@ -5,9 +5,11 @@ use crate::motion::MotionError;
 use crate::position::AssemblyError;
 use crate::quantity::QuantityError;
 use crate::scene::SceneError;
+use crate::study::StudyError;
 
 /// Why a scene gives no result: the error of the stage that found it.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum Error {
     /// The scene cannot be understood.
     #[error(transparent)]
@@ -30,4 +32,15 @@ pub enum Error {
     /// Curves do not fit on the sheet.
     #[error(transparent)]
     Curves(#[from] CurvesError),
+}
+
+impl From<StudyError> for Error {
+    fn from(error: StudyError) -> Error {
+        match error {
+            StudyError::Study(error) => error.into(),
+            StudyError::Structure(error) => error.into(),
+            StudyError::Assembly(error) => error.into(),
+            StudyError::Cycle(error) => error.into(),
+        }
+    }
 }

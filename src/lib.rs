@@ -19,24 +19,34 @@
 //!
 //! Conventions: x right, y up, counter-clockwise positive; radians inside, degrees in scenes and results. Lengths and times
 //! keep the scene's own units all the way.
+//!
+//! # Features
+//!
+//! With `default-features = false` it is the library alone, which reads no files and builds faster.
+#![cfg_attr(feature = "document-features", doc = document_features::document_features!())]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod accuracy;
 pub mod check;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod construction;
+#[cfg(feature = "courses")]
+pub mod course;
 pub mod cycle;
 pub mod drawing;
 pub mod editing;
 pub mod exercise;
 pub mod format;
 pub mod geometry;
+#[doc(hidden)] // the workings of `mechanism`, `position` and `cycle`
 pub mod kernel;
 pub mod mechanism;
 pub mod motion;
 pub mod position;
 pub mod quantity;
 pub mod scene;
+pub mod study;
 pub mod text;
 pub mod words;
 

@@ -15,6 +15,7 @@ use crate::construction::{PlanKind, Tolerance};
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Checked {
     /// The values in the order of the construction.
     pub values: Vec<Judged>,

@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 
 /// The report on a class.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ClassResult {
     /// Version of the format.
     pub kinegon_class: u64,
@@ -28,6 +29,7 @@ pub struct ClassResult {
 
 /// What is said of one file.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ClassRow {
     /// The file's name; of forms of several exercises its path in the folder.
     pub file: Untrusted,
@@ -49,6 +51,7 @@ pub struct ClassRow {
 
 /// What was found in a file that was understood.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ClassFound {
     /// How many values it has.
     pub values: usize,
@@ -83,6 +86,7 @@ pub struct ClassFound {
 
 /// A mistake, and where it was made.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ClassMistake {
     /// The number of its step; 0 for the whole drawing.
     pub step: usize,
@@ -217,6 +221,7 @@ impl ClassRow {
 
 /// Counts of a class's drawings, and the commonest first mistakes.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ClassSummary {
     /// All files.
     pub files: usize,
@@ -237,6 +242,7 @@ pub struct ClassSummary {
 
 /// A first mistake that was made more than once.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct Common {
     /// In how many drawings.
     pub count: usize,

@@ -5,6 +5,7 @@ use super::verdict::{Judged, Verdict};
 
 /// The best explanation of the values, and the others.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Diagnosis {
     /// The mistakes that explain the values and are probable; none where no value is off, or where no cause is probable.
     pub best: Explanation,
@@ -16,6 +17,7 @@ pub struct Diagnosis {
 
 /// Mistakes that together explain the values.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Explanation {
     /// The mistakes, in the order of the construction.
     pub findings: Vec<Finding>,
@@ -29,6 +31,7 @@ pub struct Explanation {
 
 /// A mistake that was probably made.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Finding {
     /// The mistake, and where it was made.
     pub candidate: Candidate,

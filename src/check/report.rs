@@ -266,16 +266,13 @@ impl ReportText<'_> {
     }
 
     fn step(&self, finding: &Finding) -> String {
-        match finding.candidate.step {
-            0 => self.own.check_whole().to_owned(),
-            number => self.own.check_step(&number.to_string()),
-        }
+        step(&finding.candidate, self.own)
     }
 
     /// The sentences about a mistake.
     pub(super) fn told(&self, finding: &Finding) -> Told {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = sentences(candidate, self.words).map(|sentence| self.shown.text(&sentence));
+        let [done, should] = told_alone(candidate, &self.shown, self.words);
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -284,12 +281,12 @@ impl ReportText<'_> {
             some => Some(self.own.check_follows(&self.names(some))),
         };
         Told {
-            done: format!("{}: {done}.", self.step(finding)),
+            done,
             caption: step.map(|step| {
                 let caption = Teller::new(self.key.solution, self.words).caption(&step);
                 shown_text(&caption, step.plan, self.words)
             }),
-            should: format!("{}: {should}.", self.own.check_instead()),
+            should,
             follows,
         }
     }
@@ -307,6 +304,21 @@ const SEEN: f64 = 0.05;
 /// What was probably done, and what should have been; numbers with the figure's decimal mark.
 pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
     words.mistake(candidate.mistake.words(), &candidate.blanks)
+}
+
+/// At which step what was done, and what should have been, as two sentences.
+pub(super) fn told_alone(candidate: &Candidate, shown: &ShownNames<'_>, words: &Wording) -> [String; 2] {
+    let [done, should] = sentences(candidate, words).map(|sentence| shown.text(&sentence));
+    let own = words.language;
+    [format!("{}: {done}.", step(candidate, own)), format!("{}: {should}.", own.check_instead())]
+}
+
+/// The words for the step at which a mistake was made.
+fn step(candidate: &Candidate, own: &Language) -> String {
+    match candidate.step {
+        0 => own.check_whole().to_owned(),
+        number => own.check_step(&number.to_string()),
+    }
 }
 
 /// The style of values in a report.

@@ -14,6 +14,7 @@ use serde::Serialize;
 
 /// Verdicts and diagnosis of one drawing.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct CheckResult {
     /// Version of the format.
     pub kinegon_check: u64,
@@ -43,6 +44,7 @@ pub struct CheckResult {
 
 /// How accurate somebody draws and computes. Within the limits every error is equally likely.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct AccuracyResult {
     /// Limit of the errors in lengths and places, in mm of paper.
     pub mm: f64,
@@ -54,6 +56,7 @@ pub struct AccuracyResult {
 
 /// A value with its verdict.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ValueResult {
     /// The quantity's name.
     pub quantity: String,
@@ -82,6 +85,7 @@ pub struct ValueResult {
 
 /// Mistakes that explain the values together.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ExplanationResult {
     /// The mistakes in the order of the construction.
     pub mistakes: Vec<MistakeResult>,
@@ -96,6 +100,7 @@ pub struct ExplanationResult {
 
 /// A mistake that was probably made.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct MistakeResult {
     /// Its name in the catalogue.
     pub mistake: &'static str,

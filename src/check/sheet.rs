@@ -78,6 +78,7 @@ pub enum Positive {
 /// Why values cannot be checked: what, and what to try.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{place}{message}")]
+#[non_exhaustive]
 pub struct CheckError {
     /// The place in the file, followed by a colon; may be empty.
     pub place: String,

@@ -4,10 +4,13 @@ use super::answer_key::AnswerKey;
 use super::entry::entries;
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
+use super::report::told_alone;
 use super::sheet::{CheckError, Given, Measured};
+use super::shown::ShownNames;
 use super::template::form_names;
 use crate::construction::{Change, Disturbance};
 use crate::quantity::Kind;
+use crate::words::Wording;
 
 /// A simulated student who draws a scene and fills in the whole form.
 pub struct Student<'a> {
@@ -103,6 +106,42 @@ impl<'a> Student<'a> {
             })
         });
         Measured { mu: self.mu, values: values.collect(), ..Measured::default() }
+    }
+
+    /// The values of the form, in its order, of a drawing without errors of the hand but with this mistake; `None` for a
+    /// value that is not drawn or that the mistake makes infinite. A size has no sign.
+    #[must_use]
+    pub fn exact(&self, mistake: Option<&Candidate>) -> Vec<Option<f64>> {
+        let model = &self.models[mistake.map_or(0, |candidate| candidate.mode)];
+        let edits = mistake.iter().flat_map(|candidate| &candidate.edits);
+        let mut changes: Vec<Disturbance<'_>> =
+            edits.map(|(operation, edit)| Disturbance { operation: *operation, change: edit.change() }).collect();
+        changes.sort_by_key(|change| change.operation);
+        let read = model.read(&model.replay(&changes)).into_iter().zip(&model.readings);
+        read.map(|(value, reading)| {
+            let reading = reading.ok()?;
+            let value = if reading.is_size() { value.abs() } else { value };
+            value.is_finite().then_some(value)
+        })
+        .collect()
+    }
+
+    /// Whether the quantity at this place of the form is read as a size, without a sign.
+    #[must_use]
+    pub fn is_size(&self, place: usize) -> bool {
+        self.models[0].readings[place].is_ok_and(|reading| reading.is_size())
+    }
+
+    /// The number of the step that gives the quantity at this place of the form.
+    #[must_use]
+    pub fn step(&self, place: usize) -> usize {
+        self.entries[place].step
+    }
+
+    /// What the check says of a mistake: at which step what was done, and what should have been.
+    #[must_use]
+    pub fn told(&self, mistake: &Candidate, words: &Wording) -> [String; 2] {
+        told_alone(mistake, &ShownNames::of(self.key.solution), words)
     }
 
     /// The names of the form's quantities.

@@ -27,16 +27,16 @@ use std::path::{Path, PathBuf};
 const AFTER_HELP: &str = "\
 Without --pencil-mm and --pencil-degrees the tolerance follows the hand that the scatter of all values shows, up to ±1 mm and ±1°.
 
-Exit code: 0 no value is off, 1 some are, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, 2 some are
-not understood (their rows say why; the table is written all the same).
+Exit code: 0 no value is off, 1 some are, 2 something is not understood; of a folder: 0 all files are passed, 1 some are not, \
+2 some are not understood (their rows say why; the table is written all the same).
 
 Examples:
-  kinegon check scene.json values.json                        one drawing
-  kinegon check scene.json --template > form.json             the empty form
-  kinegon check scene.json class/ -o report.csv               all *.json and *.csv in the folder, a row each
-  kinegon check scene.json class/ --marks marks.json          with marks
-  kinegon check exercises/ class/ -o report.csv               each form against its own exercise; folders in class/ too
-  kinegon check scene.json class/ --feedback pages/           with a page for each student";
+  kinegon check scene.json values.json                 one drawing
+  kinegon check scene.json --template > form.json      the empty form
+  kinegon check scene.json class/ -o report.csv        a row for each form
+  kinegon check scene.json class/ --marks marks.json   with marks
+  kinegon check exercises/ class/ -o report.csv        each form by its exercise
+  kinegon check scene.json class/ --feedback pages/    a page for each student";
 
 /// Check values read from a hand drawing, or those of a class.
 #[derive(Debug, Args)]

@@ -9,12 +9,21 @@ use crate::drawing::{curves, hodographs, paths};
 use crate::words::Wording;
 use clap::Args;
 
+/// Text of `--help` behind the options.
+const AFTER_HELP: &str = "\
+Examples:
+  kinegon curves scene.json                                 ω of all links
+  kinegon curves scene.json --want \"omega(3), a(C).size\" -o curves.pdf
+  kinegon curves scene.json --hodograph \"v(C)\" -o tips.svg  tips of a vector
+  kinegon curves scene.json --path C -o path.svg            path of a point";
+
 /// Draw quantities over the motion while a drive moves, along the branch of the scene's own position.
 ///
 /// Greatest and least values, dead centres and limits are marked; a quantity that is a vector is drawn as its size, or
 /// `.x` and `.y`. The figure keeps what can be reached; where the range goes beyond a limit position, that is said and
 /// the exit code is 1.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct CurvesCommand {
     #[command(flatten)]
     range: Range,

@@ -32,8 +32,19 @@ enum Steps {
     Coarse,
 }
 
+/// Text of `--help` behind the options.
+const AFTER_HELP: &str = "\
+Examples:
+  kinegon draw scene.json                       to out/, as SVG and PNG
+  kinegon draw scene.json -o figure.pdf         one file; or .svg .tex .html
+  kinegon draw scene.json --steps -o lesson/    a sheet for each step
+  kinegon draw scene.json --values=m -o v.svg   with values, in m/s and m/s²
+  kinegon draw scene.json --worksheet -o w.pdf  to measure on, with a table
+  kinegon draw scene.json --page 16x9 --style lecture -o hall.pdf";
+
 /// Draw the figure of a scene.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Draw {
     /// Scene file, `-` for stdin; without one the two figures of Quintero et al. (2011).
     scene: Option<PathBuf>,

@@ -1,9 +1,10 @@
-use super::figures::{GivenStyle, stem};
+use super::course::Lms;
+use super::figures::{GivenStyle, stem, style_names};
 use super::files::{self, Source};
 use super::message::Failure;
 use super::output::FileSet;
 use super::paper::{GivenScales, Paper};
-use super::wording::Words;
+use super::wording::{NamesAnd, Words};
 use super::work::solve;
 use crate::drawing::Drawing;
 use crate::exercise::{Exercise, ExerciseError, Exercises};
@@ -15,20 +16,26 @@ use std::path::{Path, PathBuf};
 
 /// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
-Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheet (sheet.svg, sheet.pdf), the empty form (form.json,
-form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross at 20° or more,
-special points are on the sheet, measured segments have 5 mm or more, and a careful hand finds every rate to 15 %. The same seed gives
-the same files.
+Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheet (sheet.svg, sheet.pdf), the empty form \
+(form.json, form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross \
+at 20° or more, special points are on the sheet, measured segments have 5 mm or more, and a careful hand finds every rate to 15 %. \
+The same seed gives the same files.
 
 Examples:
-  kinegon exercise four-bar --seed 7 --count 30 -o class/    thirty four-bar linkages
-  kinegon exercise scene.json --seed 1 -o class/ --page a3   variants of a scene of your own";
+  kinegon exercise four-bar --seed 7 --count 30 -o class/  thirty of one kind
+  kinegon exercise scene.json --seed 1 -o class/           of your own scene
+
+Into a course, as one file (docs/courses.md):
+  kinegon exercise four-bar --seed 7 --lms moodle -o quiz.xml  a category of cloze questions
+  kinegon exercise four-bar --seed 7 --lms canvas -o quiz.zip  quizzes in QTI 1.2
+  kinegon exercise four-bar --seed 7 --lms scorm -o task.zip   the workbench, SCORM 1.2";
 
 /// Write exercises to be drawn by hand, with sheets, forms and keys.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct ExerciseCommand {
     /// Kind of mechanism, as `kinegon new --list` shows them, or the path of a scene file.
+    #[arg(value_name = "KIND|FILE", value_parser = NamesAnd(Kind::NAMES.to_vec()), hide_possible_values = true)]
     kind: String,
     /// Which exercises: a number that gives the same ones again.
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
@@ -36,11 +43,14 @@ pub(super) struct ExerciseCommand {
     /// How many.
     #[arg(long, value_name = "M", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
     count: u16,
-    /// Folder to write them to; a folder of an exercise that is there already is never written over.
-    #[arg(short, long, value_name = "DIR")]
+    /// Folder to write them to; a folder of an exercise that is there already is never written over. With `--lms` the file to write.
+    #[arg(short, long, value_name = "DIR|FILE")]
     output: PathBuf,
+    /// Write one file for a learning management system in place of folders.
+    #[arg(long, value_name = "SYSTEM", value_enum)]
+    lms: Option<Lms>,
     /// Drawing style: paper, print, lecture, board, or the path of a style file.
-    #[arg(long, value_name = "NAME|FILE")]
+    #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
     style: Option<String>,
     #[command(flatten)]
     words: Words,
@@ -62,13 +72,16 @@ impl ExerciseCommand {
         };
         let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
-        let failed = |error: ExerciseError| Failure::Outside(format!("{}: {error}", source.name));
+        let failed = |error: ExerciseError| failed(&source.name, &error);
         let page = self.paper.is_given().then_some(figure.page);
         let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
         let mut exercises = exercises.map_err(|error| {
             let hint = "`kinegon new --list` shows other kinds";
             Failure::Misuse(format!("{}: {error}", source.name), Some(hint.into()))
         })?;
+        if let Some(lms) = self.lms {
+            return lms.write(&mut exercises, (&name, self.seed, self.count), &style, (&source.name, &self.output));
+        }
         let folder = |number: u16| self.output.join(format!("{name}-{}-{number}", self.seed));
         for folder in (1..=self.count).map(folder) {
             if folder.exists() {
@@ -102,6 +115,11 @@ impl ExerciseCommand {
         }
         Ok((stem(path), files::read(path)?))
     }
+}
+
+/// Why there is no further exercise.
+pub(super) fn failed(source: &str, error: &ExerciseError) -> Failure {
+    Failure::Outside(format!("{source}: {error}"))
 }
 
 /// The files of an exercise, by their paths.

@@ -1,6 +1,7 @@
 use super::files;
 use super::message::{Failure, note, warn};
 use super::output::{self, FileSet};
+use super::wording::NamesAnd;
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -30,7 +31,7 @@ pub(super) struct FigureOptions {
     #[arg(long)]
     outlines: bool,
     /// Drawing style in place of the scene's own: paper, print, lecture, board, or the path of a style file.
-    #[arg(long, value_name = "NAME|FILE")]
+    #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
     style: Option<String>,
     /// Resolution of PNG in dots per inch.
     #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
@@ -82,6 +83,11 @@ impl FigureFormat {
             FigureFormat::Html => "html",
         }
     }
+}
+
+/// Names of styles, or paths of style files.
+pub(super) fn style_names() -> NamesAnd {
+    NamesAnd(StyleName::ALL.map(StyleName::as_str).to_vec())
 }
 
 fn dots_per_inch(text: &str) -> Result<f64, String> {

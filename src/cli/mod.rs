@@ -8,7 +8,9 @@ mod app;
 mod caught;
 mod check;
 mod class;
+mod completions;
 mod correction;
+mod course;
 mod curves;
 mod decoding;
 mod draw;
@@ -18,15 +20,19 @@ mod feedback;
 mod figures;
 mod files;
 mod forms;
+mod help;
+mod man;
 mod message;
 mod new;
 mod output;
 mod paper;
+mod parts;
 mod pencil;
 mod pieces;
 mod solve;
 mod steps;
 mod structure;
+mod study;
 mod sweep;
 mod table;
 mod wording;
@@ -36,7 +42,8 @@ pub use message::shown;
 
 use crate::text;
 use clap::error::ContextValue;
-use clap::{Parser, Subcommand};
+use clap::{FromArgMatches, Parser, Subcommand};
+use colorchoice_clap::Color;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -46,34 +53,43 @@ use std::process::ExitCode;
 struct Command {
     #[command(subcommand)]
     task: Task,
+    #[command(flatten)]
+    color: Color,
 }
 
+// A line each in `kinegon --help`, in the groups of `help`.
 #[derive(Debug, Subcommand)]
 enum Task {
-    /// Open the workbench, the program as a page in the browser; or write it to a file.
+    /// Open the workbench, the program as a page in the browser
     App(app::App),
-    /// Write a starting scene for a kind of mechanism, or list the kinds.
+    /// Write a scene to start from, or list the kinds of mechanisms
     New(new::New),
-    /// Draw the figure of a scene: scheme, velocity plan, acceleration plan.
+    /// Draw scheme, velocity plan and acceleration plan
     Draw(draw::Draw),
-    /// Print every position, velocity and acceleration of a scene as JSON.
+    /// Print every position, velocity and acceleration as JSON
     Solve(solve::Solve),
-    /// Print the construction of the plans step by step, with lengths on paper.
+    /// Print the construction step by step, with lengths on paper
     Steps(steps::Steps),
-    /// Check values read from a hand drawing: verdicts, and what probably went wrong.
+    /// Check values read from hand drawings; say what went wrong
     Check(check::Check),
-    /// Write exercises: random variants of a mechanism to be drawn by hand, with sheets, forms and keys.
+    /// Write exercises to be drawn by hand: sheets, forms, keys
     Exercise(exercise::ExerciseCommand),
-    /// Print the Assur groups of a scene in solving order, with class, joints and degrees of freedom.
+    /// Print the Assur groups in solving order
     Structure(structure::Structure),
-    /// Print every way to assemble a scene, numbered, with coordinates.
+    /// Print every way to assemble a scene, numbered
     Modes(structure::Modes),
-    /// Write a table of the motion while a drive moves: CSV or JSON lines.
+    /// Write a table of the motion: CSV, JSON lines
     Sweep(sweep::SweepCommand),
-    /// Draw quantities over the motion while a drive moves, with extremes and limits marked.
+    /// Draw quantities over the motion, with extremes and limits
     Curves(curves::CurvesCommand),
-    /// Print the JSON Schema of scene or result files, for editors.
+    /// Compute many mechanisms that differ in some numbers
+    Study(study::StudyCommand),
+    /// Print the JSON Schema of scenes and other files
     Schema(solve::Schema),
+    /// Print what a shell needs to complete the command line
+    Completions(completions::Completions),
+    /// Print the manual page, or write all pages
+    Man(man::Man),
 }
 
 /// Runs the command line of this process.
@@ -85,10 +101,14 @@ pub fn run() -> ExitCode {
 /// Runs a command line, the program's name first, in this process: its exit code.
 #[must_use]
 pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
-    let command = match Command::try_parse_from(arguments) {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    help::asked_color(&arguments).write_global();
+    let parsed = help::command().try_get_matches_from(arguments);
+    let command = match parsed.and_then(|matches| Command::from_arg_matches(&matches)) {
         Ok(command) => command,
         Err(error) => return refused(error),
     };
+    command.color.write_global();
     output::survive_size_limits();
     let done = match &command.task {
         Task::App(app) => app.run(),
@@ -102,7 +122,10 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Task::Modes(modes) => modes.run(),
         Task::Sweep(sweep) => sweep.run(),
         Task::Curves(curves) => curves.run(),
+        Task::Study(study) => study.run(),
         Task::Schema(schema) => schema.run(),
+        Task::Completions(completions) => completions.run(),
+        Task::Man(man) => man.run(),
     };
     match done {
         Ok(()) => 0,

@@ -6,8 +6,16 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use std::path::{Path, PathBuf};
 
+/// Text of `--help` behind the options.
+const AFTER_HELP: &str = "\
+Examples:
+  kinegon new                             lists the kinds
+  kinegon new four-bar -o four-bar.json   writes a four-bar linkage
+  kinegon new slider-crank | kinegon draw - -o slider-crank.svg";
+
 /// Write a starting scene.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct New {
     /// Kind of mechanism; without one the kinds are listed.
     #[arg(value_parser = PossibleValuesParser::new(Kind::NAMES), hide_possible_values = true)]

@@ -11,8 +11,16 @@ use crate::scene::{Scene, SizeLimit};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
+/// Text of `--help` behind the options.
+const AFTER_HELP: &str = "\
+Examples:
+  kinegon solve scene.json > result.json   every number, with its error bound
+  kinegon solve scene.json --digits        a table of certain digits
+  kinegon solve scene.json --pencil        with what a hand drawing gives";
+
 /// Print the result of a scene.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Solve {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
@@ -87,6 +95,10 @@ fn readable_quantities(solution: &Solution) -> Result<Vec<Asked>, crate::Error> 
 
 /// Print a JSON Schema.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  kinegon schema > scene.schema.json          for an editor, by \"$schema\"
+  kinegon schema result > result.schema.json  for a program that reads results")]
 pub(super) struct Schema {
     /// Of which kind of file.
     #[arg(value_enum, default_value_t = Kind::Scene)]
@@ -105,6 +117,8 @@ enum Kind {
     Class,
     /// Of keys of exercises.
     Key,
+    /// Of studies, for `kinegon study`.
+    Study,
 }
 
 impl Schema {
@@ -117,6 +131,7 @@ impl Schema {
             Kind::Marks => crate::check::Marks::schema(),
             Kind::Class => crate::check::class_schema(),
             Kind::Key => crate::exercise::key_schema(),
+            Kind::Study => crate::study::StudyFile::schema(),
         };
         files::print(format::json(&schema).as_bytes())
     }

@@ -10,8 +10,16 @@ use crate::scene::{Figure, SizeLimit};
 use clap::Args;
 use std::path::PathBuf;
 
+/// Text of `--help` behind the options.
+const AFTER_HELP: &str = "\
+Examples:
+  kinegon steps scene.json                      the construction, numbered
+  kinegon steps scene.json --language es        the same in Spanish
+  kinegon steps scene.json --page a3            with lengths for a larger sheet";
+
 /// Print the construction of a scene.
 #[derive(Debug, Args)]
+#[command(after_help = AFTER_HELP)]
 pub(super) struct Steps {
     /// Scene file, `-` for stdin.
     scene: PathBuf,

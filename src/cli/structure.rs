@@ -10,6 +10,10 @@ use std::path::PathBuf;
 
 /// Print the structure of a scene.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  kinegon structure scene.json
+  kinegon new fourth-class | kinegon structure -")]
 pub(super) struct Structure {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
@@ -29,6 +33,10 @@ impl Structure {
 
 /// Print the assembly modes of a scene.
 #[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  kinegon modes scene.json                          lists them
+  kinegon draw scene.json --mode 2 -o mode-2.svg    draws the second")]
 pub(super) struct Modes {
     /// Scene file, `-` for stdin.
     scene: PathBuf,

@@ -15,14 +15,14 @@ const NOTES: usize = 30;
 
 /// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
-The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be
-reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number,
+The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be \
+reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number, \
 as at a change point, are empty (null in JSON lines).
 
 Examples:
-  kinegon sweep scene.json --step 5                        once around, every 5 degrees, all quantities, to the terminal
-  kinegon sweep scene.json --from 0 --to 180 -o half.csv   half a turn, every degree, to a file for a spreadsheet
-  kinegon sweep scene.json --want \"omega(4), v(D).size\"   two quantities only";
+  kinegon sweep scene.json --step 5                        every 5 degrees
+  kinegon sweep scene.json --from 0 --to 180 -o half.csv   half a turn
+  kinegon sweep scene.json --want \"omega(3), v(C).size\"   two quantities only";
 
 /// Write a table of a scene's motion while a drive moves.
 #[derive(Debug, Args)]
@@ -210,10 +210,9 @@ impl SweepCommand {
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
         TableFormat::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
-            let known: Vec<&str> = TableFormat::ENDINGS.iter().map(|(ending, _)| *ending).collect();
             Failure::Misuse(
                 format!("no form of table for files ending in `.{}`", ending.unwrap_or_default()),
-                Some(format!("known endings: {}; or give --format", known.join(", "))),
+                Some(TableFormat::hint(ending, |_| true)),
             )
         })
     }

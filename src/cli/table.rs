@@ -45,6 +45,19 @@ impl TableFormat {
         TableFormat::ENDINGS.iter().find(|(known, _)| *known == ending).map(|(_, format)| *format)
     }
 
+    /// What to try where the ending of a file is not one of those `taken`.
+    pub(super) fn hint(ending: Option<&str>, taken: impl Fn(TableFormat) -> bool) -> String {
+        let taken = TableFormat::ENDINGS.iter().filter(|(_, format)| taken(*format));
+        let known: Vec<&str> = taken.map(|(ending, _)| *ending).collect();
+        let known = format!("known endings: {}; or give --format", known.join(", "));
+        if cfg!(not(feature = "arrow")) && matches!(ending, Some("arrow" | "parquet")) {
+            return format!(
+                "this needs Kinegon built with `--features arrow`, or its Python package and pyarrow; {known}"
+            );
+        }
+        known
+    }
+
     /// Rows as text; empty for the binary formats.
     fn text(self, sweep: &Sweep, numbers: &Numbers) -> String {
         match self {

@@ -1,6 +1,7 @@
 use crate::scene::{DecimalMark, Figure, LanguageName, NotationName};
-use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Command};
+use std::ffi::OsStr;
 
 /// How things are said and written, in place of what the scene's figure asks for.
 #[derive(Debug, Default, Args)]
@@ -22,6 +23,22 @@ impl Words {
         figure.notation = self.notation.unwrap_or(figure.notation);
         figure.language = self.language.unwrap_or(figure.language);
         figure.decimal = self.decimal.unwrap_or(figure.decimal);
+    }
+}
+
+/// Names that a shell completes, where any other text is taken, too, as the path of a file.
+#[derive(Clone)]
+pub(super) struct NamesAnd(pub Vec<&'static str>);
+
+impl TypedValueParser for NamesAnd {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(PossibleValue::new)))
     }
 }
 

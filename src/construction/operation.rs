@@ -53,6 +53,7 @@ pub struct Operation {
 
 /// Role of an operation in the construction; mistakes, steps and sentences refer to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Part {
     /// The origin of a plan.
     Pole,
@@ -80,6 +81,7 @@ pub enum Part {
 
 /// The action of an operation, with its arguments and results.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum OperationKind {
     /// Chooses the origin of a sheet: exact.
     Pole {
@@ -230,6 +232,7 @@ pub struct Product {
 
 /// Meaning of a product.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ProductKind {
     /// A number as it is.
     Plain,
@@ -254,6 +257,7 @@ pub struct Equation {
 
 /// Kind of a number.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NumberKind {
     /// The distance of two points of the scheme.
     Length([End; 2]),

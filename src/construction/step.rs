@@ -86,6 +86,7 @@ pub struct PlanPoint {
 
 /// Role of a plan point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum PointRole {
     /// The pole, or the image of a point at rest.
     Pole,
@@ -110,6 +111,7 @@ pub struct Step {
 
 /// The action of a step.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Action {
     /// Choose a pole; it is the image of all fixed points.
     Pole {
@@ -277,6 +279,7 @@ pub enum RelativePart {
 
 /// A part of the relative motion at a slider.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Added {
     /// Relative velocity v_r, along the guide.
     SlidingVelocity,

@@ -1,5 +1,6 @@
 /// Why a motion cannot be followed, or a quantity along it not be shown.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CycleError {
     /// A drawn configuration has one position.
     #[error(

@@ -17,6 +17,7 @@ pub struct Event {
 
 /// What can happen on a path.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Happening {
     /// Two branches meet and the drive can go no further; rates grow like 1/√distance.
     Limit {

@@ -52,5 +52,5 @@ pub use pull::{Pull, Pulled};
 pub use steps::Steps;
 pub use sweep::{Numbers, Sweep, every_name};
 pub use traces::{Times, Traces};
-pub use variants::Variants;
+pub use variants::{Kept, Variants};
 pub use walker::Walker;

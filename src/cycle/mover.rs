@@ -228,7 +228,7 @@ impl<'a> Mover<'a> {
     #[inline]
     fn ratios(&self) -> impl Iterator<Item = f64> {
         let groups = self.determinants.iter().enumerate();
-        groups.map(|(group, before)| before * self.kernel.inverse_determinant(&self.block, group))
+        groups.map(|(group, before)| before * self.kernel.inverse_determinant(&self.block, group, 0))
     }
 
     /// Whether all determinants have the signs that they had.

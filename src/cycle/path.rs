@@ -1,6 +1,6 @@
 use super::event::extreme_positions;
 use super::segment::{Node, Segment};
-use super::start::{stands, start};
+use super::start::{ratios, stands, start};
 use super::trace::{Traced, fastest, trace};
 use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
@@ -64,25 +64,9 @@ impl<'a> Path<'a> {
     /// The same, of a mechanism that the path may own.
     pub(super) fn of(mechanism: Cow<'a, Mechanism>, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
         let kernel = Kernel::new(&mechanism).ok_or(CycleError::Drawn)?;
-        let speed = |input: usize| {
-            let input = &kernel.inputs[input];
-            match input.kind {
-                InputKind::Turning { .. } => input.rate.to_degrees(),
-                InputKind::Sliding { .. } => input.rate,
-            }
-        };
-        let moved = speed(drive.input);
-        let ratio = |input: usize| {
-            if input == drive.input {
-                1.0
-            } else if moved == 0.0 {
-                0.0
-            } else {
-                speed(input) / moved
-            }
-        };
+        let ratios = ratios(&kernel, drive.input);
         let inputs: Vec<[f64; 2]> =
-            (0..kernel.inputs.len()).map(|i| [stands(&kernel.inputs[i], pose), ratio(i)]).collect();
+            kernel.inputs.iter().zip(ratios).map(|(i, ratio)| [stands(i, pose), ratio]).collect();
         let origin = inputs[drive.input][0];
         let mut block = start(&kernel, &mechanism, pose);
         let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;

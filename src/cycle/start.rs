@@ -34,3 +34,18 @@ pub(super) fn stands(input: &Input, pose: &Pose) -> f64 {
     };
     input.value.or(found).unwrap_or(0.0)
 }
+
+/// The rate of each drive per unit rate of the moved one, in degrees and lengths; zeros where that stands still.
+pub(super) fn ratios(kernel: &Kernel, moved: usize) -> Vec<f64> {
+    let speed = |input: &Input| match input.kind {
+        InputKind::Turning { .. } => input.rate.to_degrees(),
+        InputKind::Sliding { .. } => input.rate,
+    };
+    let by = speed(&kernel.inputs[moved]);
+    let ratio = |(index, input): (usize, &Input)| match index == moved {
+        true => 1.0,
+        false if by == 0.0 => 0.0,
+        false => speed(input) / by,
+    };
+    kernel.inputs.iter().enumerate().map(ratio).collect()
+}

@@ -1,5 +1,5 @@
-use super::start::{stands, start};
-use super::{CycleError, Position};
+use super::start::{ratios, stands, start};
+use super::{CycleError, Drive, Position};
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
@@ -16,8 +16,12 @@ pub struct Variants<'a> {
     mechanisms: &'a [Mechanism],
     kernels: Vec<Kernel>,
     blocks: Vec<Block<Many>>,
+    /// Where the mechanisms of the block that is being moved were.
+    left: Stand,
     /// By mechanism and drive: the drive's value.
     drives: Vec<Vec<f64>>,
+    /// The same in the poses that the mechanisms had first.
+    starts: Vec<Vec<f64>>,
     /// By mechanism: whether it closed at the values its drives were set to last.
     closed: Vec<bool>,
     registers: Level,
@@ -58,11 +62,14 @@ impl<'a> Variants<'a> {
             block
         };
         let drives = |(kernel, pose): (&Kernel, &Pose)| kernel.inputs.iter().map(|i| stands(i, pose)).collect();
+        let drives: Vec<Vec<f64>> = kernels.iter().zip(poses).map(drives).collect();
         let mut variants = Variants {
             mechanisms,
+            starts: drives.clone(),
             blocks: (0..count).step_by(MANY).map(block).collect(),
-            drives: kernels.iter().zip(poses).map(drives).collect(),
+            drives,
             closed: vec![false; count],
+            left: Stand::default(),
             kernels,
             registers: Level::new(),
         };
@@ -82,33 +89,107 @@ impl<'a> Variants<'a> {
         &mut self.drives[mechanism]
     }
 
+    /// The value of a drive in the pose that a mechanism had first.
+    #[must_use]
+    pub fn start(&self, mechanism: usize, drive: &Drive) -> f64 {
+        self.starts[mechanism][drive.input]
+    }
+
+    /// Sets one drive of a mechanism to a value; its other drives run along from the first pose in proportion to their speeds.
+    pub fn set_along(&mut self, mechanism: usize, drive: &Drive, value: f64) {
+        if let [only] = &mut self.drives[mechanism][..] {
+            *only = value;
+            return;
+        }
+        let from = self.starts[mechanism][drive.input];
+        let ratios = ratios(&self.kernels[mechanism], drive.input);
+        for (index, ratio) in ratios.into_iter().enumerate() {
+            // The moved drive's own value keeps all of its bits.
+            let own = self.starts[mechanism][index] + (value - from) * ratio;
+            self.drives[mechanism][index] = if index == drive.input { value } else { own };
+        }
+    }
+
+    /// Whether all drives run at constant speeds, and the moved one does move: then a change of its value takes a time.
+    #[must_use]
+    pub fn runs_evenly(&self, mechanism: usize, drive: &Drive) -> bool {
+        let inputs = &self.kernels[mechanism].inputs;
+        inputs[drive.input].rate != 0.0 && inputs.iter().all(|input| input.second == 0.0)
+    }
+
+    /// The time in which a drive's value changes by so much.
+    #[must_use]
+    pub fn time(&self, mechanism: usize, drive: &Drive, change: f64) -> f64 {
+        let rate = self.kernels[mechanism].inputs[drive.input].rate;
+        (if drive.is_angle() { change.to_radians() } else { change }) / rate
+    }
+
+    /// Where all mechanisms are now, with their rates.
+    #[must_use]
+    pub fn kept(&self) -> Kept {
+        Kept(self.blocks.iter().map(|block| Rates::of(&self.kernels[0], block)).collect())
+    }
+
+    /// Puts a mechanism where it was; its drives must then be set to values near those it had.
+    pub fn put_back(&mut self, mechanism: usize, kept: &Kept) {
+        let (stand, block, lane) =
+            (&kept.0[mechanism / MANY].stand, &mut self.blocks[mechanism / MANY], mechanism % MANY);
+        // Lanes beyond the last mechanism repeat it.
+        let last = if mechanism + 1 == self.mechanisms.len() { MANY } else { lane + 1 };
+        (lane..last).for_each(|to| stand.give_back(lane, to, block));
+    }
+
+    /// By mechanism: whether it went on along one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
+    /// their signs, and every angle and slide changed by what the rates at both ends let expect, to a ten-thousandth of a radian or of
+    /// the slide. Rates that change faster than the two positions show are found so, too.
+    ///
+    /// # Panics
+    /// There are not as many times as mechanisms.
+    #[must_use]
+    pub fn went_on(&self, before: &Kept, times: &[f64]) -> Vec<bool> {
+        assert_eq!(times.len(), self.count(), "each mechanism needs its time");
+        let mut all = Vec::with_capacity(times.len());
+        for ((was, block), times) in before.0.iter().zip(&self.blocks).zip(times.chunks(MANY)) {
+            let mut time = Many::splat(0.0);
+            time.0[..times.len()].copy_from_slice(times);
+            let kernel = &self.kernels[0];
+            let went_on = dispatch!(self.registers, _simd => went_on(kernel, was, block, &time));
+            all.extend_from_slice(&went_on[..times.len()]);
+        }
+        all
+    }
+
     /// Moves all mechanisms to the values of their drives by Newton's method, which starts at their last positions:
     /// these must be near.
     pub fn compute(&mut self) {
         for first in (0..self.count()).step_by(MANY) {
-            let before = self.blocks[first / MANY].clone();
             let block = first..self.count().min(first + MANY);
+            self.left.take(&self.blocks[first / MANY]);
             self.closed[block.clone()].fill(true);
+            if self.compute_block(first) {
+                continue;
+            }
+            // Some mechanism does not close: find out which, leave those where they were and move the others.
+            self.left.give(&mut self.blocks[first / MANY]);
+            for index in block.clone() {
+                self.closed[index] = self.reaches(index);
+            }
             if !self.compute_block(first) {
-                // Some mechanism does not close: find out which, leave those where they were and move the others.
-                for index in block {
-                    self.closed[index] = self.reaches(index, &before, index - first);
-                }
-                self.blocks[first / MANY] = before;
-                self.compute_block(first);
+                self.left.give(&mut self.blocks[first / MANY]);
+                self.closed[block].fill(false);
             }
         }
     }
 
-    /// Whether a mechanism closes at the values of its drives, starting from its position in `block`.
-    fn reaches(&self, index: usize, block: &Block<Many>, lane: usize) -> bool {
+    /// Whether a mechanism closes at the values of its drives, starting from where it is.
+    fn reaches(&self, index: usize) -> bool {
         let kernel = &self.kernels[index];
         let mut single = Single::new(kernel);
-        copy(block, lane, &mut single, 0);
+        copy(&self.blocks[index / MANY], index % MANY, &mut single, 0);
         for (input, value) in self.drives[index].iter().enumerate() {
             kernel.set_input(OneByOne, &mut single, input, &[*value]);
         }
-        kernel.assemble(OneByOne, &mut single, 0.0).closed
+        kernel.assemble(OneByOne, &mut single, SURE).closed
     }
 
     /// Moves those mechanisms of a block that are marked as closed to the values of their drives; whether all loops
@@ -121,12 +202,11 @@ impl<'a> Variants<'a> {
             for lane in 0..MANY {
                 values[lane] = self.drives[(first + lane).min(count - 1)][input];
             }
-            let before = block.clone();
             kernel.set_input(OneByOne, block, input, &values);
-            for lane in 0..MANY {
-                if !self.closed[(first + lane).min(count - 1)] {
-                    copy(&before, lane, block, lane);
-                }
+        }
+        for lane in 0..MANY {
+            if !self.closed[(first + lane).min(count - 1)] {
+                self.left.give_back(lane, lane, block);
             }
         }
         dispatch!(self.registers, simd => positions_and_rates(Registers(simd), kernel, block))
@@ -144,6 +224,124 @@ impl<'a> Variants<'a> {
     }
 }
 
+/// Angle, in radians, or part of a slide to which positions and rates must agree.
+const AGREED: f64 = 1e-4;
+
+/// Correction, in radians or parts of a group's size, whose square is a hundredth of rounding; both grow alike towards singular positions.
+const SURE: f64 = 1e-9;
+
+/// The sine of up to a radian, to a millionth.
+#[inline(always)]
+fn short_sine(x: f64) -> f64 {
+    let square = x * x;
+    x * (1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0))))
+}
+
+/// Where mechanisms side by side were, with their rates.
+#[derive(Clone, Debug)]
+pub struct Kept(Vec<Rates>);
+
+/// Where the mechanisms of a block were.
+#[derive(Clone, Debug, Default)]
+struct Stand {
+    turns: Vec<[Many; 2]>,
+    slides: Vec<Many>,
+}
+
+impl Stand {
+    /// Notes where they are.
+    fn take(&mut self, block: &Block<Many>) {
+        self.turns.clone_from(&block.turns);
+        self.slides.clone_from(&block.slides);
+    }
+
+    /// Puts all of them back.
+    fn give(&self, block: &mut Block<Many>) {
+        block.turns.clone_from(&self.turns);
+        block.slides.clone_from(&self.slides);
+    }
+
+    /// Puts one of them to a place of the block.
+    fn give_back(&self, lane: usize, to_lane: usize, block: &mut Block<Many>) {
+        for (to, from) in block.turns.iter_mut().zip(&self.turns) {
+            for axis in 0..2 {
+                to[axis][to_lane] = from[axis][lane];
+            }
+        }
+        for (to, from) in block.slides.iter_mut().zip(&self.slides) {
+            to[to_lane] = from[lane];
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+struct Rates {
+    stand: Stand,
+    omegas: Vec<Many>,
+    alphas: Vec<Many>,
+    speeds: Vec<Many>,
+    accelerations: Vec<Many>,
+    /// By group.
+    inverse_determinants: Vec<Many>,
+}
+
+impl Rates {
+    fn of(kernel: &Kernel, block: &Block<Many>) -> Rates {
+        Rates {
+            stand: Stand { turns: block.turns.clone(), slides: block.slides.clone() },
+            omegas: block.omegas.clone(),
+            alphas: block.alphas.clone(),
+            speeds: block.speeds.clone(),
+            accelerations: block.accelerations.clone(),
+            inverse_determinants: (0..kernel.unknowns.len())
+                .map(|group| kernel.inverse_determinants(block, group))
+                .collect(),
+        }
+    }
+}
+
+/// As [`Variants::went_on`], for the mechanisms of a block.
+///
+/// What is wrong is counted, in numbers, so that the compiler uses registers of many.
+#[inline(always)]
+fn went_on(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [bool; MANY] {
+    let mut wrong = Many::splat(0.0);
+    let mut ask = |lane: usize, is_right: bool| wrong[lane] += if is_right { 0.0 } else { 1.0 };
+    for (group, was) in was.inverse_determinants.iter().enumerate() {
+        let is = kernel.inverse_determinants(block, group);
+        for lane in 0..MANY {
+            ask(
+                lane,
+                (is[lane].abs() < f64::INFINITY) & (was[lane].abs() < f64::INFINITY) & (is[lane] * was[lane] > 0.0),
+            );
+        }
+    }
+    let passed =
+        |time: f64, was: [f64; 2], is: [f64; 2]| time * (0.5 * (was[0] + is[0]) + time / 12.0 * (was[1] - is[1]));
+    for (class, (from, to)) in was.stand.turns.iter().zip(&block.turns).enumerate() {
+        let (omegas, alphas) = ([&was.omegas[class], &block.omegas[class]], [&was.alphas[class], &block.alphas[class]]);
+        for lane in 0..MANY {
+            let rates = |end: usize| [omegas[end][lane], alphas[end][lane]];
+            let by = passed(time[lane], rates(0), rates(1));
+            let ([c0, s0], [c1, s1]) = ([from[0][lane], from[1][lane]], [to[0][lane], to[1][lane]]);
+            let (sine, cosine) = (c0 * s1 - s0 * c1, c0 * c1 + s0 * s1);
+            ask(lane, (by.abs() <= 1.0) & (cosine > 0.0) & ((sine - short_sine(by)).abs() <= AGREED));
+        }
+    }
+    for (slider, (from, to)) in was.stand.slides.iter().zip(&block.slides).enumerate() {
+        let speeds = [&was.speeds[slider], &block.speeds[slider]];
+        let seconds = [&was.accelerations[slider], &block.accelerations[slider]];
+        for lane in 0..MANY {
+            let rates = |end: usize| [speeds[end][lane], seconds[end][lane]];
+            let by = passed(time[lane], rates(0), rates(1));
+            let size = to[lane].abs().max(from[lane].abs());
+            let went = to[lane] - from[lane];
+            ask(lane, (went - by).abs() <= AGREED * size.max(went.abs()));
+        }
+    }
+    wrong.0.map(|count| count == 0.0)
+}
+
 /// Copies all angles and slides of one position to another.
 fn copy<A: Row, B: Row>(from: &Block<A>, here: usize, to: &mut Block<B>, there: usize) {
     for (to, from) in to.turns.iter_mut().zip(&from.turns) {
@@ -159,7 +357,7 @@ fn copy<A: Row, B: Row>(from: &Block<A>, here: usize, to: &mut Block<B>, there: 
 /// Positions and rates of a block; whether its loops have closed.
 #[inline(always)]
 fn positions_and_rates<L: Lanes>(lanes: L, kernel: &Kernel, block: &mut Block<Many>) -> bool {
-    let found = kernel.assemble(lanes, block, 0.0);
+    let found = kernel.assemble(lanes, block, SURE);
     if found.closed {
         kernel.rates(lanes, block);
     }

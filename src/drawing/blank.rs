@@ -58,6 +58,12 @@ impl<'a> SheetLabels<'a> {
         RichText::math(&self.0.quantity(asked))
     }
 
+    /// Which sense is positive, and what the auxiliary points are that the quantities name.
+    #[must_use]
+    pub fn notes(&self, asked: &[Asked]) -> Vec<RichText> {
+        self.0.notes(asked).iter().map(|note| RichText::plain(note)).collect()
+    }
+
     /// A point of a plan.
     #[must_use]
     pub fn plan_point(&self, plan: &Plan, name: &str) -> RichText {

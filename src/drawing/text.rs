@@ -274,7 +274,7 @@ mod tests {
                 let mut drawing = Drawing::new(120.0, 40.0);
                 drawing.draw(Pen::Caption, Shape::Text(placed.clone()));
                 let ink = placed.ink_box();
-                let drawn = [Text::Letters, Text::Outlines]
+                let drawn = [Text::Letters, Text::Outlines, Text::Glyphs]
                     .map(|mode| ink_in(&svg_with(&drawing, mode)))
                     .into_iter()
                     .flat_map(|drawn| drawn.into_iter().zip([ink.x0, ink.y0, ink.x1, ink.y1]));

@@ -11,6 +11,7 @@ use crate::scene::SceneError;
 /// One change of a scene's text.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
+#[non_exhaustive]
 pub enum Edit {
     /// Puts a value at a JSON path, in place of what is there; `null` removes it.
     Set {
@@ -64,6 +65,7 @@ pub enum Edit {
 /// A step of a JSON path.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
+#[non_exhaustive]
 pub enum Key {
     /// An index of a list, or a name of digits.
     Index(u64),

@@ -20,6 +20,7 @@ const FEW: usize = 6;
 
 /// Why there is no exercise, or no further one.
 #[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExerciseError {
     /// The scene cannot be read.
     #[error(transparent)]

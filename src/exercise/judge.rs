@@ -4,7 +4,7 @@ use super::given::sentences;
 use super::key::{key_rows, key_sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Solution, Tolerance};
-use crate::drawing::{Drawing, exercise_scale, exercise_sheet, key_scales, shows_special_points};
+use crate::drawing::{Drawing, RichText, exercise_scale, exercise_sheet, key_scales, shows_special_points};
 use crate::mechanism::mechanism;
 use crate::motion::Order;
 use crate::position::{pose, with_nearest_sides};
@@ -41,6 +41,7 @@ pub struct Exercise {
 
 /// Why a variant is no exercise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
+#[non_exhaustive]
 pub enum Refusal {
     /// The scene is not understood.
     #[error("the numbers do not fit together")]
@@ -125,6 +126,13 @@ impl Exercise {
         let given = sentences(&solution.scene, text, &scales, &wording);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
         Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution })
+    }
+
+    /// The sentences of the student's sheet with all given numbers and the scales of the plans.
+    #[must_use]
+    pub fn given(&self) -> Vec<RichText> {
+        let sentences = sentences(&self.solution.scene, &self.text, &self.scales, &self.solution.wording());
+        sentences.iter().map(|sentence| RichText::plain(sentence)).collect()
     }
 
     /// The quantities of the form with their exact values.

@@ -13,6 +13,7 @@ use serde::Serialize;
 
 /// The values of an exercise.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct KeyResult {
     /// Version of the format.
     pub kinegon_key: u64,
@@ -27,6 +28,7 @@ pub struct KeyResult {
 
 /// Scales, in units of the scene per millimetre of paper.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct KeyScales {
     /// Of the scheme.
     pub mu_l: Option<f64>,
@@ -38,6 +40,7 @@ pub struct KeyScales {
 
 /// The value of a quantity.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct KeyValue {
     /// The exact value.
     pub value: f64,

@@ -1,4 +1,6 @@
+use super::study::{study_arrays, study_schema};
 use crate::cycle::Sweep;
+use crate::study::Column;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch};
 use arrow_ipc::writer::FileWriter;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
@@ -9,6 +11,7 @@ use std::sync::Arc;
 
 /// Why a table by columns could not be written.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ColumnsError {
     /// The output cannot be written to.
     #[error(transparent)]
@@ -38,7 +41,10 @@ impl<W: Write + Send> Columns<W> {
     /// # Errors
     /// The head of the file cannot be written.
     pub fn arrow(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
-        let schema = schema(sweep);
+        Self::arrow_of(schema(sweep), out)
+    }
+
+    fn arrow_of(schema: Arc<Schema>, out: W) -> Result<Self, ColumnsError> {
         let output = Output::Arrow(Box::new(FileWriter::try_new(out, &schema)?));
         Ok(Self { schema, output })
     }
@@ -48,9 +54,36 @@ impl<W: Write + Send> Columns<W> {
     /// # Errors
     /// The head of the file cannot be written.
     pub fn parquet(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
-        let schema = schema(sweep);
+        Self::parquet_of(schema(sweep), out)
+    }
+
+    fn parquet_of(schema: Arc<Schema>, out: W) -> Result<Self, ColumnsError> {
         let output = Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?));
         Ok(Self { schema, output })
+    }
+
+    /// A study's table in Arrow's file format.
+    ///
+    /// # Errors
+    /// The head of the file cannot be written.
+    pub fn study_arrow(columns: &[Column], out: W) -> Result<Self, ColumnsError> {
+        Self::arrow_of(Arc::new(study_schema(columns)), out)
+    }
+
+    /// A study's table in Parquet's file format.
+    ///
+    /// # Errors
+    /// The head of the file cannot be written.
+    pub fn study_parquet(columns: &[Column], out: W) -> Result<Self, ColumnsError> {
+        Self::parquet_of(Arc::new(study_schema(columns)), out)
+    }
+
+    /// Adds rows of a study, as [`Study::rows`](crate::study::Study::rows) gives them.
+    ///
+    /// # Errors
+    /// They cannot be written.
+    pub fn study_rows(&mut self, columns: &[Column], numbers: &[f64]) -> Result<(), ColumnsError> {
+        self.add(study_arrays(columns, numbers))
     }
 
     /// Adds rows, as [`Sweep::rows`] gives them.
@@ -63,7 +96,11 @@ impl<W: Write + Send> Columns<W> {
             let values = numbers.iter().skip(index).step_by(width).copied();
             Arc::new(values.collect::<Float64Array>())
         };
-        let batch = RecordBatch::try_new(self.schema.clone(), (0..width).map(column).collect())?;
+        self.add((0..width).map(column).collect())
+    }
+
+    fn add(&mut self, arrays: Vec<ArrayRef>) -> Result<(), ColumnsError> {
+        let batch = RecordBatch::try_new(self.schema.clone(), arrays)?;
         match &mut self.output {
             Output::Arrow(writer) => writer.write(&batch)?,
             Output::Parquet(writer) => writer.write(&batch)?,

@@ -17,6 +17,7 @@ mod png;
 mod result;
 mod steps;
 mod structure;
+mod study;
 mod svg;
 mod table;
 mod template;
@@ -41,7 +42,8 @@ pub use self::result::{
     GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
 };
 pub use self::structure::{listed_modes, mode, modes, structure};
-pub use self::svg::{Text, layered_svg, svg_with};
+pub use self::study::{study_header, study_lines};
+pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};

@@ -15,6 +15,7 @@ const CSS_DPI: f64 = 96.0;
 
 /// Why a picture could not be made.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PngError {
     /// The picture would be too large.
     #[error(

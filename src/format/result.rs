@@ -17,6 +17,7 @@ use serde::Serialize;
 /// scene gives, and null where no bound can be given: next to a limit position or a singular one, and at the end of very
 /// long chains.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ResultFile {
     /// Version of this format.
     pub kinegon: u32,
@@ -41,6 +42,7 @@ pub struct ResultFile {
 
 /// Units of the numbers.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct ResultUnits {
     /// Unit of length.
     pub length: &'static str,
@@ -50,6 +52,7 @@ pub struct ResultUnits {
 
 /// The motion of a link.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct LinkResult {
     /// Angle of its axis from +x in degrees, in (−180, 180].
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -77,6 +80,7 @@ pub struct LinkResult {
 
 /// The motion of a point.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct PointResult {
     /// Where it is.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -106,6 +110,7 @@ pub struct PointResult {
 
 /// The motion of a slider along its guide, seen from the body that carries the guide.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct SliderResult {
     /// The body that carries the guide.
     pub on: String,
@@ -141,6 +146,7 @@ pub struct SliderResult {
 
 /// An Assur group and how well its motion is determined.
 #[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
 pub struct GroupResult {
     /// Its links.
     pub links: Vec<String>,
@@ -169,6 +175,7 @@ pub struct GroupResult {
 /// The value of a quantity: a number, or a vector.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
+#[non_exhaustive]
 pub enum QuantityResult {
     /// A number.
     Number(f64),

@@ -125,14 +125,25 @@ impl Kernel {
         })
     }
 
-    /// 1 over the determinant of a group's equations as they have been factored last.
+    /// 1 over the determinant of a group's equations at one position, as they have been factored last.
     #[inline(always)]
-    pub(crate) fn inverse_determinant(&self, block: &Single, group: usize) -> f64 {
+    pub(crate) fn inverse_determinant<R: Row>(&self, block: &Block<R>, group: usize, position: usize) -> f64 {
         let system = &block.systems[group];
-        match system.general.first() {
+        match system.general.get(position) {
             Some(general) => general.as_ref().map_or(f64::INFINITY, |general| 1.0 / general.determinant()),
-            None => system.inverse_determinant[0],
+            None => system.inverse_determinant[position],
         }
+    }
+
+    /// The same at all positions of a block.
+    #[inline(always)]
+    pub(crate) fn inverse_determinants<R: Row>(&self, block: &Block<R>, group: usize) -> R {
+        let system = &block.systems[group];
+        let mut row = system.inverse_determinant;
+        for (position, _) in system.general.iter().enumerate() {
+            row[position] = self.inverse_determinant(block, group, position);
+        }
+        row
     }
 
     /// A group's determinant and the square of Hadamard's ratio, as in [`Self::determinants`].

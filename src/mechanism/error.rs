@@ -3,6 +3,7 @@ use crate::scene::{Scene, SceneError};
 
 /// Why a scene is no mechanism, or one that cannot be solved.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum StructureError {
     /// The scene contradicts itself, or has too few or too many constraints or drives.
     #[error(transparent)]

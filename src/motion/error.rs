@@ -1,5 +1,6 @@
 /// Reasons why the motion at a pose is not defined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MotionError {
     /// The group is in a singular position.
     #[error("links {links} are in a singular position: {reason} ({})\n  try: {hint}", how_singular(*condition))]

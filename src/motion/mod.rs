@@ -99,6 +99,7 @@ pub struct SlideMotion {
 
 /// Accuracy of an Assur group's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct GroupAccuracy {
     /// Condition number of the scaled loop equations, at least 1.
     pub condition: f64,
@@ -106,6 +107,7 @@ pub struct GroupAccuracy {
 
 /// Velocities and accelerations of a mechanism at a pose.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Motion {
     /// The highest derivative computed.
     pub order: Order,

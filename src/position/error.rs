@@ -1,5 +1,6 @@
 /// Reasons why a mechanism cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum AssemblyError {
     /// No real assembly mode exists.
     #[error("links {links} cannot be assembled{at}: {miss}\n  try: another drive angle, or other lengths")]

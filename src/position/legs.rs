@@ -1,5 +1,5 @@
 use super::frames::LegJoint;
-use super::roots::real_roots;
+use super::roots::{real_roots, real_roots_of_first_degree};
 use crate::geometry::{Placement, Point, Vector, cross, quarter_turn};
 
 /// Condition that a leg between rigid bodies a and b imposes on the placement of b in the frame of a.
@@ -59,7 +59,7 @@ pub(super) fn joined_placements(direct: &LegJoint, condition: LegCondition) -> V
                 let turn = Vector::new(turn.re, turn.im);
                 return vec![placement(at(turn), turn)];
             }
-            let turns = real_roots(|turn| Row::new(&condition, turn).excess(at(turn)));
+            let turns = real_roots_of_first_degree(|turn| Row::new(&condition, turn).excess(at(turn)));
             turns.into_iter().map(|turn| placement(at(turn), turn)).collect()
         }
         LegJoint::Slide { frame, along } => {

@@ -1,4 +1,4 @@
-use crate::geometry::Vector;
+use crate::geometry::{Vector, quarter_turn};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Largest degree of the trigonometric polynomials solved here.
@@ -8,11 +8,37 @@ const TERMS: usize = 2 * DEGREE + 1;
 /// Samples that determine a trigonometric polynomial of that degree.
 const SAMPLES: usize = 2 * DEGREE + 2;
 
+/// Value at a double root, in parts of the largest, to which rounding may raise it: such a root is kept, and the caller must test it.
+const RAISED: f64 = 1e-11;
+
+/// The directions (cos φ, sin φ) of the zeros of c₀ + c₁ cos φ + s₁ sin φ.
+///
+/// Where two zeros nearly meet, the direction between them comes first: closed from there, a double root is found as one. The others are
+/// no closer to it than rounding tells them apart, because equations to be closed may be singular at the double root itself. The caller
+/// must test the roots.
+pub(super) fn real_roots_of_first_degree(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
+    let [right, left, up] = [f(Vector::x()), f(-Vector::x()), f(Vector::y())];
+    let constant = 0.5 * (right + left);
+    let greatest = Vector::new(0.5 * (right - left), up - constant);
+    let height = greatest.norm();
+    // The cosine of their angle from the direction in which the polynomial is greatest.
+    let along = -constant / height;
+    let beyond = along.abs() - 1.0;
+    if beyond.is_nan() || beyond > RAISED {
+        return Vec::new();
+    }
+    let axis = greatest / height;
+    let across = ((1.0 - along) * (1.0 + along)).max(f64::EPSILON).sqrt();
+    let between = (beyond >= -RAISED).then(|| axis * along.signum());
+    let apart = [across, -across].map(|across| (axis * along + quarter_turn(axis) * across).normalize());
+    between.into_iter().chain(apart).collect()
+}
+
 /// The directions (cos φ, sin φ) of the zeros of a trigonometric polynomial of degree 3 at most, φ ascending from 0 to
 /// 2π.
 ///
 /// `f` is sampled at 8 angles, which determine it. On each half circle it becomes a polynomial of τ = tan(φ′/2) on [−1,
-/// 1], whose roots are separated by those of its derivative. A double root whose value rounding has raised to 1e-11 of
+/// 1], whose roots are separated by those of its derivative. A double root whose value rounding has raised to [`RAISED`] of
 /// the largest is kept: the caller must test the roots.
 pub(super) fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     let samples: [f64; SAMPLES] = std::array::from_fn(|k| {
@@ -88,7 +114,7 @@ fn roots_in_unit_interval(coefficients: &[f64]) -> Vec<f64> {
     let derivative: Vec<f64> = (1..=degree).map(|d| d as f64 * coefficients[d]).collect();
     let value = |x: f64| coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c);
     let size: f64 = coefficients.iter().map(|c| c.abs()).sum();
-    let nearly_zero = 1e-11 * size;
+    let nearly_zero = RAISED * size;
     let mut knots = vec![-1.0];
     knots.extend(roots_in_unit_interval(&derivative));
     knots.push(1.0);
@@ -151,6 +177,23 @@ mod tests {
         for (a, b) in found.iter().zip(&angles) {
             assert!((a - b).abs() < 1e-12, "{found:?}");
         }
+    }
+
+    #[test]
+    fn first_degree_has_two_roots_one_or_none() {
+        for (planted, exact) in [([0.3, 6.0], 1e-12), ([2.0, 2.0], 1e-7), ([3.0, 3.0 + 1e-7], 1e-7)] {
+            let found = real_roots_of_first_degree(|d| {
+                let angle = libm::atan2(d.y, d.x);
+                planted.iter().map(|a| libm::sin(0.5 * (angle - a))).product()
+            });
+            let angles: Vec<f64> = found.iter().map(|d| libm::atan2(d.y, d.x).rem_euclid(2.0 * PI)).collect();
+            for planted in planted {
+                assert!(angles.iter().any(|angle| (angle - planted).abs() < exact), "{planted}: {angles:?}");
+            }
+            assert_eq!(angles.len(), if exact < 1e-7 { 2 } else { 3 });
+        }
+        assert!(real_roots_of_first_degree(|d| d.x + 1.001).is_empty());
+        assert!(real_roots_of_first_degree(|_| 0.0).is_empty());
     }
 
     #[test]

@@ -6,6 +6,7 @@ use crate::text::shown;
 
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum QuantityError {
     /// The name has none of the known forms.
     #[error(
@@ -56,6 +57,7 @@ pub struct Asked {
 
 /// The quantity that a name asks for.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum What {
     /// Angular velocity of a link.
     Omega(BodyId),

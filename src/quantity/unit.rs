@@ -6,6 +6,7 @@ use crate::words::Notation;
 
 /// The kind of a quantity: quantities of one kind may share an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Kind {
     /// An angle, in degrees.
     Angle,

@@ -5,6 +5,7 @@ macro_rules! choice {
     ($(#[$about:meta])* $name:ident { $($(#[$doc:meta])* $value:ident = $word:literal,)* }) => {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
         $(#[$about])*
+        #[non_exhaustive]
         pub enum $name { $($(#[$doc])* #[serde(rename = $word)] $value,)* }
 
         super::write::write_forms! { $name { word => word.as_str() } }

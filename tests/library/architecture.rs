@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 17] = [
+const ORDER: [&str; 19] = [
     "geometry",
     "scene",
     "words",
@@ -17,10 +17,12 @@ const ORDER: [&str; 17] = [
     "editing",
     "accuracy",
     "cycle",
+    "study",
     "drawing",
     "format",
     "check",
     "exercise",
+    "course",
     "cli",
 ];
 

@@ -67,6 +67,7 @@ fn listed_values_are_those_of_the_result() {
                 LengthUnit::Cm => 1e-2,
                 LengthUnit::In => 0.0254,
                 LengthUnit::Ft => 0.3048,
+                other => panic!("how long is {other:?}?"),
             };
             let result = serde_json::to_value(solution.result()).expect("JSON");
             for mark in drawing.marks.iter().filter(|mark| id(mark).starts_with("listed-")) {

@@ -13,7 +13,8 @@
 //! `<!-- copy: examples/figure-2.json -->` stands alone: that file of the repository is there from then on, under the same
 //! path. Each line of a `sh` block is run by the shell; a `text` block right below is what the block prints, where a line
 //! `…` stands for any lines. A command within a sentence is run, too; where it is only named, as in `kinegon draw`, it is
-//! asked for its help. `scene.json` and words in capitals stand for any file. Blocks of Rust are doctests of the library.
+//! asked for its help. `scene.json` and words in capitals stand for any file. Blocks of Rust are doctests of the library, those of
+//! Python are run by `python/tests`.
 
 use crate::support::files;
 use crate::support::program::{kinegon, scratch};
@@ -78,7 +79,8 @@ fn parts(page: &str) -> Vec<Part<'_>> {
 /// What is to be run where a sentence says `command`; nothing where a word of it stands for any file.
 fn meant(command: &str) -> Option<String> {
     let mut words = command.split(' ');
-    let stands_for_any = |word: &str| word == "scene.json" || word.chars().all(|c| c.is_ascii_uppercase());
+    let stands_for_any =
+        |word: &str| ["scene.json", "study.json"].contains(&word) || word.chars().all(|c| c.is_ascii_uppercase());
     match words.clone().count() {
         2 => Some(format!("{command} --help")),
         _ => (!words.any(stands_for_any)).then(|| command.to_owned()),
@@ -186,6 +188,8 @@ fn failures(page: &str) -> Vec<String> {
                 fail(format!("in place of this stands\n{}", output.unwrap_or_default()))
             }
             (None, language) if language.starts_with("rust") && ["README.md", "docs/library.md"].contains(&page) => {}
+            // Run as they stand by python/tests.
+            (None, "python") if ["README.md", "docs/python.md"].contains(&page) => {}
             (comment, language) => fail(format!("nothing tries this block of {language:?} with {comment:?}")),
         }
     }
@@ -260,7 +264,7 @@ fn the_summary_lists_every_page() {
 fn the_readme_lists_every_command() {
     let help = kinegon().arg("--help").output().expect("it starts").stdout;
     let help = String::from_utf8(help).expect("text");
-    let list = help.split("Commands:\n").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a list");
+    let list = help.split("Options:\n").next().expect("a split has a first part");
     let readme = files::read("README.md");
     // Lines that go on are indented further.
     let names = list.lines().filter_map(|line| line.strip_prefix("  ")?.split(' ').next());

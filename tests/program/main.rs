@@ -16,11 +16,13 @@ mod command_line_sizes;
 mod command_line_sweep;
 mod command_line_values;
 mod command_line_variants;
+mod courses;
 #[cfg(feature = "pdf")]
 mod engine;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;
+mod installed;
 #[cfg(unix)] // limits, links and modes
 mod outputs;
 mod overlays;
@@ -29,6 +31,7 @@ mod signals;
 mod step_sheets;
 mod strangers;
 mod students;
+mod studies;
 mod styles;
 mod wording;
 #[cfg(unix)] // it puts programs into folders

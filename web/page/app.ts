@@ -1,6 +1,7 @@
 import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
 import type { Shared } from "./state/address.ts";
+import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
 import type { Language } from "./words.ts";
@@ -30,6 +31,8 @@ export interface App {
   pins: Signal<Pins>;
   /** Whether the page was opened by a student's link, which shows no answers by itself. */
   student: Signal<boolean>;
+  /** The course that has opened the page; null where none has. */
+  course: Course | null;
   /** Says something aloud and for a moment on the page. */
   tell(message: string): void;
   /** Shows the panel of this id. */

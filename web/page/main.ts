@@ -33,6 +33,7 @@ import { pulling } from "./picture/pulling.ts";
 import { viewport } from "./picture/viewport.ts";
 import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
+import { course } from "./state/course.ts";
 import { history } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
@@ -61,6 +62,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
     student: signal(shared.student ?? false),
+    course: course(),
     tell,
     shown: signal(""),
     show: (panel) => app.shown.set(panel),

@@ -1,5 +1,6 @@
 /// A mistake of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Mistake {
     /// A ray drawn parallel in place of perpendicular, or the other way round.
     TurnedRay,

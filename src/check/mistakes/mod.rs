@@ -102,6 +102,12 @@ impl Mistake {
         self.listed().id
     }
 
+    /// The approximate share of the drawings with a mistake that have this one, in per cent.
+    #[must_use]
+    pub fn share(self) -> f64 {
+        self.listed().percent
+    }
+
     /// Its line of the catalogue.
     pub(super) fn listed(self) -> &'static Listed {
         &CATALOGUE[self as usize]

@@ -3,6 +3,7 @@ pub(super) const MOST_CURVES: usize = 12;
 
 /// Reasons why curves do not fit on a sheet.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CurvesError {
     /// More panels than the sheet holds.
     #[error(

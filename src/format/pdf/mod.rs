@@ -21,6 +21,7 @@ const MOST_MM: f64 = 14_400.0 / POINTS;
 
 /// Why a drawing could not be written as PDF.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PdfError {
     /// The sheet has no size that a page can have.
     #[error("a sheet of {width} x {height} mm: a page of PDF has sides of more than 0 and up to {MOST_MM} mm")]

@@ -1,7 +1,9 @@
+use kurbo::Rect;
 use svg::Node;
 use svg::node::Blob;
 use svg::node::element::Element;
 
+mod glyphs;
 #[cfg(test)]
 mod ink;
 mod layers;
@@ -18,6 +20,7 @@ use shapes::{write_path, write_shape};
 
 /// How texts are written in an SVG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Text {
     /// As letters: small, searchable and editable; shown in the bundled font where it is installed, else in a similar
     /// one.
@@ -25,6 +28,8 @@ pub enum Text {
     Letters,
     /// As the outlines of the bundled font's letters: exactly the same in every program, whatever fonts it has.
     Outlines,
+    /// The same, with each glyph once in the file: half as large where many letters are the same, but not a path for each text.
+    Glyphs,
 }
 
 impl Drawing {
@@ -42,7 +47,28 @@ impl Drawing {
 /// first and are set run by run at measured places, so that they look the same wherever that font is installed, and
 /// nearly so elsewhere. Marks whose numbers are not finite are left out.
 pub fn svg_with(drawing: &Drawing, text: Text) -> String {
-    document(drawing, text, body(drawing, text))
+    document(drawing, text, body(drawing, text), whole(drawing))
+}
+
+/// The panels of a drawing, without the title, tables and sentences around them, at the same scale: for pages that say these themselves. No mark
+/// has a name. A drawing without panels is shown whole.
+pub fn panels_svg(drawing: &Drawing, text: Text) -> String {
+    let boxes = || drawing.panels.iter().map(|(_, area)| *area);
+    let Some(area) = boxes().reduce(|all, area| all.union(area)) else {
+        return svg_with(drawing, text);
+    };
+    let mut shown = drawing.clone();
+    shown.marks.retain(|mark| boxes().any(|area| area.contains(mark.shape.drawn_box().center())));
+    shown.marks.iter_mut().for_each(|mark| mark.id = None);
+    document(drawing, text, body(&shown, text), area.inflate(WHITE, WHITE))
+}
+
+/// White around panels that stand alone, in mm: their frames are as wide as elsewhere.
+const WHITE: f64 = 0.5;
+
+/// The box of a whole sheet.
+fn whole(drawing: &Drawing) -> Rect {
+    Rect::new(0.0, 0.0, drawing.width, drawing.height)
 }
 
 /// As [`svg_with`], with a group for each step of the construction, `step-01` and so on, around the marks that it
@@ -51,19 +77,19 @@ pub fn svg_with(drawing: &Drawing, text: Text) -> String {
 ///
 /// With all groups shown the file looks like the finished figure.
 pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
-    document(drawing, text, layers::groups(drawing, text))
+    document(drawing, text, layers::groups(drawing, text), whole(drawing))
 }
 
-/// A complete file around the marks.
-fn document(drawing: &Drawing, text: Text, marks: String) -> String {
-    let (width, height) = (number(drawing.width), number(drawing.height));
+/// A complete file around the marks, which shows that part of the sheet.
+fn document(drawing: &Drawing, text: Text, marks: String, area: Rect) -> String {
+    let [left, top, width, height] = [area.x0, area.y0, area.width(), area.height()].map(number);
     let mut root = element(
         "svg",
         [
             ("xmlns", "http://www.w3.org/2000/svg".into()),
             ("width", format!("{width}mm")),
             ("height", format!("{height}mm")),
-            ("viewBox", format!("0 0 {width} {height}")),
+            ("viewBox", format!("{left} {top} {width} {height}")),
             ("fill", "none".into()),
             ("role", "img".into()),
         ],
@@ -78,10 +104,14 @@ fn document(drawing: &Drawing, text: Text, marks: String) -> String {
     if !drawing.description.is_empty() {
         root.append(Blob::new(format!("<desc>{}</desc>", xml(&drawing.description))));
     }
-    root.append(element(
-        "rect",
-        [("width", width), ("height", height), ("fill", drawing.style.background().to_string())],
-    ));
+    let mut paper =
+        element("rect", [("width", width), ("height", height), ("fill", drawing.style.background().to_string())]);
+    for (name, place) in [("x", left), ("y", top)] {
+        if place != "0" {
+            paper.assign(name, place);
+        }
+    }
+    root.append(paper);
     root.append(Blob::new(marks));
     let mut file = root.to_string();
     file.push('\n');
@@ -103,6 +133,9 @@ fn body(drawing: &Drawing, text: Text) -> String {
     let mut written = String::with_capacity(each * drawn.len());
     write_marks(&mut written, drawing, text, &drawn);
     written.truncate(written.trim_end().len());
+    if text == Text::Glyphs {
+        written += &glyphs::definitions(&drawn);
+    }
     written
 }
 
@@ -166,7 +199,7 @@ fn write_texts(written: &mut String, text: Text, look: &Look, background: Colour
         attribute(written, "stroke", &background.to_string());
         match text {
             Text::Letters => length(written, "stroke-width", look.halo),
-            Text::Outlines => {
+            Text::Outlines | Text::Glyphs => {
                 length(written, "stroke-width", look.halo / FINEST);
                 attribute(written, "transform", IN_FINEST);
             }
@@ -181,7 +214,7 @@ fn write_texts(written: &mut String, text: Text, look: &Look, background: Colour
     }
     written.push_str("<g");
     attribute(written, "fill", &look.ink.to_string());
-    if text == Text::Outlines {
+    if text != Text::Letters {
         attribute(written, "transform", IN_FINEST);
     }
     written.push('>');
@@ -198,6 +231,7 @@ fn write_label(written: &mut String, text: Text, mark: &Mark, id: Option<&str>) 
         match text {
             Text::Letters => write_text(written, placed, id),
             Text::Outlines => write_outline(written, placed, id),
+            Text::Glyphs => glyphs::write(written, placed, id),
         }
     }
 }

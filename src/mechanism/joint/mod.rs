@@ -40,6 +40,7 @@ pub struct Joint {
 
 /// A mark by which a joint is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Mark {
     /// A circle to scale, but not smaller than that of a pin.
     Circle {

@@ -32,4 +32,22 @@ sentences! {
     exercise_allowed;
     /// Heading of the names of quantities to be found.
     exercise_quantity;
+
+    // Exercises in a course.
+    /// How many digits are asked for.
+    course_digits;
+    /// Of a rate whose size is right.
+    course_other_sense;
+    /// Of a value that a known mistake gives: what the check says of it.
+    course_cause(told);
+    /// Of a value behind a mistake that was made at an earlier step.
+    course_follows;
+    /// What the picture of the student's sheet shows.
+    course_picture;
+    /// The link to the sheet that is printed.
+    course_print;
+    /// What the picture of the key shows.
+    course_key;
+    /// Before the mistake that gives a wrong value.
+    course_if(value);
 }

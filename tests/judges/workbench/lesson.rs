@@ -24,8 +24,7 @@ fn plans_follow_the_crank() {
     // Escape puts it back.
     bench.press("Escape");
     bench.let_go([x - 60.0, y + 30.0]);
-    bench.settle();
-    assert_eq!(bench.marks(), before);
+    bench.until(&format!("document.querySelector('#sheet').innerHTML === {}", json!(before)));
     // The slider of the drive, and keys.
     let angle = bench.at("/links/1/drive/angle").as_f64().expect("an angle");
     bench.focus("#drive-1");

@@ -5,6 +5,7 @@
 mod access;
 mod bench;
 mod bytes;
+mod course;
 mod documents;
 mod gestures;
 mod hostile;

@@ -4,13 +4,18 @@
 mod hands;
 mod looks;
 
+use base64::Engine as _;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 use tungstenite::stream::MaybeTlsStream;
 use tungstenite::{Message, WebSocket};
+
+/// Where the pages of a site are that the browser is given from here, without a network.
+const SERVED: &str = "https://site.test/";
 
 /// How long anything may take.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -25,6 +30,8 @@ pub struct Browser {
     folder: PathBuf,
     /// All that the page and its workers have put out so far: exceptions, messages of any level.
     pub console: Vec<String>,
+    /// What is at the addresses below [`SERVED`], by name.
+    served: BTreeMap<String, Vec<u8>>,
     /// The addresses that the page and its workers have asked for, but for those that are in the page itself.
     pub requests: Vec<String>,
 }
@@ -65,6 +72,7 @@ impl Browser {
             folder: folder.to_owned(),
             console: Vec::new(),
             requests: Vec::new(),
+            served: BTreeMap::new(),
         };
         let target = wait("a page", || {
             let targets = browser.call("Target.getTargets", json!({}));
@@ -125,10 +133,11 @@ impl Browser {
             Some("Network.requestWillBeSent") => {
                 let address = told["request"]["url"].as_str().unwrap_or_default();
                 let is_page = told["type"] == "Document" && address.starts_with("file:");
-                if !is_page && !["blob:", "data:"].iter().any(|inside| address.starts_with(inside)) {
+                if !is_page && !["blob:", "data:", SERVED].iter().any(|inside| address.starts_with(inside)) {
                     self.requests.push(address.to_owned());
                 }
             }
+            Some("Fetch.requestPaused") => self.answer(told),
             Some("Target.attachedToTarget") => {
                 let worker = told["sessionId"].as_str().unwrap_or_default().to_owned();
                 for method in ["Runtime.enable", "Log.enable", "Network.enable", "Runtime.runIfWaitingForDebugger"] {
@@ -137,6 +146,30 @@ impl Browser {
             }
             _ => {}
         }
+    }
+
+    /// Answers a request below [`SERVED`].
+    fn answer(&mut self, asked: &Value) {
+        let address = asked["request"]["url"].as_str().unwrap_or_default();
+        let name = address.strip_prefix(SERVED).unwrap_or_default().split(['?', '#']).next().unwrap_or_default();
+        let body = self.served.get(name).map(|bytes| base64::engine::general_purpose::STANDARD.encode(bytes));
+        let html = json!([{ "name": "Content-Type", "value": "text/html; charset=utf-8" }]);
+        let answer = json!({
+            "requestId": asked["requestId"],
+            "responseCode": if body.is_some() { 200 } else { 404 },
+            "responseHeaders": html,
+            "body": body.unwrap_or_default(),
+        });
+        let session = self.session.clone();
+        self.send(&session, "Fetch.fulfillRequest", answer);
+    }
+
+    /// Opens a page of a site that has these files, and waits until `ready` is true there.
+    pub fn visit(&mut self, files: BTreeMap<String, Vec<u8>>, page: &str, ready: &str) {
+        self.served = files;
+        self.call("Fetch.enable", json!({ "patterns": [{ "urlPattern": format!("{SERVED}*") }] }));
+        self.call("Page.navigate", json!({ "url": format!("{SERVED}{page}") }));
+        self.until(ready);
     }
 
     /// Opens a file, with what stands behind its name in the address, and waits until `ready` is true there.

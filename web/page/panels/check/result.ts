@@ -89,9 +89,14 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     ];
   }
 
+  let shown: unknown[] = [];
   return {
     root,
     show({ checked, refused }, isFull) {
+      // What says the same stays as it is: a button that is put in anew while it is pressed hears nothing.
+      const what = [checked, refused, isFull, app.student.value, say("result")];
+      if (what.every((part, index) => part === shown[index])) return;
+      shown = what;
       heading.textContent = say("result");
       const open = [...root.querySelectorAll("details[open] > summary")].map((summary) => summary.textContent);
       const contents: Node[] =

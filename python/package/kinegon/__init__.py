@@ -1,0 +1,66 @@
+"""Velocity and acceleration plans of planar mechanisms, true to scale, and the numbers behind them.
+
+>>> import kinegon
+>>> solution = kinegon.Scene.kind("paper-figure-2").solve()
+>>> solution.quantity("omega(4)").value
+-0.4746637548942297
+>>> solution.save("figure-2.pdf")       # doctest: +SKIP
+
+x is right, y is up, counter-clockwise is positive. Lengths and times are in the scene's units, angles in degrees, rates in
+rad per unit of time. Whatever cannot be done raises a :class:`KinegonError`, a ValueError, with message, place and hint.
+"""
+
+from ._check import Check
+from ._errors import (
+    AssemblyError,
+    CheckError,
+    CycleError,
+    ExerciseError,
+    KinegonError,
+    MotionError,
+    PartialWarning,
+    QuantityError,
+    SceneError,
+    StructureError,
+)
+from ._exercise import Exercise
+from ._kinegon import KINDS as _kinds
+from ._kinegon import STATUSES as _statuses
+from ._kinegon import __version__
+from ._scene import Mode, Scene
+from ._solution import Extremes, Interactive, Quantity, Solution, Step, Steps
+from ._study import Study
+from ._table import Table
+
+#: The names of the starting scenes.
+KINDS: tuple[str, ...] = tuple(_kinds)
+#: What may become of a mechanism of a study.
+STATUSES: tuple[str, ...] = tuple(_statuses)
+
+__all__ = [
+    "KINDS",
+    "STATUSES",
+    "AssemblyError",
+    "Check",
+    "CheckError",
+    "CycleError",
+    "Exercise",
+    "ExerciseError",
+    "Extremes",
+    "Interactive",
+    "KinegonError",
+    "Mode",
+    "MotionError",
+    "PartialWarning",
+    "Quantity",
+    "QuantityError",
+    "Scene",
+    "SceneError",
+    "Solution",
+    "Step",
+    "Steps",
+    "StructureError",
+    "Study",
+    "Table",
+    "__version__",
+]

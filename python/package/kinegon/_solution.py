@@ -1,0 +1,305 @@
+"""A solved scene."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, NamedTuple
+
+from . import _files, _kinegon
+from ._check import Check, form_text
+from ._errors import KinegonError
+from ._files import Format, Source
+from ._table import Table
+from ._wanted import asked, warn_of
+
+
+class Quantity(NamedTuple):
+    """A quantity with its unit and a bound of its error."""
+
+    #: Its name, as ``omega(4)``.
+    name: str
+    #: A number; of a vector ``(x, y)`` in the fixed frame, x right, y up.
+    value: float | tuple[float, float]
+    #: Its unit, as ``rad/s²``; angles are in degrees (°).
+    unit: str
+    #: How far the value can be from what follows exactly from the scene's numbers, of a vector each component; None
+    #: where that is not known.
+    error: float | None
+
+    def __float__(self) -> float:
+        if isinstance(self.value, tuple):
+            raise KinegonError(f"`{self.name}` is a vector", f"take a number of it: {self.name}.x .y .size .angle")
+        return self.value
+
+    def __str__(self) -> str:
+        bound = "" if self.error is None else f" ± {self.error:.1g}"
+        return f"{self.name} = {self.value}{bound} {self.unit}"
+
+
+class Extremes(NamedTuple):
+    """Least and greatest value of a quantity over a range of the drive; None where it grows without bound."""
+
+    #: Its name, as ``omega(4)``.
+    name: str
+    #: Its unit, as ``rad/s²``.
+    unit: str
+    #: The drive's value where it is least: an angle in degrees, or a position.
+    min_at: float | None
+    #: The least value.
+    min: float | None
+    #: The drive's value where it is greatest.
+    max_at: float | None
+    #: The greatest value.
+    max: float | None
+
+
+class Step(NamedTuple):
+    """A step of the construction."""
+
+    #: Counted from 1.
+    number: int
+    #: What is done.
+    caption: str
+    #: Its equation in plain text, or empty.
+    equation: str
+    #: Where it is drawn: ``scheme``, ``velocity``, ``acceleration``.
+    panel: str
+
+
+class Steps(tuple[Step, ...]):
+    """The steps of the construction. ``print(steps)`` shows the text of ``kinegon steps``."""
+
+    text: str
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class Interactive:
+    """The workbench with a scene open, for a notebook whose HTML is trusted; else its figure."""
+
+    def __init__(self, page: str, figure: str, height: int) -> None:
+        self._page, self._figure, self._height = page, figure, height
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        import html
+
+        # The page may run, load nothing, and see nothing of the notebook.
+        frame = (
+            f'<iframe srcdoc="{html.escape(self._page)}" sandbox="allow-scripts allow-downloads allow-modals" '
+            f'style="width: 100%; height: {self._height}px; border: 0"></iframe>'
+        )
+        return {"text/plain": repr(self), "image/svg+xml": self._figure, "text/html": frame}
+
+    def __repr__(self) -> str:
+        return "<kinegon.Interactive: the workbench; a trusted notebook shows it>"
+
+
+class Solution:
+    """A mechanism in one position with its motion and its plans: x right, y up, counter-clockwise positive.
+
+    Lengths and times are in the scene's units, angles in degrees, rates in rad per unit of time.
+    """
+
+    def __init__(self, native: _kinegon.Solution) -> None:
+        self._native = native
+        self._origin: tuple[str, int | None] | None = None
+
+    def result(self) -> dict[str, Any]:
+        """Every number with a bound of its error, as ``kinegon solve`` prints them: ``units``, ``links`` (angle, omega,
+        alpha), ``points`` (position, velocity, acceleration: ``[x, y]``), ``sliders``, ``groups``, ``quantities``,
+        ``warnings``."""
+        result: dict[str, Any] = json.loads(self._native.result())
+        return result
+
+    def quantity(self, name: str) -> Quantity:
+        """The quantity of that name: ``omega(4)``, ``v(D)``, ``a_n(D/G).size``, ``position(3/2)``, ``vplan(b,s3)`` …"""
+        numbers, unit, error = self._native.quantity(name)
+        return Quantity(name, (numbers[0], numbers[1]) if len(numbers) == 2 else numbers[0], unit, error)
+
+    def digits(self) -> str:
+        """The table of ``kinegon solve --digits``: rates, velocities and accelerations with those digits that are certain."""
+        return self._native.digits()
+
+    @property
+    def warnings(self) -> list[str]:
+        """What should be known of these numbers."""
+        return self._native.warnings()
+
+    def steps(self, *, pencil_mm: float | None = None, pencil_degrees: float | None = None) -> Steps:
+        """The construction step by step. The text has lengths on paper and what a hand drawing comes to; the limits of
+        the hand's errors are in mm of paper and in degrees, 0.3 without them."""
+        text, told = self._native.steps(pencil_mm, pencil_degrees)
+        steps = Steps(Step(**step) for step in json.loads(told))
+        steps.text = text
+        return steps
+
+    def draw(
+        self,
+        format: Format = "svg",
+        *,
+        sheet: int = 1,
+        coarse: bool = False,
+        layered: bool = False,
+        outlines: bool = False,
+        dpi: float = 100.0,
+        style: str | Source | None = None,
+        **figure: Any,
+    ) -> Any:
+        """The figure: a str of SVG, TikZ or HTML (the workbench with the scene open), bytes of PNG or PDF.
+
+        Args:
+            format: ``svg``, ``png``, ``pdf``, ``tikz``, ``html``.
+            sheet: Which sheet, from 1; a work sheet's table without room beside the panels is on the second.
+            coarse: Count steps as a lecturer shows them together.
+            layered: An SVG with a group for each step, for slide programs.
+            outlines: Letters of an SVG as outlines, for programs that lack the font.
+            dpi: Resolution of a PNG in dots per inch, 10 to 2400.
+            style: ``paper``, ``print``, ``lecture``, ``board``, or a style file: its path, its text, a dict.
+            figure: Keys of a scene's ``figure`` in place of its own: ``step=14``, ``language="es"``, ``page="a3"``,
+                ``panels=["velocity"]``, ``mu_v=0.5`` (units per mm of paper), ``values="m"``, ``trace=["M"]`` …
+        """
+        sheets = self._sheets(format, coarse=coarse, layered=layered, outlines=outlines, dpi=dpi, style=style, **figure)
+        return _files.sheet_of(sheets, sheet, format)
+
+    def save(self, path: str | os.PathLike[str], **options: Any) -> None:
+        """Writes the figure to a file; its ending gives the format: .svg, .png, .pdf, .tex, .html. Options are those of
+        :meth:`draw`. A second sheet has ``-2`` before the ending. Files are complete or not there."""
+        if "format" in options:
+            raise KinegonError("the file's ending gives the format", f"known endings: {', '.join(_files.ENDINGS)}")
+        options.pop("sheet", None)
+        _files.write_all(_files.numbered(path, self._sheets(_files.of_path(path), **options)))
+
+    def interactive(self, *, height: int = 720, **figure: Any) -> Interactive:
+        """The workbench with this scene open, in a notebook; its output takes three megabytes. ``height`` is in pixels."""
+        native = self._native.with_figure(_files.figure_keys(figure)) if figure else self._native
+        form: _kinegon.Form = {"format": "workbench", "outlines": True, "layered": False, "dpi": 100.0}
+        (page,) = native.draw(form, False, None)
+        return Interactive(page.decode("utf-8"), self.draw("svg", outlines=True, **figure), int(height))
+
+    def sweep(
+        self,
+        start: float | None = None,
+        stop: float | None = None,
+        step: float | None = None,
+        *,
+        want: list[str] | None = None,
+        drive: str | None = None,
+        alone: bool = False,
+        errors: bool = False,
+        huge: bool = False,
+    ) -> Table:
+        """A table of the motion from this position while a drive moves.
+
+        Args:
+            start: First value of the drive: an angle in degrees, or a slider's position. With neither start nor stop:
+                once around, or from end to end.
+            stop: Last value; may be less than the first. Without start the first is that of the scene.
+            step: From one row to the next; without it 1°, or about a two-hundredth of a slider's range.
+            want: Names of quantities; without it those that the scene wants, else all.
+            drive: The drive that moves, if not the first; other drives run along in proportion to their speeds.
+            alone: Other drives stand still.
+            errors: Behind each quantity a column with the bound of its error, as ``omega(4)_error``.
+            huge: Make a table of more than a gigabyte, too.
+
+        A limit position before the end of the range gives a :class:`PartialWarning`; the table has what can be reached.
+        """
+        table = Table(self._native.sweep(asked(start, stop, step, want, drive, alone, errors, huge)))
+        warn_of(table.cut)
+        return table
+
+    def extremes(
+        self,
+        start: float | None = None,
+        stop: float | None = None,
+        *,
+        want: list[str] | None = None,
+        drive: str | None = None,
+        alone: bool = False,
+    ) -> dict[str, Extremes]:
+        """The least and greatest values of quantities while a drive moves, by their names, exact to rounding where the
+        motion is smooth, as ``kinegon curves`` marks them. Arguments are those of :meth:`sweep`; without ``want`` and
+        without wishes of the scene: ω of all links that move. Of a vector it is its size; angles run on past 180°.
+        """
+        found, cut = self._native.extremes(asked(start, stop, want=want, drive=drive, alone=alone))
+        warn_of(cut)
+        none = (None, None)
+        return {name: Extremes(name, unit, *(least or none), *(greatest or none)) for name, unit, least, greatest in found}
+
+    def form(self, format: str = "json") -> str:
+        """The empty form of measured values: ``json``, or ``csv`` for a spreadsheet."""
+        return self._native.form(_files.form_is_table(format))
+
+    def check(
+        self,
+        form: Source,
+        *,
+        marks: Source | None = None,
+        pencil_mm: float | None = None,
+        pencil_degrees: float | None = None,
+        depth: int = 2,
+    ) -> Check:
+        """Checks values read from a hand drawing.
+
+        Args:
+            form: Values by names, counter-clockwise positive, as ``{"omega(4)": -0.474, "v(D).size": 71.2}``; or a
+                filled form: a dict, its text (JSON or CSV), its path.
+            marks: A marking scheme, as for ``kinegon check --marks``.
+            pencil_mm: Limit of the hand's errors in mm of paper; without both limits what the scatter of the values shows.
+            pencil_degrees: The same in degrees.
+            depth: How many mistakes at once are looked for, 1 to 6.
+        """
+        if not 1 <= depth <= 6:
+            raise KinegonError("depth is from 1 to 6")
+        text, is_table = form_text(form)
+        scheme = None if marks is None else _files.source_text(marks, "marking scheme")
+        options: _kinegon.CheckOptions = {
+            "marks": scheme,
+            "mm": pencil_mm,
+            "degrees": pencil_degrees,
+            "depth": depth,
+            "is_table": is_table,
+        }
+        return Check(self, text, options)
+
+    def _sheets(
+        self,
+        format: str,
+        *,
+        coarse: bool = False,
+        layered: bool = False,
+        outlines: bool = False,
+        dpi: float = 100.0,
+        style: str | Source | None = None,
+        **figure: Any,
+    ) -> list[bytes]:
+        form = _files.form_of(format, outlines=outlines, layered=layered, dpi=dpi)
+        file = None
+        if style is not None:
+            # A name has no ending, a path has one.
+            if isinstance(style, str) and not _files.is_text(style) and not any(c in style for c in "./\\"):
+                figure["style"] = style
+            elif format == "html":
+                raise KinegonError("a page has the styles that a scene can name, not that of a file")
+            else:
+                file = _files.source_text(style, "style")
+        native = self._native.with_figure(_files.figure_keys(figure)) if figure else self._native
+        return native.draw(form, coarse, file)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _solved, (self._origin,)
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
+        return {"text/plain": repr(self), "image/svg+xml": self.draw("svg", outlines=True)}
+
+    def __repr__(self) -> str:
+        links = self.result()["links"]
+        rates = ", ".join(f"omega({name}) {link['omega']:.6g}" for name, link in list(links.items())[:6])
+        return f"<kinegon.Solution: {rates}{', …' * (len(links) > 6)}>"
+
+
+def _solved(origin: tuple[str, int | None]) -> Solution:
+    from ._scene import Scene
+
+    return Scene(origin[0]).solve(mode=origin[1])

@@ -1,0 +1,82 @@
+use crate::refused::Refused;
+use crate::solution::{Solution, tolerance};
+use kinegon::check::{
+    AnswerKey, Awarded, Checked, EmptyForm, Feedback, Marks, Measured, check, check_result, redrawn, report,
+};
+use kinegon::drawing::{Drawing, overlay};
+use kinegon::format::json_line;
+use pyo3::FromPyObject;
+
+/// How values are checked.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct CheckOptions {
+    /// Marking scheme.
+    marks: Option<String>,
+    /// Limit of the hand's errors in mm.
+    mm: Option<f64>,
+    /// The same in degrees.
+    degrees: Option<f64>,
+    /// How many mistakes at once are looked for.
+    depth: usize,
+    /// Whether the form is known to be a table.
+    is_table: bool,
+}
+
+/// A form that was checked.
+struct Judged<'a> {
+    measured: Measured,
+    key: AnswerKey<'a>,
+    checked: Checked,
+    marks: Option<Awarded>,
+}
+
+impl Solution {
+    pub fn empty_form(&self, is_table: bool) -> Result<String, Refused> {
+        let solution = self.by_hand()?;
+        let form = EmptyForm { solution, scales: solution.scales(), exercise: None };
+        Ok(if is_table { form.csv() } else { form.json() })
+    }
+
+    fn judged(&self, form: &str, options: &CheckOptions) -> Result<Judged<'_>, Refused> {
+        let measured = if !options.is_table && Measured::is_json(form) {
+            Measured::read_json(form)?
+        } else {
+            Measured::read_csv(form)?
+        };
+        if !(1..=6).contains(&options.depth) {
+            return Err(Refused::new("KinegonError", "depth is from 1 to 6", None));
+        }
+        let hand = tolerance(options.mm, options.degrees)?;
+        let key = AnswerKey { depth: options.depth, ..AnswerKey::new(self.by_hand()?, hand) };
+        let scheme = options.marks.as_ref().map(|text| -> Result<_, Refused> { Ok(Marks::read(text)?.of(&key)?) });
+        let scheme = scheme.transpose()?;
+        let checked = check(&measured, &key)?;
+        let marks = scheme.map(|scheme| scheme.award(&checked));
+        Ok(Judged { measured, key, checked, marks })
+    }
+
+    /// The result as JSON, the report, and whether it is passed.
+    pub fn checked(&self, form: &str, options: &CheckOptions) -> Result<(String, String, bool), Refused> {
+        let Judged { measured, key, checked, marks } = self.judged(form, options)?;
+        let words = key.solution.wording();
+        let line = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
+        let mut result = check_result(&checked, &key, &words, measured.name.clone());
+        result.marks = marks;
+        Ok((json_line(&result), report(&checked, &key, &words) + &line, checked.is_passed()))
+    }
+
+    pub fn page_for_student(&self, form: &str, options: &CheckOptions) -> Result<String, Refused> {
+        let Judged { measured, key, checked, marks } = self.judged(form, options)?;
+        Ok(Feedback::new(&measured, &key, &checked, marks.as_ref(), &key.solution.wording())?.html())
+    }
+
+    /// The student's points and lines over the right figure, at the student's scales.
+    pub fn overlay(&self, form: &str, options: &CheckOptions) -> Result<Vec<Drawing>, Refused> {
+        let Judged { measured, key, checked, .. } = self.judged(form, options)?;
+        let mut solution = key.solution.clone();
+        measured.put_scales_into(&mut solution.scene.figure);
+        let drawn = redrawn(&measured, &key, &checked, &solution.wording())?;
+        Ok(overlay(&solution, &drawn))
+    }
+}

@@ -1,0 +1,80 @@
+use crate::pool::on_all_cores;
+use crate::refused::Refused;
+use crate::scene::Scene;
+use crate::sheet::Form;
+use kinegon::format::json;
+use kinegon::scene::SizeLimit;
+use kinegon::{exercise, format};
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::sync::{Mutex, PoisonError};
+
+/// Which figure exercises have.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct ExerciseOptions {
+    /// Keys of the scene's figure, as JSON.
+    figure: String,
+    /// Whether the sheet is among them.
+    has_page: bool,
+}
+
+/// The exercises of a scene, one after another.
+#[pyclass(frozen, module = "kinegon._kinegon")]
+pub struct Exercises(Mutex<exercise::Exercises>);
+
+/// An exercise with its sheets.
+#[pyclass(frozen, module = "kinegon._kinegon")]
+pub struct Exercise(exercise::Exercise);
+
+impl Exercises {
+    pub fn of(scene: &Scene, seed: u64, options: &ExerciseOptions) -> Result<Exercises, Refused> {
+        let asked = scene.with_keys(&options.figure)?;
+        SizeLimit::HAND.check(&asked.scene).map_err(|error| scene.refused(error))?;
+        let solution = kinegon::solve(&asked.scene).map_err(|error| scene.refused(error))?;
+        let figure = &solution.scene.figure;
+        let page = options.has_page.then_some(figure.page);
+        let found = on_all_cores(|| exercise::Exercises::new(&scene.text, figure, page, &solution.construction, seed))?;
+        Ok(Exercises(Mutex::new(found?)))
+    }
+}
+
+#[pymethods]
+impl Exercises {
+    /// The next exercise.
+    fn next(&self, py: Python<'_>) -> PyResult<Exercise> {
+        let next = || on_all_cores(|| self.0.lock().unwrap_or_else(PoisonError::into_inner).next());
+        let found = py.detach(next)?;
+        Ok(Exercise(found.map_err(Refused::from)?))
+    }
+}
+
+#[pymethods]
+impl Exercise {
+    /// The text of its scene.
+    fn text(&self) -> String {
+        self.0.text.clone()
+    }
+
+    /// The values of the key, as JSON.
+    fn key(&self) -> String {
+        format::json_line(&self.0.key())
+    }
+
+    /// The file key.json.
+    fn key_file(&self) -> String {
+        json(&self.0.key())
+    }
+
+    /// The empty form of the exercise with that name: JSON or a table.
+    fn form(&self, name: &str, is_table: bool) -> String {
+        let form = self.0.form(name);
+        if is_table { form.csv() } else { form.json() }
+    }
+
+    /// The student's sheet, or the drawn key.
+    fn draw<'py>(&self, py: Python<'py>, is_key: bool, form: Form) -> PyResult<Bound<'py, PyBytes>> {
+        let file = py.detach(|| if is_key { form.bytes(&self.0.key_sheet()) } else { form.bytes(&self.0.sheet) });
+        Ok(PyBytes::new(py, &file?))
+    }
+}

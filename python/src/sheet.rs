@@ -1,0 +1,42 @@
+//! Drawings as the bytes of files.
+
+use crate::refused::Refused;
+use kinegon::drawing::Drawing;
+use kinegon::format::{Text, layered_svg, svg_with};
+use pyo3::FromPyObject;
+
+/// How sheets are written.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Form {
+    /// svg, pdf, png, tikz.
+    pub format: String,
+    /// Whether letters of an SVG are outlines.
+    pub outlines: bool,
+    /// Whether an SVG has a group for each step.
+    pub layered: bool,
+    /// Resolution of a PNG.
+    pub dpi: f64,
+}
+
+impl Form {
+    /// The file of a drawing.
+    pub fn bytes(&self, drawing: &Drawing) -> Result<Vec<u8>, Refused> {
+        let failed = |error: String| Refused::new("KinegonError", error, None);
+        let text = if self.outlines { Text::Outlines } else { Text::Letters };
+        match self.format.as_str() {
+            "svg" if self.layered => Ok(layered_svg(drawing, text).into_bytes()),
+            "svg" => Ok(svg_with(drawing, text).into_bytes()),
+            "tikz" => Ok(drawing.tikz().into_bytes()),
+            "pdf" => drawing.pdf().map_err(|error| failed(error.to_string())),
+            "png" if !(10.0..=2400.0).contains(&self.dpi) => Err(failed("dpi must be from 10 to 2400".to_owned())),
+            "png" => drawing.png(self.dpi).map_err(|error| failed(error.to_string())),
+            other => Err(failed(format!("there is no format `{other}` of a sheet"))),
+        }
+    }
+
+    /// The files of several drawings.
+    pub fn files(&self, drawings: &[Drawing]) -> Result<Vec<Vec<u8>>, Refused> {
+        drawings.iter().map(|drawing| self.bytes(drawing)).collect()
+    }
+}

@@ -1,0 +1,83 @@
+use super::error::CourseError;
+use super::html::{head, number, picture, tables};
+use super::question::{Field, Question};
+use super::xml::{Document, document, element, html, text};
+use crate::text::xml;
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use std::io;
+
+/// The questions as Moodle XML: a category of that kind of mechanism below `Kinegon`, and in it a cloze question for each exercise, with its
+/// scheme, its sheet to print, its key as general feedback, and a numerical field for each box of the form.
+///
+/// Source: `question/format/xml` and `question/type/multianswer` of Moodle 4.
+///
+/// # Errors
+/// The XML cannot be written.
+pub fn moodle(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> {
+    document("quiz", &[], |quiz| {
+        element(quiz, "question", &[("type", "category")], |category| {
+            let path = format!("$course$/Kinegon/{}", crate::text::clean(kind).replace('/', "//"));
+            element(category, "category", &[], |category| text(category, "text", &[], &path))
+        })?;
+        questions.iter().try_for_each(|one| question(quiz, one))
+    })
+}
+
+/// In the text of a question: the folder of its files.
+const FILES: &str = "@@PLUGINFILE@@/";
+
+fn question(quiz: &mut Document, question: &Question) -> io::Result<()> {
+    let asked = harmless(&head(question, FILES)) + &tables(question, &field);
+    let key = picture(&(FILES.to_owned() + &question.key_name()), question.words.language.course_key(), 900);
+    element(quiz, "question", &[("type", "cloze")], |quiz| {
+        let name = question.title.for_pdf();
+        element(quiz, "name", &[], |quiz| text(quiz, "text", &[], &name))?;
+        element(quiz, "questiontext", &[("format", "html")], |quiz| {
+            html(quiz, &asked)?;
+            file(quiz, &question.scheme_name(), &question.scheme)?;
+            file(quiz, &question.print_name(), &question.print)
+        })?;
+        element(quiz, "generalfeedback", &[("format", "html")], |quiz| {
+            html(quiz, &key)?;
+            file(quiz, &question.key_name(), &question.key)
+        })?;
+        text(quiz, "penalty", &[], "0.3333333")?;
+        text(quiz, "hidden", &[], "0")
+    })
+}
+
+fn file(quiz: &mut Document, name: &str, bytes: &[u8]) -> io::Result<()> {
+    text(quiz, "file", &[("name", name), ("path", "/"), ("encoding", "base64")], &STANDARD.encode(bytes))
+}
+
+/// The field of a cloze question, as `{1:NUMERICAL:=-3.00113:0.0616~%50%3.00113:0.0616#other sense}`.
+fn field(field: &Field) -> String {
+    let answers = field.answers.iter().map(|answer| {
+        let part = match answer.percent {
+            100 => "=".to_owned(),
+            part => format!("%{part}%"),
+        };
+        let said = answer.said.as_ref().map(|said| format!("#{}", feedback(said)));
+        format!("{part}{}:{}{}", number(answer.value), number(answer.tolerance), said.unwrap_or_default())
+    });
+    format!("{{1:NUMERICAL:{}}}", answers.collect::<Vec<String>>().join("~"))
+}
+
+/// A text of HTML in which nothing opens or ends a field.
+fn harmless(html: &str) -> String {
+    html.replace('{', "&#123;").replace('}', "&#125;")
+}
+
+/// A text as feedback in a field. Moodle takes one layer of entities off; what is left is HTML.
+fn feedback(text: &str) -> String {
+    let mut written = String::new();
+    for letter in xml(text).chars() {
+        match letter {
+            '&' => written.push_str("&amp;"),
+            '{' | '}' | '~' | '#' | '\\' | '=' | '%' => written.push_str(&format!("&#{};", u32::from(letter))),
+            letter => written.push(letter),
+        }
+    }
+    written
+}

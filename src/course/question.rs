@@ -1,0 +1,135 @@
+use super::answers::{Answer, Wrong, answers};
+use super::error::CourseError;
+use crate::check::{AnswerKey, Mistake, Student};
+use crate::construction::{Sheet, Tolerance};
+use crate::drawing::{Drawing, RichText, SheetLabels};
+use crate::exercise::Exercise;
+use crate::format::{Text, html_text, panels_svg};
+use crate::text::Untrusted;
+use crate::words::Wording;
+
+/// An exercise as a question: what is told, and a field for each box of its form.
+#[derive(Clone, Debug)]
+pub struct Question {
+    /// Its name, from which those of its files are made: letters that a path may have.
+    pub name: String,
+    /// The title of its scene.
+    pub title: Untrusted,
+    /// How it is told.
+    pub words: Wording,
+    /// What the student is told, as HTML by paragraph: given numbers, scales, senses, names of points, digits.
+    pub told: Vec<String>,
+    /// The scheme of the student's sheet as SVG: the question shows it.
+    pub scheme: Vec<u8>,
+    /// The student's sheet, to be printed at its true size: as PDF, without the feature `pdf` as SVG.
+    pub print: Vec<u8>,
+    /// Scheme and plans of the key as SVG, for afterwards.
+    pub key: Vec<u8>,
+    /// The fields, in the order of the form.
+    pub fields: Vec<Field>,
+    /// The text of the exercise's scene.
+    pub scene: String,
+    /// Its empty form, as JSON.
+    pub form: String,
+}
+
+/// A box for one number.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// The quantity's name in forms and keys.
+    pub name: String,
+    /// Its name on the sheets, as HTML.
+    pub label: String,
+    /// The unit in which the number is written.
+    pub unit: String,
+    /// The sheet from which it is read.
+    pub sheet: Sheet,
+    /// The numbers that it knows: the right one first, then those for which there are marks or feedback. No two overlap that earn or say
+    /// different things.
+    pub answers: Vec<Answer>,
+}
+
+impl Question {
+    /// The question of an exercise with that name. `styled` gives the key's sheet its looks.
+    ///
+    /// # Errors
+    /// The exercise's figure lacks a sheet, or its sheet cannot be written as PDF.
+    pub fn new(exercise: &Exercise, name: &str, styled: &dyn Fn(&mut Drawing)) -> Result<Question, CourseError> {
+        let mut key = exercise.key_sheet();
+        styled(&mut key);
+        let words = exercise.solution.wording();
+        let asked: Vec<_> = exercise.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
+        let notes = SheetLabels::of(&exercise.solution).notes(&asked);
+        let digits = RichText::plain(words.language.course_digits());
+        let told = exercise.given().into_iter().chain(notes).chain([digits]);
+        Ok(Question {
+            name: name.to_owned(),
+            title: exercise.solution.scene.title.clone().unwrap_or_else(|| words.language.title().into()),
+            words,
+            told: told.map(|text| html_text(&text)).collect(),
+            scheme: picture(&exercise.sheet),
+            print: printed(&exercise.sheet)?,
+            key: picture(&key),
+            fields: fields(exercise, &words)?,
+            scene: exercise.text.clone(),
+            form: exercise.form(name).json(),
+        })
+    }
+}
+
+/// The panels of a sheet: what is around them the page says in its own words. With outlines, as a picture in a page takes letters from whatever
+/// font is there, which sets them too wide.
+fn picture(sheet: &Drawing) -> Vec<u8> {
+    panels_svg(sheet, Text::Glyphs).into_bytes()
+}
+
+#[cfg(feature = "pdf")]
+fn printed(sheet: &Drawing) -> Result<Vec<u8>, CourseError> {
+    Ok(sheet.pdf()?)
+}
+
+#[cfg(not(feature = "pdf"))]
+fn printed(sheet: &Drawing) -> Result<Vec<u8>, CourseError> {
+    Ok(crate::format::svg_with(sheet, Text::Outlines).into_bytes())
+}
+
+/// The fields of an exercise's form.
+fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseError> {
+    let solution = &exercise.solution;
+    let key = AnswerKey { scales: exercise.scales, ..AnswerKey::new(solution, Some(Tolerance::default())) };
+    let student = Student::new(&key)?;
+    let right = student.exact(None);
+    let mut wrong: Vec<Vec<Wrong>> = vec![Vec::new(); right.len()];
+    for mistake in Mistake::all() {
+        let ways = student.ways(mistake);
+        let share = mistake.share() / ways.len().max(1) as f64;
+        for way in &ways {
+            let told = student.told(way, words).join(" ");
+            for (place, value) in student.exact(Some(way)).into_iter().enumerate() {
+                if let Some(value) = value.filter(|value| Some(*value) != right[place]) {
+                    wrong[place].push(Wrong {
+                        value,
+                        share,
+                        told: told.clone(),
+                        is_earlier: way.step < student.step(place),
+                    });
+                }
+            }
+        }
+    }
+    let labels = SheetLabels::of(solution);
+    let values = exercise.key().values;
+    let largest = |unit: &str| values.values().filter(|v| v.unit == unit).map(|v| v.value.abs()).fold(0.0, f64::max);
+    let fields = exercise.pencil.quantities.iter().filter_map(|(asked, _)| {
+        let value = values.get(asked.name())?;
+        let place = student.names().iter().position(|name| name == asked.name())?;
+        Some(Field {
+            name: asked.name().to_owned(),
+            label: html_text(&labels.quantity(asked)),
+            unit: value.unit.clone(),
+            sheet: asked.sheet(),
+            answers: answers(value, largest(&value.unit), student.is_size(place), &wrong[place], words),
+        })
+    });
+    Ok(fields.collect())
+}

@@ -1,0 +1,100 @@
+//! One mechanism followed by itself: exactly, with its limits, and slowly.
+
+use super::Status;
+use super::figures::Summary;
+use super::plan::{Study, Wanted};
+use super::samples::{mean, unwrap};
+use crate::cycle::{Curves, CycleError, Drive, Extreme, Path, Steps, Sweep};
+use crate::mechanism::Mechanism;
+use crate::position::Pose;
+
+/// How far a mechanism goes, and what is known of each quantity that is wanted.
+pub(super) struct Outcome {
+    pub status: Status,
+    pub reach: Option<[f64; 2]>,
+    pub summaries: Vec<Summary>,
+}
+
+impl Outcome {
+    /// Of a mechanism that does not move.
+    pub fn without_motion(status: Status, study: &Study) -> Outcome {
+        Outcome { status, reach: None, summaries: vec![Summary::default(); study.wanted.len()] }
+    }
+}
+
+/// Follows one mechanism along its branch.
+pub(super) fn follow(study: &Study, mechanism: &Mechanism, pose: &Pose) -> Outcome {
+    let none = |status| Outcome::without_motion(status, study);
+    let round = &study.round;
+    let Ok(drive) = Drive::new(mechanism, Some(&round.drive)) else {
+        return none(Status::NoMechanism);
+    };
+    let Ok(mut path) = Path::new(mechanism, pose, drive) else {
+        return none(Status::Singular);
+    };
+    match path.cover(Some(round.from), Some(round.to)) {
+        Ok(_) => {}
+        Err(CycleError::Singular { .. }) => return none(Status::Singular),
+        Err(_) => return none(Status::Outside),
+    }
+    let [low, high] = round.ends();
+    let whole = path.low() <= low && path.high() >= high;
+    let mut outcome = none(if whole { Status::Whole } else { Status::Part });
+    outcome.reach = Some(reach(&path, [low, high]));
+    for (wanted, summary) in study.wanted.iter().zip(&mut outcome.summaries) {
+        *summary = summarised(&path, study, wanted);
+    }
+    outcome
+}
+
+/// The part of a range that a path has reached, with its limits.
+fn reach(path: &Path, [low, high]: [f64; 2]) -> [f64; 2] {
+    let end = |above: bool, reached: f64| path.end(above).map_or(reached, |end| end.at);
+    let below = if path.low() > low { end(false, path.low()) } else { low };
+    let above = if path.high() < high { end(true, path.high()) } else { high };
+    [below.max(low), above.min(high)]
+}
+
+fn summarised(path: &Path, study: &Study, wanted: &Wanted) -> Summary {
+    let names = [wanted.name.clone()];
+    let mut summary = Summary { at_scene: sampled(path, None, wanted).first().copied(), ..Summary::default() };
+    let round = &study.round;
+    if let Ok(curves) = Curves::new(path, [round.from, round.to], Some(&names))
+        && let Some(curve) = curves.curves.first()
+    {
+        let found =
+            |greatest: bool| curve.extremes.iter().find(|e| e.greatest == greatest).map(|e: &Extreme| [e.at, e.value]);
+        let constant = curve.constant.map(|value| [curves.range[0], value]);
+        (summary.max, summary.min) = (constant.or_else(|| found(true)), constant.or_else(|| found(false)));
+        // What grows without bound has no mean that samples could tell.
+        if wanted.has_mean() && summary.max.is_some() && summary.min.is_some() {
+            summary.mean = mean(&sampled(path, Some(round.steps), wanted));
+        }
+    }
+    summary
+}
+
+/// Values of a quantity at these steps, or at the scene's position; angles run on.
+fn sampled(path: &Path, steps: Option<Steps>, wanted: &Wanted) -> Vec<f64> {
+    let start = path.start();
+    let Some(steps) = steps.or_else(|| Steps::new(start, start, 1.0).ok()) else {
+        return Vec::new();
+    };
+    let Ok(sweep) = Sweep::new(path, steps, Some(std::slice::from_ref(&wanted.name))) else {
+        return Vec::new();
+    };
+    let width = sweep.header().len();
+    let numbers = sweep.rows(0..sweep.steps().count());
+    let size = |row: &[Option<f64>]| match row {
+        // The drive's own value is the first column, and not there twice.
+        [drive] => drive.unwrap_or(f64::NAN),
+        [_, number] => number.unwrap_or(f64::NAN),
+        [_, x, y] => x.zip(*y).map_or(f64::NAN, |(x, y)| libm::hypot(x, y)),
+        _ => f64::NAN,
+    };
+    let mut values: Vec<f64> = numbers.chunks_exact(width).map(size).collect();
+    if wanted.turns() {
+        unwrap(&mut values);
+    }
+    values
+}

@@ -1,0 +1,201 @@
+//! The study file, version 1, key by key.
+
+use super::error::StudyError;
+use super::figures::Figure;
+use crate::scene::{FileKind, Scene, SceneError, SceneTree, read_as, schema_of};
+use crate::text::Untrusted;
+use indexmap::IndexMap;
+use jsonc_parser::ast::Value as Node;
+use jsonc_parser::common::Ranged;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde_json::Value as Json;
+
+const STUDY: FileKind = FileKind { what: "study", key: "kinegon_study", version: 1 };
+
+/// Many mechanisms that differ from one scene in some numbers, each moved through a cycle.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a study as { "kinegon_study": 1, … }"#)]
+#[schemars(rename = "study")]
+struct Keys {
+    /// Version of the format.
+    #[schemars(schema_with = "version")]
+    #[serde(rename = "kinegon_study")]
+    _version: u64,
+    /// Where an editor finds the schema.
+    #[schemars(skip)]
+    #[serde(rename = "$schema")]
+    _schema: Option<String>,
+    /// What the study is for; not used.
+    #[serde(rename = "title")]
+    _title: Option<Untrusted>,
+    /// The scene: the path of its file from the study's folder, or the scene itself.
+    #[schemars(schema_with = "scene")]
+    scene: Json,
+    /// The numbers of the scene that vary, by name: "2.BC" a length of link 2, "D.x" a coordinate of a ground point, "2.E.y" one in a
+    /// link's shape, "1.omega" a number of a drive; or by their places in the scene, as "links.2.lengths.BC".
+    vary: IndexMap<String, Range>,
+    /// How many mechanisms are drawn by lot at each point of the grid; needed where a number varies at random.
+    #[schemars(range(min = 1))]
+    count: Option<u64>,
+    /// Chooses the random numbers; left out: 1.
+    seed: Option<u64>,
+    /// The motion of each mechanism.
+    cycle: Cycle,
+    /// By the name of a quantity, as "omega(3)": which figures of it; of vectors they are figures of the size.
+    want: IndexMap<String, Vec<Figure>>,
+}
+
+/// The values that a number takes: a grid with `count`, all equally likely between `from` and `to` without it; about the scene's number
+/// within `plus_minus`, all equally likely; or about it with the standard deviation `sigma`.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    expecting = r#"a range as { "from": 80, "to": 120, "count": 9 } or { "plus_minus": 0.5 }"#
+)]
+#[schemars(rename = "range")]
+pub(super) struct Range {
+    /// First value.
+    pub from: Option<f64>,
+    /// Last value.
+    pub to: Option<f64>,
+    /// Number of values of a grid, both ends among them.
+    #[schemars(range(min = 2))]
+    pub count: Option<u64>,
+    /// The middle of `plus_minus` or `sigma`; left out: the scene's number.
+    pub nominal: Option<f64>,
+    /// Largest distance from the middle.
+    pub plus_minus: Option<f64>,
+    /// Standard deviation of a normal distribution.
+    pub sigma: Option<f64>,
+}
+
+/// The motion of a drive in equal steps.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a cycle as { "from": 0, "to": 360, "step": 5 }"#)]
+#[schemars(rename = "cycle")]
+pub(super) struct Cycle {
+    /// The drive that moves, if not the first.
+    pub drive: Option<String>,
+    /// First value of the drive: an angle in degrees, or a position along the guide.
+    pub from: f64,
+    /// Last value of the drive.
+    pub to: f64,
+    /// Distance from one position to the next; a whole number of steps leads from `from` to `to`.
+    pub step: f64,
+    /// Whether other drives stand still; left out: they run along in proportion to their speeds.
+    #[serde(default)]
+    #[schemars(extend("default" = false))]
+    pub alone: bool,
+}
+
+fn version(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "const": 1 })
+}
+
+fn scene(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "anyOf": [{ "type": "string", "description": "Path of a scene file" }, { "type": "object", "description": "A scene" }] })
+}
+
+/// Where a study has its scene.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SceneGiven {
+    /// In a file, whose path is from the study's folder.
+    Path(String),
+    /// In the study itself: the scene's text, with its places in the study.
+    Inline(String),
+}
+
+/// A study as it is written; with its scene it becomes a [`Study`](super::Study).
+#[derive(Clone, Debug)]
+pub struct StudyFile {
+    text: String,
+    keys: Keys,
+}
+
+impl StudyFile {
+    /// The study of a text.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with the text, with its place.
+    pub fn read(text: &str) -> Result<StudyFile, SceneError> {
+        let keys: Keys = read_as(text, &STUDY)?;
+        let file = StudyFile { text: text.to_owned(), keys };
+        if !matches!(file.keys.scene, Json::String(_) | Json::Object(_)) {
+            let hint = r#"write "scene": "four-bar.json", or the scene itself as { "kinegon": 1, … }"#;
+            return Err(file.error(&["scene"], "a scene is the path of a file or an object", Some(hint)));
+        }
+        if file.keys.vary.is_empty() {
+            let hint = r#"add what varies, as "vary": { "2.BC": { "from": 80, "to": 120, "count": 9 } }"#;
+            return Err(file.error(&["vary"], "nothing varies", Some(hint)));
+        }
+        let empty = file.keys.want.iter().find(|(_, figures)| figures.is_empty());
+        let hint = r#"add what is wanted, as "want": { "omega(3)": ["max", "min"] }"#;
+        match empty {
+            Some((name, _)) => Err(file.error(&["want", name], "no figure of this quantity is wanted", Some(hint))),
+            None if file.keys.want.is_empty() => Err(file.error(&["want"], "nothing is wanted", Some(hint))),
+            None => Ok(file),
+        }
+    }
+
+    /// Where its scene is.
+    #[must_use]
+    pub fn scene(&self) -> SceneGiven {
+        match &self.keys.scene {
+            Json::String(path) => SceneGiven::Path(path.clone()),
+            _ => SceneGiven::Inline(self.inline()),
+        }
+    }
+
+    /// The text of the inline scene, with blanks in place of what stands before it, so that places in it are those in the study.
+    fn inline(&self) -> String {
+        let Ok(SceneTree { body, root: Node::Object(root) }) = SceneTree::read(&self.text) else {
+            return String::new();
+        };
+        let scene = root.properties.iter().rev().find(|property| property.name.as_str() == "scene");
+        let Some((start, end)) = scene.map(|property| (property.value.start(), property.value.end())) else {
+            return String::new();
+        };
+        let before: String = body[..start].chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect();
+        before + &body[start..end]
+    }
+
+    /// An error at a place of the study.
+    pub(super) fn error(&self, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
+        SceneTree::error(&self.text, path, message, hint)
+    }
+
+    pub(super) fn vary(&self) -> &IndexMap<String, Range> {
+        &self.keys.vary
+    }
+
+    pub(super) fn cycle(&self) -> &Cycle {
+        &self.keys.cycle
+    }
+
+    pub(super) fn want(&self) -> &IndexMap<String, Vec<Figure>> {
+        &self.keys.want
+    }
+
+    pub(super) fn count(&self) -> Option<u64> {
+        self.keys.count
+    }
+
+    pub(super) fn seed(&self) -> u64 {
+        self.keys.seed.unwrap_or(1)
+    }
+
+    /// The JSON Schema (draft 2020-12) of studies, with descriptions, for editors.
+    #[must_use]
+    pub fn schema() -> Json {
+        schema_of::<Keys>("Kinegon study, version 1")
+    }
+
+    /// The study of this scene.
+    ///
+    /// # Errors
+    /// It asks for what the scene does not have, with its place in the study; or the scene cannot be moved.
+    pub fn of(&self, scene: Scene) -> Result<super::Study, StudyError> {
+        super::Study::new(self, scene)
+    }
+}

@@ -1,0 +1,39 @@
+use super::Status;
+use super::error::StudyError;
+use super::number::has_links;
+use crate::mechanism::{Mechanism, mechanism};
+use crate::position::{Pose, pose, with_nearest_sides};
+use crate::quantity::{Asked, Quantity, State};
+use crate::scene::{Scene, SizeLimit};
+
+/// The mechanism of a varied scene, in its position; else what became of it.
+pub(super) fn member(scene: &Scene) -> Result<(Mechanism, Pose), Status> {
+    if !has_links(scene) {
+        return Err(Status::NoMechanism);
+    }
+    posed(scene).map_err(|error| match error {
+        StudyError::Assembly(_) => Status::NotAssembled,
+        _ => Status::NoMechanism,
+    })
+}
+
+/// The mechanism of a scene in the assembly mode that `near` picks.
+pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
+    SizeLimit::NUMBERS.check(scene)?;
+    let mechanism = with_nearest_sides(scene, mechanism(scene)?);
+    let pose = pose(&mechanism, &scene.near)?;
+    Ok((mechanism, pose))
+}
+
+/// The value of a quantity that needs no construction, of a vector its size; NaN where it has none.
+pub(super) fn value(asked: &Asked, state: &impl State) -> f64 {
+    asked.value(state, None, None).map_or(f64::NAN, size)
+}
+
+/// A number, or the size of a vector.
+pub(super) fn size(quantity: Quantity) -> f64 {
+    match quantity {
+        Quantity::Number(x) => x,
+        Quantity::Vector(v) => v.norm(),
+    }
+}

@@ -1,0 +1,191 @@
+//! The numbers of a scene that may vary.
+
+use crate::quantity::Kind;
+use crate::scene::{Scene, Shape, TimeUnit, Units};
+use std::f64::consts::{PI, TAU};
+
+/// A number of a scene, by its place in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Number {
+    /// A length: link, and its place in the link's list.
+    Length(usize, usize),
+    /// A coordinate in a link's shape: link, point, axis.
+    Local(usize, usize, usize),
+    /// A coordinate of a ground point: its place among the given coordinates, axis.
+    Ground(usize, usize),
+    /// A number of a link's drive.
+    Turn(usize, Turn),
+    /// A number of a slider's drive.
+    Push(usize, Push),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Turn {
+    Angle,
+    Omega,
+    Rpm,
+    Alpha,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Push {
+    Position,
+    Speed,
+    Acceleration,
+}
+
+/// A number with its name, as `2.BC`, and its place in the scene, as `links.2.lengths.BC`.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    pub name: String,
+    pub path: String,
+    pub number: Number,
+}
+
+const AXES: [&str; 2] = ["x", "y"];
+
+/// All numbers of a scene that may vary.
+pub(super) fn numbers(scene: &Scene) -> Vec<Named> {
+    let mut all = Vec::new();
+    let mut add = |name: String, path: String, number| all.push(Named { name, path, number });
+    for (index, (point, _)) in scene.coordinates.iter().enumerate() {
+        for (axis, letter) in AXES.iter().enumerate() {
+            add(format!("{point}.{letter}"), format!("ground.{point}.{axis}"), Number::Ground(index, axis));
+        }
+    }
+    for (index, (link, of)) in scene.links.iter().enumerate() {
+        match &of.shape {
+            Shape::Bare => {}
+            Shape::Lengths(lengths) => {
+                for (place, length) in lengths.iter().enumerate() {
+                    let key = &length.key;
+                    add(format!("{link}.{key}"), format!("links.{link}.lengths.{key}"), Number::Length(index, place));
+                }
+            }
+            Shape::Local(points) => {
+                for (place, point) in points.keys().enumerate() {
+                    for (axis, letter) in AXES.iter().enumerate() {
+                        let path = format!("links.{link}.shape.{point}.{axis}");
+                        add(format!("{link}.{point}.{letter}"), path, Number::Local(index, place, axis));
+                    }
+                }
+            }
+        }
+        if let Some(drive) = of.drive {
+            let speed = if drive.rpm.is_some() { ("rpm", Turn::Rpm) } else { ("omega", Turn::Omega) };
+            let angle = drive.angle_deg.map(|_| ("angle", Turn::Angle));
+            for (key, turn) in angle.into_iter().chain([speed, ("alpha", Turn::Alpha)]) {
+                add(format!("{link}.{key}"), format!("links.{link}.drive.{key}"), Number::Turn(index, turn));
+            }
+        }
+    }
+    for (index, slider) in scene.sliders.iter().enumerate() {
+        let (Some(drive), Some(link)) = (slider.drive, &slider.link) else {
+            continue;
+        };
+        let position = drive.position.map(|_| ("position", Push::Position));
+        for (key, push) in position.into_iter().chain([("speed", Push::Speed), ("acceleration", Push::Acceleration)]) {
+            add(format!("{link}.{key}"), format!("sliders.{index}.drive.{key}"), Number::Push(index, push));
+        }
+    }
+    all
+}
+
+impl Number {
+    /// Its value in a scene.
+    pub fn of(self, scene: &Scene) -> Option<f64> {
+        match self {
+            Number::Length(link, place) => match &scene.links[link].shape {
+                Shape::Lengths(lengths) => Some(lengths[place].value),
+                _ => None,
+            },
+            Number::Local(link, point, axis) => match &scene.links[link].shape {
+                Shape::Local(points) => Some(points[point][axis]),
+                _ => None,
+            },
+            Number::Ground(point, axis) => Some(scene.coordinates[point][axis]),
+            Number::Turn(link, turn) => {
+                let drive = scene.links[link].drive?;
+                match turn {
+                    Turn::Angle => drive.angle_deg,
+                    Turn::Omega => Some(drive.omega),
+                    Turn::Rpm => drive.rpm,
+                    Turn::Alpha => Some(drive.alpha),
+                }
+            }
+            Number::Push(slider, push) => {
+                let drive = scene.sliders[slider].drive?;
+                match push {
+                    Push::Position => drive.position,
+                    Push::Speed => Some(drive.speed),
+                    Push::Acceleration => Some(drive.acceleration),
+                }
+            }
+        }
+    }
+
+    /// Its unit.
+    pub fn unit(self, units: Units) -> String {
+        let kind = match self {
+            Number::Turn(_, Turn::Rpm) => return "1/min".to_owned(),
+            Number::Turn(_, Turn::Angle) => Kind::Angle,
+            Number::Turn(_, Turn::Omega) => Kind::AngularVelocity,
+            Number::Turn(_, Turn::Alpha) => Kind::AngularAcceleration,
+            Number::Push(_, Push::Speed) => Kind::Velocity,
+            Number::Push(_, Push::Acceleration) => Kind::Acceleration,
+            Number::Length(..) | Number::Local(..) | Number::Ground(..) | Number::Push(_, Push::Position) => {
+                Kind::Length
+            }
+        };
+        kind.unit(units)
+    }
+
+    /// Puts a value in its place.
+    pub fn set(self, scene: &mut Scene, value: f64) {
+        match self {
+            Number::Length(link, place) => {
+                if let Shape::Lengths(lengths) = &mut scene.links[link].shape {
+                    lengths[place].value = value;
+                }
+            }
+            Number::Local(link, point, axis) => {
+                if let Shape::Local(points) = &mut scene.links[link].shape {
+                    points[point][axis] = value;
+                }
+            }
+            Number::Ground(point, axis) => scene.coordinates[point][axis] = value,
+            Number::Turn(link, turn) => {
+                let per_rpm = if scene.units.time == TimeUnit::S { PI / 30.0 } else { TAU };
+                if let Some(drive) = &mut scene.links[link].drive {
+                    match turn {
+                        Turn::Angle => drive.angle_deg = Some(value),
+                        Turn::Omega => drive.omega = value,
+                        Turn::Rpm => (drive.rpm, drive.omega) = (Some(value), value * per_rpm),
+                        Turn::Alpha => drive.alpha = value,
+                    }
+                }
+            }
+            Number::Push(slider, push) => {
+                if let Some(drive) = &mut scene.sliders[slider].drive {
+                    match push {
+                        Push::Position => drive.position = Some(value),
+                        Push::Speed => drive.speed = value,
+                        Push::Acceleration => drive.acceleration = value,
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Whether links with these lengths exist: all are positive, and three of a link form a triangle.
+pub(super) fn has_links(scene: &Scene) -> bool {
+    scene.links.values().all(|link| {
+        let Shape::Lengths(lengths) = &link.shape else {
+            return true;
+        };
+        let sum: f64 = lengths.iter().map(|length| length.value).sum();
+        let longest = lengths.iter().map(|length| length.value).fold(0.0, f64::max);
+        lengths.iter().all(|length| length.value > 0.0) && (lengths.len() < 3 || 2.0 * longest - sum <= 1e-12 * longest)
+    })
+}

@@ -1,0 +1,327 @@
+use super::alone::{self, Outcome};
+use super::error::StudyError;
+use super::figures::Figure;
+use super::file::StudyFile;
+use super::member::{member, posed};
+use super::number::{Named, numbers};
+use super::rows::{Column, Content, Status};
+use super::together;
+use super::vary::{Values, Varied};
+use crate::cores::on_all_cores;
+use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
+use crate::geometry::MANY;
+use crate::mechanism::Mechanism;
+use crate::quantity::{Asked, Kind};
+use crate::scene::{GivenBy, Scene, nearest};
+use std::ops::Range;
+
+/// Most rows of a study.
+const MOST: u64 = 1_000_000_000;
+
+/// Rows that a core computes at a time.
+const CHUNK: u64 = 16 * MANY as u64;
+
+/// Most positions of a cycle.
+const MOST_STEPS: usize = 100_000;
+
+/// Many mechanisms that differ from one scene in some numbers, and what is asked of each.
+#[derive(Clone, Debug)]
+pub struct Study {
+    scene: Scene,
+    varied: Vec<Varied>,
+    /// Rows at each point of the grid.
+    shots: u64,
+    seed: u64,
+    rows: u64,
+    pub(super) round: Round,
+    pub(super) wanted: Vec<Wanted>,
+}
+
+/// The motion of every mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Round {
+    /// The drive's name.
+    pub drive: String,
+    /// Its name as a quantity.
+    pub quantity: String,
+    pub from: f64,
+    pub to: f64,
+    pub steps: Steps,
+    /// Whether the drive turns.
+    pub is_angle: bool,
+    /// Whether it is one whole turn of a crank.
+    pub is_turn: bool,
+    /// Whether other drives stand still.
+    pub alone: bool,
+}
+
+impl Round {
+    /// Its lowest and highest value.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.from.min(self.to), self.from.max(self.to)]
+    }
+}
+
+/// A quantity with the figures that are wanted of it.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    pub name: String,
+    pub asked: Asked,
+    pub figures: Vec<Figure>,
+}
+
+impl Wanted {
+    /// Whether its values are angles.
+    pub fn turns(&self) -> bool {
+        self.asked.kind() == Kind::Angle
+    }
+
+    pub fn has_mean(&self) -> bool {
+        self.figures.contains(&Figure::Mean)
+    }
+
+    /// Whether its greatest (`sign` 1) or least value is looked for.
+    pub fn has_extreme(&self, sign: f64) -> bool {
+        let one = if sign > 0.0 { Figure::Max } else { Figure::Min };
+        self.figures.iter().any(|f| *f == one || matches!(f, Figure::MaxAbs | Figure::Range))
+    }
+}
+
+impl Study {
+    /// The study of this scene.
+    ///
+    /// # Errors
+    /// It asks for what the scene does not have, with its place in the study; or the scene cannot be moved.
+    pub(super) fn new(file: &StudyFile, scene: Scene) -> Result<Study, StudyError> {
+        if scene.given_by == GivenBy::Drawing {
+            return Err(CycleError::Drawn.into());
+        }
+        let (mechanism, _) = posed(&scene)?;
+        let round = round(file, &mechanism)?;
+        let varied = varied(file, &scene, &round)?;
+        let is_random = varied.iter().any(|v| !matches!(v.values, Values::Grid { .. }));
+        let shots = match (file.count(), is_random) {
+            (None, false) => 1,
+            (Some(0), _) => return Err(file.error(&["count"], "a study has at least one row", None).into()),
+            (Some(count), true) => count,
+            (None, true) => {
+                let hint = r#"add "count": 1000, so many at each point of the grid"#;
+                return Err(file
+                    .error(&["vary"], "numbers vary at random, and nothing says how often", Some(hint))
+                    .into());
+            }
+            (Some(_), false) => {
+                let hint = "leave it out: each point of the grid has one row";
+                return Err(file.error(&["count"], "nothing varies at random", Some(hint)).into());
+            }
+        };
+        let rows = varied.iter().try_fold(shots, |rows, v| rows.checked_mul(v.values.points())).filter(|r| *r <= MOST);
+        let rows = rows.ok_or_else(|| file.error(&["vary"], format!("these are more than {MOST} mechanisms"), None))?;
+        let mut wanted = Vec::new();
+        for (name, figures) in file.want() {
+            let asked =
+                Asked::new(name, &mechanism).map_err(|error| refused(file, &["want", name], &error.to_string()))?;
+            if asked.is_on_paper() {
+                return Err(file.error(&["want", name], "a study has no paper", Some("the name without `/mu`")).into());
+            }
+            wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
+        }
+        Ok(Study { scene, varied, shots, seed: file.seed(), rows, round, wanted })
+    }
+
+    /// How many rows it has.
+    #[must_use]
+    pub fn count(&self) -> u64 {
+        self.rows
+    }
+
+    /// How many positions of each mechanism are computed.
+    #[must_use]
+    pub fn positions(&self) -> usize {
+        self.round.steps.count()
+    }
+
+    /// The columns of its table.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column> {
+        let column = |name: &str, content, unit: String| Column { name: name.to_owned(), content, unit };
+        let number = |name: &str, unit: &str| column(name, Content::Number, unit.to_owned());
+        let units = self.scene.units;
+        let drive = if self.round.is_angle { Kind::Angle } else { Kind::Position }.unit(units);
+        let mut columns = vec![column("index", Content::Index, String::new())];
+        columns.extend(self.varied.iter().map(|v| number(&v.name, &v.number.unit(units))));
+        columns.push(column("status", Content::Status, String::new()));
+        columns.extend(["reach_from", "reach_to"].map(|name| number(name, &drive)));
+        for wanted in &self.wanted {
+            for figure in &wanted.figures {
+                let name = format!("{}.{}", wanted.name, figure.name());
+                columns.push(number(&name, &wanted.asked.kind().unit(units)));
+                if figure.has_place() {
+                    columns.push(number(&format!("{name}_at"), &drive));
+                }
+            }
+        }
+        columns
+    }
+
+    /// The numbers of these rows, one row after the other, as [`Self::columns`] says; NaN where there is none.
+    #[must_use]
+    pub fn rows(&self, rows: Range<u64>) -> Vec<f64> {
+        let (width, many) = (self.columns().len(), MANY as u64);
+        let mut numbers = Vec::new();
+        for first in (rows.start / many * many..rows.end).step_by(MANY) {
+            // Last digits hang on the mechanisms beside, so a block is always whole.
+            let last = self.rows.min(first + many);
+            let mut block = Vec::with_capacity(MANY * width);
+            self.block(first..last, &mut block);
+            let [from, to] = [rows.start.max(first), rows.end.min(last)].map(|row| (row - first) as usize * width);
+            numbers.extend_from_slice(&block[from..to]);
+        }
+        numbers
+    }
+
+    /// The same rows, computed on all cores.
+    #[must_use]
+    pub fn rows_on_all_cores(&self, rows: Range<u64>) -> Vec<f64> {
+        let chunk = |at: u64| rows.start.max(at * CHUNK)..rows.end.min((at + 1) * CHUNK);
+        let chunks: Vec<Range<u64>> = (rows.start / CHUNK..rows.end.div_ceil(CHUNK)).map(chunk).collect();
+        on_all_cores(&chunks, |chunk| self.rows(chunk.clone())).concat()
+    }
+
+    /// Appends rows of mechanisms that are followed side by side.
+    fn block(&self, rows: Range<u64>, numbers: &mut Vec<f64>) {
+        let mut scene = self.scene.clone();
+        let mut varied = Vec::new();
+        let mut failed = Vec::new();
+        let (mut mechanisms, mut poses) = (Vec::new(), Vec::new());
+        for row in rows.clone() {
+            let values = self.values(row);
+            for (varied, value) in self.varied.iter().zip(&values) {
+                varied.number.set(&mut scene, *value);
+            }
+            varied.push(values);
+            let member = member(&scene);
+            failed.push(member.as_ref().err().copied());
+            if let Ok((mechanism, pose)) = member {
+                mechanisms.push(if self.round.alone { alone_moving(&mechanism, &self.round.drive) } else { mechanism });
+                poses.push(pose);
+            }
+        }
+        let moved = together::follow(self, &mechanisms, &poses).into_iter().zip(mechanisms.iter().zip(&poses));
+        // Side by side where that is sure, else each by itself.
+        let mut moved = moved.map(|(outcome, (m, pose))| outcome.unwrap_or_else(|| alone::follow(self, m, pose)));
+        let outcomes = failed.into_iter().map(|status| match status {
+            None => moved.next().unwrap_or_else(|| Outcome::without_motion(Status::NoMechanism, self)),
+            Some(status) => Outcome::without_motion(status, self),
+        });
+        for ((row, values), outcome) in rows.zip(varied).zip(outcomes) {
+            numbers.push(row as f64);
+            numbers.extend(values);
+            numbers.push(outcome.status.number());
+            numbers.extend(outcome.reach.unwrap_or([f64::NAN; 2]));
+            for (wanted, summary) in self.wanted.iter().zip(&outcome.summaries) {
+                for figure in &wanted.figures {
+                    let (value, at) = summary.figure(*figure);
+                    numbers.push(value.unwrap_or(f64::NAN));
+                    if figure.has_place() {
+                        numbers.push(at.unwrap_or(f64::NAN));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The varied numbers of a row.
+    fn values(&self, row: u64) -> Vec<f64> {
+        let mut point = row / self.shots;
+        let mut values = vec![0.0; self.varied.len()];
+        // The last number varies fastest.
+        for (column, varied) in self.varied.iter().enumerate().rev() {
+            let points = varied.values.points();
+            values[column] = varied.values.value(point % points, [self.seed, row, column as u64]);
+            point /= points;
+        }
+        values
+    }
+}
+
+/// An error at a place of the study; the message may end in a hint.
+fn refused(file: &StudyFile, path: &[&str], message: &str) -> StudyError {
+    match message.split_once("\n  try: ") {
+        Some((message, hint)) => file.error(path, message, Some(hint)).into(),
+        None => file.error(path, message, None).into(),
+    }
+}
+
+/// The motion that the study asks for.
+fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
+    let cycle = file.cycle();
+    let path: &[&str] = if cycle.drive.is_some() { &["cycle", "drive"] } else { &["cycle"] };
+    let drive =
+        Drive::new(mechanism, cycle.drive.as_deref()).map_err(|error| refused(file, path, &error.to_string()))?;
+    let steps = Steps::new(cycle.from, cycle.to, cycle.step);
+    let steps = steps.map_err(|error| refused(file, &["cycle", "step"], &error.to_string()))?;
+    if steps.count() < 3 || steps.count() > MOST_STEPS {
+        let message = format!("a cycle has 3 to {MOST_STEPS} positions, and here are {}", steps.count());
+        return Err(file.error(&["cycle", "step"], message, None).into());
+    }
+    let (last, wide) = (steps.value(steps.count() - 1), cycle.to - cycle.from);
+    if (last - cycle.to).abs() > 1e-9 * wide.abs() {
+        let even = wide.abs() / ((wide / cycle.step).abs().round().max(1.0));
+        let hint = format!("as {even}, which leads from {} to {}", cycle.from, cycle.to);
+        return Err(file
+            .error(&["cycle", "step"], "no whole number of steps leads to the end of the cycle", Some(&hint))
+            .into());
+    }
+    Ok(Round {
+        quantity: drive.quantity(),
+        is_angle: drive.is_angle(),
+        is_turn: drive.is_angle() && wide.abs() == 360.0,
+        drive: drive.name,
+        from: cycle.from,
+        to: cycle.to,
+        steps,
+        alone: cycle.alone,
+    })
+}
+
+/// The numbers that vary.
+fn varied(file: &StudyFile, scene: &Scene, round: &Round) -> Result<Vec<Varied>, StudyError> {
+    let known: Vec<Named> = numbers(scene);
+    let mut all: Vec<Varied> = Vec::new();
+    for (name, range) in file.vary() {
+        let path = ["vary", name.as_str()];
+        let Some(found) = known.iter().find(|k| k.name == *name || k.path == *name) else {
+            let names = known.iter().flat_map(|k| [k.name.as_str(), k.path.as_str()]);
+            let hint = match nearest(name, names) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None => format!("what may vary: {}", listed(&known)),
+            };
+            let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
+            return Err(file.error(&path, message, Some(&hint)).into());
+        };
+        let is_moved = ["angle", "position"].iter().any(|key| found.name == format!("{}.{key}", round.drive));
+        if is_moved && round.quantity.starts_with(if found.name.ends_with("angle") { "angle" } else { "position" }) {
+            let hint = "leave it out of `vary`: `cycle` says where the drive goes";
+            return Err(file.error(&path, "this is the drive that moves", Some(hint)).into());
+        }
+        if let Some(twin) = all.iter().find(|v| v.number == found.number) {
+            let message = format!("this is the same number as `{}`", crate::text::shown(&twin.name));
+            return Err(file.error(&path, message, Some("keep one of them")).into());
+        }
+        let own = found.number.of(scene).unwrap_or(0.0);
+        let values = Values::of(range, own).map_err(|message| {
+            let hint = r#"write { "from": 80, "to": 120, "count": 9 }, { "from": 80, "to": 120 }, { "plus_minus": 0.5 } or { "sigma": 0.2 }"#;
+            file.error(&path, message, Some(hint))
+        })?;
+        all.push(Varied { name: name.clone(), number: found.number, values });
+    }
+    Ok(all)
+}
+
+/// The first names of a list.
+fn listed(known: &[Named]) -> String {
+    const MOST: usize = 12;
+    let names: Vec<&str> = known.iter().take(MOST).map(|k| k.name.as_str()).collect();
+    names.join(", ") + if known.len() > MOST { ", …" } else { "" }
+}

@@ -1,0 +1,115 @@
+//! A SCORM package in a frame of a course: its management system, which the test plays, hears the score.
+
+use crate::support::browser::Browser;
+use crate::support::program::{kinegon, scratch, stderr};
+use crate::support::tools::{find, run_in};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A management system that remembers what it hears.
+const SYSTEM: &str = r#"<!DOCTYPE html><link rel="icon" href="data:,"><title>course</title><script>
+window.values = { "cmi.core.student_id": "s-17" };
+window.heard = [];
+const said = (name, answer) => (...given) => { heard.push(name); return answer(...given); };
+window.API = {
+  LMSInitialize: said("initialize", () => "true"),
+  LMSFinish: said("finish", () => "true"),
+  LMSGetValue: said("get", (name) => values[name] ?? ""),
+  LMSSetValue: said("set", (name, value) => { values[name] = value; return "true"; }),
+  LMSCommit: said("commit", () => "true"),
+  LMSGetLastError: () => "0",
+};
+</script><iframe src="index.html" width="1200" height="760"></iframe>"#;
+
+/// Whether the workbench stands in the frame of the package's page, in the system's frame.
+const READY: &str = "document.querySelector('iframe')?.contentDocument?.querySelector('iframe')?.contentWindow?.kinegon !== undefined \
+    && document.querySelector('iframe').contentDocument.querySelector('iframe').contentDocument.documentElement.dataset.ready === 'yes'";
+
+/// The files of a package of three exercises, with the system's page; the exercises are in the folder, too.
+fn site(folder: &Path) -> Option<BTreeMap<String, Vec<u8>>> {
+    let python = find("python3")?;
+    let package = folder.join("page.zip");
+    for more in [
+        vec!["-o".as_ref(), folder.as_os_str()],
+        vec!["--lms".as_ref(), "scorm".as_ref(), "-o".as_ref(), package.as_os_str()],
+    ] {
+        let made = kinegon().args(["exercise", "four-bar", "--seed", "7", "--count", "3"]).args(more).output();
+        let made = made.expect("the program starts");
+        assert!(made.status.success(), "{}", stderr(&made));
+    }
+    run_in(folder, &python, ["-m", "zipfile", "-e", "page.zip", "site"]);
+    let mut files = BTreeMap::from([("system.html".to_owned(), SYSTEM.as_bytes().to_vec())]);
+    for name in ["index.html", "workbench.html"] {
+        let own = std::env::var_os("KINEGON_PAGE").filter(|_| name == "workbench.html");
+        let path = own.map_or_else(|| folder.join("site").join(name), Into::into);
+        files.insert(name.to_owned(), std::fs::read(path).expect("it is in the package"));
+    }
+    Some(files)
+}
+
+/// Fills the form in the frame with these values.
+fn fill(browser: &mut Browser, values: &serde_json::Map<String, Value>) {
+    browser.value(&format!(
+        "(() => {{ const {{ history }} = document.querySelector('iframe').contentDocument.querySelector('iframe').contentWindow.kinegon; \
+         const {{ in: _, ...form }} = JSON.parse(history.now.value.form); \
+         history.change({{ form: JSON.stringify({{ ...form, positive: 'counter-clockwise', values: {{ ...form.values, ...{} }} }}) }}); }})()",
+        Value::from(values.clone())
+    ));
+}
+
+#[test]
+fn a_course_hears_the_score() {
+    let folder = scratch("workbench-course");
+    let Some(files) = site(&folder) else { return };
+    let Some(mut browser) = Browser::start(&folder.join("profile"), [1280, 800]) else { return };
+    browser.visit(files, "system.html", READY);
+    let exercise = browser
+        .text("JSON.parse(document.querySelector('iframe').contentDocument.querySelector('iframe').contentWindow.kinegon.history.now.value.form).exercise");
+    assert!(exercise.starts_with("four-bar-7-"), "{exercise}");
+    let student = browser.value("document.querySelector('iframe').contentDocument.querySelector('iframe').contentWindow.kinegon.app.student.value");
+    assert_eq!(student, true, "no plan is shown");
+    assert_eq!(browser.value("values['cmi.core.score.raw'] ?? null"), Value::Null, "nothing is checked yet");
+    let key = std::fs::read_to_string(folder.join(&exercise).join("key.json")).expect("a key");
+    let key: Value = serde_json::from_str(&key).expect("JSON");
+    let values: serde_json::Map<String, Value> =
+        key["values"].as_object().expect("values").iter().map(|(name, v)| (name.clone(), v["value"].clone())).collect();
+    // Some right values, then all of them, then one that is off: the best counts.
+    let some = values.iter().take(4).map(|(name, value)| (name.clone(), value.clone())).collect();
+    fill(&mut browser, &some);
+    let part = (1000.0 * 4.0 / values.len() as f64).round() / 10.0;
+    browser.until(&format!("values['cmi.core.score.raw'] === '{part}'"));
+    assert_eq!(browser.text("values['cmi.core.lesson_status']"), "incomplete");
+    fill(&mut browser, &values);
+    browser.until("values['cmi.core.score.raw'] === '100'");
+    assert_eq!(browser.text("values['cmi.core.lesson_status']"), "completed");
+    assert_eq!(browser.text("values['cmi.core.score.min'] + ' to ' + values['cmi.core.score.max']"), "0 to 100");
+    let commits = browser.number("heard.filter((what) => what === 'commit').length");
+    let mut off = values.clone();
+    off.insert("omega(2)".to_owned(), json!(99));
+    fill(&mut browser, &off);
+    browser.until(&format!("heard.filter((what) => what === 'commit').length > {commits}"));
+    assert_eq!(browser.text("values['cmi.core.score.raw']"), "100");
+    browser.picture("course");
+    assert_eq!(browser.number("heard.filter((what) => what === 'finish').length"), 0.0);
+    browser.value("document.querySelector('iframe').src = 'about:blank'");
+    browser.until("heard.at(-1) === 'finish'");
+    browser.assert_quiet();
+}
+
+/// Opened by itself the package's page shows an exercise, too.
+#[test]
+fn without_a_course_there_is_an_exercise_all_the_same() {
+    let folder = scratch("workbench-no-course");
+    let Some(files) = site(&folder) else { return };
+    let Some(mut browser) = Browser::start(&folder.join("profile"), [1280, 800]) else { return };
+    let frame = "document.querySelector('iframe')";
+    browser.visit(files, "index.html", &format!("{frame}?.contentDocument?.documentElement?.dataset.ready === 'yes'"));
+    assert_eq!(browser.value(&format!("{frame}.contentWindow.kinegon.app.student.value")), true);
+    assert_eq!(browser.value(&format!("{frame}.contentWindow.kinegon.app.course")), Value::Null);
+    // What is given is told once, of the exercise that is open.
+    assert_eq!(browser.number("document.querySelectorAll('details').length"), 1.0);
+    assert!(browser.text("document.querySelector('details').textContent").contains("rad/s"));
+    browser.picture("course-alone");
+    browser.assert_quiet();
+}
