@@ -30,6 +30,7 @@ mod legend;
 mod line;
 mod lines;
 mod look;
+pub mod markers;
 mod markup;
 mod names;
 mod obstacles;

@@ -6,6 +6,7 @@
 //! strictly; `wrong`, `place` and `words` are errors, their places and their words. Then come the parts of a scene, a
 //! file each, with the types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by
 //! key, and joins all stages. `build` fills the same types in Rust, and `write` makes their text; `rewritten` changes a text.
+//! `fingerprint` is the short sign by which a sheet of paper knows its scene.
 //!
 //! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the
 //! whole list.
@@ -49,6 +50,8 @@ mod size;
 mod traced;
 
 mod read;
+
+mod fingerprint;
 
 mod tree;
 

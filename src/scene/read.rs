@@ -165,6 +165,11 @@ impl Scene {
         Source(&self.text).error(Wrong::value(path, message).maybe_hint(hint))
     }
 
+    /// The text that it was read from.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The JSON Schema (draft 2020-12) of the scene file, with descriptions, for editors.
     pub fn schema() -> serde_json::Value {
         schema_of::<SceneFile>("Kinegon scene, version 1")

@@ -1,0 +1,307 @@
+//! What the small code of a sheet says, as a text and as the black and white squares of a QR code.
+
+use crate::scene::{Page, PageSize, PanelName};
+use qrcodegen::{Mask, QrCode, QrCodeEcc, QrSegment, Version};
+
+/// The first sign of every text: kind and version.
+const FORMAT: &str = "K1";
+/// Letters of a scene's hash.
+const HASH: usize = 8;
+/// Most letters of a name.
+const NAME: usize = 24;
+/// Most letters of a text that is read.
+const LONGEST: usize = 400;
+/// Largest scale and place that is read; scenes have no larger numbers either.
+const LARGEST: f64 = 1e100;
+/// Largest code with much redundancy, of 41 modules; longer texts have less.
+const ROBUST: u8 = 6;
+
+/// Pages and their signs.
+const PAGES: [(PageSize, &str); 3] = [(PageSize::A4, "A4"), (PageSize::A3, "A3"), (PageSize::Letter, "LT")];
+/// Panels and their signs.
+const PANELS: [(PanelName, char); 3] =
+    [(PanelName::Scheme, 'L'), (PanelName::Velocity, 'V'), (PanelName::Acceleration, 'A')];
+
+/// What the code on a sheet says: which sheet of which scene it is, and where its panels stand at which scales.
+///
+/// ```
+/// use kinegon::drawing::markers::SheetCode;
+/// let text = "K1/A4L/2/8K3MZQ4T/V0.05:148:105+A0.5:60:90/FOUR-BAR-7-2";
+/// # let text = text.replace('Z', "N");
+/// let code = SheetCode::read(&text).expect("a sheet of Kinegon");
+/// assert_eq!(code.number, 2);
+/// assert_eq!(code.panels[1].mu, 0.5);
+/// assert_eq!(code.text(), text);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheetCode {
+    /// The paper; not `16x9`, whose sheets have no code.
+    pub page: Page,
+    /// The sheet's number in its set, from 1.
+    pub number: u16,
+    /// The [fingerprint](crate::Scene::fingerprint) of its scene.
+    pub scene: String,
+    /// Its panels; no kind twice.
+    pub panels: Vec<PlacedPanel>,
+    /// The name of the exercise or scene, in signs of a QR code: capital letters, digits, some others; at most 24.
+    pub name: String,
+}
+
+/// A panel's place on its sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedPanel {
+    /// Scheme or plan.
+    pub panel: PanelName,
+    /// Its scale, in units per millimetre of paper.
+    pub mu: f64,
+    /// Where its origin is, in mm from the sheet's upper left corner, y down: a plan's pole; of a scheme the scene's point
+    /// (0, 0), which may be off the sheet.
+    pub origin: [f64; 2],
+}
+
+impl PlacedPanel {
+    /// Where a place of the panel, in its own units with y up, is on the sheet, in mm.
+    #[must_use]
+    pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.origin[0] + x / self.mu, self.origin[1] - y / self.mu]
+    }
+}
+
+impl SheetCode {
+    /// The text in the code, in letters of the alphanumeric mode of QR codes.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let panels: Vec<String> = self.panels.iter().map(|panel| panel.text()).collect();
+        let page = page_sign(self.page);
+        let [scene, name] = [self.scene.as_str(), &written_name(&self.name)];
+        format!("{FORMAT}/{page}/{}/{scene}/{}/{name}", self.number, panels.join("+"))
+    }
+
+    /// What a text says; none if it is not that of a sheet.
+    #[must_use]
+    pub fn read(text: &str) -> Option<SheetCode> {
+        if text.len() > LONGEST {
+            return None;
+        }
+        let fields: Vec<&str> = text.split('/').collect();
+        let [FORMAT, page, number, scene, panels, name] = fields[..] else { return None };
+        let is_hash = scene.len() == HASH && scene.bytes().all(|sign| matches!(sign, b'0'..=b'9' | b'A'..=b'V'));
+        let is_name = name.chars().count() <= NAME && name == written_name(name);
+        if !(is_hash && is_name) {
+            return None;
+        }
+        let panels: Vec<PlacedPanel> = panels.split('+').map(PlacedPanel::read).collect::<Option<_>>()?;
+        let is_twice = |(index, panel): (usize, &PlacedPanel)| panels[..index].iter().any(|p| p.panel == panel.panel);
+        if panels.iter().enumerate().any(is_twice) {
+            return None;
+        }
+        let number = whole(number)?;
+        Some(SheetCode { page: page_of(page)?, number, scene: scene.to_owned(), panels, name: name.to_owned() })
+    }
+
+    /// The black and white squares of the code, by rows from above, without the white around it; true is black. None
+    /// for a text that no code holds.
+    ///
+    /// The smallest code that holds the text with a seventh of its words spoilt; where that would have more than 41
+    /// squares along a side, with fewer.
+    #[must_use]
+    pub fn modules(&self) -> Option<Vec<Vec<bool>>> {
+        let text = self.text();
+        if !text.chars().all(is_sign) {
+            return None;
+        }
+        let segments = [QrSegment::make_alphanumeric(&text)];
+        let encoded = |level, most: Version, raised| {
+            QrCode::encode_segments_advanced(&segments, level, Version::MIN, most, None::<Mask>, raised).ok()
+        };
+        let robust = encoded(QrCodeEcc::Medium, Version::new(ROBUST), true);
+        let code = robust.or_else(|| encoded(QrCodeEcc::Low, Version::MAX, false))?;
+        let row = |y| (0..code.size()).map(|x| code.get_module(x, y)).collect();
+        Some((0..code.size()).map(row).collect())
+    }
+}
+
+impl PlacedPanel {
+    fn text(&self) -> String {
+        let sign = PANELS.into_iter().find(|(panel, _)| *panel == self.panel).map_or('L', |(_, sign)| sign);
+        let [x, y] = self.origin.map(hundredths);
+        format!("{sign}{}:{x}:{y}", shortest(self.mu))
+    }
+
+    fn read(text: &str) -> Option<PlacedPanel> {
+        let first = text.chars().next()?;
+        let (panel, sign) = PANELS.into_iter().find(|(_, sign)| *sign == first)?;
+        let numbers: Vec<f64> = text[sign.len_utf8()..].split(':').map(number).collect::<Option<_>>()?;
+        let [mu, x, y] = numbers[..] else { return None };
+        // The smallest scale keeps what is measured on paper finite.
+        (mu >= 1.0 / LARGEST).then_some(PlacedPanel { panel, mu, origin: [x, y] })
+    }
+}
+
+/// A name in signs of a QR code that part no fields, cut to its length.
+fn written_name(name: &str) -> String {
+    let sign = |sign: char| if is_sign(sign) && sign != '/' { sign } else { '-' };
+    name.chars().flat_map(char::to_uppercase).map(sign).take(NAME).collect()
+}
+
+/// Whether a sign is of the alphanumeric mode.
+fn is_sign(sign: char) -> bool {
+    matches!(sign, '0'..='9' | 'A'..='Z' | ' ' | '$' | '%' | '*' | '+' | '-' | '.' | '/' | ':')
+}
+
+fn page_sign(page: Page) -> String {
+    let size = PAGES.into_iter().find(|(size, _)| *size == page.size).map_or("", |(_, sign)| sign);
+    format!("{size}{}", if page.landscape { 'L' } else { 'P' })
+}
+
+fn page_of(sign: &str) -> Option<Page> {
+    let pages = PAGES.into_iter().flat_map(|(size, _)| [true, false].map(|landscape| Page { size, landscape }));
+    pages.into_iter().find(|page| page_sign(*page) == sign)
+}
+
+/// The shortest text from which the same number is read back.
+fn shortest(x: f64) -> String {
+    let [plain, power] = [x.to_string(), format!("{x:E}")];
+    if power.len() < plain.len() { power } else { plain }
+}
+
+/// A length in mm, to 0.01.
+fn hundredths(mm: f64) -> String {
+    // Adding 0 takes the sign from −0.
+    shortest(libm::round(100.0 * mm) / 100.0 + 0.0)
+}
+
+/// A sheet's number.
+fn whole(text: &str) -> Option<u16> {
+    let number: u16 = text.parse().ok()?;
+    // Without sign and zeros before it.
+    (number > 0 && number.to_string() == text).then_some(number)
+}
+
+/// A finite number as it is written in a code.
+fn number(text: &str) -> Option<f64> {
+    let is_plain = text.bytes().all(|sign| matches!(sign, b'0'..=b'9' | b'.' | b'-' | b'E'));
+    let number: f64 = text.parse().ok().filter(|_| is_plain)?;
+    (number.abs() <= LARGEST).then_some(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn code() -> SheetCode {
+        let plan = |panel, mu, origin| PlacedPanel { panel, mu, origin };
+        SheetCode {
+            page: Page { size: PageSize::A4, landscape: true },
+            number: 2,
+            scene: "8K3MNQ4T".into(),
+            panels: vec![
+                plan(PanelName::Velocity, 0.05, [148.0, 105.0]),
+                plan(PanelName::Acceleration, 0.5, [60.0, 90.25]),
+            ],
+            name: "FOUR-BAR-7-2".into(),
+        }
+    }
+
+    #[test]
+    fn texts_are_read_back() {
+        let code = code();
+        assert_eq!(code.text(), "K1/A4L/2/8K3MNQ4T/V0.05:148:105+A0.5:60:90.25/FOUR-BAR-7-2");
+        assert_eq!(SheetCode::read(&code.text()), Some(code.clone()));
+        for (size, _) in PAGES {
+            for landscape in [true, false] {
+                for mu in [1e-9, 2.5e-7, 0.1, 25.0, 5e30] {
+                    let page = Page { size, landscape };
+                    let panels = vec![PlacedPanel { panel: PanelName::Scheme, mu, origin: [-12_345.67, -0.5] }];
+                    let code = SheetCode { page, panels, number: 65535, ..code.clone() };
+                    assert_eq!(SheetCode::read(&code.text()), Some(code));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn names_and_places_are_written_in_few_signs() {
+        let named = |name: &str| SheetCode { name: name.into(), ..code() }.text();
+        assert!(named("Übung 7/a").ends_with("/-BUNG 7-A"), "{}", named("Übung 7/a"));
+        assert!(named("").ends_with("/"));
+        assert!(named(&"long ".repeat(10)).ends_with("/LONG LONG LONG LONG LONG"));
+        let mut code = code();
+        code.panels[0].origin = [-0.001, 12.345_678];
+        assert!(code.text().contains("/V0.05:0:12.35+"), "{}", code.text());
+    }
+
+    #[test]
+    fn other_texts_are_none() {
+        let good = code().text();
+        let changed = [
+            ("K1", "K2"),
+            ("A4L", "A5L"),
+            ("A4L", "L"),
+            ("/2/", "/0/"),
+            ("/2/", "/+2/"),
+            ("/2/", "/02/"),
+            ("/2/", "/65536/"),
+            ("8K3MNQ4T", "8K3MNQ4"),
+            ("8K3MNQ4T", "8K3MNQ4Z"),
+            ("8K3MNQ4T", "8K3MNQ4t"),
+            ("V0.05", "V0"),
+            ("V0.05", "V-1"),
+            ("V0.05", "VNAN"),
+            ("V0.05", "Vinf"),
+            ("V0.05", "V1E999"),
+            ("V0.05", "V1E-999"),
+            ("V0.05", "V1E-101"),
+            ("V0.05", "V"),
+            ("V0.05", "ü0.05"),
+            ("V0.05", "A0.05"),
+            (":148:", ":1E101:"),
+            (":148:", "::"),
+            (":148:", ":148:1:"),
+            (":148:", ":"),
+            ("V0.05:148:105+", "V0.05:148:105++"),
+            ("V0.05:148:105+A0.5:60:90.25", ""),
+            ("FOUR", "four"),
+            ("FOUR", "FÖUR"),
+            ("FOUR", "FOUR/FOUR"),
+            ("FOUR", "FOURFOURFOURFOURFOURFOUR"),
+        ];
+        for (part, other) in changed {
+            assert!(good.contains(part));
+            let text = good.replace(part, other);
+            assert_eq!(SheetCode::read(&text), None, "{text}");
+        }
+        for text in ["", "/", "//////", "K1", "https://example.org/", "\u{0}", "K1/A4L/2/8K3MNQ4T/ü/X"] {
+            assert_eq!(SheetCode::read(text), None);
+        }
+        assert_eq!(SheetCode::read(&"K1/".repeat(100_000)), None);
+        // Any of its signs replaced or cut off: read or not, without a panic.
+        for at in 0..good.len() {
+            for other in ["", "ß", "/", "-", "E", "9", "\u{10ffff}"] {
+                SheetCode::read(&format!("{}{other}{}", &good[..at], &good[at + 1..]));
+            }
+            SheetCode::read(&good[..at]);
+        }
+    }
+
+    #[test]
+    fn codes_have_few_modules() {
+        // 61 letters fit into version 3 with medium correction (ISO/IEC 18004, table 7), whose side has 29 modules.
+        let modules = code().modules().expect("a code");
+        assert!(code().text().len() <= 61);
+        assert_eq!([modules.len(), modules[0].len()], [29, 29]);
+        // The finder pattern: a black ring of seven modules.
+        assert!((0..7).all(|k| modules[0][k] && modules[k][0] && modules[6][k]) && !modules[1][1]);
+        // A long one gives up correction: version 6 holds 154 letters with medium, 195 with low correction.
+        let far = PlacedPanel { panel: PanelName::Scheme, mu: 1.234_567_890_123_4, origin: [-12_345_678.25; 2] };
+        let panels = vec![
+            far,
+            PlacedPanel { panel: PanelName::Velocity, ..far },
+            PlacedPanel { panel: PanelName::Acceleration, ..far },
+        ];
+        let long = SheetCode { panels, name: "N".repeat(24), ..code() };
+        assert!((155..=195).contains(&long.text().len()), "{}", long.text());
+        assert_eq!(long.modules().expect("a code").len(), 41);
+        assert_eq!(SheetCode { scene: "ü".into(), ..code() }.modules(), None);
+    }
+}
