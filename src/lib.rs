@@ -43,6 +43,8 @@ pub mod geometry;
 pub mod kernel;
 pub mod mechanism;
 pub mod motion;
+#[cfg(feature = "photo")]
+pub mod photo;
 pub mod position;
 pub mod quantity;
 pub mod scene;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
-const ORDER: [&str; 19] = [
+const ORDER: [&str; 20] = [
     "geometry",
     "scene",
     "words",
@@ -20,6 +20,7 @@ const ORDER: [&str; 19] = [
     "study",
     "drawing",
     "format",
+    "photo",
     "check",
     "exercise",
     "course",

@@ -1,0 +1,108 @@
+//! Corners of markers to a part of a pixel: straight lines through their four edges, crossed.
+
+use super::picture::Picture;
+use crate::geometry::{Point, Vector, cross};
+
+/// Profiles across each edge.
+const PROFILES: usize = 17;
+/// Part of an edge at either end without profiles: there it is round.
+const END: f64 = 0.1;
+/// Half the length of a profile, in mm: inside an edge is a cell of black, outside white.
+const REACH: f64 = 1.2;
+/// Samples of half a profile.
+const SAMPLES: usize = 8;
+/// Least standard deviation of a corner, in pixels: what profiles have in common.
+const FLOOR: f64 = 0.02;
+
+/// A corner in the picture with its standard deviation, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corner {
+    pub at: Point,
+    pub deviation: f64,
+}
+
+/// A straight line: a point on it, its direction of length one, and the standard deviation of its places across.
+struct Edge {
+    on: Point,
+    along: Vector,
+    deviation: f64,
+}
+
+/// The corners of a marker near where they are expected; `side` is its side in mm. `None` for corners beside an edge that is not seen.
+pub(super) fn corners(picture: &Picture, expected: &[Point; 4], side: f64) -> [Option<Corner>; 4] {
+    let edges: [Option<Edge>; 4] = std::array::from_fn(|i| edge(picture, expected, i, side));
+    std::array::from_fn(|i| {
+        let (before, after) = (edges[(i + 3) % 4].as_ref()?, edges[i].as_ref()?);
+        let sine = cross(before.along, after.along);
+        if sine.abs() < 0.2 {
+            return None;
+        }
+        let at = before.on + before.along * (cross(after.on - before.on, after.along) / sine);
+        let both = libm::hypot(before.deviation, after.deviation) / sine.abs();
+        let deviation = libm::hypot(both, FLOOR);
+        let is_near = (at - expected[i]).norm() < 0.25 * (expected[(i + 2) % 4] - expected[i]).norm();
+        (is_near && picture.holds(at)).then_some(Corner { at, deviation })
+    })
+}
+
+/// The edge from one corner to the next.
+fn edge(picture: &Picture, expected: &[Point; 4], from: usize, side: f64) -> Option<Edge> {
+    let (a, b) = (expected[from], expected[(from + 1) % 4]);
+    let [inner_a, inner_b] = [expected[(from + 3) % 4], expected[(from + 2) % 4]];
+    let mut points: Vec<Point> = Vec::with_capacity(PROFILES);
+    for i in 0..PROFILES {
+        let t = END + (1.0 - 2.0 * END) * i as f64 / (PROFILES - 1) as f64;
+        let on = a + (b - a) * t;
+        // Inwards along the sides next to it, so that perspective is followed.
+        let inwards = ((inner_a - a) * (1.0 - t) + (inner_b - b) * t) / side * REACH;
+        points.extend(crossing(picture, on, inwards));
+    }
+    if points.len() < PROFILES * 2 / 3 {
+        return None;
+    }
+    // Least squares, then once more without those far off.
+    for _ in 0..2 {
+        let line = line(&points)?;
+        let off = |point: &Point| cross(line.along, *point - line.on).abs();
+        let limit = (3.0 * line.deviation * (points.len() as f64).sqrt()).max(0.05);
+        points.retain(|point| off(point) <= limit);
+    }
+    (points.len() >= PROFILES / 2).then(|| line(&points)).flatten()
+}
+
+/// Where a profile passes from black to white: the place at which a sharp step would leave as much white, so blur on both sides alike does not move it.
+fn crossing(picture: &Picture, on: Point, inwards: Vector) -> Option<Point> {
+    let count = 2 * SAMPLES + 1;
+    let place = |i: usize| on + inwards * (1.0 - i as f64 / SAMPLES as f64);
+    if !picture.holds(place(0)) || !picture.holds(place(count - 1)) {
+        return None;
+    }
+    let values: Vec<f64> = (0..count).map(|i| picture.at(place(i))).collect();
+    let black = values[..3].iter().sum::<f64>() / 3.0;
+    let white = values[count - 3..].iter().sum::<f64>() / 3.0;
+    if white - black < 12.0 {
+        return None;
+    }
+    let shares = values[1..count - 1].iter().map(|value| ((value - black) / (white - black)).clamp(-0.3, 1.3));
+    let whites: f64 = shares.sum::<f64>();
+    // Of count − 2 samples the last `whites` are white; the step lies between samples.
+    let step = count as f64 - 1.5 - whites;
+    (1.5..count as f64 - 2.5).contains(&step).then(|| on + inwards * (1.0 - step / SAMPLES as f64))
+}
+
+/// The straight line with least squares across.
+fn line(points: &[Point]) -> Option<Edge> {
+    let n = points.len() as f64;
+    let mean = Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / n);
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for point in points {
+        let d = point - mean;
+        (xx, xy, yy) = (xx + d.x * d.x, xy + d.x * d.y, yy + d.y * d.y);
+    }
+    let angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);
+    let along = Vector::new(libm::cos(angle), libm::sin(angle));
+    let across: f64 = points.iter().map(|p| cross(along, p - mean).powi(2)).sum();
+    let spread = (across / (n - 2.0).max(1.0)).sqrt();
+    // At the ends of a line its place is half as sure as in the middle.
+    (xx + yy > 0.0).then_some(Edge { on: mean, along, deviation: 2.0 * spread / n.sqrt() })
+}

@@ -1,0 +1,81 @@
+//! Grey pictures: brightness between pixels, and smaller copies.
+
+use crate::geometry::Point;
+
+/// A grey picture, row by row from the upper left; 0 is black. Places are in pixels, x to the right, y down; the centre of the first pixel is at (0.5, 0.5).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    width: usize,
+    height: usize,
+    grey: Vec<u8>,
+}
+
+impl Picture {
+    /// A picture of `width` × `height` pixels; `None` if there are not as many.
+    #[must_use]
+    pub fn new(width: usize, height: usize, grey: Vec<u8>) -> Option<Picture> {
+        (width.checked_mul(height) == Some(grey.len())).then_some(Picture { width, height, grey })
+    }
+
+    /// Its width, in pixels.
+    #[must_use]
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Its height, in pixels.
+    #[must_use]
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Its pixels, row by row.
+    #[must_use]
+    pub fn grey(&self) -> &[u8] {
+        &self.grey
+    }
+
+    /// A row of pixels.
+    pub(super) fn row(&self, y: usize) -> &[u8] {
+        &self.grey[y * self.width..][..self.width]
+    }
+
+    /// Whether a place has pixels on all sides.
+    pub(super) fn holds(&self, at: Point) -> bool {
+        (1.0..self.width as f64 - 1.0).contains(&at.x) && (1.0..self.height as f64 - 1.0).contains(&at.y)
+    }
+
+    /// Brightness at a place, from the four pixels around it; outside that of the nearest ones.
+    pub(super) fn at(&self, at: Point) -> f64 {
+        let part = |x: f64, size: usize| {
+            let x = (x - 0.5).clamp(0.0, (size - 1) as f64);
+            let low = (x as usize).min(size.saturating_sub(2));
+            (low, (low + 1).min(size - 1), x - low as f64)
+        };
+        let ((x0, x1, u), (y0, y1, v)) = (part(at.x, self.width), part(at.y, self.height));
+        let mix = |row: &[u8]| f64::from(row[x0]) * (1.0 - u) + f64::from(row[x1]) * u;
+        mix(self.row(y0)) * (1.0 - v) + mix(self.row(y1)) * v
+    }
+
+    /// The picture with means of `factor` × `factor` pixels; what is left over at its right and lower edges is cut off.
+    pub(super) fn smaller(&self, factor: usize) -> Picture {
+        if factor <= 1 {
+            return self.clone();
+        }
+        let (width, height) = (self.width / factor, self.height / factor);
+        let mut grey = Vec::with_capacity(width * height);
+        let mut sums = vec![0_u32; width];
+        let area = (factor * factor) as u32;
+        for y in 0..height {
+            sums.fill(0);
+            for row in 0..factor {
+                let row = self.row(y * factor + row);
+                for (sum, pixels) in sums.iter_mut().zip(row.chunks_exact(factor)) {
+                    *sum += pixels.iter().map(|&pixel| u32::from(pixel)).sum::<u32>();
+                }
+            }
+            grey.extend(sums.iter().map(|sum| (sum / area) as u8));
+        }
+        Picture { width, height, grey }
+    }
+}

@@ -1,0 +1,135 @@
+//! The sheet in a photograph: which it is, and where its places are in the picture.
+
+use super::camera::Camera;
+use super::code;
+use super::edges;
+use super::fit::{Fitted, Sight, fit};
+use super::markers::{self, Seen};
+use super::paper::Paper;
+use super::picture::Picture;
+use super::refusal::Refusal;
+use crate::drawing::markers::{SIDE, SheetCode, code_place};
+use crate::geometry::Point;
+use crate::scene::Page;
+
+/// Longer side of the picture in which markers are looked for, in pixels; their edges are found in the whole one.
+const WORKING: usize = 1700;
+/// Least number of markers.
+const LEAST: usize = 4;
+/// Largest residual of the markers' corners, in mm: a camera over an even sheet leaves less than a tenth of it.
+const UNEVEN: f64 = 0.3;
+/// Largest height of a bend, in mm.
+const BENT: f64 = 12.0;
+
+/// A sheet found in a photograph.
+#[derive(Clone, Debug)]
+pub struct PhotoSheet {
+    /// What its code says.
+    pub code: SheetCode,
+    /// How many of its eight markers were found.
+    pub markers: usize,
+    fitted: Fitted,
+}
+
+/// Reads the sheet in a photograph.
+///
+/// # Errors
+/// There is none that can be measured on.
+pub fn read(picture: &Picture) -> Result<PhotoSheet, Refusal> {
+    let factor = picture.width().max(picture.height()).div_ceil(WORKING);
+    let found = markers::markers(&picture.smaller(factor), factor);
+    let together = markers::sheets(&found, LEAST);
+    let mut fitted: Vec<(Seen, Fitted)> =
+        together.into_iter().filter_map(|seen| Some((seen.clone(), fitted(picture, &seen)?))).collect();
+    fitted.sort_by(|a, b| a.1.residual.total_cmp(&b.1.residual));
+    let Some((seen, fitted)) = fitted.into_iter().next() else {
+        return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(LEAST - 1) });
+    };
+    if fitted.residual > UNEVEN {
+        return Err(Refusal::NotEven { millimetres: fitted.residual });
+    }
+    let bend = fitted.camera.bend_height();
+    if bend > BENT {
+        return Err(Refusal::Bent { millimetres: bend });
+    }
+    let code = code(picture, seen.page, &fitted.camera).ok_or(Refusal::NoCode)?;
+    if code.page != seen.page {
+        return Err(Refusal::OtherPage);
+    }
+    Ok(PhotoSheet { code, markers: seen.markers.len(), fitted })
+}
+
+/// The camera that explains the markers: from their rough corners first, then from the edges where that camera expects them.
+fn fitted(picture: &Picture, seen: &Seen) -> Option<Fitted> {
+    let (sheet, size) = (seen.page.size_mm(), [picture.width() as f64, picture.height() as f64]);
+    let rough = fit(&sights(picture, seen, None), &seen.plane, sheet, size)?;
+    let sights = sights(picture, seen, Some(&rough.camera));
+    let fitted = fit(&sights, &seen.plane, sheet, size)?;
+    (sights.len() >= 3 * LEAST).then_some(fitted)
+}
+
+/// The corners of the markers, looked for where a camera or else their outlines let expect them.
+fn sights(picture: &Picture, seen: &Seen, camera: Option<&Camera>) -> Vec<Sight> {
+    let mut sights = Vec::new();
+    for marker in &seen.markers {
+        let own = markers::corners(seen.page, marker.number);
+        let expected = camera.map_or(marker.corners, |camera| own.map(|paper| camera.pixel(paper)));
+        let middle = nalgebra::center(&own[0], &own[2]);
+        for (paper, corner) in own.into_iter().zip(edges::corners(picture, &expected, SIDE)) {
+            sights.extend(corner.map(|corner| Sight { paper, outwards: (paper - middle) / (0.5 * SIDE), corner }));
+        }
+    }
+    sights
+}
+
+/// What the code on a page says.
+fn code(picture: &Picture, page: Page, camera: &Camera) -> Option<SheetCode> {
+    let place = code_place(page.size_mm());
+    let text = code::text(picture, |u, v| {
+        camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v))
+    })?;
+    SheetCode::read(&text)
+}
+
+impl PhotoSheet {
+    /// Where a place on the sheet is in the picture.
+    #[must_use]
+    pub fn pixel(&self, paper: [f64; 2]) -> [f64; 2] {
+        self.fitted.camera.pixel(Point::from(paper)).into()
+    }
+
+    /// Where a place in the picture is on the sheet's plane; `None` where it is not.
+    #[must_use]
+    pub fn paper(&self, pixel: [f64; 2]) -> Option<[f64; 2]> {
+        self.fitted.camera.paper(Point::from(pixel)).map(Into::into)
+    }
+
+    /// Radius round a place on the sheet within which what is seen there lies with 95 %, in mm: from the covariance of the camera and the scatter of the markers.
+    #[must_use]
+    pub fn band(&self, paper: [f64; 2]) -> f64 {
+        let covariance = self.fitted.covariance(Point::from(paper));
+        let widest = covariance.map_or(f64::INFINITY, |covariance| covariance.symmetric_eigenvalues().max());
+        CIRCLE * widest.max(0.0).sqrt()
+    }
+
+    /// Root of the mean square of the distances of the markers' corners from where they should be, in mm.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        self.fitted.residual
+    }
+
+    /// How far the sheet's middle is above or below its edges, in mm.
+    #[must_use]
+    pub fn bend(&self) -> f64 {
+        self.fitted.camera.bend_height()
+    }
+
+    /// How dark the paper is between two corners, in mm, at places `step` mm apart.
+    #[must_use]
+    pub fn straightened(&self, picture: &Picture, corners: [[f64; 2]; 2], step: f64) -> Paper {
+        Paper::new(picture, |paper| self.fitted.camera.pixel(paper), corners, step)
+    }
+}
+
+/// Standard deviations in the widest direction within which 95 % of places in the plane lie.
+const CIRCLE: f64 = 2.45;

@@ -1,0 +1,255 @@
+//! Dark figures with four corners: what may be a marker.
+
+use super::picture::Picture;
+use crate::geometry::{Point, cross};
+
+/// Share of the mean brightness around it below which a pixel is dark.
+const DARK: [u64; 2] = [74, 88];
+/// Radii of the area round a pixel whose mean counts, as parts of the picture's longer side.
+const AROUND: [usize; 2] = [28, 60];
+/// Least side of a figure, in pixels.
+const LEAST: f64 = 9.0;
+/// Most corners of an outline that are looked at.
+const CORNERS: usize = 40;
+
+/// The dark figures of a picture that have nearly four corners, each clockwise as it is seen. `pass` 0 is for usual light, 1 for faint print and blur.
+pub(super) fn squares(picture: &Picture, pass: usize) -> Vec<[Point; 4]> {
+    let (width, height) = (picture.width(), picture.height());
+    let radius = (width.max(height) / AROUND[pass]).max(4);
+    let mut parts = Parts::default();
+    let sums = sums(picture);
+    let mut before: Vec<Run> = Vec::new();
+    for y in 0..height {
+        let (y0, y1) = (y.saturating_sub(radius), (y + radius + 1).min(height));
+        let (above, below) = (&sums[y0 * (width + 1)..], &sums[y1 * (width + 1)..]);
+        let row = picture.row(y);
+        let mut runs: Vec<Run> = Vec::new();
+        let mut open: Option<usize> = None;
+        for (x, &pixel) in row.iter().enumerate() {
+            let (x0, x1) = (x.saturating_sub(radius), (x + radius + 1).min(width));
+            let sum = u64::from(below[x1].wrapping_sub(below[x0]).wrapping_sub(above[x1].wrapping_sub(above[x0])));
+            let area = ((x1 - x0) * (y1 - y0)) as u64;
+            let is_dark = u64::from(pixel) * area * 100 < sum * DARK[pass];
+            match (is_dark, open) {
+                (true, None) => open = Some(x),
+                (false, Some(from)) => {
+                    runs.push(Run { from, to: x, part: usize::MAX });
+                    open = None;
+                }
+                _ => {}
+            }
+        }
+        runs.extend(open.map(|from| Run { from, to: width, part: usize::MAX }));
+        // Runs that touch one of the row above belong to its part.
+        let mut first = 0;
+        for run in &mut runs {
+            while first < before.len() && before[first].to <= run.from {
+                first += 1;
+            }
+            for other in before[first..].iter().take_while(|other| other.from < run.to) {
+                run.part =
+                    if run.part == usize::MAX { parts.root(other.part) } else { parts.join(run.part, other.part) };
+            }
+            if run.part == usize::MAX {
+                run.part = parts.begin();
+            }
+            parts.add(run.part, y, run);
+        }
+        before = runs;
+    }
+    let most = width.max(height) / 4;
+    parts.finished().into_iter().filter_map(|part| part.corners(most)).collect()
+}
+
+/// Sums of all pixels above and to the left, with a first row and column of zeros. They wrap: only differences count.
+fn sums(picture: &Picture) -> Vec<u32> {
+    let width = picture.width() + 1;
+    let mut sums = vec![0_u32; width * (picture.height() + 1)];
+    for y in 0..picture.height() {
+        let (above, below) = sums[y * width..][..2 * width].split_at_mut(width);
+        let mut sum = 0_u32;
+        for (x, &pixel) in picture.row(y).iter().enumerate() {
+            sum = sum.wrapping_add(u32::from(pixel));
+            below[x + 1] = above[x + 1].wrapping_add(sum);
+        }
+    }
+    sums
+}
+
+/// Dark pixels side by side in one row.
+struct Run {
+    from: usize,
+    to: usize,
+    part: usize,
+}
+
+/// Dark pixels that hang together: the ends of their runs, by row, and their number.
+#[derive(Clone, Default)]
+struct Part {
+    /// By row from `top`: the leftmost pixel and the one after the rightmost.
+    ends: Vec<[u32; 2]>,
+    top: usize,
+    count: usize,
+}
+
+/// Parts under way; those that were joined name their successor.
+#[derive(Default)]
+struct Parts {
+    all: Vec<Part>,
+    joined: Vec<usize>,
+}
+
+impl Parts {
+    fn begin(&mut self) -> usize {
+        self.all.push(Part::default());
+        self.joined.push(self.joined.len());
+        self.joined.len() - 1
+    }
+
+    fn root(&mut self, mut part: usize) -> usize {
+        while self.joined[part] != part {
+            self.joined[part] = self.joined[self.joined[part]];
+            part = self.joined[part];
+        }
+        part
+    }
+
+    /// Joins two parts; the larger one stays.
+    fn join(&mut self, one: usize, other: usize) -> usize {
+        let (one, other) = (self.root(one), self.root(other));
+        if one == other {
+            return one;
+        }
+        let (stays, goes) =
+            if self.all[one].ends.len() >= self.all[other].ends.len() { (one, other) } else { (other, one) };
+        let gone = std::mem::take(&mut self.all[goes]);
+        self.joined[goes] = stays;
+        for (row, ends) in gone.ends.iter().enumerate() {
+            self.all[stays].add(gone.top + row, *ends);
+        }
+        self.all[stays].count += gone.count;
+        stays
+    }
+
+    fn add(&mut self, part: usize, y: usize, run: &Run) {
+        let root = self.root(part);
+        let part = &mut self.all[root];
+        part.add(y, [run.from as u32, run.to as u32]);
+        part.count += run.to - run.from;
+    }
+
+    fn finished(self) -> Vec<Part> {
+        let is_root = |index: &usize| self.joined[*index] == *index;
+        (0..self.all.len()).filter(is_root).map(|index| self.all[index].clone()).collect()
+    }
+}
+
+impl Part {
+    fn add(&mut self, y: usize, [from, to]: [u32; 2]) {
+        if self.ends.is_empty() {
+            self.top = y;
+        }
+        while y < self.top {
+            self.ends.insert(0, [u32::MAX, 0]);
+            self.top -= 1;
+        }
+        while self.ends.len() <= y - self.top {
+            self.ends.push([u32::MAX, 0]);
+        }
+        let ends = &mut self.ends[y - self.top];
+        *ends = [ends[0].min(from), ends[1].max(to)];
+    }
+
+    /// The four corners, if there are four and the part is as large and as full as a marker.
+    fn corners(&self, most: usize) -> Option<[Point; 4]> {
+        let height = self.ends.len();
+        let left = self.ends.iter().map(|ends| ends[0]).min()? as usize;
+        let right = self.ends.iter().map(|ends| ends[1]).max()? as usize;
+        let width = right.saturating_sub(left);
+        let is_size = |side: usize| side as f64 >= LEAST && side <= most;
+        if !is_size(width)
+            || !is_size(height)
+            || width > 4 * height
+            || height > 4 * width
+            || 4 * self.count < width * height
+        {
+            return None;
+        }
+        let hull = self.hull();
+        let quad = widest(&hull)?;
+        let filled = self.count as f64 / area(&quad);
+        let sides: [f64; 4] = std::array::from_fn(|i| (quad[(i + 1) % 4] - quad[i]).norm());
+        let (short, long) = sides.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(*s), b.max(*s)));
+        let is_square =
+            short >= LEAST && long <= 3.5 * short && area(&quad) >= 0.84 * area(&hull) && (0.42..1.1).contains(&filled);
+        is_square.then_some(quad)
+    }
+
+    /// The convex outline of its pixels, clockwise as it is seen (Andrew 1979).
+    fn hull(&self) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::with_capacity(4 * self.ends.len());
+        for (row, ends) in self.ends.iter().enumerate() {
+            let y = (self.top + row) as f64;
+            for x in ends {
+                points.extend([Point::new(f64::from(*x), y), Point::new(f64::from(*x), y + 1.0)]);
+            }
+        }
+        points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        points.dedup();
+        let half = |points: &mut dyn Iterator<Item = Point>| {
+            let mut chain: Vec<Point> = Vec::new();
+            for point in points {
+                while let [.., a, b] = chain[..] {
+                    if cross(b - a, point - b) > 0.0 {
+                        break;
+                    }
+                    chain.pop();
+                }
+                chain.push(point);
+            }
+            chain.pop();
+            chain
+        };
+        let mut hull = half(&mut points.iter().copied());
+        hull.extend(half(&mut points.iter().rev().copied()));
+        // Corners that cut off least are left out.
+        while hull.len() > CORNERS {
+            let n = hull.len();
+            let cut = |i: usize| cross(hull[i] - hull[(i + n - 1) % n], hull[(i + 1) % n] - hull[i]).abs();
+            let least = (0..n).min_by(|a, b| cut(*a).total_cmp(&cut(*b))).unwrap_or(0);
+            hull.remove(least);
+        }
+        hull
+    }
+}
+
+/// Area of an outline.
+fn area(outline: &[Point]) -> f64 {
+    let n = outline.len();
+    (0.5 * (0..n).map(|i| cross(outline[i].coords, outline[(i + 1) % n].coords)).sum::<f64>()).abs()
+}
+
+/// The largest figure with four corners of an outline.
+fn widest(hull: &[Point]) -> Option<[Point; 4]> {
+    let n = hull.len();
+    if n < 4 {
+        return None;
+    }
+    let mut best: Option<(f64, [usize; 4])> = None;
+    for i in 0..n {
+        for j in i + 2..n {
+            // The corners farthest from the diagonal, on either side.
+            let height = |k: usize| cross(hull[j] - hull[i], hull[k] - hull[i]).abs();
+            let farthest =
+                |range: &mut dyn Iterator<Item = usize>| range.max_by(|a, b| height(*a).total_cmp(&height(*b)));
+            let (Some(a), Some(b)) = (farthest(&mut (i + 1..j)), farthest(&mut (j + 1..n).chain(0..i))) else {
+                continue;
+            };
+            let size = height(a) + height(b);
+            if best.is_none_or(|(most, _)| size > most) {
+                best = Some((size, [i, a, j, b]));
+            }
+        }
+    }
+    best.map(|(_, corners)| corners.map(|corner| hull[corner]))
+}
