@@ -16,6 +16,10 @@ use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
 use crate::quantity::{Asked, Scales};
 use crate::scene::{ConstructionShown, PanelName, ValuesShown};
+use kurbo::Rect;
+
+/// Smallest size of a table beside the scheme with markers, in parts of its usual size.
+const SMALLEST_TABLE: f64 = 0.8;
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in
 /// markup; beside it a ruler and a table with a row for each of `asked`, with boxes for its millimetres and its value.
@@ -49,13 +53,15 @@ pub fn drawing_sheets(
     let plans = plan_sheets(solution, scales, name, 2);
     let table = |place| Table { asked, place, plans_follow: !plans.is_empty() };
     let signs = has_markers.then(|| scheme.signs(1, name));
-    for place in [TablePlace::Beside, TablePlace::Apart] {
+    for place in [TablePlace::Beside, TablePlace::Anywhere, TablePlace::Apart] {
         let sheet = Composition { signs: signs.clone(), ..student_sheet(&scheme, sentences, &table(place)) };
         let layout = sheet.layout();
-        let has_table = place == TablePlace::Apart || asked.is_empty() || layout.aside.is_some();
+        let blank = Worksheet::blank(&scheme, asked);
+        let is_legible = |area: Rect| blank.table.size_in(area) >= SMALLEST_TABLE;
+        let has_table = place == TablePlace::Apart || layout.aside.is_some_and(is_legible);
         if has_table && is_whole(&scheme, &layout) {
             let first = sheet.draw(&layout).after_step(0);
-            let apart = (place == TablePlace::Apart).then(|| Worksheet::blank(&scheme, asked).filled(&layout));
+            let apart = (place == TablePlace::Apart).then(|| blank.filled(&layout));
             let last = apart.map(|table| further_sheets(&first, scheme.dims.unit, |_| Vec::new(), table));
             return std::iter::once(first).chain(plans).chain(last.into_iter().flatten()).collect();
         }

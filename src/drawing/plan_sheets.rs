@@ -25,7 +25,7 @@ use kurbo::Point;
 const WHITE: f64 = 10.0;
 
 /// The sheets for the plans that the figure shows, at these scales, with numbers from `first` on: both
-/// on one sheet where both have room, else one each; on A3 where a plan has no room on the figure's page.
+/// on one sheet where both have room, else one each; on the figure's page, as it lies or turned, else on A3.
 pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> Vec<Drawing> {
     let own = solution.scene.figure.page;
     let shown = solution.scene.figure.shown_panels();
@@ -47,11 +47,12 @@ pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, firs
     {
         return vec![both];
     }
-    let large = |landscape: bool| Page { size: PageSize::A3, landscape };
-    let pages = [own, large(own.landscape), large(!own.landscape)];
+    let turned = |page: Page| Page { landscape: !page.landscape, ..page };
+    let large = Page { size: PageSize::A3, ..own };
+    let pages = [own, turned(own), large, turned(large)];
     let alone = |(plan, number): (&PanelName, u16)| {
         let drawn = pages.map(|page| sheet(page, &[*plan], number));
-        let fitting = drawn.iter().position(|(_, fits)| *fits).unwrap_or(1);
+        let fitting = drawn.iter().position(|(_, fits)| *fits).unwrap_or(2);
         drawn.into_iter().nth(fitting).map(|(sheet, _)| sheet)
     };
     plans.iter().zip(first..).filter_map(alone).collect()
