@@ -15,7 +15,7 @@ use super::sheet_notes::Fields;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
 use crate::quantity::{Asked, Scales};
-use crate::scene::{ConstructionShown, PanelName, ValuesShown};
+use crate::scene::{ConstructionShown, Page, PageSize, PanelName, ValuesShown};
 use kurbo::Rect;
 
 /// Smallest size of a table beside the scheme with markers, in parts of its usual size.
@@ -32,11 +32,12 @@ pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]
     is_whole(&scheme, &layout).then(|| sheet.draw(&layout).after_step(0))
 }
 
-/// The sheets on which a student draws, with markers unless the figure is to have none: as [`exercise_sheet`], then those for the plans that the figure
-/// shows, all at these scales. `name` stands in the codes of the sheets.
+/// The sheets on which a student draws, with markers unless the figure is to have none: as [`exercise_sheet`], then those
+/// for the plans that the figure shows, all at these scales. `name` stands in the codes of the sheets.
 ///
-/// A table without room beside the scheme comes last, on sheets of its own. Where the scheme has no room between the
-/// markers at its scale, its sheet is without markers.
+/// Where the scheme has no room beside the table on the figure's page, the page is turned; else the table comes last, on
+/// sheets of its own; else the page is A3. Where even that is too small for the scheme at its scale, its sheet is without
+/// markers.
 #[must_use]
 pub fn drawing_sheets(
     solution: &Solution,
@@ -45,16 +46,28 @@ pub fn drawing_sheets(
     asked: &[Asked],
     sentences: &[String],
 ) -> Vec<Drawing> {
-    let scheme = Scheme::new(solution).for_pencil().with_senses().without_values();
-    let mu = [scales.length, None, None];
-    let has_markers = scheme.figure.has_markers();
-    let dims = if has_markers { scheme.dims.with_markers() } else { scheme.dims };
-    let scheme = Scheme { dims, mu, ..scheme };
     let plans = plan_sheets(solution, scales, name, 2);
-    let table = |place| Table { asked, place, plans_follow: !plans.is_empty() };
-    let signs = has_markers.then(|| scheme.signs(1, name));
-    for place in [TablePlace::Beside, TablePlace::Anywhere, TablePlace::Apart] {
-        let sheet = Composition { signs: signs.clone(), ..student_sheet(&scheme, sentences, &table(place)) };
+    let own = solution.scene.figure.page;
+    let turned = |page: Page| Page { landscape: !page.landscape, ..page };
+    let large = Page { size: PageSize::A3, ..own };
+    let pages = [[own, turned(own)], [large, turned(large)]];
+    // On each size first with the table beside the scheme, then with the table apart.
+    let ways = pages.into_iter().flat_map(|pages| {
+        let with = move |places: &'static [TablePlace]| {
+            pages.into_iter().flat_map(move |page| places.iter().map(move |place| (page, *place)))
+        };
+        with(&[TablePlace::Beside, TablePlace::Anywhere]).chain(with(&[TablePlace::Apart]))
+    });
+    let mut solution = solution.clone();
+    for (page, place) in ways {
+        solution.scene.figure.page = page;
+        let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
+        let has_markers = scheme.figure.has_markers();
+        let dims = if has_markers { scheme.dims.with_markers() } else { scheme.dims };
+        let scheme = Scheme { dims, mu: [scales.length, None, None], ..scheme };
+        let table = Table { asked, place, plans_follow: !plans.is_empty() };
+        let signs = has_markers.then(|| scheme.signs(1, name));
+        let sheet = Composition { signs, ..student_sheet(&scheme, sentences, &table) };
         let layout = sheet.layout();
         let blank = Worksheet::blank(&scheme, asked);
         let is_legible = |area: Rect| blank.table.size_in(area) >= SMALLEST_TABLE;
@@ -66,8 +79,11 @@ pub fn drawing_sheets(
             return std::iter::once(first).chain(plans).chain(last.into_iter().flatten()).collect();
         }
     }
-    let scheme = Scheme { dims: scheme.dims.without_markers(), ..scheme };
-    let sheet = student_sheet(&scheme, sentences, &table(TablePlace::Anywhere));
+    solution.scene.figure.page = own;
+    let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
+    let scheme = Scheme { mu: [scales.length, None, None], ..scheme };
+    let table = Table { asked, place: TablePlace::Anywhere, plans_follow: !plans.is_empty() };
+    let sheet = student_sheet(&scheme, sentences, &table);
     std::iter::once(sheet.draw(&sheet.layout()).after_step(0)).chain(plans).collect()
 }
 

@@ -4,7 +4,8 @@
 //! order with every text measured and every label placed. The formats write that list and decide nothing.
 
 // In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
-// `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` compose other sheets. Then the display list:
+// `plan_panel` draw on a `canvas`. `exercise`, `plan_sheets`, `correction` and `curves` compose other sheets; `markers` stand
+// on those to be drawn on. Then the display list:
 // `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, the places of its `labels` off all
 // `obstacles`, which a `grid` finds.
 mod arrow;
