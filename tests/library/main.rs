@@ -29,6 +29,7 @@ mod honest_checks;
 mod invariants;
 mod lectured;
 mod levers;
+mod markers;
 mod paper_facts;
 mod pencil;
 mod planted_mistakes;

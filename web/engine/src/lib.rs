@@ -25,6 +25,7 @@ use exercises::Series;
 use kinegon::drawing::{ITALIC, REGULAR};
 use kinegon::editing::{self, Edit};
 use kinegon::exercise::Exercise;
+use kinegon::format::pdf_pages;
 use kinegon::scene::SceneError;
 use refused::Refused;
 use serde::Serialize;
@@ -217,21 +218,24 @@ impl Engine {
         answer(self.found(text, [seed, number], options).map(|found| exercises::Exercise::of(found, name)))
     }
 
-    /// A sheet of an exercise as PDF: `sheet` or `key`.
+    /// The student's sheets of an exercise as one PDF, `sheet`, or its key, `key`; the name is that of
+    /// [`exercise`](Engine::exercise).
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn exercise_file(
         &mut self,
         text: &str,
+        name: &str,
         seed: f64,
         number: f64,
         options: &str,
         what: &str,
     ) -> Result<Vec<u8>, String> {
         let found = self.found(text, [seed, number], options).map_err(|refused| json(&refused))?;
-        let sheet = if what == "key" { found.key_sheet() } else { found.sheet.clone() };
-        sheet.pdf().map_err(|error| json(&Refused::whole(error.to_string())))
+        let sheets =
+            if what == "key" { vec![found.key_sheet()] } else { found.sheets(&format!("{name}-{seed}-{number}")) };
+        pdf_pages(&sheets, None).map_err(|error| json(&Refused::whole(error.to_string())))
     }
 }
 

@@ -52,5 +52,5 @@ export interface Engine {
   /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;
   /** A sheet of an exercise as PDF. */
-  exercise_file(text: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
+  exercise_file(text: string, name: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
 }
