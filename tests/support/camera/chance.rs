@@ -368,7 +368,8 @@ fn finger(random: &mut Random, page: [f64; 2]) -> Vec<Thing> {
         is_round: true,
     };
     vec![
-        rod(-reach + radius, 160.0, radius, skin),
+        rod(60.0 - reach, 400.0, 3.2 * radius, skin),
+        rod(-reach + radius, 90.0, radius, skin),
         Thing { is_round: false, ..rod(-reach + radius * 0.9, -reach + radius * 1.8, radius * 0.5, nail) },
     ]
 }

@@ -75,8 +75,9 @@ impl Form {
 }
 
 impl Thing {
-    /// How much of a pixel it covers, at a place and with so many pixels per mm, and its brightness there.
-    pub fn seen(&self, place: [f32; 2], per_mm: f32) -> (f32, f32) {
+    /// How much of a pixel it covers, at a place and with so many pixels per mm, its brightness there, and the light
+    /// that its shadow leaves beside it.
+    pub fn seen(&self, place: [f32; 2], per_mm: f32) -> (f32, f32, f32) {
         let distance = self.form.distance(place);
         let covers = (0.5 - distance * per_mm).clamp(0.0, 1.0);
         let light = match self.is_round {
@@ -86,7 +87,10 @@ impl Thing {
             }
             false => 1.0,
         };
-        (covers, light)
+        let soft = if self.is_round { 0.6 * self.form.size() } else { 0.8 };
+        let is_thick = self.form.size() > 1.0;
+        let shade = if is_thick { 1.0 - 0.4 * libm::expf(-distance.max(0.0) / soft) } else { 1.0 };
+        (covers, light, shade)
     }
 }
 

@@ -8,6 +8,7 @@
 pub mod chance;
 pub mod desk;
 pub mod develop;
+pub mod drawn;
 pub mod file;
 pub mod lens;
 pub mod letters;

@@ -93,6 +93,11 @@ impl Page {
         self.with_levels()
     }
 
+    /// The page as it is drawn, sharp and without paper.
+    pub fn finished(self) -> Page {
+        self.with_levels()
+    }
+
     fn with_levels(mut self) -> Page {
         self.levels.truncate(1);
         while self.levels[self.levels.len() - 1].width > 64 {

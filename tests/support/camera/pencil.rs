@@ -34,7 +34,7 @@ pub(super) fn graphite(strokes: &[Stroke], [width, height]: [usize; 2], per_mm: 
         let part = f32::from(*dark) / 255.0;
         // Much pressure fills the valleys of the grain, too.
         let tooth = grain.at(x as f32 * step, y as f32 * step);
-        let held = (1.45 - 0.95 * tooth * (1.25 - part)).clamp(0.25, 1.2);
+        let held = (1.6 - 1.3 * tooth * (1.3 - part)).clamp(0.15, 1.2);
         *dark = (255.0 * (part * held).min(0.93)) as u8;
     }
     sheet.dark

@@ -47,7 +47,7 @@ pub struct Habit {
 impl Habit {
     pub fn random(random: &mut Random) -> Habit {
         Habit {
-            grey: random.between(75.0, 135.0),
+            grey: random.between(88.0, 150.0),
             width: random.between(0.35, 0.6),
             wobble: random.between(0.04, 0.1),
             letters: random.between(2.4, 3.8),
@@ -93,7 +93,7 @@ impl Hand<'_> {
         let strong = [self.habit.width, self.habit.grey];
         let faint = [
             (self.habit.width * self.random.between(0.65, 0.9)).max(0.28),
-            (self.habit.grey + self.random.between(15.0, 55.0)).min(175.0),
+            (self.habit.grey + self.random.between(10.0, 45.0)).min(178.0),
         ];
         if self.random.below(10) < self.habit.erased {
             self.erased(a, way, length);

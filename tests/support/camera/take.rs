@@ -9,6 +9,8 @@ use super::page::{Page, Sampler};
 pub const CELL: usize = 4;
 /// Samples along a pixel's edge; times the page's pixels per pixel, which are about two.
 const SAMPLES: usize = 3;
+/// So far from a thing its shadow is seen, in mm.
+const SHADE: f32 = 12.0;
 /// So far outside of the sheet its surface is still followed, in mm.
 const NEAR: f64 = 30.0;
 
@@ -99,13 +101,17 @@ impl Scene<'_> {
         let spread = (places[1][0] - places[0][0]).hypot(places[1][1] - places[0][1]).max(1e-6);
         let per_mm = CELL as f32 / spread;
         let middle = mixed(&places, 0.5, 0.5);
-        let near: Vec<&Thing> = self.things_near(middle, 1.5 * spread).collect();
+        let near: Vec<&Thing> = self.things_near(middle, 1.5 * spread + SHADE).collect();
         let sheet = self.sheet_corners(corners);
         let is_whole = sheet.is_some_and(|pages| pages.iter().all(|p| self.inside(*p)));
         let sheet = self.page.zip(sheet).map(|(page, pages)| (page.sampler(largest_step(&pages)), pages));
         let needs_desk = !is_whole || !near.is_empty();
         let gap = -self.outside(middle);
-        let under = if gap < 0.0 { 1.0 - 0.45 * libm::expf(gap / 2.5) } else { 0.6 };
+        let under = match self.page {
+            Some(_) if gap < 0.0 => 1.0 - 0.45 * libm::expf(gap / 2.5),
+            Some(_) => 0.55,
+            None => 1.0,
+        };
         let mut colour = [0.0_f32; 3];
         for y in at[1]..(at[1] + CELL).min(height) {
             let t = (y - at[1]) as f32 * step;
@@ -210,7 +216,8 @@ fn light(corners: &[Knot; 4], s: f32, t: f32) -> [f32; 2] {
 /// Lays things over a colour.
 fn cover<'a>(rgb: &mut [f32; 3], things: impl Iterator<Item = &'a &'a Thing>, place: [f32; 2], per_mm: f32) {
     for thing in things {
-        let (covers, light) = thing.seen(place, per_mm);
+        let (covers, light, shade) = thing.seen(place, per_mm);
+        rgb.iter_mut().for_each(|part| *part *= shade);
         for i in 0..3 {
             rgb[i] += covers * (thing.colour[i] * light - rgb[i]);
         }
