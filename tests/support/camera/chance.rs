@@ -37,16 +37,8 @@ pub enum Kind {
 }
 
 /// All kinds.
-pub const KINDS: [Kind; 8] = [
-    Kind::Flat,
-    Kind::Hard,
-    Kind::Curl1,
-    Kind::Curl3,
-    Kind::Curl6,
-    Kind::Chat1600,
-    Kind::Blurred,
-    Kind::Cropped,
-];
+pub const KINDS: [Kind; 8] =
+    [Kind::Flat, Kind::Hard, Kind::Curl1, Kind::Curl3, Kind::Curl6, Kind::Chat1600, Kind::Blurred, Kind::Cropped];
 
 impl Photograph {
     /// A picture of a kind, of a page of this size in mm; the same for the same seed.
@@ -300,8 +292,7 @@ fn other_paper(random: &mut Random, page: [f64; 2]) -> Vec<Thing> {
     let middle = [page[0] * (0.5 + off * cos), page[1] * (0.5 + off * sin)];
     let white = random.between(0.6, 0.9) as f32;
     let flat = |form, colour| Thing { form, colour, is_above: false, is_round: false };
-    let mut things =
-        vec![flat(Form::Plate { middle, half: [105.0, 148.5], turn }, [white, white, white * 0.96])];
+    let mut things = vec![flat(Form::Plate { middle, half: [105.0, 148.5], turn }, [white, white, white * 0.96])];
     let (sin, cos) = libm::sincos(turn);
     let ink = [0.08, 0.09, 0.25];
     for line in 0..28 {

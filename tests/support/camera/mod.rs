@@ -94,14 +94,8 @@ impl Photograph {
     pub fn take(&self, page: Option<&Page>) -> Shot {
         let truth = self.truth();
         let around = Surroundings::new(&self.desk, self.seed);
-        let scene = Scene {
-            view: &truth.view,
-            page,
-            mm: self.page_mm,
-            around: &around,
-            light: &self.light,
-            paper: self.paper,
-        };
+        let scene =
+            Scene { view: &truth.view, page, mm: self.page_mm, around: &around, light: &self.light, paper: self.paper };
         let exposure = scene.expose();
         let white = self.light.exposure as f32;
         let pixels = develop::develop(exposure, &self.sensor, self.light.cast, white, self.seed ^ 0x5eed);
@@ -127,7 +121,9 @@ impl Truth {
     pub fn sees_square(&self, corner: [f64; 2], side: f64) -> bool {
         let steps = 0..=10;
         steps.clone().all(|i| {
-            steps.clone().all(|j| self.sees([corner[0] + side * f64::from(i) / 10.0, corner[1] + side * f64::from(j) / 10.0]))
+            steps
+                .clone()
+                .all(|j| self.sees([corner[0] + side * f64::from(i) / 10.0, corner[1] + side * f64::from(j) / 10.0]))
         })
     }
 

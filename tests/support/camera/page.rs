@@ -107,9 +107,9 @@ impl Page {
         self
     }
 
-    /// The picture to take values from where a pixel takes so many mm.
+    /// The picture to take values from where a pixel takes so many mm at most: so that samples lie nearer than its pixels.
     pub(super) fn sampler(&self, mm_per_pixel: f64) -> Sampler<'_> {
-        let wanted = 2.1 / mm_per_pixel;
+        let wanted = 3.0 / mm_per_pixel;
         let fits = |level: &&Level| f64::from(level.per_mm) <= wanted;
         Sampler { level: self.levels.iter().find(fits).unwrap_or(&self.levels[self.levels.len() - 1]) }
     }
@@ -143,9 +143,8 @@ impl Sampler<'_> {
 impl Level {
     fn half(&self) -> Level {
         let [width, height] = [self.width, self.height].map(|n| n.div_ceil(2).max(2));
-        let at = |x: usize, y: usize| {
-            u32::from(self.values[y.min(self.height - 1) * self.width + x.min(self.width - 1)])
-        };
+        let at =
+            |x: usize, y: usize| u32::from(self.values[y.min(self.height - 1) * self.width + x.min(self.width - 1)]);
         let mut values = Vec::with_capacity(width * height);
         for y in 0..height {
             for x in 0..width {

@@ -14,7 +14,16 @@ const CODES: [u16; 8] = [0x3f, 0x1c7, 0x1f8, 0x64b, 0x695, 0x726, 0xb1a, 0xb75];
 pub fn marker_corners([width, height]: [f64; 2]) -> [[f64; 2]; 8] {
     let (right, bottom) = (width - EDGE - SIDE, height - EDGE - SIDE);
     let (middle, half) = ((width - SIDE) / 2.0, (height - SIDE) / 2.0);
-    [[EDGE, EDGE], [middle, EDGE], [right, EDGE], [right, half], [right, bottom], [middle, bottom], [EDGE, bottom], [EDGE, half]]
+    [
+        [EDGE, EDGE],
+        [middle, EDGE],
+        [right, EDGE],
+        [right, half],
+        [right, bottom],
+        [middle, bottom],
+        [EDGE, bottom],
+        [EDGE, half],
+    ]
 }
 
 /// The SVG of an otherwise empty page in mm, with more of it inside.

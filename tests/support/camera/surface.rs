@@ -61,19 +61,18 @@ impl Surface {
         let half = (page[0] * sin.abs() + page[1] * cos.abs()) / 2.0;
         let sign = if shape.is_hollow { 1.0 } else { -1.0 };
         let curvature = sign * curvature(half, shape.sagitta);
-        let mut ends = vec![(f64::NEG_INFINITY, 0.0), (-half - 15.0, curvature)];
+        let mut ends = vec![(-half - 15.0, curvature)];
         if let Some([at, angle]) = shape.crease {
             ends.push((at, curvature + angle.signum() / BEND));
             ends.push((at + BEND * angle.abs(), curvature));
         }
         ends.push((half + 15.0, 0.0));
-        let mut arcs = vec![Arc { from: ends[1].0, start: [0.0; 2], angle: 0.0, curvature: 0.0 }];
-        for &(from, curvature) in &ends[1..] {
+        let mut arcs = vec![Arc { from: ends[0].0, start: [0.0; 2], angle: 0.0, curvature: 0.0 }];
+        for &(from, curvature) in &ends {
             let last = arcs[arcs.len() - 1];
             let (start, angle) = last.at(from);
             arcs.push(Arc { from, start, angle, curvature });
         }
-        arcs[0].from = ends[1].0;
         let mut surface = Surface { page, across, arcs, ear: shape.ear };
         surface.lay_down(half);
         surface
@@ -89,7 +88,7 @@ impl Surface {
             arc.start = [cos * x - sin * z, sin * x + cos * z];
             arc.angle += turn;
         }
-        let heights = (0..=64).map(|k| self.profile(half * (f64::from(k) / 32.0 - 1.0))[1]);
+        let heights = (0..=400).map(|k| self.profile(half * (f64::from(k) / 200.0 - 1.0))[1]);
         let (lowest, middle) = (heights.fold(f64::INFINITY, f64::min), self.profile(0.0)[0]);
         for arc in &mut self.arcs {
             arc.start = [arc.start[0] - middle, arc.start[1] - lowest];

@@ -7,8 +7,8 @@ use super::page::{Page, Sampler};
 
 /// Between knots the places of the page are taken as even, in pixels.
 pub const CELL: usize = 4;
-/// Samples along a pixel's edge; times the page's pixels per pixel, which are about two.
-const SAMPLES: usize = 3;
+/// Samples along a pixel's edge; the page has at most three pixels on it.
+const SAMPLES: usize = 4;
 /// So far from a thing its shadow is seen, in mm.
 const SHADE: f32 = 12.0;
 /// So far outside of the sheet its surface is still followed, in mm.
@@ -51,17 +51,29 @@ impl Scene<'_> {
         let columns = width.div_ceil(CELL);
         let mut exposure =
             Exposure { size: [width, height], light: vec![0.0; width * height], columns, colours: Vec::new() };
+        // One for the whole picture: between two, edges would jump.
+        let sampler = self.page.map(|page| page.sampler(self.largest_step()));
         let mut above = self.knots(0, columns);
         for row in 0..height.div_ceil(CELL) {
             let below = self.knots((row + 1) * CELL, columns);
             for column in 0..columns {
                 let corners = [above[column], above[column + 1], below[column], below[column + 1]];
-                let colour = self.cell(&corners, [column * CELL, row * CELL], &mut exposure);
+                let colour = self.cell(&corners, [column * CELL, row * CELL], sampler, &mut exposure);
                 exposure.colours.push(colour);
             }
             above = below;
         }
         exposure
+    }
+
+    /// How far the page goes on from a pixel to the next, at most, in mm.
+    fn largest_step(&self) -> f64 {
+        let steps = (0..81).map(|k| {
+            let mm = [k % 9, k / 9].map(|n| f64::from(n) / 8.0);
+            let [a, b, c, d] = inverse(self.view, [0, 1].map(|i| mm[i] * self.mm[i]));
+            libm::hypot(a, c).max(libm::hypot(b, d))
+        });
+        steps.fold(0.0, f64::max)
     }
 
     fn knots(&self, y: usize, columns: usize) -> Vec<Knot> {
@@ -94,7 +106,13 @@ impl Scene<'_> {
     }
 
     /// The pixels of a cell; its colour.
-    fn cell(&self, corners: &[Knot; 4], at: [usize; 2], exposure: &mut Exposure) -> [f32; 3] {
+    fn cell(
+        &self,
+        corners: &[Knot; 4],
+        at: [usize; 2],
+        sampler: Option<Sampler<'_>>,
+        exposure: &mut Exposure,
+    ) -> [f32; 3] {
         let [width, height] = exposure.size;
         let step = 1.0 / CELL as f32;
         let places = [corners[0].desk, corners[1].desk, corners[2].desk, corners[3].desk];
@@ -104,7 +122,7 @@ impl Scene<'_> {
         let near: Vec<&Thing> = self.things_near(middle, 1.5 * spread + SHADE).collect();
         let sheet = self.sheet_corners(corners);
         let is_whole = sheet.is_some_and(|pages| pages.iter().all(|p| self.inside(*p)));
-        let sheet = self.page.zip(sheet).map(|(page, pages)| (page.sampler(largest_step(&pages)), pages));
+        let sheet = sampler.zip(sheet);
         let needs_desk = !is_whole || !near.is_empty();
         let gap = -self.outside(middle);
         let under = match self.page {
@@ -154,9 +172,7 @@ impl Scene<'_> {
     fn sheet_corners(&self, corners: &[Knot; 4]) -> Option<[[f32; 2]; 4]> {
         self.page?;
         let pages = [corners[0].page?, corners[1].page?, corners[2].page?, corners[3].page?];
-        let is_beside = |i: usize| {
-            pages.iter().all(|p| p[i] < 0.0) || pages.iter().all(|p| p[i] > self.mm[i] as f32)
-        };
+        let is_beside = |i: usize| pages.iter().all(|p| p[i] < 0.0) || pages.iter().all(|p| p[i] > self.mm[i] as f32);
         (!is_beside(0) && !is_beside(1)).then_some(pages)
     }
 
@@ -188,15 +204,6 @@ impl Scene<'_> {
         let all = (SAMPLES * SAMPLES) as f32;
         (sum / (255.0 * all), count as f32 / all)
     }
-}
-
-/// How far the page goes on from a pixel to the next, at most, in mm.
-fn largest_step(pages: &[[f32; 2]; 4]) -> f64 {
-    let square = |to: usize| {
-        let way = [0, 1].map(|i| pages[to][i] - pages[0][i]);
-        way[0] * way[0] + way[1] * way[1]
-    };
-    f64::from(square(1).max(square(2)).sqrt()) / CELL as f64
 }
 
 /// Between the corners of a cell.

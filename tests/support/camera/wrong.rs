@@ -19,8 +19,7 @@ pub enum Wrong {
 }
 
 /// All of them.
-pub const WRONGS: [Wrong; 5] =
-    [Wrong::Nothing, Wrong::Text, Wrong::OtherMarkers, Wrong::Checkerboard, Wrong::Blank];
+pub const WRONGS: [Wrong; 5] = [Wrong::Nothing, Wrong::Text, Wrong::OtherMarkers, Wrong::Checkerboard, Wrong::Blank];
 
 impl Wrong {
     /// The page's SVG, if there is a page.
