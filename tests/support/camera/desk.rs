@@ -87,7 +87,7 @@ impl Thing {
             }
             false => 1.0,
         };
-        let soft = if self.is_round { 0.6 * self.form.size() } else { 0.8 };
+        let soft = if self.is_round { 0.6 * self.form.size().min(5.0) } else { 0.8 };
         let is_thick = self.form.size() > 1.0;
         let shade = if is_thick { 1.0 - 0.4 * libm::expf(-distance.max(0.0) / soft) } else { 1.0 };
         (covers, light, shade)

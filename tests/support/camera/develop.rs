@@ -105,8 +105,8 @@ fn coloured(exposure: &Exposure, light: &[f32], corrections: &[f32], cast: [f32;
             let (left, right, s) = near(x, exposure.columns);
             let (a, b) = (row_colours[left], row_colours[right]);
             let (value, correction) = (light[y * width + x], corrections[y * width + x]);
-            for i in 0..3 {
-                let part = a[i] + (b[i] - a[i]) * s;
+            for (a, b) in a.iter().zip(b) {
+                let part = a + (b - a) * s;
                 let encoded = tone(tones, value * part) + correction;
                 pixels.push((encoded * 255.0 + 0.5).clamp(0.0, 255.0) as u8);
             }

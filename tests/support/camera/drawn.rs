@@ -54,7 +54,7 @@ impl Drawing {
 /// between the student's places; those have the hand's errors and mistakes in them already.
 pub fn drawn(task: &Task, planned: Option<&Planned>, skill: Skill, seed: u64, panels: &[Panel]) -> Drawing {
     let sheet = task.drawn(planned, skill, seed);
-    let mut random = Random(seed ^ 0x9e4c_11);
+    let mut random = Random(seed ^ 0x009e_4c11);
     let habit = Habit::random(&mut random);
     let mut drawing = Drawing {
         strokes: Vec::new(),

@@ -75,17 +75,16 @@ impl View {
             let (t, side) = (f64::from(k % 16) / 16.0, k / 16);
             let [x, y] = [[t, 0.0], [1.0, t], [1.0 - t, 1.0], [0.0, 1.0 - t]][side as usize];
             let pixel = self.pixel([x * self.page[0], y * self.page[1]]);
-            for i in 0..2 {
-                low[i] = low[i].min(pixel[i]);
-                high[i] = high[i].max(pixel[i]);
-            }
+            low = [0, 1].map(|i| low[i].min(pixel[i]));
+            high = [0, 1].map(|i| high[i].max(pixel[i]));
         }
         let extent = [0, 1].map(|i| (high[i] - low[i]) / size[i]);
         self.offset[2] *= extent[0].max(extent[1]) / pose.fill;
-        for i in 0..2 {
+        let moved = [0, 1].map(|i| {
             let target = size[i] / 2.0 * (1.0 + pose.shift[i] * (1.0 - extent[i]).abs());
-            self.offset[i] += (target - (low[i] + high[i]) / 2.0) * self.offset[2] / self.focal;
-        }
+            (target - f64::midpoint(low[i], high[i])) * self.offset[2] / self.focal
+        });
+        self.offset = [self.offset[0] + moved[0], self.offset[1] + moved[1], self.offset[2]];
     }
 
     /// Where a point of the page (mm) is seen; the centre of the picture's first pixel is (0.5, 0.5).

@@ -2,6 +2,7 @@
 
 use super::noise::Noise;
 use crate::support::random::Random;
+use std::f64::consts::TAU;
 
 /// A stroke of a pencil.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,10 +58,10 @@ impl Sheet {
         let sum: f64 = waves.iter().map(|wave| wave[2]).sum();
         let mut last: Option<([f32; 2], f32)> = None;
         for (place, normal, s) in way {
-            let off: f64 = waves.iter().map(|[mm, at, part]| part * libm::sin(s / mm * 6.28 + at)).sum();
+            let off: f64 = waves.iter().map(|[mm, at, part]| part * libm::sin(s / mm * TAU + at)).sum();
             let off = stroke.wobble * off / sum.max(0.3);
             let tremor = stroke.wobble * 0.12 * random.within(1.0);
-            let pressure: f64 = pressures.iter().map(|[mm, at]| 0.1 * libm::sin(s / mm * 6.28 + at)).sum();
+            let pressure: f64 = pressures.iter().map(|[mm, at]| 0.1 * libm::sin(s / mm * TAU + at)).sum();
             // A stroke begins and ends with less pressure.
             let ends = (0.55 + s / 1.5).min(0.6 + (length - s) / 1.2).min(1.0);
             let dark = (1.0 - grey) * ((0.92 + pressure) * ends).clamp(0.1, 1.1);

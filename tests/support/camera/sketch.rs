@@ -3,6 +3,7 @@
 use super::letters::written;
 use super::pencil::Stroke;
 use crate::support::random::Random;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// A point of a plan, in mm of the page.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,7 +162,7 @@ impl Hand<'_> {
             0 => {
                 let size = self.random.between(0.7, 1.2);
                 let turn = self.random.angle();
-                for turn in [turn, turn + 1.57] {
+                for turn in [turn, turn + FRAC_PI_2] {
                     let (sin, cos) = libm::sincos(turn);
                     let off = [0.15, 0.15].map(|mm| self.random.within(mm));
                     let end = |s: f64| [x + s * size * cos + off[0], y + s * size * sin + off[1]];
@@ -182,7 +183,7 @@ impl Hand<'_> {
         for point in points {
             let mut best: Option<(f64, [f64; 2])> = None;
             for k in 0..16 {
-                let (sin, cos) = libm::sincos(f64::from(k % 8) * 0.785 + self.random.within(0.2));
+                let (sin, cos) = libm::sincos(f64::from(k % 8) * FRAC_PI_4 + self.random.within(0.2));
                 let away = self.habit.letters * if k < 8 { 1.3 } else { 2.2 } + 0.8;
                 let place = [point.mm[0] + away * cos, point.mm[1] + away * sin];
                 let free = lines.iter().map(|line| distance(place, line.ends));

@@ -146,18 +146,14 @@ impl Scene<'_> {
                         let top = self.around.top(place) * under;
                         let mut back = self.around.desk.colour.map(|part| part * top);
                         cover(&mut back, near.iter().filter(|thing| !thing.is_above), place, per_mm);
-                        for i in 0..3 {
-                            rgb[i] += (1.0 - alpha) * back[i];
-                        }
+                        rgb.iter_mut().zip(back).for_each(|(part, back)| *part += (1.0 - alpha) * back);
                     }
                     cover(&mut rgb, near.iter().filter(|thing| thing.is_above), place, per_mm);
                 }
                 let [light, shine] = light(corners, s + 0.5 * step, t + 0.5 * step);
                 let value = 0.25 * rgb[0] + 0.6 * rgb[1] + 0.15 * rgb[2];
                 exposure.light[y * width + x] = value * light + shine;
-                for i in 0..3 {
-                    colour[i] += rgb[i];
-                }
+                colour.iter_mut().zip(rgb).for_each(|(sum, part)| *sum += part);
             }
         }
         let sum = (0.25 * colour[0] + 0.6 * colour[1] + 0.15 * colour[2]).max(1e-6);
@@ -225,9 +221,7 @@ fn cover<'a>(rgb: &mut [f32; 3], things: impl Iterator<Item = &'a &'a Thing>, pl
     for thing in things {
         let (covers, light, shade) = thing.seen(place, per_mm);
         rgb.iter_mut().for_each(|part| *part *= shade);
-        for i in 0..3 {
-            rgb[i] += covers * (thing.colour[i] * light - rgb[i]);
-        }
+        rgb.iter_mut().zip(thing.colour).for_each(|(part, own)| *part += covers * (own * light - *part));
     }
 }
 
