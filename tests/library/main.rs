@@ -8,6 +8,7 @@ mod accuracy;
 mod architecture;
 mod assemblies;
 mod bad_scenes;
+mod camera;
 mod committed_files;
 mod complete_plans;
 mod coriolis;
