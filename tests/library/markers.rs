@@ -122,8 +122,8 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
         for (place, point) in solution.pose.points.iter().zip(&solution.mechanism.points) {
             let [x, y] = panel.at([place.x, place.y]);
             let nearest = joints.iter().map(|joint| (*joint - Point::new(x, y)).hypot()).fold(f64::INFINITY, f64::min);
-            let is_joint = solution.scene.links.values().filter(|link| link.points.contains(&point.name)).count() > 1;
-            assert!(nearest < 0.01 || !is_joint, "{name}: {} is {nearest} mm off", point.name);
+            let is_joint = solution.scene.links.values().filter(|link| link.points.contains(point)).count() > 1;
+            assert!(nearest < 0.01 || !is_joint, "{name}: {point} is {nearest} mm off");
         }
         return;
     }
