@@ -36,7 +36,10 @@ fn blank_sheets_are_pages_of_one_pdf() {
     let output = run(&["draw", &scene, "--worksheet=blank", "--format", "svg", "-o", &format!("{drawn}/")]);
     assert!(output.status.success() && output.stderr.is_empty(), "{}", stderr(&output));
     let sheets = names(Path::new(&drawn));
-    assert!(sheets.len() >= 2 && sheets.contains(&"lever.svg".into()) && sheets.contains(&"lever-2.svg".into()), "{sheets:?}");
+    assert!(
+        sheets.len() >= 2 && sheets.contains(&"lever.svg".into()) && sheets.contains(&"lever-2.svg".into()),
+        "{sheets:?}"
+    );
     let first = std::fs::read_to_string(folder.join("drawn/lever.svg")).expect("a sheet");
     assert!(first.contains("id=\"marker-8\"") && first.contains("id=\"code\""));
     let output = run(&["draw", &scene, "--worksheet=blank", "-o", &pdf]);
@@ -45,7 +48,8 @@ fn blank_sheets_are_pages_of_one_pdf() {
     assert_eq!(pages(Path::new(&pdf)), sheets.len());
     assert_eq!(names(&folder), ["blank.pdf", "drawn", "lever.json"]);
     // Without markers the same sheets in the usual frame.
-    let output = run(&["draw", &scene, "--worksheet=blank", "--no-markers", "--format", "svg", "-o", &format!("{drawn}/")]);
+    let output =
+        run(&["draw", &scene, "--worksheet=blank", "--no-markers", "--format", "svg", "-o", &format!("{drawn}/")]);
     assert!(output.status.success() && output.stderr.is_empty(), "{}", stderr(&output));
     let plain = std::fs::read_to_string(folder.join("drawn/lever-2.svg")).expect("a sheet");
     assert!(!plain.contains("marker") && plain.contains("point-"));
@@ -62,9 +66,14 @@ fn what_blank_sheets_do_not_have_is_refused() {
         (&["--values"], "sheets to be drawn on tell no values"),
         (&["--format", "html"], "a page has no sheets to be drawn on"),
     ] {
-        let output = run(&[&["draw", &scene, "--worksheet=blank", "-o", folder.to_str().expect("a path")], more].concat());
+        let output =
+            run(&[&["draw", &scene, "--worksheet=blank", "-o", folder.to_str().expect("a path")], more].concat());
         assert_eq!(output.status.code(), Some(2), "{more:?}");
-        assert!(stderr(&output).contains(message) && stderr(&output).contains("leave out") || more.contains(&"html"), "{}", stderr(&output));
+        assert!(
+            stderr(&output).contains(message) && stderr(&output).contains("leave out") || more.contains(&"html"),
+            "{}",
+            stderr(&output)
+        );
     }
     let output = run(&["draw", &scene, "--worksheet=half", "-o", folder.to_str().expect("a path")]);
     assert_eq!(output.status.code(), Some(2));
@@ -96,7 +105,8 @@ fn exercises_bring_sheets_for_their_plans() {
     let folder = scratch("exercise-sheets");
     let made = |name: &str, more: &[&str]| {
         let path = folder.join(name);
-        let arguments = [&["exercise", "slider-crank", "--seed", "4", "-o", path.to_str().expect("a path")], more].concat();
+        let arguments =
+            [&["exercise", "slider-crank", "--seed", "4", "-o", path.to_str().expect("a path")], more].concat();
         let output = run(&arguments);
         assert!(output.status.success(), "{}", stderr(&output));
         path.join("slider-crank-4-1")
@@ -112,7 +122,8 @@ fn exercises_bring_sheets_for_their_plans() {
     for name in ["scene.json", "form.json", "form.csv", "key.json", "key.svg"] {
         assert!(std::fs::read(with.join(name)).ok() == std::fs::read(without.join(name)).ok(), "{name}");
     }
-    let [said, plain] = [&with, &without].map(|folder| std::fs::read_to_string(folder.join("sheet.svg")).expect("a sheet"));
+    let [said, plain] =
+        [&with, &without].map(|folder| std::fs::read_to_string(folder.join("sheet.svg")).expect("a sheet"));
     assert!(said.contains("Sheets for the plans follow") && !said.contains("or larger"));
     assert!(plain.contains("or larger") && !plain.contains("marker"));
 }
