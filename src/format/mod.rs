@@ -3,6 +3,7 @@
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
 #[cfg(feature = "arrow")]
+mod backdrop;
 mod columns;
 mod digits;
 mod feedback;
@@ -26,7 +27,6 @@ mod wanted;
 #[cfg(feature = "html")]
 mod workbench;
 
-#[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
@@ -47,6 +47,8 @@ pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};
+#[cfg(feature = "arrow")]
+pub use backdrop::Backdrop;
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;

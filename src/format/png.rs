@@ -69,6 +69,18 @@ impl Drawing {
     }
 }
 
+/// A drawing without its ground over pixels of four bytes.
+pub(super) fn over(drawing: &Drawing, [width, height]: [u32; 2], pixels: Vec<u8>) -> Result<Vec<u8>, PngError> {
+    let svg = svg_with(drawing, Text::Outlines);
+    let tree = Tree::from_str(&svg, &Options::default())?;
+    let too_large = PngError::TooLarge { width: f64::from(width), height: f64::from(height) };
+    let size = resvg::tiny_skia::IntSize::from_wh(width, height);
+    let mut pixmap = size.and_then(|size| Pixmap::from_vec(pixels, size)).ok_or(too_large)?;
+    let across = width as f32 / tree.size().width();
+    resvg::render(&tree, Transform::from_scale(across, height as f32 / tree.size().height()), &mut pixmap.as_mut());
+    encode(&pixmap, f64::from(across) * CSS_DPI)
+}
+
 /// The pixels as a PNG file.
 fn encode(pixmap: &Pixmap, dpi: f64) -> Result<Vec<u8>, PngError> {
     let colours = without_alpha(pixmap.data());
