@@ -10,7 +10,7 @@ use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::scene::PanelName;
+use crate::scene::{PanelName, StyleName};
 use kurbo::{Affine, Point, Rect, Vec2};
 
 /// White round a plan, in which names have room, in mm.
@@ -33,13 +33,14 @@ pub struct SeenPoint {
     pub is_off: bool,
 }
 
-/// The right plans of a sheet at their places on it, in the accent colour, and the points that were found, with circles that hold them.
+/// The right plans of a sheet at their places on it, in the accent colour of the style `paper`, and the points that were found, with circles that hold them.
 ///
 /// In millimetres of the sheet, without ground: it is laid over the picture of the sheet.
 #[must_use]
 pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> Drawing {
     let mut solution = solution.clone();
     let figure = &mut solution.scene.figure;
+    figure.style = StyleName::Paper;
     figure.page = code.page;
     figure.focus = None;
     figure.panels = code.panels.iter().map(|panel| panel.panel).collect();

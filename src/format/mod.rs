@@ -2,8 +2,8 @@
 //! Out: the bytes of a file in a format that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
-#[cfg(feature = "arrow")]
 mod backdrop;
+#[cfg(feature = "arrow")]
 mod columns;
 mod digits;
 mod feedback;
@@ -27,6 +27,8 @@ mod wanted;
 #[cfg(feature = "html")]
 mod workbench;
 
+pub use self::backdrop::Backdrop;
+#[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
@@ -47,8 +49,6 @@ pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};
-#[cfg(feature = "arrow")]
-pub use backdrop::Backdrop;
 
 #[cfg(test)]
 pub(crate) use self::svg::ink_in;

@@ -93,7 +93,14 @@ fn places_on_paper_are_found() {
         let covered = own.covered as f64 / own.errors.len().max(1) as f64;
         println!(
             "{kind:?}: {} photographs, {} with all markers, {} of these found; rms {:.3} mm, 95 % {:.3} mm, largest {:.3} mm; within their bands {:.1} %; {:?}",
-            own.photographs, own.whole, own.found, own.rms(), own.part(0.95), own.part(1.0 - 1e-9), 100.0 * covered, own.refused
+            own.photographs,
+            own.whole,
+            own.found,
+            own.rms(),
+            own.part(0.95),
+            own.part(1.0 - 1e-9),
+            100.0 * covered,
+            own.refused
         );
         if let Some([rms, most]) = allowed(kind) {
             assert!(own.rms() <= rms && own.part(0.95) <= most, "{kind:?}: {:.3} {:.3}", own.rms(), own.part(0.95));
@@ -112,7 +119,8 @@ fn no_sheet_is_seen_in_other_things() {
     for number in 0..tried(5, 200) {
         let wrong = WRONGS[number as usize % WRONGS.len()];
         let mm = [297.0, 210.0];
-        let page = wrong.svg(mm, &mut Random(number + 5)).map(|svg| Page::draw(&svg, mm, 12, &Default::default()).finished());
+        let page =
+            wrong.svg(mm, &mut Random(number + 5)).map(|svg| Page::draw(&svg, mm, 12, &Default::default()).finished());
         let shot = Photograph::random(number, Kind::Hard, mm).with_edge(1400).take(page.as_ref());
         let read = photo::read(&decoded(&shot.jpeg), &[]);
         assert!(matches!(read, Err(Refusal::FewMarkers { .. })), "{wrong:?} {number}: {read:?}");
@@ -151,7 +159,10 @@ fn points_are_proposed_where_they_are() {
         all.misjudged,
         all.untold,
     );
-    println!("of {} sheets with mistakes all told from the typed form of {}, from photographs of {}", all.planted, all.named[0], all.named[1]);
+    println!(
+        "of {} sheets with mistakes all told from the typed form of {}, from photographs of {}",
+        all.planted, all.named[0], all.named[1]
+    );
     assert!(all.wrong as f64 <= tried(0.03, 0.01) * points, "{:?}", all.told);
     assert!(all.right as f64 >= 0.3 * points, "only {} of {points} points are proposed", all.right);
     assert!(all.misjudged as f64 <= 0.01 * points);

@@ -87,7 +87,10 @@ fn a_folder_of_photographs_is_a_class() {
     assert_eq!(output.status.code(), Some(2), "{text}{}", stderr(&output));
     let rows: Vec<&str> = text.lines().collect();
     assert_eq!(rows.len(), 4, "{text}");
-    assert!(rows[1].starts_with("\"Ana\"") && rows[2].starts_with("\"Bo\"") && rows[3].starts_with("\"Cid\""), "{text}");
+    assert!(
+        rows[1].starts_with("\"Ana\"") && rows[2].starts_with("\"Bo\"") && rows[3].starts_with("\"Cid\""),
+        "{text}"
+    );
     assert!(forms.join("Ana.json").is_file() && forms.join("Bo.json").is_file() && !forms.join("Cid.json").exists());
     let accepted = check(&scene, &[class, "-o", forms_text, "--accept"]);
     assert!(stdout(&accepted).starts_with("file,name,passed,"), "{}{}", stdout(&accepted), stderr(&accepted));
@@ -158,7 +161,8 @@ fn wrong_uses_are_told() {
     let folder = scratch("photo-uses");
     let scene = folder.join("scene.json");
     std::fs::write(&scene, files::read("templates/four-bar.json")).expect("it is written");
-    std::fs::write(folder.join("form.json"), r#"{"kinegon_measured": 1, "values": {"omega(2)": "1"}}"#).expect("written");
+    std::fs::write(folder.join("form.json"), r#"{"kinegon_measured": 1, "values": {"omega(2)": "1"}}"#)
+        .expect("written");
     let form = folder.join("form.json");
     let form = form.to_str().expect("a path");
     for (arguments, message) in [

@@ -12,7 +12,9 @@ use super::students::judge::{Class, Said, class};
 use super::students::script;
 use super::students::task::{Planned, Task};
 use image::{DynamicImage, ImageDecoder, ImageReader};
-use kinegon::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposals, check, check_result, proposed};
+use kinegon::check::{
+    AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposals, check, check_result, proposed,
+};
 use kinegon::construction::PlanKind;
 use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
@@ -61,7 +63,13 @@ pub fn panels(code: &SheetCode) -> Vec<Panel> {
 }
 
 /// A photograph of a sheet with a drawing on it: the file and the truth.
-pub fn photographed(sheet: &(SheetCode, String), drawing: &Drawing, kind: Kind, seed: u64, edge: usize) -> super::camera::Shot {
+pub fn photographed(
+    sheet: &(SheetCode, String),
+    drawing: &Drawing,
+    kind: Kind,
+    seed: u64,
+    edge: usize,
+) -> super::camera::Shot {
     let mm = sheet.0.page.size_mm();
     let per_mm = if edge > 2000 { 24 } else { 12 };
     let page = Page::draw(&sheet.1, mm, per_mm, &Default::default()).printed(&drawing.strokes, seed);
@@ -162,9 +170,8 @@ fn compare(
     tally: &mut Tally,
 ) -> Vec<PointsOf> {
     let construction = &task.solution.construction;
-    let place = |kind: PlanKind, name: &str| {
-        construction.place(kind.sheet(), construction.plan_name(kind.sheet(), name))
-    };
+    let place =
+        |kind: PlanKind, name: &str| construction.place(kind.sheet(), construction.plan_name(kind.sheet(), name));
     let mut found: Vec<PointsOf> = Vec::new();
     for point in &proposals.points {
         let own = |(kind, name, _): &&(PlanKind, String, [f64; 2])| {

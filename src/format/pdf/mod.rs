@@ -71,6 +71,8 @@ impl Drawing {
             surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
             draw_picture(&mut surface);
             surface.end_tagged();
+            // As on a film: where the drawing is white the picture stays as it is.
+            surface.push_blend_mode(krilla::blend::BlendMode::Multiply);
         }
         let marks: Vec<(&Mark, bool)> = self.marks.iter().zip(self.halos()).collect();
         let background = self.style.background();
@@ -100,6 +102,9 @@ impl Drawing {
                     surface.end_tagged();
                 }
             }
+        }
+        if backdrop.is_some() {
+            surface.pop();
         }
         surface.pop();
         surface.finish();
