@@ -13,6 +13,7 @@ pub struct Backdrop {
 
 impl Backdrop {
     /// Red, green, blue and 255 of each pixel.
+    #[cfg(any(feature = "png", all(feature = "pdf", feature = "cli")))]
     fn colours(&self) -> Vec<u8> {
         self.grey.iter().flat_map(|grey| [*grey, *grey, *grey, 255]).collect()
     }

@@ -90,9 +90,10 @@ pub struct Tally {
     /// Verdicts that are not those on the true places.
     pub misjudged: usize,
     pub untold: usize,
-    /// Sheets with mistakes, those of which the check tells all from the typed form, and with the plans' segments from the photographs.
+    /// Sheets with mistakes, those of which the check tells all: from the typed form; with the plans' segments from the points that are proposed; and with those that
+    /// the student taps besides.
     pub planted: usize,
-    pub named: [usize; 2],
+    pub named: [usize; 3],
     pub told: Vec<String>,
 }
 
@@ -138,7 +139,14 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
         }
     }
     let Ok(proposals) = proposed(&key, &plans) else { return };
-    let points = compare(&proposals, &truth, task, tally);
+    let mut points = compare(&proposals, &truth, task, tally);
+    for plan in &plans {
+        if points.iter().all(|points| points.kind != plan.kind) {
+            let mut own = PointsOf::new(plan.kind);
+            own.put(plan.kind.pole(), [0.0; 2], Some(0.1));
+            points.push(own);
+        }
+    }
     let Some(planned) = planned else { return };
     let mut typed = task.hand_in(Some(&planned), skill, number);
     let told = |form: &Measured| class_of(form, &key, &planned);
@@ -150,6 +158,31 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
         typed.mu[plan.kind.sheet() as usize] = Some(plan.mu);
     }
     tally.named[1] += usize::from(told(&typed) == Class::Named);
+    tap(&mut typed.points, &plans, &truth, &mut random);
+    tally.named[2] += usize::from(told(&typed) == Class::Named);
+}
+
+/// Adds the points that nobody proposes, as a finger sets them: within a millimetre, at the crossing of lines there if there is one.
+fn tap(
+    points: &mut [PointsOf],
+    plans: &[PencilledPlan<'_>],
+    truth: &[(PlanKind, String, [f64; 2])],
+    random: &mut Random,
+) {
+    for (kind, name, at) in truth {
+        let Some(plan) = plans.iter().find(|plan| plan.kind == *kind) else { continue };
+        let Some(own) = points.iter_mut().find(|points| points.kind == *kind) else { continue };
+        if own.places.contains_key(name) || name == kind.pole() {
+            continue;
+        }
+        let finger = plan.on_sheet([at[0] + random.between(-0.7, 0.7), at[1] + random.between(-0.7, 0.7)]);
+        let near = kinegon::geometry::Point::from(finger);
+        let (place, band) = match photo::crossing(plan.strokes, near) {
+            Some(crossing) => ([crossing.at.x, crossing.at.y], crossing.band.max(0.2)),
+            None => (finger, 1.0),
+        };
+        own.put(name.as_str(), plan.from_pole(place), Some(band));
+    }
 }
 
 /// How well what is told of a form fits what was planted.

@@ -111,6 +111,8 @@ const MISSING: f64 = 0.3;
 const SET: f64 = 0.15;
 /// Explanations with less than this behind the best one have a say in where points are.
 const RIVAL: f64 = 1.2;
+/// How much better than none a mistake explains the lines at least.
+const CLEARLY: f64 = 1.5;
 /// Distance of two places that are not the same point, in mm.
 const APART: f64 = 0.5;
 
@@ -134,8 +136,11 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
         all.extend(candidates.iter().map(|candidate| rated(&tracker, vec![candidate])));
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
     }
-    // A mistake that leaves much unexplained is none.
-    all.retain(|(_, mistakes, track)| mistakes.is_empty() || track.missing <= MISSING * track.agreeing);
+    // A mistake that leaves much unexplained is none, and one that explains little more than none.
+    let without = all.iter().find(|tried| tried.1.is_empty()).map_or(f64::NEG_INFINITY, |tried| tried.0);
+    all.retain(|(worth, mistakes, track)| {
+        mistakes.is_empty() || (track.missing <= MISSING * track.agreeing && *worth > without + CLEARLY)
+    });
     let best = all[0].0;
     let rivals: Vec<&(f64, Vec<&Candidate>, Track)> = all.iter().take_while(|tried| tried.0 > best - RIVAL).collect();
     for point in &mut points {
