@@ -159,9 +159,10 @@ fn points_are_proposed_where_they_are() {
         all.misjudged,
         all.untold,
     );
+    let [typed, proposed, tapped] = all.named;
     println!(
-        "of {} sheets with mistakes all told from the typed form of {}, from photographs of {}",
-        all.planted, all.named[0], all.named[1]
+        "of {} sheets with mistakes all told from the typed form of {typed}, from proposed points of {proposed}, with the others tapped of {tapped}",
+        all.planted
     );
     assert!(all.wrong as f64 <= tried(0.03, 0.01) * points, "{:?}", all.told);
     assert!(all.right as f64 >= 0.3 * points, "only {} of {points} points are proposed", all.right);
