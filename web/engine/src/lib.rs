@@ -12,6 +12,8 @@ mod forms;
 mod gesture;
 mod kinds;
 mod opened;
+mod photo;
+mod photo_answers;
 mod picture;
 mod refused;
 #[cfg(not(target_arch = "wasm32"))]
@@ -26,6 +28,7 @@ use kinegon::drawing::{ITALIC, REGULAR};
 use kinegon::editing::{self, Edit};
 use kinegon::exercise::Exercise;
 use kinegon::scene::SceneError;
+use photo::Photograph;
 use refused::Refused;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -37,6 +40,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Engine {
     desk: Desk,
     series: Option<Series>,
+    photo: Option<Photograph>,
 }
 
 #[wasm_bindgen]
@@ -235,7 +239,51 @@ impl Engine {
     }
 }
 
+/// A photograph of the student's drawing.
+#[wasm_bindgen]
 impl Engine {
+    /// The sheet in a photograph, by its grey pixels row by row; it is kept until the next one.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo(&mut self, text: &str, width: f64, height: f64, grey: Vec<u8>) -> Result<String, String> {
+        self.photo = None;
+        let read = photo::read(&mut self.desk, text, [width, height].map(|side| side as usize), grey);
+        let (read, kept) = read.map_err(|refused| json(&refused))?;
+        self.photo = kept;
+        Ok(json(&read))
+    }
+
+    /// How many pencil lines the photograph has; they are looked for once.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo_lines(&mut self) -> Result<String, String> {
+        answer(self.photograph().map(Photograph::lines))
+    }
+
+    /// The place of a plan, `velocity` or `acceleration`, at a place in the picture.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64) -> Result<String, String> {
+        answer(self.photograph().map(|photo| photo.tapped(plan, [x, y])))
+    }
+
+    /// How points of the student's plans stand in the photograph.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo_points(&mut self, placed: &str) -> Result<String, String> {
+        answer(self.photograph().and_then(|photo| Ok(photo.judged(&asked::<Vec<_>>(placed)?))))
+    }
+}
+
+impl Engine {
+    fn photograph(&mut self) -> Result<&mut Photograph, Refused> {
+        self.photo.as_mut().ok_or_else(|| Refused::whole("there is no photograph"))
+    }
+
     /// An exercise; those before it are kept, as the next one is looked for from the last.
     fn found(&mut self, text: &str, [seed, number]: [f64; 2], options: &str) -> Result<&Exercise, Refused> {
         if seed < 0.0 || seed.fract() != 0.0 || seed > 9e15 {
