@@ -12,8 +12,12 @@ import type {
   Mode,
   Opened,
   OverCycle,
+  PhotoRead,
   Picture,
+  PlacedPoint,
+  PointVerdict,
   Pull,
+  Tapped,
   Value,
   View,
 } from "./types.ts";
@@ -53,4 +57,12 @@ export interface Engine {
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;
   /** A sheet of an exercise as PDF. */
   exercise_file(text: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
+  /** The sheet in a photograph of that many pixels, by their brightness row by row; it is kept for the next three. The pixels are handed over and gone here. */
+  photo(text: string, width: number, height: number, grey: Uint8Array): PhotoRead;
+  /** How many pencil lines it has; they are looked for once, which takes a moment. */
+  photo_lines(): number;
+  /** The place of a plan at a place in the picture; null where that is not on the sheet. */
+  photo_tap(plan: string, x: number, y: number): Tapped | null;
+  /** How points of the student's plans stand in it. */
+  photo_points(placed: PlacedPoint[]): PointVerdict[];
 }
