@@ -262,12 +262,13 @@ impl Engine {
         answer(self.photograph().map(Photograph::lines))
     }
 
-    /// The place of a plan, `velocity` or `acceleration`, at a place in the picture.
+    /// The place of a plan, `velocity` or `acceleration`, at a place in the picture, or where pencil lines cross at most
+    /// `reach` mm from there.
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64) -> Result<String, String> {
-        answer(self.photograph().map(|photo| photo.tapped(plan, [x, y])))
+    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
+        answer(self.photograph().map(|photo| photo.tapped(plan, [x, y], reach)))
     }
 
     /// How points of the student's plans stand in the photograph.

@@ -5,7 +5,7 @@ use crate::photo_answers::{Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused
 use crate::refused::Refused;
 use kinegon::Solution;
 use kinegon::check::{BANDS, form_boxes, plan_points};
-use kinegon::construction::{Plan, Teller, Tolerance};
+use kinegon::construction::{Plan, PointRole, Teller, Tolerance};
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::format::html_text;
 use kinegon::geometry::{Point, Vector};
@@ -151,7 +151,10 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<(PlanInPhoto, Vec<[String
         let plan = construction.plan_on(kind)?;
         let named = std::mem::take(&mut labels[index]);
         let allowed = Allowed::of(solution, plan, panel, named.iter().map(|(name, _)| name.as_str()));
-        let points = named.into_iter().filter_map(|(name, label)| {
+        // Images of points at rest are the pole itself.
+        let is_asked =
+            |name: &str| name == plan.kind.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
+        let points = named.into_iter().filter(|(name, _)| is_asked(name)).filter_map(|(name, label)| {
             let vector = plan.points.get(&name)?.vector / panel.mu;
             Some(RightPoint { allowed: allowed.at(&name), label: html_text(&label), at: [vector.x, vector.y], name })
         });
@@ -257,12 +260,13 @@ impl Photograph {
         strokes.len()
     }
 
-    /// The place of a plan that is tapped in the picture, in pixels: the crossing of pencil lines there, else the place itself.
-    pub fn tapped(&mut self, plan: &str, pixel: [f64; 2]) -> Option<Tapped> {
+    /// The place of a plan that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
+    /// place itself.
+    pub fn tapped(&mut self, plan: &str, pixel: [f64; 2], reach: f64) -> Option<Tapped> {
         self.lines();
         let plan = self.plans.iter().find(|known| known.key == plan)?;
         let aimed = self.sheet.paper(pixel)?;
-        let found = crossing(self.strokes.as_deref().unwrap_or_default(), Point::from(aimed));
+        let found = nearest(self.strokes.as_deref().unwrap_or_default(), Point::from(aimed), reach);
         let (paper, own) = match found {
             Some(Crossing { at, band, .. }) => ([at.x, at.y], band),
             None => (aimed, AIMED),
@@ -317,6 +321,17 @@ impl Photograph {
         };
         placed.iter().filter_map(verdict).collect()
     }
+}
+
+/// The crossing of pencil lines nearest to a place, at most `reach` mm away: under a finger on a small screen there may be more
+/// than one.
+fn nearest(strokes: &[Stroke], near: Point, reach: f64) -> Option<Crossing> {
+    let beside =
+        |step: f64| [(step, 0.0), (0.0, step), (-step, 0.0), (0.0, -step)].map(|(x, y)| near + Vector::new(x, y));
+    let around = [near].into_iter().chain([1.0, 2.0].into_iter().flat_map(|ring| beside(ring * photo::SNAP)));
+    let far = |found: &Crossing| (found.at - near).norm();
+    let found = around.filter(|place| (place - near).norm() <= reach).filter_map(|place| crossing(strokes, place));
+    found.filter(|found| far(found) <= reach.max(photo::SNAP)).min_by(|a, b| far(a).total_cmp(&far(b)))
 }
 
 /// A length in mm, to 0.01.

@@ -61,8 +61,8 @@ export interface Engine {
   photo(text: string, width: number, height: number, grey: Uint8Array): PhotoRead;
   /** How many pencil lines it has; they are looked for once, which takes a moment. */
   photo_lines(): number;
-  /** The place of a plan at a place in the picture; null where that is not on the sheet. */
-  photo_tap(plan: string, x: number, y: number): Tapped | null;
+  /** The place of a plan at a place in the picture, or where pencil lines cross at most `reach` mm from there; null where that is not on the sheet. */
+  photo_tap(plan: string, x: number, y: number, reach: number): Tapped | null;
   /** How points of the student's plans stand in it. */
   photo_points(placed: PlacedPoint[]): PointVerdict[];
 }

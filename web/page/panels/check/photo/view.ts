@@ -126,7 +126,8 @@ export function photoView(app: App, form: FormOf): PhotoView {
     leftOut.delete(key);
     note = "";
     show();
-    if (document.activeElement === document.body) aim.focus({ preventScroll: true });
+    // So that arrow keys move it.
+    aim.focus({ preventScroll: true });
   }
 
   /** Puts the chosen point where the photograph has it. */
