@@ -74,7 +74,6 @@ impl Untrusted {
     }
 
     /// For finding the file or the exercise that has this name; never to be shown.
-    #[cfg(feature = "cli")]
     pub(crate) fn for_comparing(&self) -> &str {
         &self.0
     }

@@ -72,9 +72,15 @@ impl Exercise {
         if is_table { form.csv() } else { form.json() }
     }
 
-    /// The student's sheet, or the drawn key.
-    fn draw<'py>(&self, py: Python<'py>, is_key: bool, form: Form) -> PyResult<Bound<'py, PyBytes>> {
-        let file = py.detach(|| if is_key { form.bytes(&self.0.key_sheet()) } else { form.bytes(&self.0.sheet) });
+    /// The drawn key.
+    fn draw_key<'py>(&self, py: Python<'py>, form: Form) -> PyResult<Bound<'py, PyBytes>> {
+        let file = py.detach(|| form.bytes(&self.0.key_sheet()));
         Ok(PyBytes::new(py, &file?))
+    }
+
+    /// The student's sheets of the exercise with that name; as PDF one file with all of them.
+    fn draw<'py>(&self, py: Python<'py>, name: &str, form: Form) -> PyResult<Vec<Bound<'py, PyBytes>>> {
+        let files = py.detach(|| form.joined(&self.0.sheets(name)))?;
+        Ok(files.iter().map(|file| PyBytes::new(py, file)).collect())
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::refused::Refused;
 use kinegon::drawing::Drawing;
-use kinegon::format::{Text, layered_svg, svg_with};
+use kinegon::format::{Text, layered_svg, pdf_pages, svg_with};
 use pyo3::FromPyObject;
 
 /// How sheets are written.
@@ -33,6 +33,15 @@ impl Form {
             "png" => drawing.png(self.dpi).map_err(|error| failed(error.to_string())),
             other => Err(failed(format!("there is no format `{other}` of a sheet"))),
         }
+    }
+
+    /// The files of the sheets of one set; as PDF one file with all of them.
+    pub fn joined(&self, sheets: &[Drawing]) -> Result<Vec<Vec<u8>>, Refused> {
+        if self.format != "pdf" {
+            return self.files(sheets);
+        }
+        let file = pdf_pages(sheets, None).map_err(|error| Refused::new("KinegonError", error.to_string(), None));
+        Ok(vec![file?])
     }
 
     /// The files of several drawings.

@@ -190,6 +190,7 @@ fn with_usual_points(measured: &Measured, key: &AnswerKey<'_>) -> Measured {
     for points in &mut measured.points {
         let sheet = points.kind.sheet();
         points.places = points.places.iter().map(|(name, at)| (shown.usual_point(sheet, name), *at)).collect();
+        points.bands = points.bands.iter().map(|(name, band)| (shown.usual_point(sheet, name), *band)).collect();
     }
     measured
 }

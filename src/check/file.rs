@@ -1,6 +1,6 @@
 //! The form of measured values as a JSON file.
 
-use super::sheet::{Given, Measured, PointsOf, Positive};
+use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
 use super::table::with_point;
 use crate::construction::PlanKind;
 use crate::scene::{FileKind, SceneError, read_as};
@@ -50,9 +50,29 @@ enum Paper {
 #[serde(deny_unknown_fields)]
 struct Points {
     #[serde(default)]
-    velocity: IndexMap<String, [f64; 2]>,
+    velocity: IndexMap<String, Place>,
     #[serde(default)]
-    acceleration: IndexMap<String, [f64; 2]>,
+    acceleration: IndexMap<String, Place>,
+}
+
+/// The place of a point, and its radius where there is one.
+#[derive(Debug)]
+struct Place([f64; 2], Option<f64>);
+
+impl<'de> Deserialize<'de> for Place {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Place, D::Error> {
+        match Vec::<f64>::deserialize(deserializer)?.as_slice() {
+            [x, y] => Ok(Place([*x, *y], None)),
+            [x, y, band] if (0.0..=WIDEST).contains(band) => Ok(Place([*x, *y], Some(*band))),
+            [_, _, band] => Err(D::Error::custom(format!(
+                "{band} is no radius: behind x and y stands how far the point may be from there, 0 to {WIDEST} mm"
+            ))),
+            others => Err(D::Error::custom(format!(
+                "{} numbers are no place; a place is [x, y] in millimetres of paper, or [x, y, radius]",
+                others.len()
+            ))),
+        }
+    }
 }
 
 /// Digits, and perhaps a unit.
@@ -145,7 +165,11 @@ impl Measured {
             values: given.collect(),
             points: points
                 .filter(|(_, places)| !places.is_empty())
-                .map(|(kind, places)| PointsOf { kind, places })
+                .map(|(kind, places)| {
+                    let mut points = PointsOf::new(kind);
+                    places.into_iter().for_each(|(name, Place(at, band))| points.put(name, at, band));
+                    points
+                })
                 .collect(),
         })
     }

@@ -2,7 +2,7 @@
 
 use super::answer_key::AnswerKey;
 use super::entry::{Names, Reader};
-use super::sheet::{Given, Measured, Positive};
+use super::sheet::{Given, Measured, PointsOf, Positive};
 use super::shown::ShownNames;
 use super::template::quoted;
 use crate::construction::PlanKind;
@@ -37,7 +37,7 @@ struct FilledFile<'a> {
     written_in: Option<&'static str>,
     values: IndexMap<String, Value<'a>>,
     #[serde(skip_serializing_if = "IndexMap::is_empty")]
-    points: IndexMap<&'static str, &'a IndexMap<String, [f64; 2]>>,
+    points: IndexMap<&'static str, IndexMap<&'a str, Vec<f64>>>,
 }
 
 /// Digits as they were written, and a unit.
@@ -63,7 +63,7 @@ impl<'a> FilledForm<'a> {
     pub fn json(&self) -> String {
         let measured = self.measured;
         let [mu_l, mu_v, mu_a] = measured.mu;
-        let points = measured.points.iter().map(|plan| (plan_name(plan.kind), &plan.places));
+        let points = measured.points.iter().map(|plan| (plan_name(plan.kind), places(plan).collect()));
         crate::format::json(&FilledFile {
             kinegon_measured: 1,
             name: measured.name.clone().unwrap_or_default(),
@@ -96,8 +96,10 @@ impl<'a> FilledForm<'a> {
             Value::WithUnit { value, unit } => format!("{},{},{}", quoted(name), cell(value), quoted(&cell(unit))),
         }));
         for plan in &measured.points {
-            let place = |(name, [x, y]): (&String, &[f64; 2])| format!("{}:{name},{x},{y}", plan_name(plan.kind));
-            lines.extend(plan.places.iter().map(place));
+            let written = |place: Vec<f64>| place.iter().map(|x| format!(",{x}")).collect::<String>();
+            let line =
+                |(name, place)| format!("{}{}", quoted(&format!("{}:{name}", plan_name(plan.kind))), written(place));
+            lines.extend(places(plan).map(line));
         }
         lines.join("\n") + "\n"
     }
@@ -138,6 +140,14 @@ impl<'a> FilledForm<'a> {
         };
         filled.into_iter().flat_map(of_row).collect()
     }
+}
+
+/// The places of a plan's points: x and y, and the radius where there is one.
+fn places(points: &PointsOf) -> impl Iterator<Item = (&str, Vec<f64>)> {
+    points.places.iter().map(|(name, at)| {
+        let band = points.bands.get(name);
+        (name.as_str(), at.iter().chain(band).copied().collect())
+    })
 }
 
 fn plan_name(kind: PlanKind) -> &'static str {

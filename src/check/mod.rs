@@ -11,7 +11,7 @@
 //! `datum`, `covariance`, `hand`, `walk`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the
 //! catalogue, `settle` fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the
 //! explanations and chooses the `explanation` that is told; `report` and `result` write it as text and JSON, `parts` piece by piece for a page, `redrawn/` draws the
-//! student's sheets as they probably were; `student` draws with mistakes on purpose; `marks` gives the marks that
+//! student's sheets as they probably were; `student` draws with mistakes on purpose; `proposed/` finds plan points among the pencil lines of a photograph; `marks` gives the marks that
 //! values earn, `class` sums up many drawings, `feedback` makes of one what its student gets back. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
@@ -35,6 +35,8 @@ mod parts;
 mod points;
 mod precision;
 mod prepared;
+#[cfg(feature = "photo")]
+mod proposed;
 mod redrawn;
 mod report;
 mod result;
@@ -64,6 +66,8 @@ pub use mistakes::{Candidate, Mistake};
 pub use parts::{Cause, ReportParts, ReportRow, report_parts};
 pub use precision::Precision;
 pub use prepared::{DEPTH, Prepared};
+#[cfg(feature = "photo")]
+pub use proposed::{Found, PencilledPlan, PointVerdict, Proposal, Proposals, proposed};
 pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};

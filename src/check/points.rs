@@ -34,6 +34,7 @@ impl Reader<'_> {
                 if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
             };
             let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+            let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
             for (a, b) in self.pairs(points.kind, &places) {
                 let name = points.kind.segment_name(a, b);
                 if entries.iter().any(|e| e.asked.name() == name) {
@@ -51,8 +52,7 @@ impl Reader<'_> {
                     asked,
                     text: String::new(),
                     value: mm * mu,
-                    // Places are written to a tenth or a hundredth of a millimetre, as people do.
-                    rounding: 0.05 * mu,
+                    rounding: rounding(&bands, [a, b]) * mu,
                     precision: Precision { decimals: 1, digits: 4 },
                     is_magnitude: false,
                     factor: mu,
@@ -76,6 +76,13 @@ impl Reader<'_> {
         let between = points().flat_map(|a| points().map(move |b| (a, b)));
         from_pole.chain(between.filter(|(a, b)| self.names.order.contains_key(&plan.segment_name(a, b)))).collect()
     }
+}
+
+/// Half the width of the range in which the distance of two places may be, in mm: people write places to a tenth or a
+/// hundredth of a millimetre; places from a photograph have their radii.
+fn rounding(bands: &IndexMap<String, f64>, ends: [&str; 2]) -> f64 {
+    let [a, b] = ends.map(|name| bands.get(name).copied().unwrap_or(0.0));
+    libm::hypot(a, b).max(0.05)
 }
 
 /// Whether the places are those of the mirrored plan: no rotation brings them near the right ones, but one of the

@@ -1,14 +1,13 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
-use super::sheet::{CheckError, Given, Measured, PointsOf, Positive};
+use super::sheet::{CheckError, Given, Measured, PointsOf, Positive, WIDEST};
 use crate::construction::PlanKind;
 use crate::text::shown;
-use indexmap::IndexMap;
 
 impl Measured {
     /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
     /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in
-    /// millimetres. Cells are separated by commas, semicolons or tabs; numbers may have decimal commas. Lines that are
+    /// millimetres; a fourth cell how far it may be from there. Cells are separated by commas, semicolons or tabs; numbers may have decimal commas. Lines that are
     /// wrong are among its `faults`.
     ///
     /// # Errors
@@ -34,7 +33,7 @@ impl Measured {
             let cells: Vec<&str> = record.iter().collect();
             let cells = rejoined(&cells);
             let cell = |index: usize| cells.get(index).map_or("", String::as_str);
-            if let Err(fault) = measured.cells([cell(0), cell(1), cell(2)], &place) {
+            if let Err(fault) = measured.cells([cell(0), cell(1), cell(2), cell(3)], &place) {
                 measured.faults.push(fault.at(&place));
             }
         }
@@ -42,12 +41,13 @@ impl Measured {
     }
 
     /// Adds a line of a table.
-    fn cells(&mut self, [name, value, third]: [&str; 3], place: &str) -> Result<(), CheckError> {
+    fn cells(&mut self, [name, value, third, fourth]: [&str; 4], place: &str) -> Result<(), CheckError> {
         if let Some((kind, point)) = plan_point(name) {
             let at = [value, third].map(with_point);
             if at.iter().any(|c| !c.is_empty()) {
                 let [x, y] = at;
-                self.add_place(kind, point, [coordinate(&x)?, coordinate(&y)?]);
+                let band = (!fourth.is_empty()).then(|| radius(&with_point(fourth))).transpose()?;
+                self.add_place(kind, point, [coordinate(&x)?, coordinate(&y)?], band);
             }
             return Ok(());
         }
@@ -59,13 +59,13 @@ impl Measured {
         self.line(name, value, third, place)
     }
 
-    /// Adds the place of a plan point on paper, in millimetres.
-    fn add_place(&mut self, kind: PlanKind, point: &str, at: [f64; 2]) {
+    /// Adds the place of a plan point on paper, in millimetres, with its radius.
+    fn add_place(&mut self, kind: PlanKind, point: &str, at: [f64; 2], band: Option<f64>) {
         let plan = self.points.iter().position(|p| p.kind == kind).unwrap_or_else(|| {
-            self.points.push(PointsOf { kind, places: IndexMap::new() });
+            self.points.push(PointsOf::new(kind));
             self.points.len() - 1
         });
-        self.points[plan].places.insert(point.to_owned(), at);
+        self.points[plan].put(point, at, band);
     }
 
     fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
@@ -142,6 +142,17 @@ fn coordinate(text: &str) -> Result<f64, CheckError> {
         CheckError::new(
             format!("`{}` is no coordinate", shown(text)),
             "write x and y in millimetres of paper, as velocity:b,114,-2.7",
+        )
+    })
+}
+
+/// How far a point may be from its place.
+fn radius(text: &str) -> Result<f64, CheckError> {
+    let number = text.parse().ok().filter(|x: &f64| (0.0..=WIDEST).contains(x));
+    number.ok_or_else(|| {
+        CheckError::new(
+            format!("`{}` is no radius", shown(text)),
+            "behind x and y may stand how far the point may be from there, in millimetres of paper, as velocity:b,114,-2.7,0.2",
         )
     })
 }

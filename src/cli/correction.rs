@@ -86,7 +86,7 @@ impl Correction {
             .chain((2..).map(|number| format!("{name}-values-{number}")));
         let inputs = [("scene", scene_file), ("form", values_file)];
         let drawings = names.zip(sheets.into_iter().map(|sheet| vec![sheet])).collect();
-        Figures::at(output, &self.forms).write(files, &inputs, drawings, |_| {
+        Figures::at(output, &self.forms).write(files, &inputs, drawings, false, |_| {
             Err(Failure::Misuse(
                 "a check has no page to step through".into(),
                 Some("the formats are svg, png, pdf and tikz".into()),

@@ -85,7 +85,7 @@ impl CurvesCommand {
             ))
         };
         let mut files = FileSet::default();
-        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], page)?;
+        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], false, page)?;
         files.finish()?;
         self.range.report_events(&branch, range, &Wording::of(&driven.scene.figure), "figure")
     }

@@ -2,7 +2,7 @@ use super::figures::{Figures, GivenStyle, stem};
 use super::files::{self, Source};
 use super::message::{Failure, note, warn};
 use super::output::FileSet;
-use super::paper::{GivenScales, Paper};
+use super::paper::{GivenScales, Markers, Paper};
 use super::sweep::{refuse_nothing, split_names};
 use super::wording::{Words, one_of};
 use super::work::{Mode, show_warnings, solve};
@@ -13,8 +13,8 @@ use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
 use crate::order_of_figure;
 use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, StyleName, ValuesShown};
-use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
 /// The scenes of figures 1 and 2 of Quintero et al. (2011), drawn if no scene is named.
@@ -32,6 +32,15 @@ enum Steps {
     Coarse,
 }
 
+/// A sheet to be worked on with ruler and pencil.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum WorkSheet {
+    /// With all plans and the lengths measured in them.
+    Filled,
+    /// With the scheme and with empty panels for the plans.
+    Blank,
+}
+
 /// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
@@ -40,6 +49,7 @@ Examples:
   kinegon draw scene.json --steps -o lesson/    a sheet for each step
   kinegon draw scene.json --values=m -o v.svg   with values, in m/s and m/s²
   kinegon draw scene.json --worksheet -o w.pdf  to measure on, with a table
+  kinegon draw scene.json --worksheet=blank -o w.pdf  to draw on: scheme, then poles of the plans
   kinegon draw scene.json --page 16x9 --style lecture -o hall.pdf";
 
 /// Draw the figure of a scene.
@@ -60,9 +70,11 @@ pub(super) struct Draw {
     #[arg(long)]
     layered: bool,
     /// Draw a work sheet: the figure with a table of all measured lengths and a ruler that shows whether it was printed
-    /// at 100 %. A table without room beside the panels goes on a second sheet, figure-2.
-    #[arg(long)]
-    worksheet: bool,
+    /// at 100 %. A table without room beside the panels goes on a second sheet, figure-2. `blank` draws what a student
+    /// gets: the scheme with what is given, and sheets with the poles of the plans.
+    #[arg(long, value_name = "filled|blank", num_args = 0..=1, require_equals = true, default_missing_value = "filled",
+        value_enum, hide_possible_values = true)]
+    worksheet: Option<WorkSheet>,
     /// Draw the paths of these points over the whole cycle of the drive, as "F, M", in place of those that the scene's
     /// figure names.
     #[arg(long, value_name = "POINTS")]
@@ -93,6 +105,8 @@ pub(super) struct Draw {
     #[command(flatten)]
     scales: GivenScales,
     #[command(flatten)]
+    markers: Markers,
+    #[command(flatten)]
     mode: Mode,
 }
 
@@ -109,6 +123,9 @@ impl Draw {
                 .to_vec(),
         };
         let style = self.figures.style()?;
+        if self.is_blank() {
+            self.check_blank()?;
+        }
         let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
         if self.figures.has_page() {
             self.check_page(&style)?;
@@ -142,8 +159,33 @@ impl Draw {
             Some((source, solution)) if are_finished => self.page(source, solution),
             _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
         };
-        self.figures.write(&mut files, &inputs, drawings, page)?;
+        self.figures.write(&mut files, &inputs, drawings, self.is_blank(), page)?;
         files.finish()
+    }
+
+    /// Whether sheets to be drawn on are asked for.
+    fn is_blank(&self) -> bool {
+        self.worksheet == Some(WorkSheet::Blank)
+    }
+
+    /// Refuses what sheets to be drawn on do not have.
+    fn check_blank(&self) -> Result<(), Failure> {
+        let (steps, values) = (self.steps.is_some() || self.upto.is_some() || self.layered, self.values.is_some());
+        let wrong = [
+            (steps, "sheets to be drawn on have no steps", "leave out --steps, --upto and --layered"),
+            (values, "sheets to be drawn on tell no values", "leave out --values"),
+            (
+                self.figures.has_page(),
+                "a page has no sheets to be drawn on",
+                "name a file that ends in `.pdf`, or a folder",
+            ),
+        ];
+        match wrong.into_iter().find(|(is_given, ..)| *is_given) {
+            Some((_, message, hint)) => {
+                Err(Failure::Misuse(message.into(), Some(format!("{hint}; or `--worksheet` for the filled sheet"))))
+            }
+            None => Ok(()),
+        }
     }
 
     /// The scene and the steps that are asked for. In `--steps scene.json` the scene is no kind of steps.
@@ -166,7 +208,8 @@ impl Draw {
         self.words.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
-        figure.worksheet |= self.worksheet;
+        self.markers.put_into(figure);
+        figure.worksheet = (figure.worksheet || self.worksheet.is_some()) && !self.is_blank();
         figure.values = self.values.or(figure.values);
         if !self.trace.is_empty() {
             figure.trace = self.trace.iter().flat_map(|text| split_names(text)).collect();
@@ -174,7 +217,7 @@ impl Draw {
         figure.beyond_limits |= self.beyond_limits;
         figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
         figure.focus = self.focus.or(figure.focus);
-        figure.step = self.upto.or(figure.step).filter(|_| self.steps.is_none() && !self.layered);
+        figure.step = self.upto.or(figure.step).filter(|_| self.steps.is_none() && !self.layered && !self.is_blank());
     }
 
     /// Refuses options `--trace` and `--ghosts` that the scene cannot follow.
@@ -229,7 +272,11 @@ impl Draw {
         let wanted = match (steps, solution.scene.figure.step) {
             (None, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
-                drawings.push((name, solution.sheets()));
+                let sheets = if self.is_blank() { solution.drawing_sheets(&name) } else { solution.sheets() };
+                if self.is_blank() || solution.scene.figure.worksheet {
+                    note_markers(&solution.scene.figure, sheets.first());
+                }
+                drawings.push((name, sheets));
                 return Ok(());
             }
             (_, step) => step,
@@ -275,6 +322,20 @@ fn note_values(solution: &Solution, sheet: &Drawing) {
         let names = missing.join(", ");
         note(&format!("no room for the values of {names}; they are in the table of a work sheet (--worksheet)"));
     }
+}
+
+/// Says why a sheet to be drawn on has no markers, unless that was asked for.
+fn note_markers(figure: &Figure, sheet: Option<&Drawing>) {
+    if sheet.is_some_and(|sheet| sheet.code.is_some()) || !figure.markers {
+        return;
+    }
+    note(match figure.has_markers() {
+        true => {
+            "the sheet has no room for markers at its scales: a photograph of it cannot be read; on a larger page, or at \
+             coarser scales, it has them"
+        }
+        false => "sheets in a projector's proportions have no markers: a photograph of them cannot be read",
+    });
 }
 
 /// Says where paths end, unless they go on.

@@ -1,9 +1,9 @@
 use super::course::Lms;
 use super::figures::{GivenStyle, stem, style_names};
 use super::files::{self, Source};
-use super::message::Failure;
+use super::message::{Failure, note};
 use super::output::FileSet;
-use super::paper::{GivenScales, Paper};
+use super::paper::{GivenScales, Markers, Paper};
 use super::wording::{NamesAnd, Words};
 use super::work::solve;
 use crate::drawing::Drawing;
@@ -16,7 +16,8 @@ use std::path::{Path, PathBuf};
 
 /// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
-Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheet (sheet.svg, sheet.pdf), the empty form \
+Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheets (sheet.svg, sheet-2.svg …, \
+all in sheet.pdf), the empty form \
 (form.json, form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross \
 at 20° or more, special points are on the sheet, measured segments have 5 mm or more, and a careful hand finds every rate to 15 %. \
 The same seed gives the same files.
@@ -24,6 +25,7 @@ The same seed gives the same files.
 Examples:
   kinegon exercise four-bar --seed 7 --count 30 -o class/  thirty of one kind
   kinegon exercise scene.json --seed 1 -o class/           of your own scene
+  kinegon exercise four-bar --seed 7 --no-markers -o class/  one plain sheet; plans on the student's own paper
 
 Into a course, as one file (docs/courses.md):
   kinegon exercise four-bar --seed 7 --lms moodle -o quiz.xml  a category of cloze questions
@@ -58,6 +60,8 @@ pub(super) struct ExerciseCommand {
     paper: Paper,
     #[command(flatten)]
     scales: GivenScales,
+    #[command(flatten)]
+    markers: Markers,
 }
 
 impl ExerciseCommand {
@@ -68,6 +72,7 @@ impl ExerciseCommand {
             self.words.put_into(figure);
             self.paper.put_into(figure);
             self.scales.put_into(figure);
+            self.markers.put_into(figure);
             style.put_into(figure);
         };
         let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
@@ -125,11 +130,15 @@ pub(super) fn failed(source: &str, error: &ExerciseError) -> Failure {
 /// The files of an exercise, by their paths.
 fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let mut written = vec![("scene.json".to_owned(), exercise.text.clone().into_bytes())];
-    for (name, mut drawing) in [("sheet", exercise.sheet.clone()), ("key", exercise.key_sheet())] {
-        style.put_on([&mut drawing]);
-        written.extend(pictures(name, &drawing)?);
-    }
     let own_name = folder.file_name().unwrap_or_default().to_string_lossy();
+    let sheets = exercise.sheets(&own_name);
+    if sheets.len() > 1 && sheets[0].code.is_none() {
+        note(&format!("{own_name}: no room for markers beside its scheme; its sheets for the plans have them"));
+    }
+    for (name, mut sheets) in [("sheet", sheets), ("key", vec![exercise.key_sheet()])] {
+        style.put_on(&mut sheets);
+        written.extend(pictures(name, &sheets)?);
+    }
     let form = exercise.form(&own_name);
     for (name, text) in
         [("form.json", form.json()), ("form.csv", form.csv()), ("key.json", format::json(&exercise.key()))]
@@ -139,14 +148,18 @@ fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Ve
     Ok(written.into_iter().map(|(name, bytes)| (folder.join(name), bytes)).collect())
 }
 
-/// A drawing as SVG and, with the feature `pdf`, as PDF.
-fn pictures(name: &str, drawing: &Drawing) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let svg = format::svg_with(drawing, Text::Letters).into_bytes();
+/// Sheets as SVG, `name.svg`, `name-2.svg` …, and, with the feature `pdf`, as one PDF.
+fn pictures(name: &str, sheets: &[Drawing]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let svg = |(sheet, number): (&Drawing, usize)| {
+        let name = if number == 1 { format!("{name}.svg") } else { format!("{name}-{number}.svg") };
+        (name, format::svg_with(sheet, Text::Letters).into_bytes())
+    };
+    #[cfg_attr(not(feature = "pdf"), expect(unused_mut, reason = "the PDF comes last"))]
+    let mut written: Vec<_> = sheets.iter().zip(1..).map(svg).collect();
     #[cfg(feature = "pdf")]
-    let pdf = drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None))?;
-    Ok(vec![
-        (format!("{name}.svg"), svg),
-        #[cfg(feature = "pdf")]
-        (format!("{name}.pdf"), pdf),
-    ])
+    {
+        let pdf = format::pdf_pages(sheets, None).map_err(|error| Failure::Misuse(error.to_string(), None))?;
+        written.push((format!("{name}.pdf"), pdf));
+    }
+    Ok(written)
 }

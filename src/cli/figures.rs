@@ -113,12 +113,14 @@ impl Figures {
     }
 
     /// Writes figures by their names in all formats, each with its further sheets, as files of a set, but not over the
-    /// files `inputs` that were read; `page` makes the web page of the figure of an index.
+    /// files `inputs` that were read; `page` makes the web page of the figure of an index. `joined` sheets are pages of one
+    /// PDF.
     pub(super) fn write(
         &self,
         files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
+        joined: bool,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
         warn_unlabelled(&drawings);
@@ -127,6 +129,12 @@ impl Figures {
             for (path, format) in self.targets(name, drawings.len())? {
                 if format == FigureFormat::Html {
                     written.push((path, page(index)?.into_bytes()));
+                    continue;
+                }
+                #[cfg(feature = "pdf")]
+                if joined && format == FigureFormat::Pdf {
+                    let pdf = format::pdf_pages(sheets, None);
+                    written.push((path, pdf.map_err(|error| Failure::Misuse(error.to_string(), None))?));
                     continue;
                 }
                 for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
@@ -155,7 +163,7 @@ impl Figures {
     fn sheet_paths(&self, first: PathBuf, sheets: usize) -> impl Iterator<Item = PathBuf> {
         let on_stdout = self.is_stream();
         if on_stdout && sheets > 1 {
-            note("the table is on a second sheet, which is not on stdout; name a folder or a file to have it");
+            note("only the first sheet is on stdout; name a folder or a file to have the others");
         }
         let numbered = move |number: usize| {
             let [stem, ending] = [first.file_stem(), first.extension()].map(|part| part.unwrap_or_default());

@@ -74,3 +74,18 @@ impl GivenScales {
         figure.scales = self.scales.unwrap_or(figure.scales);
     }
 }
+
+/// Whether sheets to be drawn on have markers.
+#[derive(Debug, Default, Args)]
+pub(super) struct Markers {
+    /// Leave out the markers by which a photograph of a sheet to be drawn on is read, and the sheets for the plans.
+    #[arg(long)]
+    no_markers: bool,
+}
+
+impl Markers {
+    /// Overrides a scene's figure by the option, if it is given.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        figure.markers &= !self.no_markers;
+    }
+}

@@ -111,6 +111,11 @@ impl Values {
         self.numbers[id.0]
     }
 
+    /// Replaces a place, in units of its sheet, by where it was found.
+    pub fn put_place(&mut self, id: PlaceId, at: Vector) {
+        self.places[id.0] = Pair { x: at.x, y: at.y };
+    }
+
     /// Carries out the operations from index `first` on; the results of those before it must be present. `disturbances`
     /// are sorted by operation.
     ///

@@ -21,7 +21,7 @@ pub struct Question {
     pub told: Vec<String>,
     /// The scheme of the student's sheet as SVG: the question shows it.
     pub scheme: Vec<u8>,
-    /// The student's sheet, to be printed at its true size: as PDF, without the feature `pdf` as SVG.
+    /// The student's sheets, to be printed at their true size: as PDF, without the feature `pdf` the first as SVG.
     pub print: Vec<u8>,
     /// Scheme and plans of the key as SVG, for afterwards.
     pub key: Vec<u8>,
@@ -50,13 +50,13 @@ pub struct Field {
 }
 
 impl Question {
-    /// The question of an exercise with that name. `styled` gives the key's sheet its looks.
+    /// The question of an exercise with that name. `styled` gives the sheets and the key their looks.
     ///
     /// # Errors
     /// The exercise's figure lacks a sheet, or its sheet cannot be written as PDF.
     pub fn new(exercise: &Exercise, name: &str, styled: &dyn Fn(&mut Drawing)) -> Result<Question, CourseError> {
-        let mut key = exercise.key_sheet();
-        styled(&mut key);
+        let (mut key, mut sheets) = (exercise.key_sheet(), exercise.sheets(name));
+        sheets.iter_mut().chain([&mut key]).for_each(styled);
         let words = exercise.solution.wording();
         let asked: Vec<_> = exercise.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         let notes = SheetLabels::of(&exercise.solution).notes(&asked);
@@ -68,7 +68,7 @@ impl Question {
             words,
             told: told.map(|text| html_text(&text)).collect(),
             scheme: picture(&exercise.sheet),
-            print: printed(&exercise.sheet)?,
+            print: printed(&sheets)?,
             key: picture(&key),
             fields: fields(exercise, &words)?,
             scene: exercise.text.clone(),
@@ -84,13 +84,13 @@ fn picture(sheet: &Drawing) -> Vec<u8> {
 }
 
 #[cfg(feature = "pdf")]
-fn printed(sheet: &Drawing) -> Result<Vec<u8>, CourseError> {
-    Ok(sheet.pdf()?)
+fn printed(sheets: &[Drawing]) -> Result<Vec<u8>, CourseError> {
+    Ok(crate::format::pdf_pages(sheets, None)?)
 }
 
 #[cfg(not(feature = "pdf"))]
-fn printed(sheet: &Drawing) -> Result<Vec<u8>, CourseError> {
-    Ok(crate::format::svg_with(sheet, Text::Outlines).into_bytes())
+fn printed(sheets: &[Drawing]) -> Result<Vec<u8>, CourseError> {
+    Ok(sheets.first().map_or_else(Vec::new, |sheet| crate::format::svg_with(sheet, Text::Outlines).into_bytes()))
 }
 
 /// The fields of an exercise's form.

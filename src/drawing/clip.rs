@@ -36,6 +36,10 @@ pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             let some = corners.len() > 2;
             some.then_some(Shape::Polygon(corners)).into_iter().collect()
         }
+        Shape::Area(chains) => {
+            let chains = chains.iter().map(|corners| inside(area, corners)).filter(|corners| corners.len() > 2);
+            vec![Shape::Area(chains.collect())]
+        }
         Shape::Circle { center, .. } | Shape::Arc { center, .. } | Shape::ArcArrow { center, .. } => {
             let middle = *center;
             holds(area, middle).then_some(shape).into_iter().collect()

@@ -4,6 +4,7 @@ use super::dims::Dims;
 use super::held::Held;
 use super::layout::{Aside, Item, LEAST_WHITE, Layout, MARGIN, Needs, layout};
 use super::legend;
+use super::markers::Signs;
 use super::panel::Panel;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
@@ -17,6 +18,10 @@ use kurbo::{Point, Rect};
 
 /// Size of the title, in mm of one em.
 pub(super) const TITLE_SIZE: f64 = 5.2;
+/// Smallest size of a title on one line beside a marker, in mm of one em.
+const SMALL_TITLE: f64 = 4.0;
+/// Baselines of a title on two lines, in mm from the upper edge.
+const TITLE_LINES: [f64; 2] = [MARGIN + 2.6, MARGIN + 7.2];
 /// Baseline of the title, in mm from the upper edge.
 pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 
@@ -35,6 +40,8 @@ pub(super) struct Composition<'a> {
     pub panels: Vec<Panel<'a>>,
     /// Items beside and below the panels, in drawing order.
     pub items: Vec<Box<dyn Item + 'a>>,
+    /// What its small code says, on a sheet with markers.
+    pub signs: Option<Signs>,
 }
 
 impl Composition<'_> {
@@ -65,17 +72,20 @@ impl Composition<'_> {
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
 
-    /// The layout for needs. On the sheets of steps at given scales there is less white round the contents where they do
-    /// not fit with the usual white: words take room there that they do not take on the figure.
+    /// The layout for needs. On the sheets of steps and on sheets with markers at given scales there is less white round
+    /// the contents where they do not fit with the usual white: words and markers take room there that is free on the
+    /// figure.
     fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
         let layout = self.layout_with(needs, below);
-        let all_fit = |layout: &Layout| layout.worth[0] > 0.0 && layout.worth[1] as usize == needs.len();
-        if !self.is_stepwise || needs.iter().any(|needs| needs.mu.is_none()) || all_fit(&layout) {
+        if !(self.is_stepwise || self.signs.is_some())
+            || needs.iter().any(|needs| needs.mu.is_none())
+            || layout.shows_all()
+        {
             return layout;
         }
         let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.kind == Kind::Length)];
         let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: white(needs), ..*needs }).collect();
-        Some(self.layout_with(&closer, below)).filter(all_fit).unwrap_or(layout)
+        Some(self.layout_with(&closer, below)).filter(Layout::shows_all).unwrap_or(layout)
     }
 
     fn layout_with(&self, needs: &[Needs], below: f64) -> Layout {
@@ -107,7 +117,12 @@ impl Composition<'_> {
         if !self.is_stepwise {
             drawing.marks.retain(|mark| mark.until.is_none());
         }
-        drawing.enlarged(self.dims.unit)
+        let mut drawing = drawing.enlarged(self.dims.unit);
+        if let Some(signs) = &self.signs {
+            let panels = self.panels.iter().zip(&layout.panels);
+            signs.draw(&mut drawing, panels.map(|(panel, placed)| panel.on_paper(placed)).collect());
+        }
+        drawing
     }
 }
 
@@ -118,18 +133,41 @@ pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: Untrust
     drawing.style = Style::named(scene.figure.style);
     drawing.language = words.language.code;
     drawing.title = title;
-    draw_title(&mut drawing);
+    let draw = if dims.free.has_markers() { draw_broken_title } else { draw_title };
+    draw(&mut drawing, dims.title_line());
     drawing
 }
 
-/// Writes the title above the panels, in a smaller size if it is too wide; none where it is blank.
-pub(super) fn draw_title(drawing: &mut Drawing) {
+/// Writes the title above the panels between two ends of its line, in a smaller size if it is too wide; none where it is
+/// blank.
+pub(super) fn draw_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
     if drawing.title.is_blank() {
         return;
     }
     let title = RichText::verbatim(&drawing.title);
-    let room = drawing.width - MARGIN - MARGIN;
-    let size = TITLE_SIZE * (room / title.width(TITLE_SIZE)).min(1.0);
-    let heading = PlacedText::new(title, size, Point::new(MARGIN, TITLE_LINE));
+    let size = TITLE_SIZE * ((to - from) / title.width(TITLE_SIZE)).min(1.0);
+    let heading = PlacedText::new(title, size, Point::new(from, TITLE_LINE));
     drawing.draw(Pen::Heading, Shape::Text(heading));
+}
+
+/// Writes the title beside a marker: on two lines where it is too wide for one.
+fn draw_broken_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
+    let title = RichText::verbatim(&drawing.title);
+    let halves = halves(drawing.title.for_comparing());
+    let Some(halves) = halves.filter(|_| title.width(SMALL_TITLE) > to - from) else {
+        return draw_title(drawing, [from, to]);
+    };
+    let halves = halves.map(|half| RichText::verbatim(half.as_str()));
+    let widest = halves.iter().map(|half| half.width(SMALL_TITLE)).fold(0.0, f64::max);
+    let size = SMALL_TITLE * ((to - from) / widest).min(1.0);
+    for (half, line) in halves.into_iter().zip(TITLE_LINES) {
+        drawing.draw(Pen::Heading, Shape::Text(PlacedText::new(half, size, Point::new(from, line))));
+    }
+}
+
+/// A text in two lines of about the same length; none for a single word.
+fn halves(text: &str) -> Option<[String; 2]> {
+    let spaces = text.match_indices(' ').map(|(at, _)| at);
+    let middle = spaces.min_by_key(|at| at.abs_diff(text.len() / 2))?;
+    Some([text[..middle].to_owned(), text[middle + 1..].to_owned()])
 }

@@ -4,12 +4,19 @@
 //! on a smaller sheet for a style with larger letters. [`Drawing::enlarged`] brings it to its size on paper. So all
 //! that has no size of its own is in proportion to the letters; "mm" of the layout are these units.
 
+use super::layout::{MARGIN, TITLE};
+use super::markers::{CODE_WHITE, EDGE, SIDE, WHITE, code_place};
 use super::shape::Shape;
 use super::sheet::Drawing;
 use super::style::Style;
 use super::text::CAPTION;
 use crate::scene::Figure;
 use kurbo::{Affine, Point};
+
+/// Room for half of the width of lines beside markers, in mm of paper.
+const BORDER: f64 = 0.3;
+/// White between the scales and the small code, in units of the layout.
+const BESIDE: f64 = 1.5;
 
 /// Sizes on a sheet, in units of the layout.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +31,31 @@ pub(super) struct Dims {
     pub dot: f64,
     /// Radius of a joint's circle.
     pub joint: f64,
+    /// What is kept free of contents.
+    pub free: Free,
+}
+
+/// What is kept free of contents along the edges of a sheet, in units of the layout.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Free {
+    /// Along the left, right and lower edge.
+    pub edge: f64,
+    /// Along the upper edge, with the title.
+    pub top: f64,
+    /// Side of a square in the lower right corner of the rest, for the small code.
+    pub corner: f64,
+    /// Width of a marker with its white at the middle of the upper edge, between title and fields.
+    pub middle: f64,
+}
+
+impl Free {
+    /// On a sheet without markers.
+    const PLAIN: Free = Free { edge: MARGIN, top: MARGIN + TITLE, corner: 0.0, middle: 0.0 };
+
+    /// Whether it is for markers.
+    pub(super) fn has_markers(self) -> bool {
+        self.middle > 0.0
+    }
 }
 
 impl Dims {
@@ -33,7 +65,42 @@ impl Dims {
         let sizes = figure.sizes.unwrap_or_else(|| Style::named(figure.style).sizes());
         let unit = sizes.letters.on(page) / CAPTION;
         let [head, dot, joint] = [sizes.arrowheads, sizes.points, sizes.joints].map(|size| size.on(page) / unit);
-        Dims { unit, page: page.map(|side| side / unit), head, dot: 0.5 * dot, joint: 0.5 * joint }
+        let page = page.map(|side| side / unit);
+        Dims { unit, page, head, dot: 0.5 * dot, joint: 0.5 * joint, free: Free::PLAIN }
+    }
+
+    /// The same with room for markers and the code along the edges.
+    pub(super) fn with_markers(self) -> Dims {
+        let page = self.page.map(|side| side * self.unit);
+        let edge = EDGE + SIDE + WHITE + BORDER;
+        let corner = page[0] - code_place(page).x0 + CODE_WHITE - edge;
+        let [edge, corner, middle] = [edge, corner, SIDE + 2.0 * WHITE].map(|mm| mm / self.unit);
+        let free = Free { edge: edge.max(MARGIN), top: (MARGIN + TITLE).max(edge), corner, middle };
+        Dims { free, ..self }
+    }
+
+    /// The same without room for markers.
+    pub(super) fn without_markers(self) -> Dims {
+        Dims { free: Free::PLAIN, ..self }
+    }
+
+    /// Width of the area below the scales.
+    pub(super) fn width_below(&self) -> f64 {
+        self.page[0] - 2.0 * self.free.edge - self.beside_code()
+    }
+
+    /// Width of the small code with its white, right of the area below the scales.
+    pub(super) fn beside_code(&self) -> f64 {
+        if self.free.has_markers() { self.free.corner + BESIDE } else { 0.0 }
+    }
+
+    /// Ends of the line of the title, across the sheet.
+    pub(super) fn title_line(&self) -> [f64; 2] {
+        let end = match self.free.has_markers() {
+            true => 0.5 * (self.page[0] - self.free.middle),
+            false => self.page[0] - self.free.edge,
+        };
+        [self.free.edge, end]
     }
 }
 
@@ -60,6 +127,7 @@ impl Shape {
         match self {
             Shape::Line(a, b) => [a, b].into_iter().for_each(at),
             Shape::Polyline(points) | Shape::Polygon(points) => points.iter_mut().for_each(at),
+            Shape::Area(chains) => chains.iter_mut().flatten().for_each(at),
             Shape::Circle { center, radius } | Shape::Arc { center, radius, .. } => {
                 at(center);
                 *radius *= factor;

@@ -3,17 +3,23 @@
 
 use super::compose::Composition;
 use super::figure::{composition, content, extents, kind, panels};
+use super::further::further_sheets;
 use super::key_table::{KeyRow, KeyTable};
-use super::layout::Item;
+use super::layout::{Item, Layout};
 use super::lines::Lines;
 use super::plan_panel;
+use super::plan_sheets::plan_sheets;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::sheet_notes::Fields;
-use super::worksheet::Worksheet;
+use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
 use crate::quantity::{Asked, Scales};
-use crate::scene::{ConstructionShown, PanelName, ValuesShown};
+use crate::scene::{ConstructionShown, Page, PageSize, PanelName, ValuesShown};
+use kurbo::Rect;
+
+/// Smallest size of a table beside the scheme with markers, in parts of its usual size.
+const SMALLEST_TABLE: f64 = 0.8;
 
 /// The sheet of an exercise: the scheme without special points, but with room for them; below it `sentences`, in
 /// markup; beside it a ruler and a table with a row for each of `asked`, with boxes for its millimetres and its value.
@@ -21,12 +27,70 @@ use crate::scene::{ConstructionShown, PanelName, ValuesShown};
 #[must_use]
 pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
     let scheme = Scheme::new(solution).for_pencil().with_senses().without_values();
-    let sheet = student_sheet(&scheme, asked, sentences);
+    let sheet = student_sheet(&scheme, sentences, &Table::on_sheet(asked));
     let layout = sheet.layout();
-    let placed = layout.panels.first()?;
-    let size = placed.shown(&scheme.extent());
-    let fits = size.x <= placed.area.width() && size.y <= placed.area.height();
-    fits.then(|| sheet.draw(&layout).after_step(0))
+    is_whole(&scheme, &layout).then(|| sheet.draw(&layout).after_step(0))
+}
+
+/// The sheets on which a student draws, with markers unless the figure is to have none: as [`exercise_sheet`], then those
+/// for the plans that the figure shows, all at these scales. `name` stands in the codes of the sheets.
+///
+/// Where the scheme has no room beside the table on the figure's page, the page is turned; else the table comes last, on
+/// sheets of its own; else the page is A3. Where even that is too small for the scheme at its scale, its sheet is without
+/// markers.
+#[must_use]
+pub fn drawing_sheets(
+    solution: &Solution,
+    scales: &Scales,
+    name: &str,
+    asked: &[Asked],
+    sentences: &[String],
+) -> Vec<Drawing> {
+    let plans = plan_sheets(solution, scales, name, 2);
+    let own = solution.scene.figure.page;
+    let turned = |page: Page| Page { landscape: !page.landscape, ..page };
+    let large = Page { size: PageSize::A3, ..own };
+    let pages = [[own, turned(own)], [large, turned(large)]];
+    // On each size first with the table beside the scheme, then with the table apart.
+    let ways = pages.into_iter().flat_map(|pages| {
+        let with = move |places: &'static [TablePlace]| {
+            pages.into_iter().flat_map(move |page| places.iter().map(move |place| (page, *place)))
+        };
+        with(&[TablePlace::Beside, TablePlace::Anywhere]).chain(with(&[TablePlace::Apart]))
+    });
+    let mut solution = solution.clone();
+    for (page, place) in ways {
+        solution.scene.figure.page = page;
+        let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
+        let has_markers = scheme.figure.has_markers();
+        let dims = if has_markers { scheme.dims.with_markers() } else { scheme.dims };
+        let scheme = Scheme { dims, mu: [scales.length, None, None], ..scheme };
+        let table = Table { asked, place, plans_follow: !plans.is_empty() };
+        let signs = has_markers.then(|| scheme.signs(1, name));
+        let sheet = Composition { signs, ..student_sheet(&scheme, sentences, &table) };
+        let layout = sheet.layout();
+        let blank = Worksheet::blank(&scheme, asked);
+        let is_legible = |area: Rect| blank.table.size_in(area) >= SMALLEST_TABLE;
+        let has_table = place == TablePlace::Apart || layout.aside.is_some_and(is_legible);
+        if has_table && is_whole(&scheme, &layout) {
+            let first = sheet.draw(&layout).after_step(0);
+            let apart = (place == TablePlace::Apart).then(|| blank.filled(&layout));
+            let last = apart.map(|table| further_sheets(&first, scheme.dims.unit, |_| Vec::new(), table));
+            return std::iter::once(first).chain(plans).chain(last.into_iter().flatten()).collect();
+        }
+    }
+    solution.scene.figure.page = own;
+    let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
+    let scheme = Scheme { mu: [scales.length, None, None], ..scheme };
+    let table = Table { asked, place: TablePlace::Anywhere, plans_follow: !plans.is_empty() };
+    let sheet = student_sheet(&scheme, sentences, &table);
+    std::iter::once(sheet.draw(&sheet.layout()).after_step(0)).chain(plans).collect()
+}
+
+/// Whether a sheet has room for the whole scheme.
+fn is_whole(scheme: &Scheme<'_>, layout: &Layout) -> bool {
+    let size = layout.panels.first().map(|placed| (placed.shown(&scheme.extent()), placed.area));
+    size.is_some_and(|(size, area)| size.x <= area.width() && size.y <= area.height())
 }
 
 /// The scale of the scheme on the sheet of an exercise, with the arguments of [`exercise_sheet`]: the scene's scale or,
@@ -34,7 +98,7 @@ pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]
 #[must_use]
 pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
     let scheme = Scheme::new(solution).for_pencil().with_senses().without_values();
-    let layout = student_sheet(&scheme, asked, sentences).layout();
+    let layout = student_sheet(&scheme, sentences, &Table::on_sheet(asked)).layout();
     layout.panels.first().map(|placed| placed.mu)
 }
 
@@ -78,23 +142,49 @@ fn key<'a>(scheme: &'a Scheme<'a>, rows: &[KeyRow<'_>], sentences: &[String]) ->
     let table: Box<dyn Item> = Box::new(KeyTable::new(scheme, &panels, rows));
     let asked: Vec<Asked> = rows.iter().map(|row| row.asked.clone()).collect();
     let notes = scheme.notes(&asked);
-    let sentences = Lines::of(sentences.iter().chain(&notes), scheme.dims.page);
+    let sentences = Lines::of(sentences.iter().chain(&notes), scheme.dims.width_below());
     composition(scheme, panels, Some(table), vec![Box::new(sentences)])
 }
 
+/// The table of a student's sheet.
+struct Table<'a> {
+    asked: &'a [Asked],
+    place: TablePlace,
+    /// Whether sheets for the plans follow.
+    plans_follow: bool,
+}
+
+impl<'a> Table<'a> {
+    /// The table on a sheet that stands alone.
+    fn on_sheet(asked: &'a [Asked]) -> Table<'a> {
+        Table { asked, place: TablePlace::Anywhere, plans_follow: false }
+    }
+}
+
 /// The student's sheet, with the scheme as its only panel.
-fn student_sheet<'a>(scheme: &'a Scheme<'a>, asked: &[Asked], sentences: &[String]) -> Composition<'a> {
+fn student_sheet<'a>(scheme: &'a Scheme<'a>, sentences: &[String], table: &Table<'_>) -> Composition<'a> {
     let alone = [(PanelName::Scheme, scheme.extent())];
     let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
-    let table: Box<dyn Item> = Box::new(Worksheet::blank(scheme, asked));
-    let title = scheme.scene.title.clone().unwrap_or_else(|| scheme.words.language.title().into());
-    let (fields, own_line) = match Fields::new(scheme, &title) {
+    let (fields, own_line) = match Fields::new(scheme, &scheme.title()) {
         Ok(fields) => (Some(Box::new(fields) as Box<dyn Item>), None),
         Err(line) => (None, Some(line)),
     };
-    let notes: Vec<String> = scheme.note_on_paper().into_iter().chain(scheme.notes(asked)).chain(own_line).collect();
-    let sentences: Box<dyn Item> = Box::new(Lines::of(sentences.iter().chain(&notes), scheme.dims.page));
-    composition(scheme, panels, Some(table), std::iter::once(sentences).chain(fields).collect())
+    let paper = match table.plans_follow {
+        true => Some(scheme.words.language.exercise_sheets().to_owned()),
+        false => scheme.note_on_paper(),
+    };
+    let notes: Vec<String> = paper.into_iter().chain(scheme.notes(table.asked)).chain(own_line).collect();
+    let sentences = Lines::of(sentences.iter().chain(&notes), scheme.dims.width_below());
+    let mut items: Vec<Box<dyn Item>> = Vec::new();
+    let beside: Option<Box<dyn Item>> = match table.place {
+        TablePlace::Apart => {
+            items.push(Ruler::below(scheme, &sentences));
+            None
+        }
+        place => Some(Box::new(Worksheet { place, ..Worksheet::blank(scheme, table.asked) })),
+    };
+    items.insert(0, Box::new(sentences));
+    composition(scheme, panels, beside, items.into_iter().chain(fields).collect())
 }
 
 /// Whether scheme and plans show all their points at their places, none by an arrow.

@@ -7,6 +7,7 @@ use super::layout::{Item, Layout, Needs, Placed, WHITE};
 use super::legend::{self, Legend};
 use super::line::Line;
 use super::lines::Lines;
+use super::markers::Signs;
 use super::panel::{Frame, Layer, Layers, Panel, numbered};
 use super::plan_panel;
 use super::scheme::Scheme;
@@ -18,6 +19,7 @@ use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
 use crate::quantity::{Kind, Scales};
 use crate::scene::PanelName;
+use crate::text::Untrusted;
 use crate::words::{Language, Wording};
 use kurbo::Rect;
 
@@ -49,7 +51,7 @@ impl Solution {
     /// The figure that the scene asks for: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        let scheme = Scheme::scaled(self);
+        let scheme = Scheme::scaled(self).on_sheet();
         let LaidOut { sheet, layout } = scheme.laid_out(None);
         sheet.draw(&layout)
     }
@@ -58,7 +60,7 @@ impl Solution {
     /// panels, the table.
     #[must_use]
     pub fn sheets(&self) -> Vec<Drawing> {
-        let scheme = Scheme::scaled(self);
+        let scheme = Scheme::scaled(self).on_sheet();
         let LaidOut { sheet, layout } = scheme.laid_out(None);
         let figure = sheet.draw(&layout);
         let is_apart = self.scene.figure.worksheet && layout.aside.is_none();
@@ -89,7 +91,7 @@ impl Solution {
     /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
-        let scheme = Scheme::scaled(self);
+        let scheme = Scheme::scaled(self).on_sheet();
         let layout = scheme.laid_out(None).layout;
         let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
         Scales {
@@ -107,7 +109,7 @@ impl Solution {
         if !figure.panels.iter().any(|&panel| figure.mu(panel).is_some()) {
             return Vec::new();
         }
-        let scheme = Scheme::scaled(self);
+        let scheme = Scheme::scaled(self).on_sheet();
         let extents = extents(&scheme);
         let LaidOut { sheet, layout } = scheme.laid_out(None);
         let warning = |(index, placed): (usize, &Placed)| {
@@ -180,12 +182,35 @@ impl Scheme<'_> {
         scheme
     }
 
+    /// The same with room for markers on a work sheet that is to have them, if its contents then have room at its
+    /// scales. A figure to be shown has none.
+    pub(super) fn on_sheet(self) -> Self {
+        let figure = self.figure;
+        if !(figure.worksheet && figure.has_markers()) {
+            return self;
+        }
+        let marked = Self { dims: self.dims.with_markers(), ..self };
+        let fits = marked.laid_out(None).layout.shows_all();
+        if fits { marked } else { Self { dims: marked.dims.without_markers(), ..marked } }
+    }
+
+    /// What the small code of a sheet says besides its panels.
+    pub(super) fn signs(&self, number: u16, name: &str) -> Signs {
+        Signs { page: self.figure.page, number, scene: self.scene.fingerprint(), name: name.to_owned() }
+    }
+
+    /// The title of its sheets.
+    pub(super) fn title(&self) -> Untrusted {
+        self.scene.title.clone().unwrap_or_else(|| self.words.language.title().into())
+    }
+
     /// The sheet with the panels. The table of a work sheet is on it where the panels leave room for it at their scales;
     /// where each sheet has scales of its own, it always is.
     fn laid_out(&self, steps: Option<Steps>) -> LaidOut<'_> {
         let extents = extents(self);
         let laid_out = |table: Option<TablePlace>| {
-            let sheet = described(self, composed(self, &extents, Sheet { steps, table }));
+            let mut sheet = described(self, composed(self, &extents, Sheet { steps, table }));
+            sheet.signs = self.dims.free.has_markers().then(|| self.signs(1, self.title().for_comparing()));
             LaidOut { layout: sheet.layout(), sheet }
         };
         if !self.figure.worksheet {
@@ -238,8 +263,7 @@ fn agreement(scheme: &Scheme<'_>, beside: f64) -> Lines {
     let (sentence, agrees) = legend::agreement(&scheme.words, scheme.construction);
     let is_said = !agrees || (scheme.values.is_empty() && !scheme.is_projected());
     let sentence = is_said.then_some(sentence);
-    let [width, height] = scheme.dims.page;
-    Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), [width - beside, height])
+    Lines::of(scheme.sentence_on_paths().iter().chain(&sentence), scheme.dims.width_below() - beside)
 }
 
 /// A sheet with these panels, a table beside them, their scales, and items below.
@@ -255,12 +279,13 @@ pub(super) fn composition<'a>(
         scene,
         dims: scheme.dims,
         words,
-        title: scene.title.clone().unwrap_or_else(|| words.language.title().into()),
+        title: scheme.title(),
         description: String::new(),
         steps: Vec::new(),
         is_stepwise: false,
         panels,
         items: table.into_iter().chain([legend]).chain(below).collect(),
+        signs: None,
     }
 }
 
@@ -341,7 +366,7 @@ pub(super) fn kind(panel: PanelName) -> Kind {
     }
 }
 
-fn name(language: &Language, panel: PanelName) -> &str {
+pub(super) fn name(language: &Language, panel: PanelName) -> &str {
     match panel {
         PanelName::Scheme => language.scheme(),
         PanelName::Velocity => language.velocity_plan(),

@@ -35,7 +35,7 @@ pub(super) fn further_sheets<const N: usize>(
         let mut drawing = Drawing::new(width, height);
         (drawing.style, drawing.language) = (figure.style.clone(), figure.language);
         drawing.title.clone_from(&figure.title);
-        draw_title(&mut drawing);
+        draw_title(&mut drawing, [MARGIN, width - MARGIN]);
         let mut left = area;
         if !words.is_empty() {
             let room = Rect { y1: left.y0 + TOP + lines::height(words.len()), ..left };

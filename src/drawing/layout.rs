@@ -114,6 +114,11 @@ impl Layout {
         Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] }
     }
 
+    /// Whether all panels are wide enough and have room for their contents.
+    pub(super) fn shows_all(&self) -> bool {
+        self.worth[0] > 0.0 && self.worth[1] as usize == self.panels.len()
+    }
+
     /// The legend's lower part.
     pub(super) fn below(&self) -> Rect {
         Rect { y0: self.legend.y0 + self.scales, ..self.legend }
@@ -126,9 +131,10 @@ impl Layout {
 }
 
 /// The area above a legend of some height, for panels and a table.
-pub(super) fn room([width, height]: [f64; 2], legend: f64) -> Rect {
-    let bottom = height - MARGIN - legend - GAP;
-    Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, bottom)
+pub(super) fn room(dims: &Dims, legend: f64) -> Rect {
+    let ([width, height], free) = (dims.page, dims.free);
+    let bottom = height - free.edge - legend - GAP;
+    Rect::new(free.edge, free.top, width - free.edge, bottom)
 }
 
 /// A division of a sheet: the area without panels, and the panels.
@@ -150,7 +156,7 @@ pub(super) fn layout(
     columns: usize,
     asides: impl Fn(Rect) -> Vec<Aside>,
 ) -> Layout {
-    let whole = room(dims.page, scales + below);
+    let whole = room(dims, (scales + below).max(dims.free.corner));
     let asides: Vec<Aside> = asides(whole);
     let rooms = match asides.is_empty() {
         true => vec![(whole, None)],
@@ -181,7 +187,7 @@ pub(super) fn layout(
     let (worth, (aside, panels)) = best.unwrap_or_default();
     let [_, height] = dims.page;
     Layout {
-        legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1, height - MARGIN),
+        legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1 - dims.beside_code(), height - dims.free.edge),
         scales,
         columns,
         aside,

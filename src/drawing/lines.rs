@@ -20,9 +20,9 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    /// Sentences, each on new lines, for a sheet of that size.
-    pub(super) fn of<'a>(sentences: impl IntoIterator<Item = &'a String>, page: [f64; 2]) -> Lines {
-        let lines = |sentence: &'a String| RichText::lines(sentence, CAPTION, width(page));
+    /// Sentences, each on new lines, in an area of that width.
+    pub(super) fn of<'a>(sentences: impl IntoIterator<Item = &'a String>, width: f64) -> Lines {
+        let lines = |sentence: &'a String| RichText::lines(sentence, CAPTION, width - 2.0 * PAD);
         Lines { lines: sentences.into_iter().flat_map(lines).collect(), step: None }
     }
 }

@@ -71,3 +71,11 @@ pub struct Look {
     /// Width of the line in the background's colour around the letters of a text; 0 for none.
     pub halo: f64,
 }
+
+impl Look {
+    /// The look of an area without outline.
+    pub(super) fn area(colour: Colour) -> Look {
+        let fill = Some(colour);
+        Look { stroke: None, width: 0.0, dash: Dash::new(), fill, cap: Cap::default(), ink: colour, halo: 0.0 }
+    }
+}

@@ -4,7 +4,8 @@
 //! order with every text measured and every label placed. The formats write that list and decide nothing.
 
 // In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
-// `plan_panel` draw on a `canvas`. `exercise`, `correction` and `curves` compose other sheets. Then the display list:
+// `plan_panel` draw on a `canvas`. `exercise`, `plan_sheets`, `correction` and `curves` compose other sheets; `markers` stand
+// on those to be drawn on. Then the display list:
 // `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, the places of its `labels` off all
 // `obstacles`, which a `grid` finds.
 mod arrow;
@@ -39,6 +40,7 @@ mod panel;
 mod passages;
 mod pen;
 mod plan_panel;
+mod plan_sheets;
 mod scales;
 mod scheme;
 mod shape;
@@ -58,7 +60,7 @@ pub use arrow::arrow_head;
 pub use blank::SheetLabels;
 pub use correction::{overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
-pub use exercise::{exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
+pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use figure::Steps;
 pub use fonts::{ITALIC, REGULAR};
 pub use key_table::KeyRow;

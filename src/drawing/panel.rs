@@ -5,12 +5,14 @@ use super::dims::Dims;
 use super::held::Held;
 use super::layout::{HEADING, Needs, Placed};
 use super::line::Line;
+use super::markers::PlacedPanel;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::CAPTION;
 use super::view::{Extent, View};
 use crate::geometry;
 use crate::quantity::Kind;
+use crate::scene::PanelName;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::Vec2;
@@ -92,6 +94,19 @@ impl Panel<'_> {
             layer.retouch(&mut marks);
         }
         drawing.marks.append(&mut marks);
+    }
+}
+
+impl Panel<'_> {
+    /// The panel on a sheet, for programs that read a photograph of it.
+    pub(super) fn on_paper(&self, placed: &Placed) -> PlacedPanel {
+        let origin = placed.view(&self.needs.extent, self.content).at(geometry::Point::origin());
+        let panel = match placed.kind {
+            Kind::Velocity => PanelName::Velocity,
+            Kind::Acceleration => PanelName::Acceleration,
+            _ => PanelName::Scheme,
+        };
+        PlacedPanel { panel, mu: placed.mu, origin: [origin.x, origin.y].map(|place| place * placed.unit) }
     }
 }
 

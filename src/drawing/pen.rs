@@ -1,3 +1,4 @@
+use super::look::Colour;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -84,9 +85,24 @@ pub enum Pen {
     Student,
     /// A point of such a drawing, a small cross, and its name.
     StudentPoint,
+    /// A marker by which a photograph of the sheet is read, and the small code: black in every style.
+    #[serde(skip)]
+    Marker,
+    /// The white around them on paper that is not white.
+    #[serde(skip)]
+    MarkerWhite,
 }
 
 impl Pen {
-    /// How many pens there are.
+    /// How many pens have looks of a style.
     pub(super) const COUNT: usize = Pen::StudentPoint as usize + 1;
+
+    /// The colour of areas that no style changes: programs look for them.
+    pub(super) fn fixed(self) -> Option<Colour> {
+        match self {
+            Pen::Marker => Some(Colour::new(0)),
+            Pen::MarkerWhite => Some(Colour::new(0xff_ffff)),
+            _ => None,
+        }
+    }
 }

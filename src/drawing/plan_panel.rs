@@ -39,7 +39,7 @@ pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
 }
 
 /// The panel of a plan.
-fn panel(plan: PlanKind) -> PanelName {
+pub(super) fn panel(plan: PlanKind) -> PanelName {
     match plan {
         PlanKind::Velocity => PanelName::Velocity,
         PlanKind::Acceleration => PanelName::Acceleration,

@@ -12,6 +12,8 @@ pub enum Shape {
     Polyline(Vec<Point>),
     /// A closed chain of straight lines.
     Polygon(Vec<Point>),
+    /// An area within closed chains of straight lines: holes run round the other way.
+    Area(Vec<Vec<Point>>),
     /// A full circle.
     Circle {
         /// Its centre.
@@ -74,6 +76,7 @@ impl Shape {
         match self {
             Shape::Line(a, b) => Rect::from_points(*a, *b),
             Shape::Polyline(points) | Shape::Polygon(points) => around(points),
+            Shape::Area(chains) => around(chains.as_slice().concat().as_slice()),
             Shape::Circle { center, radius }
             | Shape::Arc { center, radius, .. }
             | Shape::ArcArrow { center, radius, .. } => Rect::from_center_size(*center, (2.0 * radius, 2.0 * radius)),
@@ -105,14 +108,16 @@ impl Shape {
     /// Its straight lines; an arc as eight of them, none for a circle or a text.
     pub(super) fn lines(&self) -> Vec<(Point, Point)> {
         let chain = |points: &[Point]| points.windows(2).map(|ends| (ends[0], ends[1])).collect();
+        let round = |points: &[Point]| {
+            let mut lines: Vec<(Point, Point)> = chain(points);
+            lines.extend(points.last().copied().zip(points.first().copied()));
+            lines
+        };
         match self {
             Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => vec![(*a, *b)],
             Shape::Polyline(points) => chain(points),
-            Shape::Polygon(points) => {
-                let mut lines: Vec<(Point, Point)> = chain(points);
-                lines.extend(points.last().copied().zip(points.first().copied()));
-                lines
-            }
+            Shape::Polygon(points) => round(points),
+            Shape::Area(chains) => chains.iter().flat_map(|points| round(points)).collect(),
             &(Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep, .. }) => {
                 let on = |part: u8| on_circle(center, radius, start + sweep * f64::from(part) / 8.0);
                 chain(&(0..=8).map(on).collect::<Vec<_>>())
@@ -146,6 +151,7 @@ impl Shape {
         match self {
             Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => a.is_finite() && b.is_finite(),
             Shape::Polyline(points) | Shape::Polygon(points) => points.iter().all(|point| point.is_finite()),
+            Shape::Area(chains) => chains.iter().flatten().all(|point| point.is_finite()),
             Shape::Circle { center, radius } => center.is_finite() && radius.is_finite(),
             Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep, .. } => {
                 center.is_finite() && radius.is_finite() && start.is_finite() && sweep.is_finite()

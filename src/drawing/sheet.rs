@@ -2,6 +2,7 @@ use kurbo::{Point, Rect};
 
 use super::grid::Grid;
 use super::look::Look;
+use super::markers::SheetCode;
 pub use super::pen::Pen;
 use super::shape::{Shape, overlap};
 use super::style::Style;
@@ -31,6 +32,8 @@ pub struct Drawing {
     pub steps: Vec<String>,
     /// By panel: its name, and the names for which it has no room.
     pub unlabelled: Vec<(String, Vec<String>)>,
+    /// What its small code says, on a sheet with markers by which a photograph of it is read.
+    pub code: Option<SheetCode>,
 }
 
 impl Drawing {
@@ -47,6 +50,7 @@ impl Drawing {
             panels: Vec::new(),
             steps: Vec::new(),
             unlabelled: Vec::new(),
+            code: None,
         }
     }
 
@@ -110,6 +114,7 @@ impl Drawing {
             style: self.style.clone(),
             steps: Vec::new(),
             unlabelled: self.unlabelled.clone(),
+            code: self.code.clone(),
             ..*self
         }
     }

@@ -99,21 +99,30 @@ fn paper_for(content: [f64; 2], page: Page) -> &'static str {
 }
 
 /// Lines for name and date at the right end of the title's line; below the scales where the title leaves no room.
-pub(super) struct Fields(RichText);
+pub(super) struct Fields {
+    fields: RichText,
+    /// Their right end, in mm.
+    right: f64,
+}
 
 impl Fields {
     /// The lines beside the title of a sheet, or as a sentence below it.
     pub(super) fn new(scheme: &Scheme<'_>, title: &Untrusted) -> Result<Fields, String> {
         let text = scheme.words.language.exercise_name();
         let (fields, title) = (RichText::plain(text), RichText::verbatim(title));
-        let room = scheme.dims.page[0] - 2.0 * MARGIN - title.width(TITLE_SIZE);
-        if fields.width(CAPTION) + GAP <= room { Ok(Fields(fields)) } else { Err(text.to_owned()) }
+        let dims = &scheme.dims;
+        let room = match dims.free.has_markers() {
+            true => 0.5 * (dims.page[0] - dims.free.middle) - dims.free.edge,
+            false => dims.page[0] - 2.0 * MARGIN - title.width(TITLE_SIZE) - GAP,
+        };
+        let right = dims.page[0] - dims.free.edge;
+        if fields.width(CAPTION) <= room { Ok(Fields { fields, right }) } else { Err(text.to_owned()) }
     }
 }
 
 impl Item for Fields {
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let from = Point::new(layout.legend.x1 - self.0.width(CAPTION), super::compose::TITLE_LINE);
-        drawing.caption(self.0.clone(), from);
+    fn draw(&self, drawing: &mut Drawing, _: &Layout) {
+        let from = Point::new(self.right - self.fields.width(CAPTION), super::compose::TITLE_LINE);
+        drawing.caption(self.fields.clone(), from);
     }
 }

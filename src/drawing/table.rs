@@ -144,6 +144,11 @@ impl<const N: usize> Table<N> {
         self.column() <= area.width() && self.grid(area).small == 1.0
     }
 
+    /// The size of its rows in an area, in parts of their usual size.
+    pub(super) fn size_in(&self, area: Rect) -> f64 {
+        self.grid(area).small
+    }
+
     /// Number of rows that an area holds at their usual size.
     pub(super) fn capacity(&self, area: Rect) -> usize {
         let rows = (area.height() - 2.0 * PAD - HEAD) / ROW + 1e-6;

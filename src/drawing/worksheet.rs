@@ -4,6 +4,7 @@
 use super::dims::Dims;
 use super::layout::{Aside, Item, Layout, cut_off};
 use super::legend::symbol;
+use super::lines::{Lines, PAD};
 use super::panel::Panel;
 use super::plan_panel;
 use super::scheme::Scheme;
@@ -172,6 +173,9 @@ fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a
     })
 }
 
+/// Lines that a ruler is as high as.
+const LINES_BESIDE: usize = 2;
+
 /// A ruler at the right end of the area below the scales, for a sheet without the table; words before it.
 pub(super) struct Ruler {
     words: RichText,
@@ -191,6 +195,38 @@ impl Ruler {
     /// Width of the area that is kept free, in mm.
     pub(super) fn width(&self) -> f64 {
         self.words.width(CAPTION) + 2.0 * BEFORE + RULER / self.unit + AFTER
+    }
+}
+
+impl Ruler {
+    /// A ruler beside lines below the scales, or below them where it has no room beside.
+    pub(super) fn below(scheme: &Scheme<'_>, lines: &Lines) -> Box<dyn Item> {
+        let ruler = Ruler::new(scheme);
+        let width = |line: &RichText| line.width(CAPTION) + PAD;
+        let widest = lines.lines.iter().take(LINES_BESIDE).map(width).fold(0.0, f64::max);
+        match widest + ruler.width() <= scheme.dims.width_below() {
+            true => Box::new(ruler),
+            false => Box::new(RulerBelow { before: lines.height(), ruler }),
+        }
+    }
+}
+
+/// A ruler below lines.
+struct RulerBelow {
+    ruler: Ruler,
+    /// Height of the lines, in mm.
+    before: f64,
+}
+
+impl Item for RulerBelow {
+    fn height(&self) -> f64 {
+        self.before + self.ruler.height()
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let mut below = Layout::of_words(layout.legend, Vec::new());
+        below.scales = layout.scales + self.before;
+        self.ruler.draw(drawing, &below);
     }
 }
 

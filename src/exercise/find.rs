@@ -142,7 +142,7 @@ impl Exercises {
         let size = crate::geometry::span(first.solution.pose.points.iter().copied());
         let moved = same.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
         match moved < 1e-6 * size {
-            true => Ok(exercise),
+            true => Ok(exercise.with_markers(self.figure.markers)),
             false => Err(Refusal::Assembly),
         }
     }

@@ -4,7 +4,9 @@ use super::given::sentences;
 use super::key::{key_rows, key_sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Solution, Tolerance};
-use crate::drawing::{Drawing, RichText, exercise_scale, exercise_sheet, key_scales, shows_special_points};
+use crate::drawing::{
+    Drawing, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales, shows_special_points,
+};
 use crate::mechanism::mechanism;
 use crate::motion::Order;
 use crate::position::{pose, with_nearest_sides};
@@ -36,7 +38,12 @@ pub struct Exercise {
     /// The band of a careful hand for each quantity of the form.
     pub pencil: Pencil,
     /// The sheet that the student gets: the scheme without special points, the given numbers, boxes for the results.
+    /// [`Exercise::sheets`] are the same with markers.
     pub sheet: Drawing,
+    /// The page of the student's sheets.
+    page: Page,
+    /// Whether they have markers.
+    has_markers: bool,
 }
 
 /// Why a variant is no exercise.
@@ -98,9 +105,7 @@ impl Exercise {
             .map_err(|_| Refusal::NoConstruction)?;
         // Scheme and plans are as large as fits on the key's sheet; the scheme is smaller where the student's sheet
         // needs it.
-        let mut students = solution.clone();
-        let figure = &mut students.scene.figure;
-        (figure.page, figure.worksheet) = (page, false);
+        let mut students = for_students(&solution, page);
         let figure = &mut solution.scene.figure;
         (figure.page, figure.worksheet) = (key_page(page), true);
         // The key is the only sheet with plans; the accepted file says its scales, which then hold everywhere.
@@ -125,7 +130,32 @@ impl Exercise {
         key_scales(&solution, &key_rows(&exact, &pencil), &key_sentences(&solution)).ok_or(Refusal::Sheet)?;
         let given = sentences(&solution.scene, text, &scales, &wording);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
-        Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution })
+        let has_markers = students.scene.figure.has_markers();
+        Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution, page, has_markers })
+    }
+
+    /// The sheets on which a student draws: the scheme's, then those for the plans, all with markers and a small code by
+    /// which a photograph of them is read; `name` stands in the codes. A table without room beside the scheme comes
+    /// last.
+    ///
+    /// Just [`Exercise::sheet`] where the figure is to have no markers.
+    #[must_use]
+    pub fn sheets(&self, name: &str) -> Vec<Drawing> {
+        if !self.has_markers {
+            return vec![self.sheet.clone()];
+        }
+        let students = for_students(&self.solution, self.page);
+        let asked: Vec<Asked> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
+        let given = sentences(&students.scene, &self.text, &self.scales, &students.wording());
+        // A variant whose scheme has no room between the markers stays an exercise: its first sheet is without them, and
+        // the numbers of a seed do not hang on what sheets look like.
+        drawing_sheets(&students, &self.scales, name, &asked, &given)
+    }
+
+    /// The same exercise with or without markers on its sheets; never with them in a projector's proportions.
+    pub(super) fn with_markers(mut self, has_markers: bool) -> Exercise {
+        self.has_markers &= has_markers;
+        self
     }
 
     /// The sentences of the student's sheet with all given numbers and the scales of the plans.
@@ -147,6 +177,14 @@ fn key_scales_of(solution: &Solution, quantities: &[Asked]) -> Option<Scales> {
     let pencil = pencil(solution, &solution.scales(), Tolerance::default(), quantities.to_vec());
     let exact = values(quantities, solution);
     key_scales(solution, &key_rows(&exact, &pencil), &key_sentences(solution))
+}
+
+/// The solution of a scene for the sheets of a student, on that page.
+fn for_students(solution: &Solution, page: Page) -> Solution {
+    let mut students = solution.clone();
+    let figure = &mut students.scene.figure;
+    (figure.page, figure.worksheet) = (page, false);
+    students
 }
 
 /// The page of the key, which has the plans too: the largest size.

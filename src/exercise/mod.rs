@@ -5,7 +5,8 @@
 //!
 //! In reading order: `numbers` finds the numbers of a scene file, `vary` replaces them, `judge` accepts or refuses a
 //! variant,
-//! `find` looks for accepted ones, `given` and `key` write what a student and a teacher are told. Nothing is read or
+//! `find` looks for accepted ones, `given` and `key` write what a student and a teacher are told, `sheets` has those of a
+//! scene as it stands. Nothing is read or
 //! written here.
 
 mod find;
@@ -13,6 +14,7 @@ mod given;
 mod judge;
 mod key;
 mod numbers;
+mod sheets;
 mod vary;
 
 pub use find::{ExerciseError, Exercises};

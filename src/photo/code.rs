@@ -1,7 +1,9 @@
 //! The code on a sheet, read module by module where it must be.
 
 use super::picture::Picture;
-use crate::geometry::Point;
+use crate::drawing::markers::SheetCode;
+use crate::geometry::{Point, Vector};
+use nalgebra::{SMatrix, SVector};
 use rqrr::{BitGrid, Grid};
 
 /// Versions of QR codes on sheets.
@@ -25,101 +27,300 @@ impl BitGrid for Modules {
     }
 }
 
-/// How much of its brightness a module may lend to each neighbour in a row, by blur.
-const BLURS: [f64; 4] = [0.0, 0.1, 0.17, 0.23];
-/// Rounds in which blur is taken back.
-const ROUNDS: usize = 12;
+/// Farthest that a corner of the code is looked for from where the markers let expect it, in parts of the code's side: a corner of paper
+/// may stand up.
+const ASIDE: f64 = 0.16;
 
-/// The text of the code in a square: `pixel` says where its places are in the picture, for coordinates from 0 to 1.
-pub(super) fn text(picture: &Picture, pixel: impl Fn(f64, f64) -> Point) -> Option<String> {
-    let mut tries: Vec<(f64, Modules)> = Vec::new();
-    for version in VERSIONS {
-        let seen = Seen::new(picture, &pixel, 17 + 4 * version);
-        for blur in BLURS {
-            let modules = seen.modules(blur);
-            let likeness = modules.likeness();
-            if likeness >= LIKE {
-                tries.push((likeness, modules));
-            }
-        }
+/// What the code in a square says: `pixel` says where its places are in the picture, for coordinates from 0 to 1. Where it is too blurred to be read
+/// by itself it is compared with those that are `expected`.
+pub(super) fn code(picture: &Picture, pixel: impl Fn(f64, f64) -> Point, expected: &[&SheetCode]) -> Option<SheetCode> {
+    let sizes = || VERSIONS.map(|version| 17 + 4 * version);
+    let seen: Vec<Seen> = sizes().map(|size| Seen::new(picture, &pixel, size)).collect();
+    let read = |all: &mut dyn Iterator<Item = Modules>| SheetCode::read(&first_text(all)?);
+    let plain = read(&mut seen.iter().map(Seen::plain));
+    if plain.is_some() {
+        return plain;
     }
+    let equalized = |seen: &[Seen]| -> Vec<Equalized> {
+        seen.iter().flat_map(|seen| SMALL.iter().filter_map(|small| seen.equalized(*small))).collect()
+    };
+    let mut all = equalized(&seen);
+    let sharper = read(&mut all.iter().map(Equalized::modules));
+    if sharper.is_some() {
+        return sharper;
+    }
+    let aligned: Vec<Seen> = sizes().map(|size| Seen::new(picture, &aligned(picture, &pixel, size), size)).collect();
+    let further = equalized(&aligned);
+    let modules = further.iter().map(Equalized::modules).chain(aligned.iter().map(Seen::plain));
+    let moved = read(&mut modules.collect::<Vec<_>>().into_iter());
+    all.extend(further);
+    moved.or_else(|| likest(&all, expected).cloned())
+}
+
+/// The text of the first code that can be read, the likeliest size first.
+fn first_text(all: &mut dyn Iterator<Item = Modules>) -> Option<String> {
+    let mut tries: Vec<(f64, Modules)> = all.map(|modules| (modules.likeness(), modules)).collect();
+    tries.retain(|(likeness, _)| *likeness >= LIKE);
     tries.sort_by(|a, b| b.0.total_cmp(&a.0));
     tries.into_iter().find_map(|(_, modules)| Grid::new(modules).decode().ok()).map(|(_, text)| text)
 }
 
-/// Brightness of modules, with a row of white on all sides.
+/// Least correlation of a code with what is seen: of those of other sheets, with hundreds of modules, it is below 0.2.
+const CORRELATED: f64 = 0.4;
+/// Least difference to the correlation of any other.
+const CLEARLY: f64 = 0.15;
+
+/// The expected code that is clearly most like what is seen.
+fn likest<'a>(all: &[Equalized], expected: &[&'a SheetCode]) -> Option<&'a SheetCode> {
+    let rated = expected.iter().filter_map(|code| {
+        let modules = code.modules()?;
+        let of_size = all.iter().filter(|seen| seen.size == modules.len());
+        Some((of_size.map(|seen| seen.correlation(&modules)).fold(0.0, f64::max), *code))
+    });
+    let mut rated: Vec<(f64, &SheetCode)> = rated.collect();
+    rated.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let (most, code) = *rated.first()?;
+    let second = rated.iter().find(|(_, other)| *other != code).map_or(0.0, |(value, _)| *value);
+    (most > CORRELATED && most > second + CLEARLY).then_some(code)
+}
+
+/// The same places, moved so that the three finder patterns and the alignment pattern of a code of that size are where they are seen.
+fn aligned<'a>(
+    picture: &'a Picture,
+    pixel: &'a impl Fn(f64, f64) -> Point,
+    size: usize,
+) -> impl Fn(f64, f64) -> Point + 'a {
+    let module = 1.0 / size as f64;
+    // How much lighter the light modules of a pattern are than the dark ones, if its middle is there: by ring, the weight of all its modules.
+    let contrast = |x: f64, y: f64, rings: &[f64]| -> f64 {
+        let last = rings.len() as i32 - 1;
+        let modules = (-last..=last).flat_map(|j| (-last..=last).map(move |i| (i, j)));
+        modules
+            .map(|(i, j)| {
+                let ring = i.abs().max(j.abs());
+                let weight = rings[ring as usize] / f64::from(8 * ring.max(1) - 7 * i32::from(ring == 0));
+                weight * picture.at(pixel(x + f64::from(i) * module, y + f64::from(j) * module))
+            })
+            .sum()
+    };
+    // The place near (x, y) with the most contrast, from steps of half a module to finer ones.
+    let found = |x: f64, y: f64, rings: &[f64], mut reach: f64| {
+        let mut best = (contrast(x, y, rings), x, y);
+        let mut step = 0.5 * module;
+        while step > 0.05 * module {
+            let count = (reach / step).ceil() as i32;
+            let (_, u, v) = best;
+            for (i, j) in (-count..=count).flat_map(|j| (-count..=count).map(move |i| (i, j))) {
+                let (u, v) = (u + f64::from(i) * step, v + f64::from(j) * step);
+                let value = contrast(u, v, rings);
+                if value > best.0 {
+                    best = (value, u, v);
+                }
+            }
+            (reach, step) = (step, 0.4 * step);
+        }
+        Vector::new(best.1, best.2)
+    };
+    let (near, far) = (3.5 * module, 1.0 - 3.5 * module);
+    let finder = [(near, near), (far, near), (near, far)].map(|(x, y)| found(x, y, &FINDER, ASIDE));
+    let [corner, right, below] = finder;
+    // As if the paper were even; what the alignment pattern is off grows towards it along both sides.
+    let even = move |u: f64, v: f64| corner + (right - corner) * u + (below - corner) * v;
+    let fourth = (1.0 - 6.5 * module - near) / (far - near);
+    let expected = even(fourth, fourth);
+    let has_fourth = (25..45).contains(&size);
+    let seen = if has_fourth { found(expected.x, expected.y, &ALIGNMENT, 2.0 * module) } else { expected };
+    let twist = (seen - expected) / (fourth * fourth);
+    move |x: f64, y: f64| {
+        let (u, v) = ((x - near) / (far - near), (y - near) / (far - near));
+        let at = even(u, v) + twist * (u * v);
+        pixel(at.x, at.y)
+    }
+}
+
+/// Weights of the rings of a finder pattern, from its middle out: dark ones are negative.
+const FINDER: [f64; 4] = [-0.2, -0.8, 2.0, -1.0];
+/// The same of an alignment pattern.
+const ALIGNMENT: [f64; 3] = [-0.5, 1.0, -0.5];
+
+/// Half modules in a row round the middle of a module from which it is told whether it is dark.
+const ROW: usize = 6;
+/// Their number.
+const INPUTS: usize = ROW * ROW;
+/// Rounds in which the modules told apart teach.
+const LEARNT: usize = 5;
+/// How small weights are kept, in parts of the mean square of their inputs: for little and for much noise.
+const SMALL: [f64; 3] = [0.02, 0.1, 0.5];
+/// White round a code whose brightness is looked at, in half modules.
+const BORDER: i64 = 5;
+/// Modules to either side with which brightness is compared.
+const LOCAL: i64 = 4;
+
+/// Brightness of a code at every half module, in relation to that around.
 struct Seen {
-    /// Modules along a side, with the white.
+    size: usize,
     wide: usize,
     light: Vec<f64>,
 }
 
 impl Seen {
-    /// The modules of a code of that size.
+    /// A code of so many modules.
     fn new(picture: &Picture, pixel: &impl Fn(f64, f64) -> Point, size: usize) -> Seen {
-        let wide = size + 2;
-        let share = |i: usize, part: f64| (i as f64 - 0.5 + part) / size as f64;
-        let near = [-0.22, 0.0, 0.22];
-        let module = |x: usize, y: usize| {
-            let parts = near.iter().flat_map(|dy| near.map(|dx| (dx, *dy)));
-            parts.map(|(dx, dy)| picture.at(pixel(share(x, dx), share(y, dy)))).sum::<f64>() / 9.0
+        let wide = 2 * size + 2 * BORDER as usize;
+        // Place i is the middle of module (i − border − ½) / 2.
+        let share = |i: usize, part: f64| (0.5 * (i as f64 - BORDER as f64) + 0.25 + 0.5 * part) / size as f64;
+        let place = |x: usize, y: usize| {
+            let parts = [-0.25, 0.25].into_iter().flat_map(|dy| [-0.25, 0.25].map(|dx| (dx, dy)));
+            parts.map(|(dx, dy)| picture.at(pixel(share(x, dx), share(y, dy)))).sum::<f64>() / 4.0
         };
-        let light = (0..wide * wide).map(|i| module(i % wide, i / wide)).collect();
-        Seen { wide, light }
+        let raw: Vec<f64> = (0..wide * wide).map(|i| place(i % wide, i / wide)).collect();
+        // Half way between the darkest and the lightest near a place, and their difference.
+        let reach = 2 * LOCAL;
+        let coarse = (0..wide * wide).map(|i| {
+            let (x, y) = ((i % wide) as i64, (i / wide) as i64);
+            let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+            for dy in (-reach..=reach).step_by(2) {
+                for dx in (-reach..=reach).step_by(2) {
+                    let (u, v) = ((x + dx).clamp(0, wide as i64 - 1), (y + dy).clamp(0, wide as i64 - 1));
+                    let value = raw[v as usize * wide + u as usize];
+                    (low, high) = (low.min(value), high.max(value));
+                }
+            }
+            (raw[i] - 0.5 * (low + high)) / (high - low).max(8.0)
+        });
+        let light = coarse.collect();
+        Seen { size, wide, light }
     }
 
-    /// Which modules are dark, if each lends the share `blur` of its brightness to either neighbour, along rows and columns.
-    fn modules(&self, blur: f64) -> Modules {
-        let wide = self.wide as i64;
-        let place = |x: i64, y: i64| (y.clamp(0, wide - 1) * wide + x.clamp(0, wide - 1)) as usize;
-        let [own, beside, across] = [(1.0 - 2.0 * blur).powi(2), blur * (1.0 - 2.0 * blur), blur * blur];
-        let mut sharp = self.light.clone();
-        let (low, high) =
-            self.light.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), v| (low.min(*v), high.max(*v)));
-        for _ in 0..if blur > 0.0 { ROUNDS } else { 0 } {
-            for y in 0..wide {
-                for x in 0..wide {
-                    let at = |dx: i64, dy: i64| sharp[place(x + dx, y + dy)];
-                    let sides = at(-1, 0) + at(1, 0) + at(0, -1) + at(0, 1);
-                    let corners = at(-1, -1) + at(1, -1) + at(-1, 1) + at(1, 1);
-                    let value = (self.light[place(x, y)] - beside * sides - across * corners) / own;
-                    sharp[place(x, y)] = value.clamp(low - 20.0, high + 20.0);
-                }
-            }
+    /// Brightness at half modules from the middle of a module.
+    fn at(&self, x: i64, y: i64, dx: i64, dy: i64) -> f64 {
+        // The middle of module 0 lies between the half modules `border` and `border` + 1.
+        let last = self.wide as i64 - 1;
+        let place = |i: i64, d: i64| (2 * i + BORDER + d).clamp(0, last) as usize;
+        self.light[place(y, dy) * self.wide + place(x, dx)]
+    }
+
+    /// The modules that are darker than half way between the darkest and the lightest around.
+    fn plain(&self) -> Modules {
+        let mean = |x, y| self.at(x, y, 0, 0) + self.at(x, y, 1, 0) + self.at(x, y, 0, 1) + self.at(x, y, 1, 1);
+        self.modules(|x, y| mean(x, y) < 0.0)
+    }
+
+    fn modules(&self, is_dark: impl Fn(i64, i64) -> bool) -> Modules {
+        let size = self.size as i64;
+        let dark = (0..size * size).map(|i| is_dark(i % size, i / size)).collect();
+        Modules { size: self.size, dark }
+    }
+
+    /// The brightness round a module, from which it is told whether it is dark.
+    fn round(&self, x: i64, y: i64) -> SVector<f64, INPUTS> {
+        let place = |i: usize| i as i64 - (ROW as i64 / 2 - 1);
+        SVector::from_fn(|i, _| self.at(x, y, place(i % ROW), place(i / ROW)))
+    }
+
+    /// The modules after blur is taken back: by the sum of weighted brightness round a module that is right, with least squares, for
+    /// the modules that are the same in all codes, and then for all as they were told apart (a decision-directed equalizer: Lucky 1966).
+    fn equalized(&self, small: f64) -> Option<Equalized> {
+        let size = self.size as i64;
+        let same = known(self.size);
+        let mut weights = self.weights(same.iter().copied(), small)?;
+        for _ in 0..LEARNT {
+            let told = (0..size * size).map(|i| (i % size, i / size));
+            let told = told.map(|(x, y)| (x, y, self.round(x, y).dot(&weights) < 0.0));
+            weights = self.weights(told.chain(same.iter().copied()), small)?;
         }
-        let size = self.wide - 2;
-        let mut dark = Vec::with_capacity(size * size);
-        for y in 1..wide - 1 {
-            for x in 1..wide - 1 {
-                let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-                for v in (-4..=4)
-                    .flat_map(|dy| (-4..=4).map(move |dx| (dx, dy)))
-                    .map(|(dx, dy)| sharp[place(x + dx, y + dy)])
-                {
-                    (low, high) = (low.min(v), high.max(v));
-                }
-                dark.push(sharp[place(x, y)] < 0.5 * (low + high));
-            }
+        let light = (0..size * size).map(|i| self.round(i % size, i / size).dot(&weights)).collect();
+        Some(Equalized { size: self.size, light })
+    }
+
+    /// The weights by which the brightness round modules tells best whether they are dark.
+    fn weights(&self, modules: impl Iterator<Item = (i64, i64, bool)>, small: f64) -> Option<SVector<f64, INPUTS>> {
+        let mut matrix = SMatrix::<f64, INPUTS, INPUTS>::zeros();
+        let mut right = SVector::<f64, INPUTS>::zeros();
+        for (x, y, is_dark) in modules {
+            let round = self.round(x, y);
+            matrix.syger(1.0, &round, &round, 1.0);
+            right += round * if is_dark { -1.0 } else { 1.0 };
         }
-        Modules { size, dark }
+        matrix.fill_upper_triangle_with_lower_triangle();
+        // Weights stay small where the modules leave them open.
+        let usual = small * matrix.trace() / INPUTS as f64;
+        matrix += SMatrix::identity() * usual;
+        Some(matrix.cholesky()?.solve(&right))
     }
 }
 
-impl Modules {
-    /// Share of the modules of finder patterns, and of the white beside them, that are as they must be.
-    fn likeness(&self) -> f64 {
-        let last = self.size - 1;
-        let (mut right, mut all) = (0, 0);
-        for y in 0..8_usize {
-            for x in 0..8_usize {
-                let ring = x.abs_diff(3).max(y.abs_diff(3));
-                let is_dark = !(ring == 2 || x == 7 || y == 7);
-                for (x, y) in [(x, y), (last - x, y), (x, last - y)] {
-                    all += 1;
-                    right += usize::from(self.dark[y * self.size + x] == is_dark);
-                }
-            }
+/// Modules after blur is taken back: light ones are positive.
+struct Equalized {
+    size: usize,
+    light: Vec<f64>,
+}
+
+impl Equalized {
+    fn modules(&self) -> Modules {
+        Modules { size: self.size, dark: self.light.iter().map(|light| *light < 0.0).collect() }
+    }
+
+    /// Correlation with a code, over the modules that are not the same in all codes.
+    fn correlation(&self, code: &[Vec<bool>]) -> f64 {
+        let same = known(self.size);
+        let mut is_same = vec![false; self.light.len()];
+        let size = self.size as i64;
+        for (x, y, _) in same.into_iter().filter(|(x, y, _)| (0..size).contains(x) && (0..size).contains(y)) {
+            is_same[(y * size + x) as usize] = true;
         }
-        f64::from(right as u32) / f64::from(all)
+        let own = self.light.iter().zip(code.iter().flatten()).zip(&is_same).filter(|(_, same)| !**same);
+        let pairs: Vec<(f64, f64)> =
+            own.map(|((light, dark), _)| (light.clamp(-2.0, 2.0), if *dark { -1.0 } else { 1.0 })).collect();
+        let n = pairs.len().max(1) as f64;
+        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(of).sum::<f64>() / n;
+        let (a, b) = (mean(&|p| p.0), mean(&|p| p.1));
+        let covariance = mean(&|p| (p.0 - a) * (p.1 - b));
+        let spread = mean(&|p| (p.0 - a).powi(2)) * mean(&|p| (p.1 - b).powi(2));
+        covariance / spread.sqrt().max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Modules that are the same in all codes of a size (ISO/IEC 18004): finder patterns, timing patterns, the alignment pattern of versions 2 to 6, and the
+/// white around.
+fn known(size: usize) -> Vec<(i64, i64, bool)> {
+    let last = size as i64 - 1;
+    let mut all = Vec::new();
+    for y in -1..8_i64 {
+        for x in -1..8_i64 {
+            let ring = (x - 3).abs().max((y - 3).abs());
+            let is_dark = ring != 2 && ring < 4;
+            all.extend([(x, y, is_dark), (last - x, y, is_dark), (x, last - y, is_dark)]);
+        }
+    }
+    for i in 8..last - 7 {
+        all.extend([
+            (i, 6, i % 2 == 0),
+            (6, i, i % 2 == 0),
+            (i, -1, false),
+            (-1, i, false),
+            (i, last + 1, false),
+            (last + 1, i, false),
+        ]);
+    }
+    if (25..45).contains(&size) {
+        for (dx, dy) in (-2..=2_i64).flat_map(|dy| (-2..=2_i64).map(move |dx| (dx, dy))) {
+            all.push((last - 6 + dx, last - 6 + dy, dx.abs().max(dy.abs()) != 1));
+        }
+    }
+    all
+}
+
+impl Modules {
+    /// Share of the modules that are the same in all codes which are as they must be.
+    fn likeness(&self) -> f64 {
+        let size = self.size as i64;
+        let inside = |x: i64, y: i64| (0..size).contains(&x) && (0..size).contains(&y);
+        let (mut right, mut all) = (0_u32, 0_u32);
+        for (x, y, is_dark) in known(self.size).into_iter().filter(|(x, y, _)| inside(*x, *y)) {
+            all += 1;
+            right += u32::from(self.dark[(y * size + x) as usize] == is_dark);
+        }
+        f64::from(right) / f64::from(all.max(1))
     }
 }

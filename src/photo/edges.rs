@@ -10,7 +10,9 @@ const END: f64 = 0.1;
 /// Half the length of a profile, in mm: inside an edge is a cell of black, outside white.
 const REACH: f64 = 1.2;
 /// Samples of half a profile.
-const SAMPLES: usize = 8;
+const SAMPLES: usize = 12;
+/// Half the part of a profile about the edge that counts, in samples.
+const WINDOW: f64 = 6.5;
 /// Least standard deviation of a corner, in pixels: what profiles have in common.
 const FLOOR: f64 = 0.02;
 
@@ -70,24 +72,39 @@ fn edge(picture: &Picture, expected: &[Point; 4], from: usize, side: f64) -> Opt
     (points.len() >= PROFILES / 2).then(|| line(&points)).flatten()
 }
 
-/// Where a profile passes from black to white: the place at which a sharp step would leave as much white, so blur on both sides alike does not move it.
+/// Where a profile passes from black to white: the middle of its rise, which blur on both sides alike does not move. Only what is near it counts, so that cells
+/// inside the marker do not.
 fn crossing(picture: &Picture, on: Point, inwards: Vector) -> Option<Point> {
     let count = 2 * SAMPLES + 1;
-    let place = |i: usize| on + inwards * (1.0 - i as f64 / SAMPLES as f64);
-    if !picture.holds(place(0)) || !picture.holds(place(count - 1)) {
+    let place = |i: f64| on + inwards * (1.0 - i / SAMPLES as f64);
+    if !picture.holds(place(0.0)) || !picture.holds(place((count - 1) as f64)) {
         return None;
     }
-    let values: Vec<f64> = (0..count).map(|i| picture.at(place(i))).collect();
-    let black = values[..3].iter().sum::<f64>() / 3.0;
-    let white = values[count - 3..].iter().sum::<f64>() / 3.0;
-    if white - black < 12.0 {
+    let values: Vec<f64> = (0..count).map(|i| picture.at(place(i as f64))).collect();
+    let rises: Vec<f64> = values.windows(2).map(|pair| (pair[1] - pair[0]).max(0.0)).collect();
+    let (low, high) = values.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), v| (low.min(*v), high.max(*v)));
+    if high - low < 12.0 {
         return None;
     }
-    let shares = values[1..count - 1].iter().map(|value| ((value - black) / (white - black)).clamp(-0.3, 1.3));
-    let whites: f64 = shares.sum::<f64>();
-    // Of count − 2 samples the last `whites` are white; the step lies between samples.
-    let step = count as f64 - 1.5 - whites;
-    (1.5..count as f64 - 2.5).contains(&step).then(|| on + inwards * (1.0 - step / SAMPLES as f64))
+    // A window about the steepest rise, moved until its middle is the mean of the rises in it.
+    let steepest = (0..rises.len()).max_by(|a, b| rises[*a].total_cmp(&rises[*b]))?;
+    let mut middle = steepest as f64 + 0.5;
+    for _ in 0..6 {
+        let (mut sum, mut moment) = (0.0, 0.0);
+        for (i, rise) in rises.iter().enumerate() {
+            // Rise i lies from i to i + 1; the part of it inside the window counts.
+            let (from, to) = ((i as f64).max(middle - WINDOW), (i as f64 + 1.0).min(middle + WINDOW));
+            if to > from {
+                sum += rise * (to - from);
+                moment += rise * (to - from) * 0.5 * (from + to);
+            }
+        }
+        if sum <= 0.0 {
+            return None;
+        }
+        middle = moment / sum;
+    }
+    (WINDOW * 0.5..rises.len() as f64 - WINDOW * 0.5).contains(&middle).then(|| place(middle))
 }
 
 /// The straight line with least squares across.

@@ -12,6 +12,8 @@ type Column = SVector<f64, UNKNOWNS>;
 /// A corner of a marker: its place on the sheet, the way from the marker's middle out to it, and where it is in the picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sight {
+    /// The marker's number.
+    pub marker: usize,
     pub paper: Point,
     pub outwards: Vector,
     pub corner: Corner,
@@ -24,6 +26,8 @@ const BEFORE: [f64; UNKNOWNS] = [0.4, 0.06, 0.06, 0.04, 0.04, 1e3, 1e3, 1e3, 1e3
 const FOCAL: f64 = 1.25;
 /// What no camera of this kind explains, in pixels: added to every corner's deviation, in parts of a pixel for each thousand of the picture's half diagonal.
 const UNEXPLAINED: f64 = 0.03;
+/// Markers that are never left out.
+const ENOUGH: usize = 5;
 /// Off by so many standard deviations a corner counts less (Huber 1964).
 const FAR: f64 = 2.5;
 
@@ -176,7 +180,31 @@ fn finished(camera: Camera, sights: &[Sight]) -> Option<Fitted> {
     Some(Fitted { camera, covariance, residual })
 }
 
+/// Without a marker that does not fit, less than this share of the squares of all residuals is left.
+const LEFT: f64 = 0.5;
+/// Residuals that no marker is left out for, in mm.
+const GOOD: f64 = 0.04;
+
 impl Fitted {
+    /// The camera without the marker that does not fit, and that marker: on a corner of paper that stands up, or half under a finger. `None` where
+    /// all fit, or are too few.
+    pub(super) fn without_worst(&self, sights: &[Sight]) -> Option<(usize, Fitted)> {
+        let mut markers: Vec<usize> = sights.iter().map(|sight| sight.marker).collect();
+        markers.dedup();
+        if markers.len() <= ENOUGH || self.residual < GOOD {
+            return None;
+        }
+        let without = |marker: &usize| {
+            let others: Vec<Sight> = sights.iter().filter(|sight| sight.marker != *marker).copied().collect();
+            let (_, camera) = improve(self.camera, &others)?;
+            Some((*marker, finished(camera, &others)?))
+        };
+        let best = markers.iter().filter_map(without).min_by(|a, b| a.1.residual.total_cmp(&b.1.residual))?;
+        let share =
+            best.1.residual.powi(2) * (markers.len() - 1) as f64 / (self.residual.powi(2) * markers.len() as f64);
+        (share < LEFT).then_some(best)
+    }
+
     /// Covariance of the place on the sheet of something in the picture, in mm²: that of the camera alone.
     pub(super) fn covariance(&self, paper: Point) -> Option<Matrix2<f64>> {
         const STEP: f64 = 1e-6;

@@ -65,18 +65,8 @@ impl Marker {
 pub(super) fn markers(small: &Picture, factor: usize) -> Vec<Marker> {
     let mut found: Vec<Marker> = Vec::new();
     for pass in 0..2 {
-        for marker in squares(small, pass).iter().filter_map(|square| read(small, square)) {
-            let is_known = |other: &Marker| {
-                other.number == marker.number && (other.corners[0] - marker.corners[0]).norm() < 0.5 * marker.side()
-            };
-            if !found.iter().any(is_known) {
-                found.push(marker);
-            }
-        }
-        let mut numbers: Vec<usize> = found.iter().map(|marker| marker.number).collect();
-        numbers.sort_unstable();
-        numbers.dedup();
-        if numbers.len() == CODES.len() {
+        add(&mut found, squares(small, pass).iter().filter_map(|square| read(small, square)).collect());
+        if most_together(&found) == CODES.len() {
             break;
         }
     }
@@ -84,6 +74,18 @@ pub(super) fn markers(small: &Picture, factor: usize) -> Vec<Marker> {
         marker.corners = marker.corners.map(|corner| corner * factor as f64);
     }
     found
+}
+
+/// Adds further markers; those that are known already stay as they are.
+pub(super) fn add(found: &mut Vec<Marker>, further: Vec<Marker>) {
+    for marker in further {
+        let is_known = |other: &Marker| {
+            other.number == marker.number && (other.corners[0] - marker.corners[0]).norm() < 0.5 * marker.side()
+        };
+        if !found.iter().any(is_known) {
+            found.push(marker);
+        }
+    }
 }
 
 /// The marker in a dark square, if it is one.

@@ -8,7 +8,7 @@ use super::markers::{self, Seen};
 use super::paper::Paper;
 use super::picture::Picture;
 use super::refusal::Refusal;
-use crate::drawing::markers::{SIDE, SheetCode, code_place};
+use crate::drawing::markers::{CODES, SIDE, SheetCode, code_place};
 use crate::geometry::Point;
 use crate::scene::Page;
 
@@ -16,8 +16,11 @@ use crate::scene::Page;
 const WORKING: usize = 1700;
 /// Least number of markers.
 const LEAST: usize = 4;
-/// Largest residual of the markers' corners, in mm: a camera over an even sheet leaves less than a tenth of it.
-const UNEVEN: f64 = 0.3;
+/// Largest residual of the markers' corners, in mm: a camera over an evenly bent sheet leaves 0.02 to 0.05 mm.
+const UNEVEN: f64 = 0.15;
+/// What a place errs in each direction by what no camera explains, in mm: always, and as a part of the residual.
+const ALWAYS: f64 = 0.02;
+const PART: f64 = 0.5;
 /// Largest height of a bend, in mm.
 const BENT: f64 = 12.0;
 
@@ -31,13 +34,18 @@ pub struct PhotoSheet {
     fitted: Fitted,
 }
 
-/// Reads the sheet in a photograph.
+/// Reads the sheet in a photograph. Its code says which it is; where it is too blurred to be read by itself, it is compared with those of the sheets
+/// that are `expected`.
 ///
 /// # Errors
 /// There is none that can be measured on.
-pub fn read(picture: &Picture) -> Result<PhotoSheet, Refusal> {
+pub fn read(picture: &Picture, expected: &[SheetCode]) -> Result<PhotoSheet, Refusal> {
     let factor = picture.width().max(picture.height()).div_ceil(WORKING);
-    let found = markers::markers(&picture.smaller(factor), factor);
+    let mut found = markers::markers(&picture.smaller(factor), factor);
+    // A sheet far away has small markers.
+    if factor > 1 && markers::most_together(&found) < CODES.len() {
+        markers::add(&mut found, markers::markers(&picture.smaller(factor / 2), factor / 2));
+    }
     let together = markers::sheets(&found, LEAST);
     let mut fitted: Vec<(Seen, Fitted)> =
         together.into_iter().filter_map(|seen| Some((seen.clone(), fitted(picture, &seen)?))).collect();
@@ -52,7 +60,7 @@ pub fn read(picture: &Picture) -> Result<PhotoSheet, Refusal> {
     if bend > BENT {
         return Err(Refusal::Bent { millimetres: bend });
     }
-    let code = code(picture, seen.page, &fitted.camera).ok_or(Refusal::NoCode)?;
+    let code = code(picture, seen.page, &fitted.camera, expected).ok_or(Refusal::NoCode)?;
     if code.page != seen.page {
         return Err(Refusal::OtherPage);
     }
@@ -63,8 +71,12 @@ pub fn read(picture: &Picture) -> Result<PhotoSheet, Refusal> {
 fn fitted(picture: &Picture, seen: &Seen) -> Option<Fitted> {
     let (sheet, size) = (seen.page.size_mm(), [picture.width() as f64, picture.height() as f64]);
     let rough = fit(&sights(picture, seen, None), &seen.plane, sheet, size)?;
-    let sights = sights(picture, seen, Some(&rough.camera));
-    let fitted = fit(&sights, &seen.plane, sheet, size)?;
+    let mut sights = sights(picture, seen, Some(&rough.camera));
+    let mut fitted = fit(&sights, &seen.plane, sheet, size)?;
+    while let Some((marker, better)) = fitted.without_worst(&sights) {
+        sights.retain(|sight| sight.marker != marker);
+        fitted = better;
+    }
     (sights.len() >= 3 * LEAST).then_some(fitted)
 }
 
@@ -76,19 +88,19 @@ fn sights(picture: &Picture, seen: &Seen, camera: Option<&Camera>) -> Vec<Sight>
         let expected = camera.map_or(marker.corners, |camera| own.map(|paper| camera.pixel(paper)));
         let middle = nalgebra::center(&own[0], &own[2]);
         for (paper, corner) in own.into_iter().zip(edges::corners(picture, &expected, SIDE)) {
-            sights.extend(corner.map(|corner| Sight { paper, outwards: (paper - middle) / (0.5 * SIDE), corner }));
+            let outwards = (paper - middle) / (0.5 * SIDE);
+            sights.extend(corner.map(|corner| Sight { marker: marker.number, paper, outwards, corner }));
         }
     }
     sights
 }
 
 /// What the code on a page says.
-fn code(picture: &Picture, page: Page, camera: &Camera) -> Option<SheetCode> {
+fn code(picture: &Picture, page: Page, camera: &Camera, expected: &[SheetCode]) -> Option<SheetCode> {
     let place = code_place(page.size_mm());
-    let text = code::text(picture, |u, v| {
-        camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v))
-    })?;
-    SheetCode::read(&text)
+    let pixel = |u, v| camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v));
+    let expected: Vec<&SheetCode> = expected.iter().filter(|code| code.page == page).collect();
+    code::code(picture, pixel, &expected)
 }
 
 impl PhotoSheet {
@@ -109,7 +121,8 @@ impl PhotoSheet {
     pub fn band(&self, paper: [f64; 2]) -> f64 {
         let covariance = self.fitted.covariance(Point::from(paper));
         let widest = covariance.map_or(f64::INFINITY, |covariance| covariance.symmetric_eigenvalues().max());
-        CIRCLE * widest.max(0.0).sqrt()
+        let further = ALWAYS.powi(2) + (PART * self.fitted.residual).powi(2);
+        CIRCLE * (widest.max(0.0) + further).sqrt()
     }
 
     /// Root of the mean square of the distances of the markers' corners from where they should be, in mm.

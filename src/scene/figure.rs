@@ -81,6 +81,9 @@ pub struct Figure {
     #[serde(deserialize_with = "count")]
     #[schemars(with = "Option<u16>", range(min = 2, max = 72))]
     pub ghosts: Option<usize>,
+    /// Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
+    /// photograph of them is read; left out: true.
+    pub markers: bool,
     /// Sizes of letters and signs in place of those of `style`: of a style file, which is no part of the scene.
     #[serde(skip)]
     pub sizes: Option<Sizes>,
@@ -91,7 +94,7 @@ pub struct Figure {
 
 write_keys!(Figure {
     panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
-    construction, values, step, trace, beyond_limits, ghosts; sizes, usual_values
+    construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
 } unless Figure::default());
 
 /// Steps and positions are read as `u16`: there are never more, and messages can name the range.
@@ -123,6 +126,7 @@ impl Default for Figure {
             trace: Vec::new(),
             beyond_limits: false,
             ghosts: None,
+            markers: true,
             sizes: None,
             usual_values: None,
         }
@@ -130,6 +134,12 @@ impl Default for Figure {
 }
 
 impl Figure {
+    /// Whether sheets to be drawn on have markers: not where the scene says so, nor in a projector's proportions.
+    #[must_use]
+    pub fn has_markers(&self) -> bool {
+        self.markers && self.page.size != PageSize::Wide
+    }
+
     /// The panels that are drawn, in order: with a focus the scheme and the plan in focus.
     #[must_use]
     pub fn shown_panels(&self) -> Vec<PanelName> {

@@ -166,7 +166,7 @@ impl Scene {
     }
 
     /// The text that it was read from.
-    pub(super) fn text(&self) -> &str {
+    pub(crate) fn text(&self) -> &str {
         &self.text
     }
 

@@ -162,7 +162,7 @@ fn exercises_are_those_of_the_program() {
         let expected = std::fs::read_to_string(folder.join("four-bar-7-2").join(name)).expect("it was written");
         assert!(exercise[key] == *expected, "{name}");
     }
-    let sheet = engine.exercise_file(&text, 7.0, 2.0, &options, "sheet").expect("a sheet");
+    let sheet = engine.exercise_file(&text, "four-bar", 7.0, 2.0, &options, "sheet").expect("a sheet");
     assert!(sheet == std::fs::read(folder.join("four-bar-7-2/sheet.pdf")).expect("it was written"));
 }
 

@@ -80,7 +80,7 @@ fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
             let turned = [30.0 + cos * x - sin * y, 50.0 + sin * x + cos * y];
             (name.to_owned(), turned)
         });
-        PointsOf { kind: plan.kind, places: places.into_iter().collect() }
+        PointsOf { places: places.into_iter().collect(), ..PointsOf::new(plan.kind) }
     });
     Measured { mu, points: points.collect(), ..Measured::default() }
 }

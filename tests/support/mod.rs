@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "not every program uses all of it")]
 
 pub mod browser;
+pub mod camera;
 pub mod case;
 pub mod changes;
 pub mod comparison;

@@ -29,12 +29,20 @@ class Exercise:
         return Scene(self._native.text())
 
     def sheet(self, format: _files.Format = "svg", *, outlines: bool = False, dpi: float = 100.0) -> str | bytes:
-        """The student's sheet: the scheme, what is given, boxes for the results; svg, png, pdf or tikz."""
-        return self._draw(False, format, outlines, dpi)
+        """The student's sheet: the scheme, what is given, boxes for the results; svg, png, pdf or tikz.
+
+        A PDF has the sheets for the plans, too, as further pages.
+        """
+        return self.sheets(format, outlines=outlines, dpi=dpi)[0]
+
+    def sheets(self, format: _files.Format = "svg", *, outlines: bool = False, dpi: float = 100.0) -> list[str | bytes]:
+        """The student's sheets: that with the scheme, then those for the plans; as PDF one file with all of them."""
+        form = _files.form_of(format, outlines=outlines, dpi=dpi)
+        return [_files.opened(file, format) for file in self._native.draw(self.name, form)]
 
     def key_sheet(self, format: _files.Format = "svg", *, outlines: bool = False, dpi: float = 100.0) -> str | bytes:
         """The drawn key: scheme, plans, all values with what a careful hand is allowed; svg, png, pdf or tikz."""
-        return self._draw(True, format, outlines, dpi)
+        return _files.opened(self._native.draw_key(_files.form_of(format, outlines=outlines, dpi=dpi)), format)
 
     def key(self) -> dict[str, Any]:
         """The values of the key by the names of their quantities, each with its unit, what is allowed, and its step."""
@@ -52,14 +60,13 @@ class Exercise:
             raise KinegonError(f"{own} is there already and is not overwritten", "choose another folder or another seed, or remove it")
         files: dict[str, str | bytes] = {"scene.json": self._native.text()}
         for format in ("svg", "pdf"):
-            files |= {f"sheet.{format}": self.sheet(format), f"key.{format}": self.key_sheet(format)}
+            files[f"key.{format}"] = self.key_sheet(format)
+            for number, sheet in enumerate(self.sheets(format), 1):
+                files[f"sheet.{format}" if number == 1 else f"sheet-{number}.{format}"] = sheet
         files |= {"form.json": self.form(), "form.csv": self.form("csv"), "key.json": self._native.key_file()}
         os.makedirs(own)
         _files.write_all({os.path.join(own, name): data if isinstance(data, bytes) else data.encode() for name, data in files.items()})
         return own
-
-    def _draw(self, is_key: bool, format: str, outlines: bool, dpi: float) -> str | bytes:
-        return _files.opened(self._native.draw(is_key, _files.form_of(format, outlines=outlines, dpi=dpi)), format)
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         return {"text/plain": repr(self), "image/svg+xml": str(self.sheet("svg", outlines=True))}

@@ -3,11 +3,12 @@
 //!
 //! All lengths are millimetres of paper, y down. A sheet for a projector (`16x9`) has no markers.
 
+mod drawn;
 mod sheet_code;
 
+pub(in crate::drawing) use drawn::Signs;
 pub use sheet_code::{PlacedPanel, SheetCode};
 
-use crate::scene::{Page, PageSize};
 use kurbo::{Point, Rect, Size};
 
 /// Side of a marker.
@@ -73,12 +74,6 @@ pub fn cells(code: u16) -> [[bool; CELLS]; CELLS] {
         }
     }
     cells
-}
-
-/// Whether sheets of that size can have markers.
-#[must_use]
-pub fn has_room(page: Page) -> bool {
-    page.size != PageSize::Wide
 }
 
 #[cfg(test)]

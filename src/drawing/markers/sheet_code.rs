@@ -139,7 +139,7 @@ impl PlacedPanel {
 }
 
 /// A name in signs of a QR code that part no fields, cut to its length.
-fn written_name(name: &str) -> String {
+pub(super) fn written_name(name: &str) -> String {
     let sign = |sign: char| if is_sign(sign) && sign != '/' { sign } else { '-' };
     name.chars().flat_map(char::to_uppercase).map(sign).take(NAME).collect()
 }

@@ -67,6 +67,9 @@ impl Style {
     /// The look of a mark with this pen that belongs to the link or curve with this number, or to none.
     #[must_use]
     pub fn look(&self, pen: Pen, number: Option<usize>) -> Look {
+        if let Some(colour) = pen.fixed() {
+            return Look::area(colour);
+        }
         let pen = &self.0.pens[pen as usize];
         let paint = |paint: Option<Paint>| paint.and_then(|paint| self.colour(paint, number));
         let stroke = paint(pen.stroke);

@@ -150,7 +150,7 @@ fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
             pens(surface, stroke(look), None);
             draw_path(surface, paths::path(shape));
         }
-        Shape::Polygon(_) | Shape::Circle { .. } => {
+        Shape::Polygon(_) | Shape::Area(_) | Shape::Circle { .. } => {
             pens(surface, stroke(look), look.fill.map(fill));
             draw_path(surface, paths::path(shape));
         }

@@ -15,6 +15,11 @@ pub(super) fn path(shape: &Shape) -> Option<Path> {
         Shape::Line(from, to) => chain(&[from, to], false),
         Shape::Polyline(ref points) => chain(points, false),
         Shape::Polygon(ref points) => chain(points, true),
+        Shape::Area(ref chains) => {
+            let mut path = PathBuilder::new();
+            chains.iter().for_each(|points| push_chain(&mut path, points, true));
+            path.finish()
+        }
         Shape::Circle { center, radius } => {
             let mut path = PathBuilder::new();
             arc(&mut path, center, radius, 0.0, std::f64::consts::TAU);
@@ -32,8 +37,13 @@ pub(super) fn path(shape: &Shape) -> Option<Path> {
 
 /// Straight lines through points; `None` without points.
 pub(super) fn chain(points: &[Point], closed: bool) -> Option<Path> {
-    let (&first, rest) = points.split_first()?;
     let mut path = PathBuilder::new();
+    push_chain(&mut path, points, closed);
+    path.finish()
+}
+
+fn push_chain(path: &mut PathBuilder, points: &[Point], closed: bool) {
+    let Some((&first, rest)) = points.split_first() else { return };
     path.move_to(length(first.x), length(first.y));
     for &point in rest {
         path.line_to(length(point.x), length(point.y));
@@ -41,7 +51,6 @@ pub(super) fn chain(points: &[Point], closed: bool) -> Option<Path> {
     if closed {
         path.close();
     }
-    path.finish()
 }
 
 /// Draws part of a circle in cubic curves of at most a quarter turn each: they leave the circle by less than 0.03 % of

@@ -12,6 +12,9 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
         Shape::Line(from, to) => write_path(written, id, "", |data| chain(data, &[*from, *to], false)),
         Shape::Polyline(points) => write_path(written, id, open, |data| chain(data, points, false)),
         Shape::Polygon(points) => write_path(written, id, "", |data| chain(data, points, true)),
+        Shape::Area(chains) => {
+            write_path(written, id, "", |data| chains.iter().for_each(|points| chain(data, points, true)));
+        }
         Shape::Circle { center, radius } => {
             written.push_str("<circle");
             write_id(written, id);

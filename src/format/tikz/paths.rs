@@ -12,6 +12,12 @@ pub(super) fn write_path(file: &mut String, shape: &Shape) {
             write_chain(file, points);
             file.push_str("--cycle");
         }
+        Shape::Area(ref chains) => {
+            for points in chains {
+                write_chain(file, points);
+                file.push_str("--cycle");
+            }
+        }
         Shape::Circle { center, radius } => {
             write_point(file, center);
             file.push_str("circle[radius=");

@@ -123,5 +123,7 @@ fn pen_name(pen: Pen) -> &'static str {
         Pen::Student => "student",
         Pen::StudentPoint => "student-point",
         Pen::Hint => "hint",
+        Pen::Marker => "marker",
+        Pen::MarkerWhite => "marker-white",
     }
 }

@@ -14,6 +14,10 @@ sentences! {
     exercise_guide_through(slider, line);
     /// The sizes of both plans on paper, and the paper on which each has room.
     exercise_room(velocity, acceleration, paper);
+    /// Where the plans are drawn, if sheets for them follow.
+    exercise_sheets;
+    /// What a photograph of a sheet needs, on the sheets for the plans.
+    sheet_markers;
     /// Which sense is positive.
     exercise_senses;
     /// The same where slides are asked for: their symbols, separated by commas.

@@ -33,7 +33,9 @@ impl Sheet<'_> {
         let across = self.across(pivot, pin);
         let laid = self.hand.laid_off(tangential.abs() / self.scale(2)).copysign(tangential);
         let towards = self.number(Act::new(Doing::Heading, 2, link, &end, &image).by(Formula::Tangential), across);
-        let place = self.at(2, &end) + unit(self.hand.drawn(towards)) * laid;
+        let towards = self.hand.drawn(towards);
+        self.trace(2, [&end, &image], (self.at(2, &end), towards), true);
+        let place = self.at(2, &end) + unit(towards) * laid;
         self.mark(2, &image, place);
     }
 
@@ -202,6 +204,9 @@ impl Sheet<'_> {
         let ratio = unit(self.hand.drawn(direction(ratio))) * size(ratio) * self.hand.stretch();
         let (start, end) = (self.at(plan, &image_of(p)), self.at(plan, &image_of(c)));
         let place = self.hand.placed(start + (end - start) * ratio);
+        for (joint, from) in [(p, start), (c, end)] {
+            self.trace(plan, [&image_of(joint), &image_of(e)], (from, direction(place - from)), false);
+        }
         self.mark(plan, &image_of(e), place);
     }
 

@@ -12,6 +12,19 @@ pub struct Plan {
     pub images: BTreeMap<String, Place>,
 }
 
+/// A line on a plan, as it was drawn.
+#[derive(Clone, Debug)]
+pub struct Trace {
+    pub plan: usize,
+    /// The names of both ends; a ray's second is what it is to find.
+    pub ends: [String; 2],
+    /// Where it begins, in mm from the pole, and its direction in radians.
+    pub start: Place,
+    pub towards: f64,
+    /// A vector that ends there; else a ray.
+    pub is_vector: bool,
+}
+
 /// What a student has drawn so far.
 pub struct Sheet<'a> {
     pub scheme: &'a Scheme,
@@ -25,6 +38,8 @@ pub struct Sheet<'a> {
     readings: BTreeMap<(usize, [String; 2]), f64>,
     /// Vectors that a mistake has left out: nothing of them is on the sheet.
     pub left_out: BTreeSet<(usize, [String; 2])>,
+    /// Vectors and rays, in their order.
+    pub traces: Vec<Trace>,
     /// All acts, in their order.
     pub acts: Vec<Act>,
     /// How many mistakes were made.
@@ -41,6 +56,7 @@ impl<'a> Sheet<'a> {
             rates: scheme.rates.clone(),
             readings: BTreeMap::new(),
             left_out: BTreeSet::new(),
+            traces: Vec::new(),
             acts: Vec::new(),
             made: 0,
         }
@@ -179,6 +195,7 @@ impl<'a> Sheet<'a> {
         let start = self.at(plan, from);
         let start = self.place(act(Doing::Start), start);
         let end = start + unit(towards) * laid.copysign(value);
+        self.trace(plan, [from, to], (start, towards), true);
         self.mark(plan, to, end);
         let segment = self.segment(plan, from, to);
         self.readings.insert(segment, laid * self.scale(plan));
@@ -189,7 +206,14 @@ impl<'a> Sheet<'a> {
         let towards = self.number(Act::new(Doing::Ray, plan, link, from, to), towards);
         let start = self.at(plan, from);
         let start = self.place(Act::new(Doing::RayStart, plan, link, from, to), start);
-        (start, self.hand.drawn(towards))
+        let towards = self.hand.drawn(towards);
+        self.trace(plan, [from, to], (start, towards), false);
+        (start, towards)
+    }
+
+    /// Notes a line that is drawn.
+    pub fn trace(&mut self, plan: usize, ends: [&str; 2], (start, towards): (Place, f64), is_vector: bool) {
+        self.traces.push(Trace { plan, ends: ends.map(str::to_owned), start, towards, is_vector });
     }
 
     /// Marks an image where two rays cross.

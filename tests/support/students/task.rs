@@ -7,7 +7,7 @@ use super::mistake::{Mistake, Name, Wrong};
 use super::plane::{Place, direction, unit};
 use super::scheme::Scheme;
 use super::script::{draw, joints, place_specials};
-use super::sheet::ends_of;
+use super::sheet::{Sheet, ends_of};
 use super::slips::slip;
 use crate::support::random::Random;
 use kinegon::Solution;
@@ -171,11 +171,17 @@ impl Task {
         Some(scheme)
     }
 
-    /// A sheet with these mistakes, or without any, as it is handed in.
-    pub fn hand_in(&self, planned: Option<&Planned>, skill: Skill, seed: u64) -> Measured {
+    /// A sheet with these mistakes, or without any, drawn but not measured yet.
+    pub fn drawn<'a>(&'a self, planned: Option<&'a Planned>, skill: Skill, seed: u64) -> Sheet<'a> {
         let scheme = planned.and_then(|planned| planned.scheme.as_ref()).unwrap_or(&self.scheme);
         let changes = planned.map_or(&[][..], |planned| &planned.changes);
-        let mut sheet = draw(self.kind, scheme, Hand::new(skill, seed), changes);
+        draw(self.kind, scheme, Hand::new(skill, seed), changes)
+    }
+
+    /// The form of the same sheet, as it is handed in.
+    pub fn hand_in(&self, planned: Option<&Planned>, skill: Skill, seed: u64) -> Measured {
+        let mut sheet = self.drawn(planned, skill, seed);
+        let scheme = sheet.scheme;
         let values = scheme.form.iter().filter_map(|name| Some((name, sheet.write(name)?)));
         let values = values.map(|(name, value)| Given {
             name: name.clone(),

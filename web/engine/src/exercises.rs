@@ -110,13 +110,14 @@ impl Exercise {
     /// The files of an exercise with that name.
     pub fn of(found: &Found, name: String) -> Exercise {
         let letters = |drawing: &Drawing| svg_with(drawing, Text::Letters);
-        let key = found.key_sheet();
+        let (sheets, key) = (found.sheets(&name), found.key_sheet());
+        let sheet = sheets.first().unwrap_or(&found.sheet);
         let form = found.form(&name);
         Exercise {
             text: found.text.clone(),
-            sheet: letters(&found.sheet),
-            width: found.sheet.width,
-            height: found.sheet.height,
+            sheet: letters(sheet),
+            width: sheet.width,
+            height: sheet.height,
             key: letters(&key),
             key_width: key.width,
             key_height: key.height,

@@ -27,6 +27,7 @@ use exercises::Series;
 use kinegon::drawing::{ITALIC, REGULAR};
 use kinegon::editing::{self, Edit};
 use kinegon::exercise::Exercise;
+use kinegon::format::pdf_pages;
 use kinegon::scene::SceneError;
 use photo::Photograph;
 use refused::Refused;
@@ -221,45 +222,49 @@ impl Engine {
         answer(self.found(text, [seed, number], options).map(|found| exercises::Exercise::of(found, name)))
     }
 
-    /// A sheet of an exercise as PDF: `sheet` or `key`.
+    /// The student's sheets of an exercise as one PDF, `sheet`, or its key, `key`; the name is that of
+    /// [`exercise`](Engine::exercise).
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn exercise_file(
         &mut self,
         text: &str,
+        name: &str,
         seed: f64,
         number: f64,
         options: &str,
         what: &str,
     ) -> Result<Vec<u8>, String> {
         let found = self.found(text, [seed, number], options).map_err(|refused| json(&refused))?;
-        let sheet = if what == "key" { found.key_sheet() } else { found.sheet.clone() };
-        sheet.pdf().map_err(|error| json(&Refused::whole(error.to_string())))
+        let sheets =
+            if what == "key" { vec![found.key_sheet()] } else { found.sheets(&format!("{name}-{seed}-{number}")) };
+        pdf_pages(&sheets, None).map_err(|error| json(&Refused::whole(error.to_string())))
     }
 }
 
 /// A photograph of the student's drawing.
 #[wasm_bindgen]
 impl Engine {
-    /// The sheet in a photograph, by its grey pixels row by row; it is kept until the next one.
+    /// The sheet in a photograph, by its grey pixels row by row; it is kept until the next one. `name` is that of the exercise,
+    /// where there is one.
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn photo(&mut self, text: &str, width: f64, height: f64, grey: Vec<u8>) -> Result<String, String> {
+    pub fn photo(&mut self, text: &str, name: &str, width: f64, height: f64, grey: Vec<u8>) -> Result<String, String> {
         self.photo = None;
-        let read = photo::read(&mut self.desk, text, [width, height].map(|side| side as usize), grey);
+        let read = photo::read(&mut self.desk, text, name, [width, height].map(|side| side as usize), grey);
         let (read, kept) = read.map_err(|refused| json(&refused))?;
         self.photo = kept;
         Ok(json(&read))
     }
 
-    /// How many pencil lines the photograph has; they are looked for once.
+    /// The points that the pencil lines of the photograph show; they are looked for once.
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn photo_lines(&mut self) -> Result<String, String> {
-        answer(self.photograph().map(Photograph::lines))
+    pub fn photo_proposed(&mut self) -> Result<String, String> {
+        answer(self.photograph().and_then(|(photo, desk)| photo.proposed(desk)))
     }
 
     /// The place of a plan, `velocity` or `acceleration`, at a place in the picture, or where pencil lines cross at most
@@ -268,7 +273,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
-        answer(self.photograph().map(|photo| photo.tapped(plan, [x, y], reach)))
+        answer(self.photograph().and_then(|(photo, desk)| photo.tapped(desk, plan, [x, y], reach)))
     }
 
     /// How points of the student's plans stand in the photograph.
@@ -276,13 +281,14 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn photo_points(&mut self, placed: &str) -> Result<String, String> {
-        answer(self.photograph().and_then(|photo| Ok(photo.judged(&asked::<Vec<_>>(placed)?))))
+        answer(self.photograph().and_then(|(photo, desk)| photo.judged(desk, &asked::<Vec<_>>(placed)?)))
     }
 }
 
 impl Engine {
-    fn photograph(&mut self) -> Result<&mut Photograph, Refused> {
-        self.photo.as_mut().ok_or_else(|| Refused::whole("there is no photograph"))
+    fn photograph(&mut self) -> Result<(&mut Photograph, &mut Desk), Refused> {
+        let photo = self.photo.as_mut().ok_or_else(|| Refused::whole("there is no photograph"))?;
+        Ok((photo, &mut self.desk))
     }
 
     /// An exercise; those before it are kept, as the next one is looked for from the last.

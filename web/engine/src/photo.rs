@@ -1,16 +1,18 @@
 //! The last photograph of a sheet: the right plans over it, what is tapped on it, how its points stand.
 
 use crate::desk::Desk;
-use crate::photo_answers::{Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused, PlacedPoint, PointVerdict, Tapped};
+use crate::forms::usual_key;
+use crate::photo_answers::{
+    Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused, PlacedPoint, PointVerdict, Proposed, Tapped,
+};
 use crate::refused::Refused;
 use kinegon::Solution;
-use kinegon::check::{BANDS, form_boxes, plan_points};
-use kinegon::construction::{Plan, PointRole, Teller, Tolerance};
+use kinegon::check::{self, BANDS, PencilledPlan, plan_points};
+use kinegon::construction::{Plan, PlanKind, PointRole, Teller, Tolerance};
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::format::html_text;
 use kinegon::geometry::{Point, Vector};
-use kinegon::photo::{self, Crossing, PhotoSheet, Picture, Stroke, crossing, strokes};
-use kinegon::quantity::{Asked, What, pencil};
+use kinegon::photo::{self, Crossing, PhotoSheet, Picture, Refusal, Stroke, crossing, strokes};
 use kinegon::scene::PanelName;
 
 /// Distance of places at which the paper is looked at, in mm: a pencil line is three to five of them wide.
@@ -24,10 +26,19 @@ const AIMED: f64 = 0.5;
 
 /// A photograph of a sheet that has plans of the scene.
 pub struct Photograph {
+    /// The scene's text.
+    text: String,
     picture: Picture,
     sheet: Upright,
     plans: Vec<PlanInPhoto>,
-    strokes: Option<Vec<Stroke>>,
+    found: Option<Pencil>,
+}
+
+/// What the pencil has drawn on the sheet.
+struct Pencil {
+    strokes: Vec<Stroke>,
+    /// Where plan points seem to be, with the index of the plan.
+    points: Vec<(usize, check::Proposal)>,
 }
 
 /// A sheet in its photograph, which is turned by quarters so that the sheet stands upright.
@@ -90,8 +101,11 @@ fn turned([x, y]: [f64; 2], [width, height]: [f64; 2], quarters: u8) -> [f64; 2]
 /// A plan on the sheet.
 struct PlanInPhoto {
     key: &'static str,
+    kind: PlanKind,
     panel: PlacedPanel,
     points: Vec<RightPoint>,
+    /// Its vectors and rays by their ends, in mm from the pole with y up.
+    lines: Vec<[[f64; 2]; 2]>,
 }
 
 /// A point of the right plan; lengths in mm.
@@ -100,21 +114,31 @@ struct RightPoint {
     label: String,
     /// From the pole, y up.
     at: [f64; 2],
-    /// How far an honest hand may be off.
-    allowed: f64,
+    /// How far from there an honest hand may have it.
+    tolerance: f64,
 }
 
-/// Reads a photograph of a sheet of this scene; one that can be measured on is kept.
+/// Reads a photograph of a sheet of this scene, or of the exercise of that name; one that can be measured on is kept.
 pub fn read(
     desk: &mut Desk,
     text: &str,
+    name: &str,
     size: [usize; 2],
     grey: Vec<u8>,
 ) -> Result<(PhotoRead, Option<Photograph>), Refused> {
     let picture = Picture::new(size[0], size[1], grey)
         .ok_or_else(|| Refused::whole("the picture has not as many pixels as its width and height say"))?;
     let solution = desk.solution(text)?;
-    let sheet = match photo::read(&picture) {
+    let read = photo::read(&picture, &[]).or_else(|why| match why {
+        // A blurred code is compared with those of the scene's own sheets.
+        Refusal::NoCode => {
+            let own: Vec<SheetCode> =
+                solution.drawing_sheets(name).into_iter().filter_map(|sheet| sheet.code).collect();
+            photo::read(&picture, &own)
+        }
+        why => Err(why),
+    });
+    let sheet = match read {
         Ok(sheet) => sheet,
         Err(why) => return Ok((PhotoRead { photo: None, refused: Some(PhotoRefused::of(&why)) }, None)),
     };
@@ -122,7 +146,7 @@ pub fn read(
     let code = &sheet.sheet.code;
     let is_own = code.scene == solution.scene.fingerprint();
     let plans = if is_own { plans(solution, code) } else { Vec::new() };
-    let shown = plans.iter().map(|(plan, lines)| plan.shown(&sheet, lines)).collect();
+    let shown = plans.iter().map(|plan| plan.shown(&sheet)).collect();
     let photo = Photo {
         name: code.name.clone(),
         number: code.number,
@@ -130,16 +154,15 @@ pub fn read(
         turn: sheet.turn,
         per_mm: sheet.per_mm(),
         bend: sheet.sheet.bend(),
-        band: plans.iter().flat_map(|(plan, _)| plan.bands(&sheet)).fold(0.0, f64::max),
+        band: plans.iter().flat_map(|plan| plan.bands(&sheet)).fold(0.0, f64::max),
         plans: shown,
     };
-    let plans: Vec<PlanInPhoto> = plans.into_iter().map(|(plan, _)| plan).collect();
-    let kept = (!plans.is_empty()).then(|| Photograph { picture, sheet, plans, strokes: None });
+    let kept = (!plans.is_empty()).then(|| Photograph { text: text.to_owned(), picture, sheet, plans, found: None });
     Ok((PhotoRead { photo: Some(photo), refused: None }, kept))
 }
 
-/// The plans on a sheet, each with the ends of its lines by names.
-fn plans(solution: &Solution, code: &SheetCode) -> Vec<(PlanInPhoto, Vec<[String; 2]>)> {
+/// The plans on a sheet.
+fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
     let construction = &solution.construction;
     let mut labels = plan_points(solution);
     let found = code.panels.iter().filter_map(|panel| {
@@ -150,60 +173,37 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<(PlanInPhoto, Vec<[String
         };
         let plan = construction.plan_on(kind)?;
         let named = std::mem::take(&mut labels[index]);
-        let allowed = Allowed::of(solution, plan, panel, named.iter().map(|(name, _)| name.as_str()));
         // Images of points at rest are the pole itself.
         let is_asked =
             |name: &str| name == plan.kind.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
         let points = named.into_iter().filter(|(name, _)| is_asked(name)).filter_map(|(name, label)| {
             let vector = plan.points.get(&name)?.vector / panel.mu;
-            Some(RightPoint { allowed: allowed.at(&name), label: html_text(&label), at: [vector.x, vector.y], name })
+            Some(RightPoint {
+                tolerance: BANDS * Tolerance::default().mm,
+                label: html_text(&label),
+                at: [vector.x, vector.y],
+                name,
+            })
         });
         let points = points.collect();
-        Some((PlanInPhoto { key, panel: *panel, points }, lines(solution, plan)))
+        Some(PlanInPhoto { key, kind: plan.kind, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
     });
     found.collect()
 }
 
-/// The lines of a plan by the names of their ends, each once.
-fn lines(solution: &Solution, plan: &Plan) -> Vec<[String; 2]> {
+/// The lines of a plan by their ends, each once.
+fn lines(solution: &Solution, plan: &Plan, mu: f64) -> Vec<[[f64; 2]; 2]> {
     let words = solution.wording();
-    let mut lines: Vec<[String; 2]> = Vec::new();
+    let mut lines: Vec<[[f64; 2]; 2]> = Vec::new();
     for vector in Teller::new(solution, &words).vectors(plan) {
-        let [a, b] = vector.ends;
-        if !lines.iter().any(|[c, d]| (c == &a && d == &b) || (c == &b && d == &a)) {
-            lines.push([a, b]);
+        let ends = vector.ends.each_ref().map(|name| plan.points.get(name).map(|point| point.vector / mu));
+        let [Some(a), Some(b)] = ends else { continue };
+        let line = [[a.x, a.y], [b.x, b.y]];
+        if a != b && !lines.iter().any(|&[c, d]| [c, d] == line || [d, c] == line) {
+            lines.push(line);
         }
     }
     lines
-}
-
-/// How far an honest hand may be off at a plan's points, in mm: by the segments that end there.
-struct Allowed(Vec<([String; 2], f64)>);
-
-impl Allowed {
-    fn of<'n>(solution: &Solution, plan: &Plan, panel: &PlacedPanel, names: impl Iterator<Item = &'n str>) -> Allowed {
-        let mut scales = solution.scales();
-        match panel.panel {
-            PanelName::Acceleration => scales.acceleration = Some(panel.mu),
-            _ => scales.velocity = Some(panel.mu),
-        }
-        let from_pole = names.map(|name| plan.kind.segment_name(plan.kind.pole(), name));
-        let mut asked: Vec<Asked> = from_pole.filter_map(|name| Asked::new(&name, &solution.mechanism).ok()).collect();
-        asked.extend(form_boxes(solution).into_iter().map(|found| found.asked));
-        let bands = pencil(solution, &scales, Tolerance::default(), asked);
-        let of_segment = |(asked, band): &(Asked, Result<kinegon::quantity::Band, _>)| match (asked.what(), band) {
-            (What::Segment { kind, from, to, .. }, Ok(band)) if *kind == plan.kind => {
-                Some(([from.clone(), to.clone()], band.band / panel.mu))
-            }
-            _ => None,
-        };
-        Allowed(bands.quantities.iter().filter_map(of_segment).collect())
-    }
-
-    fn at(&self, name: &str) -> f64 {
-        let ending = self.0.iter().filter(|(ends, _)| ends.iter().any(|end| end == name));
-        BANDS * ending.map(|(_, band)| *band).fold(Tolerance::default().mm, f64::max)
-    }
 }
 
 impl PlanInPhoto {
@@ -226,60 +226,95 @@ impl PlanInPhoto {
         self.points.iter().map(|point| sheet.band(self.on_sheet(point.at)))
     }
 
-    fn shown(&self, sheet: &Upright, lines: &[[String; 2]]) -> PhotoPlan {
+    fn shown(&self, sheet: &Upright) -> PhotoPlan {
         let point = |point: &RightPoint| PhotoPoint {
             name: point.name.clone(),
             label: point.label.clone(),
             at: sheet.pixel(self.on_sheet(point.at)),
         };
-        let line = |[from, to]: &[String; 2]| {
-            let [from, to] = [self.point(from)?.at, self.point(to)?.at];
+        let line = |&[from, to]: &[[f64; 2]; 2]| {
             let length = hypot(to[0] - from[0], to[1] - from[1]);
             let count = (length / PIECE).ceil().max(1.0) as u32;
             let along = |share: f64| std::array::from_fn(|i| from[i] + share * (to[i] - from[i]));
             let places = (0..=count).map(|i| along(f64::from(i) / f64::from(count)));
-            Some(places.map(|place| sheet.pixel(self.on_sheet(place))).collect())
+            places.map(|place| sheet.pixel(self.on_sheet(place))).collect()
         };
         PhotoPlan {
             plan: self.key,
             mu: self.panel.mu,
             points: self.points.iter().map(point).collect(),
-            lines: lines.iter().filter_map(line).collect(),
+            lines: self.lines.iter().map(line).collect(),
         }
     }
 }
 
 impl Photograph {
-    /// Finds the pencil lines, once; their number.
-    pub fn lines(&mut self) -> usize {
-        let strokes = self.strokes.get_or_insert_with(|| {
-            let [width, height] = self.sheet.sheet.code.page.size_mm();
-            let corners = [[EDGE, EDGE], [width - EDGE, height - EDGE]];
-            strokes(&self.sheet.sheet.straightened(&self.picture, corners, STEP))
+    /// The points that the pencil lines show.
+    pub fn proposed(&mut self, desk: &mut Desk) -> Result<Vec<Proposed>, Refused> {
+        self.find(desk)?;
+        let points = self.found.iter().flat_map(|found| &found.points);
+        let proposed = points.filter_map(|(index, proposal)| {
+            let (plan, found) = (&self.plans[*index], proposal.found?);
+            let place = self.place(plan, plan.on_sheet(found.at), found.band, true);
+            Some(Proposed { plan: plan.key, name: proposal.name.clone(), place })
         });
-        strokes.len()
+        Ok(proposed.collect())
+    }
+
+    /// Finds pencil lines, and among them the points of the plans, once.
+    fn find(&mut self, desk: &mut Desk) -> Result<(), Refused> {
+        if self.found.is_some() {
+            return Ok(());
+        }
+        let [width, height] = self.sheet.sheet.code.page.size_mm();
+        let corners = [[EDGE, EDGE], [width - EDGE, height - EDGE]];
+        let strokes = strokes(&self.sheet.sheet.straightened(&self.picture, corners, STEP));
+        let band = |place: [f64; 2]| self.sheet.band(place);
+        let pencilled = self.plans.iter().map(|plan| PencilledPlan {
+            kind: plan.kind,
+            mu: plan.panel.mu,
+            pole: plan.panel.origin,
+            strokes: &strokes,
+            band: &band,
+        });
+        let pencilled: Vec<PencilledPlan<'_>> = pencilled.collect();
+        let all = check::proposed(&usual_key(desk.solution(&self.text)?), &pencilled)?.points;
+        let mut points = Vec::new();
+        for proposal in all {
+            let Some(index) = self.plans.iter().position(|plan| plan.kind == proposal.kind) else { continue };
+            let own = self.plans[index].points.iter_mut().find(|point| point.name == proposal.name);
+            if let Some(point) = own {
+                point.tolerance = proposal.tolerance;
+                points.push((index, proposal));
+            }
+        }
+        self.found = Some(Pencil { strokes, points });
+        Ok(())
     }
 
     /// The place of a plan that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
     /// place itself.
-    pub fn tapped(&mut self, plan: &str, pixel: [f64; 2], reach: f64) -> Option<Tapped> {
-        self.lines();
-        let plan = self.plans.iter().find(|known| known.key == plan)?;
-        let aimed = self.sheet.paper(pixel)?;
-        let found = nearest(self.strokes.as_deref().unwrap_or_default(), Point::from(aimed), reach);
-        let (paper, own) = match found {
-            Some(Crossing { at, band, .. }) => ([at.x, at.y], band),
-            None => (aimed, AIMED),
+    pub fn tapped(
+        &mut self,
+        desk: &mut Desk,
+        plan: &str,
+        pixel: [f64; 2],
+        reach: f64,
+    ) -> Result<Option<Tapped>, Refused> {
+        self.find(desk)?;
+        let plan = self.plans.iter().find(|known| known.key == plan);
+        let (Some(plan), Some(aimed), Some(pencil)) = (plan, self.sheet.paper(pixel), &self.found) else {
+            return Ok(None);
         };
-        let band = hypot(own, self.sheet.band(paper));
+        let found = nearest(&pencil.strokes, Point::from(aimed), reach);
+        let (paper, own) = found.map_or((aimed, AIMED), |found| (found.at.into(), found.band));
+        Ok(Some(self.place(plan, paper, hypot(own, self.sheet.band(paper)), found.is_some())))
+    }
+
+    /// A place on the sheet, known within `band` mm.
+    fn place(&self, plan: &PlanInPhoto, paper: [f64; 2], band: f64, is_snapped: bool) -> Tapped {
         let (pixel, band_pixels) = self.circle(paper, band);
-        Some(Tapped {
-            at: plan.in_plan(paper).map(hundredths),
-            pixel,
-            is_snapped: found.is_some(),
-            band: hundredths(band),
-            band_pixels,
-        })
+        Tapped { at: plan.in_plan(paper).map(hundredths), pixel, is_snapped, band: hundredths(band), band_pixels }
     }
 
     /// A circle on the sheet: its middle in the picture, and its radius in pixels.
@@ -291,7 +326,8 @@ impl Photograph {
 
     /// How points of the student stand: where in the picture, and beside the right ones. Each plan hangs on its pole, on
     /// the printed one where the student has none.
-    pub fn judged(&self, placed: &[PlacedPoint]) -> Vec<PointVerdict> {
+    pub fn judged(&mut self, desk: &mut Desk, placed: &[PlacedPoint]) -> Result<Vec<PointVerdict>, Refused> {
+        self.find(desk)?;
         let verdict = |point: &PlacedPoint| {
             let plan = self.plans.iter().find(|plan| plan.key == point.plan)?;
             let right = plan.point(&point.name)?;
@@ -302,12 +338,10 @@ impl Photograph {
             let origin = pole.map_or([0.0; 2], |pole| pole.at);
             let off = hypot(point.at[0] - origin[0] - right.at[0], point.at[1] - origin[1] - right.at[1]);
             let unsure = hypot(band(point), pole.map_or(0.0, band));
-            let verdict = if off + unsure <= right.allowed {
-                "right"
-            } else if off - unsure > right.allowed {
-                "off"
-            } else {
-                "open"
+            let verdict = match check::PointVerdict::of(off, unsure, right.tolerance) {
+                check::PointVerdict::Right => "right",
+                check::PointVerdict::Off => "off",
+                check::PointVerdict::CannotTell => "open",
             };
             let (pixel, band_pixels) = self.circle(plan.on_sheet(point.at), band(point));
             Some(PointVerdict {
@@ -319,7 +353,7 @@ impl Photograph {
                 verdict,
             })
         };
-        placed.iter().filter_map(verdict).collect()
+        Ok(placed.iter().filter_map(verdict).collect())
     }
 }
 

@@ -83,7 +83,18 @@ pub struct PhotoPoint {
     pub at: [f64; 2],
 }
 
-/// A place that was tapped.
+/// A point that pencil lines show: a proposal, as lines may mislead.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Proposed {
+    /// `velocity` or `acceleration`.
+    pub plan: &'static str,
+    /// Its name in the form file.
+    pub name: String,
+    /// Where it seems to be.
+    pub place: Tapped,
+}
+
+/// A place that was tapped, or is proposed.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Tapped {
     /// In mm of paper from the printed pole, x right, y up.

@@ -16,6 +16,7 @@ import type {
   Picture,
   PlacedPoint,
   PointVerdict,
+  Proposed,
   Pull,
   Tapped,
   Value,
@@ -56,11 +57,11 @@ export interface Engine {
   /** The exercise of a number, counted from 1; `name` is that of the kind or of the scene's file. */
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;
   /** A sheet of an exercise as PDF. */
-  exercise_file(text: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
-  /** The sheet in a photograph of that many pixels, by their brightness row by row; it is kept for the next three. The pixels are handed over and gone here. */
-  photo(text: string, width: number, height: number, grey: Uint8Array): PhotoRead;
-  /** How many pencil lines it has; they are looked for once, which takes a moment. */
-  photo_lines(): number;
+  exercise_file(text: string, name: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
+  /** The sheet in a photograph of that many pixels, by their brightness row by row; it is kept for the next three. `name` is that of the exercise, or empty. The pixels are handed over and gone here. */
+  photo(text: string, name: string, width: number, height: number, grey: Uint8Array): PhotoRead;
+  /** The points that its pencil lines show; they are looked for once, which takes a moment. */
+  photo_proposed(): Proposed[];
   /** The place of a plan at a place in the picture, or where pencil lines cross at most `reach` mm from there; null where that is not on the sheet. */
   photo_tap(plan: string, x: number, y: number, reach: number): Tapped | null;
   /** How points of the student's plans stand in it. */

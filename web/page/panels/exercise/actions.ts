@@ -21,8 +21,8 @@ function file(app: App, { exercise, wanted }: Found, saying: Saying, ending: str
   const name = `${exercise.name}-${own}.${ending}`;
   return button(`${say(saying)} (${ending.toUpperCase()})`, () => {
     if (contents !== "sheet" && contents !== "key") return saveFile(name, contents, type);
-    const { text, seed, number, options } = wanted;
-    void app.engine.exercise_file(text, seed, number, options, contents).then(
+    const { text, name: kind, seed, number, options } = wanted;
+    void app.engine.exercise_file(text, kind, seed, number, options, contents).then(
       (bytes) => saveFile(name, bytes, type),
       (why: Refused) => app.tell(why.message),
     );

@@ -20,7 +20,8 @@ export function photoBlock(app: App, view: PhotoView): { root: HTMLElement; show
   };
   const take = chooser("photo-take", "take", { capture: "environment" });
   take.classList.add("take");
-  const choose = chooser("photo-file", "photograph", {});
+  // Who has a camera takes a photograph; who has none has one already.
+  const choose = chooser("photo-file", window.matchMedia("(pointer: coarse)").matches ? "choose" : "photograph", {});
   const again = button(() => say("again"), view.show, { id: "photo-again", hidden: true });
   view.isThere.on((is) => (again.hidden = !is || view.isShown.value));
   view.isShown.on((is) => (again.hidden = is || !view.isThere.value));

@@ -1,10 +1,8 @@
-import type { Photo, PhotoPlan, Tapped } from "../../../engine/types.ts";
+import type { Photo, PhotoPlan } from "../../../engine/types.ts";
 import { type FormFile, type Place, type PlanName, placesOf, withHead, withPlace } from "../form.ts";
 
 /** A pole that is farther than this from the printed one, in mm, was measured on other paper. */
 const OTHER_PAPER = 5;
-/** Whether the engine takes the radius behind x and y. */
-const TAKES_BANDS = false;
 
 /** A plan by the name that the engine gives it. */
 export const planOf = ({ plan }: { plan: string }): PlanName => (plan === "acceleration" ? "acceleration" : "velocity");
@@ -32,14 +30,9 @@ export function withPoint(file: FormFile, plan: PhotoPlan, { band: sheet }: Phot
   const scaled = withHead(file, own === "velocity" ? "mu_v" : "mu_a", plan.mu);
   let next = Object.entries(placesOn(file, plan)).reduce((form, [other, place]) => withPlace(form, own, other, place), scaled);
   const pole = plan.points[0]?.name ?? "";
-  const known = (radius: number | null): number | undefined => (TAKES_BANDS && radius !== null ? Math.round(100 * radius) / 100 : undefined);
+  const known = (radius: number | null): number | undefined => (radius === null ? undefined : Math.round(100 * radius) / 100);
   if (placesOn(file, plan)[pole] === undefined) next = withPlace(next, own, pole, placed(0, 0, known(sheet)));
   return withPlace(next, own, name, placed(at[0], at[1], known(band)));
-}
-
-/** The same with the place that was tapped. */
-export function withTapped(file: FormFile, plan: PhotoPlan, photo: Photo, name: string, { at, band }: Tapped): FormFile {
-  return withPoint(file, plan, photo, name, at, band);
 }
 
 /** The form without a point. */

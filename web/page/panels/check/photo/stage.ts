@@ -131,7 +131,7 @@ export function stage(): Stage {
         }),
       );
       const guessed = guesses.map(({ key, label, pixel }) => {
-        const node = svgElement("g", { class: "guess", "data-key": key }, svgElement("circle", { class: "touch", r: 22 }), svgElement("circle", { r: 11 }), named(label, 13, 16, "name"));
+        const node = svgElement("g", { class: "guess", "data-key": key }, svgElement("circle", { class: "touch", r: 16 }), svgElement("circle", { r: 11 }), named(label, 13, 16, "name"));
         stand(node, pixel);
         return node;
       });

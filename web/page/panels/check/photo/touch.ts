@@ -7,8 +7,10 @@ const STILL = 8;
 
 /** What hands do on the photograph; places are in its pixels. */
 export interface Hands {
-  /** What is under a finger that goes down: the key of a mark or of a guess. */
-  pressed(key: string, isGuess: boolean): void;
+  /** A finger goes down on a mark. */
+  held(key: string): void;
+  /** A guess is tapped. */
+  guessed(key: string): void;
   /** Somebody aims, and the place under the finger; null as soon as nobody does. */
   aimed(at: Pixel | null): void;
   /** A place is chosen. */
@@ -61,7 +63,7 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
     }
     doing = "press";
     clock = window.setTimeout(aim, HOLD);
-    if (key !== null) hands.pressed(key.name, key.isGuess);
+    if (key !== null && !key.isGuess) hands.held(key.name);
   });
 
   root.addEventListener("pointermove", (event) => {
@@ -96,6 +98,7 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
     const at = inStage(event);
     // A mark that is only tapped is chosen, and stays.
     if (was === "aim" || (was === "press" && key === null)) hands.placed(target(at));
+    else if (was === "press" && key?.isGuess) hands.guessed(key.name);
   };
   root.addEventListener("pointerup", up);
   root.addEventListener("pointercancel", up);

@@ -1,0 +1,223 @@
+//! Plan points proposed from the pencil lines of a photograph, and what each of them tells.
+//!
+//! The construction is carried out once more, as the student did: where pencil lines are that an operation would have drawn, its result is where they are, and later
+//! operations go on from there. So errors of the hand do not add up, and a mistake shows as lines that only it leads to.
+
+mod lines;
+mod track;
+
+use super::answer_key::AnswerKey;
+use super::checked::BANDS;
+use super::entry::entries;
+use super::mistakes::{Candidate, Site};
+use super::model::Model;
+use super::sheet::{CheckError, Measured, PointsOf};
+use crate::construction::PlanKind;
+use crate::photo::Stroke;
+use track::{Track, Tracker};
+
+/// A plan on a photographed sheet, with the pencil lines there.
+pub struct PencilledPlan<'a> {
+    /// Which plan.
+    pub kind: PlanKind,
+    /// Its scale, in units of the scene per millimetre.
+    pub mu: f64,
+    /// The place of its pole on the sheet, in mm, y down.
+    pub pole: [f64; 2],
+    /// The pencil lines of the sheet, in mm, y down.
+    pub strokes: &'a [Stroke],
+    /// Radius round a place on the sheet within which what is seen there lies with 95 %, in mm: that of the camera.
+    pub band: &'a dyn Fn([f64; 2]) -> f64,
+}
+
+impl PencilledPlan<'_> {
+    /// A place on the sheet from the pole, in mm, y up.
+    #[must_use]
+    pub fn from_pole(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x - self.pole[0], self.pole[1] - y]
+    }
+
+    /// The place on the sheet of one given from the pole, in mm, y up.
+    #[must_use]
+    pub fn on_sheet(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x + self.pole[0], self.pole[1] - y]
+    }
+}
+
+/// What the place of a point in a photograph tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointVerdict {
+    /// It is where an honest hand would have it.
+    Right,
+    /// It is elsewhere.
+    Off,
+    /// The picture cannot tell: the place could be right or off.
+    CannotTell,
+}
+
+impl PointVerdict {
+    /// The verdict on a point that is `distance` from its right place and known within `band`, where an honest hand may be off by `tolerance`; all
+    /// in mm.
+    #[must_use]
+    pub fn of(distance: f64, band: f64, tolerance: f64) -> PointVerdict {
+        match (distance + band <= tolerance, distance - band > tolerance) {
+            (true, _) => PointVerdict::Right,
+            (_, true) => PointVerdict::Off,
+            _ => PointVerdict::CannotTell,
+        }
+    }
+}
+
+/// Where a point seems to be, by the pencil lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// Its place from the pole, in mm, y up.
+    pub at: [f64; 2],
+    /// Radius that holds it with 95 %, in mm.
+    pub band: f64,
+    /// What its place tells.
+    pub verdict: PointVerdict,
+}
+
+/// A point of a plan: where it should be, and where it seems to be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proposal {
+    /// Of which plan.
+    pub kind: PlanKind,
+    /// Its name, as in `b` or `n_b3`.
+    pub name: String,
+    /// Its right place from the pole, in mm, y up.
+    pub right: [f64; 2],
+    /// How far from there an honest hand may have it, in mm.
+    pub tolerance: f64,
+    /// Where it seems to be; `None` where that is left to the student.
+    pub found: Option<Found>,
+}
+
+/// The points of some plans as pencil lines tell them.
+#[derive(Clone, Debug, Default)]
+pub struct Proposals {
+    /// All points of the plans, in the order of the construction.
+    pub points: Vec<Proposal>,
+    /// The mistakes with which the lines agree; none where they agree with the right plans.
+    pub mistakes: Vec<Candidate>,
+}
+
+/// Cost of a mistake, in lines that must agree with it: most sheets have none.
+const MISTAKE: f64 = 1.6;
+/// Explanations with less than this behind the best one have a say in where points are.
+const RIVAL: f64 = 1.2;
+/// Distance of two places that are not the same point, in mm.
+const APART: f64 = 0.5;
+/// Explanations with one mistake that are tried with a second.
+const EXTENDED: usize = 6;
+
+/// The plan points that the pencil lines of a student's sheets show. They are proposals: lines may mislead.
+///
+/// # Errors
+/// The scene's figure lacks a sheet.
+pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Proposals, CheckError> {
+    let mut points = right_points(key, plans)?;
+    let mut mu = key.scales.all();
+    for plan in plans {
+        mu[plan.kind.sheet() as usize] = Some(plan.mu);
+    }
+    let model = Model::new(key, key.solution, mu, &[])?;
+    let tracker = Tracker::new(&model, plans);
+    let site = Site { model: &model, key, entries: &[], other_modes: 0 };
+    let candidates: Vec<Candidate> = site.candidates().into_iter().filter(is_drawn).collect();
+    let mut all: Vec<(f64, Vec<&Candidate>, Track)> = vec![rated(&tracker, Vec::new())];
+    // Where the right plans leave nothing open no mistake is looked for.
+    if all[0].2.missing > 0.0 {
+        all.extend(candidates.iter().map(|candidate| rated(&tracker, vec![candidate])));
+        all.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let singles: Vec<Vec<&Candidate>> = all
+            .iter()
+            .filter(|tried| tried.1.len() == 1 && tried.2.missing > 0.0)
+            .take(EXTENDED)
+            .map(|tried| tried.1.clone())
+            .collect();
+        for single in singles {
+            let pairs = candidates.iter().filter(|second| is_apart(single[0], second));
+            all.extend(pairs.map(|second| rated(&tracker, vec![single[0], second])));
+        }
+        all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    }
+    let best = all[0].0;
+    let rivals: Vec<&(f64, Vec<&Candidate>, Track)> = all.iter().take_while(|tried| tried.0 > best - RIVAL).collect();
+    for point in &mut points {
+        point.found = agreed(&rivals, &model, plans, point);
+    }
+    let mistakes = all[0].1.iter().map(|candidate| (*candidate).clone()).collect();
+    Ok(Proposals { points, mistakes })
+}
+
+/// Whether a mistake shows in what is drawn, by an amount that is known.
+fn is_drawn(candidate: &Candidate) -> bool {
+    !candidate.edits.is_empty() && candidate.free.is_empty() && candidate.mode == 0
+}
+
+/// Whether two mistakes change different operations.
+fn is_apart(one: &Candidate, other: &Candidate) -> bool {
+    one.edits.iter().all(|(operation, _)| other.edits.iter().all(|(own, _)| own != operation))
+}
+
+/// An explanation with what speaks for it.
+fn rated<'c>(tracker: &Tracker<'_>, mistakes: Vec<&'c Candidate>) -> (f64, Vec<&'c Candidate>, Track) {
+    let track = tracker.follow(&mistakes);
+    let worth = track.agreeing - track.missing - MISTAKE * mistakes.len() as f64;
+    (worth, mistakes, track)
+}
+
+/// Where all explanations that come into question have a point: `None` where they disagree, or the best one has not found it.
+fn agreed(
+    rivals: &[&(f64, Vec<&Candidate>, Track)],
+    model: &Model,
+    plans: &[PencilledPlan<'_>],
+    point: &Proposal,
+) -> Option<Found> {
+    let sheet = point.kind.sheet();
+    let place = model.construction.place(sheet, model.construction.plan_name(sheet, &point.name))?;
+    let plan = plans.iter().find(|plan| plan.kind == point.kind)?;
+    let spot = rivals.first()?.2.spot(place)?;
+    let others = rivals[1..].iter().filter_map(|rival| rival.2.spot(place));
+    let is_disputed = others.into_iter().any(|other| (other.at - spot.at).norm() > APART);
+    if is_disputed {
+        return None;
+    }
+    let at = [spot.at.x, spot.at.y];
+    let band = libm::hypot(spot.band, (plan.band)(plan.on_sheet(at)));
+    let distance = libm::hypot(at[0] - point.right[0], at[1] - point.right[1]);
+    Some(Found { at, band, verdict: PointVerdict::of(distance, band, point.tolerance) })
+}
+
+/// The points of the plans with their right places and the tolerances of these.
+fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<Proposal>, CheckError> {
+    let mut points = Vec::new();
+    for pencilled in plans {
+        let mut shown = key.solution.construction.plans();
+        let Some(plan) = shown.find(|plan| plan.kind == pencilled.kind) else { continue };
+        let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
+        measured.mu[pencilled.kind.sheet() as usize] = Some(pencilled.mu);
+        let mut own = PointsOf::new(plan.kind);
+        let right = |vector: crate::geometry::Vector| [vector.x / pencilled.mu, vector.y / pencilled.mu];
+        own.put(plan.kind.pole(), [0.0; 2], None);
+        for (name, point) in plan.points.iter().filter(|(name, _)| *name != plan.kind.pole()) {
+            own.put(name.as_str(), right(point.vector), None);
+        }
+        measured.points.push(own);
+        // A plan in which nothing moves has no points.
+        let Ok(asked) = entries(&measured, key) else { continue };
+        let model = Model::new(key, key.solution, measured.mu, &asked)?;
+        let bands = model.bands(&key.tolerance);
+        for (name, point) in &plan.points {
+            let segment = plan.kind.segment_name(plan.kind.pole(), name);
+            let asked = asked.iter().zip(&bands).find(|(entry, _)| entry.asked.name() == segment);
+            let Some((entry, Some(band))) = asked else { continue };
+            let tolerance = (BANDS * band.band + entry.rounding) / pencilled.mu;
+            let kind = plan.kind;
+            points.push(Proposal { kind, name: name.clone(), right: right(point.vector), tolerance, found: None });
+        }
+    }
+    Ok(points)
+}
