@@ -1097,7 +1097,7 @@ export interface PhotoRefused {
   hint: string;
 }
 /**
- * A place that was tapped.
+ * A place that was tapped, or is proposed.
  */
 export interface Tapped {
   /**
@@ -1182,4 +1182,21 @@ export interface PointVerdict {
    * `right`, `off`, or `open`: the picture cannot tell.
    */
   verdict: string;
+}
+/**
+ * A point that pencil lines show: a proposal, as lines may mislead.
+ */
+export interface Proposed {
+  /**
+   * `velocity` or `acceleration`.
+   */
+  plan: string;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * Where it seems to be.
+   */
+  place: Tapped;
 }

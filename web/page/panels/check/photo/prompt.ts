@@ -32,6 +32,8 @@ export function button(text: string, press: () => void, isMain = false): HTMLBut
   return element("button", { type: "button", class: isMain ? "main" : "", onclick: press }, text);
 }
 
+const isTouched = (): boolean => window.matchMedia("(pointer: coarse)").matches;
+
 /** What comes next with a photograph; `note` is what was last to be told. */
 export function prompt(own: Session, form: FormOf, acts: Acts, note: string): Prompt {
   const one = own.item(own.chosen);
@@ -46,15 +48,17 @@ function ofPoint(own: Session, one: Item, acts: Acts, note: string): Prompt {
   if (mark !== undefined) {
     const kind = kindOf(mark);
     const mm = millimetres(mark.off);
-    const how = note !== "" ? note : kind === "open" ? say("open_how", { mm }) : say("move_how");
+    const how = note !== "" ? note : kind === "open" ? say("open_how", { mm }) : say(isTouched() ? "move_touch" : "move_how");
     return { html: say(`is_${kind}`, { name, mm }), how, actions: [button(say("take_away", { name: plain(name) }), () => acts.remove(one)), forward] };
   }
-  if (one.isPole) return { html: say("at_printed", { name }), how: note !== "" ? note : say("move_how"), actions: [forward] };
-  const html = own.photo.plans.length > 1 ? say("tap_in", { name, plan: say(planOf(one.plan)) }) : say("tap", { name });
+  if (one.isPole) return { html: say("at_printed", { name }), how: note !== "" ? note : say(isTouched() ? "move_touch" : "move_how"), actions: [forward] };
+  const isGuessed = own.guessOf(one) !== undefined;
+  const isBoth = own.photo.plans.length > 1;
+  const html = say(isGuessed ? (isBoth ? "is_here_in" : "is_here") : isBoth ? "tap_in" : "tap", { name, plan: say(planOf(one.plan)) });
   const skip = button(say("leave_out", { name: plain(name) }), () => acts.leaveOut(one));
   const guessed = own.items.filter((of) => own.guessOf(of) !== undefined);
-  if (own.guessOf(one) === undefined) {
-    const usual = say(own.isLooking ? "looking" : window.matchMedia("(pointer: coarse)").matches ? "tap_how" : "tap_mouse");
+  if (!isGuessed) {
+    const usual = say(own.isLooking ? "looking" : isTouched() ? "tap_how" : "tap_mouse");
     return { html, how: note !== "" ? note : usual, actions: [skip, ...acceptAll(guessed, acts)] };
   }
   const accept = button(say("accept", { name: plain(name) }), () => acts.accept([one]), true);

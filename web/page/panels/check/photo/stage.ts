@@ -18,6 +18,9 @@ export interface Guess {
   key: string;
   label: string;
   pixel: Pixel;
+  isChosen: boolean;
+  /** Whether it is where the right point is. */
+  isNear: boolean;
 }
 
 /** What lies over the photograph. */
@@ -118,20 +121,20 @@ export function stage(): Stage {
     over({ right, marks: own, guesses }) {
       standing = [];
       const stand = (node: SVGElement, at: Pixel): void => void standing.push({ node, at });
-      const isRight = new Set(own.filter((mark) => kindOf(mark) !== "off").map(({ plan, name }) => `${plan}/${name}`));
+      // One name where both are at the same place.
+      const isRight = new Set([...own.filter((mark) => kindOf(mark) !== "off").map(({ plan, name }) => `${plan}/${name}`), ...guesses.filter(({ isNear }) => isNear).map(({ key }) => key)]);
       const line = (places: number[][]): SVGElement => svgElement("path", { d: `M${places.map((at) => at.join(" ")).join("L")}` });
       lines.replaceChildren(...right.flatMap((plan) => plan.lines.map(line)));
       const rightPoints = right.flatMap(({ plan, points }) =>
         points.map(({ name, label, at }) => {
           const node = svgElement("g", { class: "right" }, svgElement("circle", { r: 3 }));
-          // One name where both are at the same place.
           if (!isRight.has(`${plan}/${name}`)) node.append(named(label, 6, -6, "name"));
           stand(node, at as Pixel);
           return node;
         }),
       );
-      const guessed = guesses.map(({ key, label, pixel }) => {
-        const node = svgElement("g", { class: "guess", "data-key": key }, svgElement("circle", { class: "touch", r: 16 }), svgElement("circle", { r: 11 }), named(label, 13, 16, "name"));
+      const guessed = guesses.map(({ key, label, pixel, isChosen }) => {
+        const node = svgElement("g", { class: isChosen ? "guess chosen" : "guess", "data-key": key }, svgElement("circle", { class: "touch", r: 16 }), svgElement("circle", { r: 11 }), named(label, 13, 16, "name"));
         stand(node, pixel);
         return node;
       });

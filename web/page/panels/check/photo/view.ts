@@ -93,10 +93,10 @@ export function photoView(app: App, form: FormOf): PhotoView {
     aim.root.focus({ preventScroll: true });
   }
 
-  /** On a small screen the plan of the point fills it, unless somebody has zoomed. */
+  /** On a small screen the plan of the point fills it, unless somebody has zoomed; without a point all plans. */
   function lookAt(one: Item | undefined): void {
-    if (one === undefined || picture === null || own === null || table.view.alone() === null) return;
-    table.view.fit(boxOf(isNarrow() ? [one.plan] : own.photo.plans, picture, own.photo.per_mm));
+    if (picture === null || own === null || table.view.alone() === null) return;
+    table.view.fit(boxOf(isNarrow() && one !== undefined ? [one.plan] : own.photo.plans, picture, own.photo.per_mm));
   }
 
   function go(after: string): void {
@@ -224,9 +224,12 @@ export function photoView(app: App, form: FormOf): PhotoView {
     bar.root.hidden = items.length === 0;
     bar.show(items.map((one) => ({ key: one.key, plan: planOf(one.plan), label: one.label, state: own!.stateOf(one) })), own?.chosen ?? "");
     const marks = (own?.marks ?? []).map((mark) => ({ ...mark, isChosen: keyOf(mark.plan, mark.name) === own?.chosen }));
-    const guesses = items.flatMap(({ key, label }, index) => {
-      const guess = own?.guessOf(items[index]!);
-      return guess === undefined ? [] : [{ key, label, pixel: guess.pixel as Pixel }];
+    const guesses = items.flatMap((one) => {
+      const pixel = own?.guessOf(one)?.pixel as Pixel | undefined;
+      const at = one.plan.points.find(({ name }) => name === one.name)?.at ?? [0, 0];
+      if (pixel === undefined || photo === null) return [];
+      const isNear = Math.hypot(pixel[0] - at[0], pixel[1] - at[1]) < NEAR * photo.per_mm && right.length > 0;
+      return [{ key: one.key, label: one.label, pixel, isNear, isChosen: one.key === own?.chosen }];
     });
     table.over({ right, marks, guesses });
     root.setAttribute("aria-busy", String(busy !== null));
