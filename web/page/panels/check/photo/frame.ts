@@ -46,6 +46,6 @@ export function frame(stage: HTMLElement, chips: HTMLElement, presses: Presses):
   const actions = element("div", { class: "actions" });
   const next = element("div", { class: "next" }, element("div", { class: "says", role: "status" }, prompt, how), actions);
   const foot = element("div", { class: "foot" }, chips, next);
-  const root = worded(element("section", { id: "photo", hidden: true }, head, stage, foot), () => say("title"), "aria-label");
+  const root = worded(element("section", { id: "photo", tabindex: "-1", hidden: true }, head, stage, foot), () => say("title"), "aria-label");
   return { root, title, right, undo, prompt, how, actions, foot };
 }

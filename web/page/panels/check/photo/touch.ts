@@ -102,6 +102,8 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
   };
   root.addEventListener("pointerup", up);
   root.addEventListener("pointercancel", up);
+  // The keys stay with the cross.
+  root.addEventListener("mousedown", (event) => event.preventDefault());
   root.addEventListener("contextmenu", (event) => event.preventDefault());
 
   root.addEventListener(

@@ -51,7 +51,8 @@ export function photoView(app: App, form: FormOf): PhotoView {
   let why: Why | null = null;
   let busy: "opening" | "reading" | null = null;
   let wantsRight = true;
-  let note = "";
+  /** What was last to be told, as long as the form stays as it was then. */
+  let noted = { text: "", form: "" };
   let opener: Element | null = null;
 
   const table = stage();
@@ -73,11 +74,13 @@ export function photoView(app: App, form: FormOf): PhotoView {
   /** How far a tap reaches for a crossing, in mm. */
   const reach = (): number => Math.min(FAR, Math.max(NEAR, FINGER / (table.view.now.value.scale * (own?.photo.per_mm ?? 1))));
 
+  const note = (text: string): void => void (noted = { text, form: app.history.now.value.form });
+
   /** Whether the right plan is no secret: a student sees it when all points are marked or left out. */
   const mayShow = (): boolean => !app.student.value || (own !== null && own.marks.length > 0 && !own.items.some(own.isOpen));
 
   function toggleRight(): void {
-    if (!mayShow()) note = say("right_later");
+    if (!mayShow()) note(say("right_later"));
     else wantsRight = shell.right.getAttribute("aria-pressed") !== "true";
     show();
   }
@@ -87,7 +90,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
     own.chosen = key;
     const one = own.item(key);
     if (one !== undefined) own.leaveOut(one, false);
-    note = "";
+    note("");
     lookAt(one);
     show();
     aim.root.focus({ preventScroll: true });
@@ -108,26 +111,26 @@ export function photoView(app: App, form: FormOf): PhotoView {
   async function place(at: Pixel): Promise<void> {
     const one = own?.item(own.chosen);
     if (own === null || one === undefined) {
-      note = say("tap_none");
+      note(say("tap_none"));
       return show();
     }
     const tapped = await own.tap(one, at, reach());
     if (tapped === undefined) return;
     if (tapped === null) {
-      note = say("outside");
+      note(say("outside"));
       return show();
     }
-    note = tapped.is_snapped ? "" : say("not_snapped");
     // Who corrects a point stays there; who goes through them goes on.
     const isFirst = own.placeOf(one) === undefined;
     own.put([[one, tapped]]);
+    note(tapped.is_snapped ? "" : say("not_snapped"));
     if (isFirst && !one.isPole) go(one.key);
     show();
   }
 
   function accept(all: Item[]): void {
     if (own === null) return;
-    note = "";
+    note("");
     const { guessOf } = own;
     own.put(all.flatMap((one): [Item, Tapped][] => {
       const guess = guessOf(one);
@@ -139,20 +142,20 @@ export function photoView(app: App, form: FormOf): PhotoView {
 
   function leaveOut(one: Item): void {
     own?.leaveOut(one, true);
-    note = "";
+    note("");
     go(one.key);
     show();
   }
 
   function remove(one: Item): void {
-    note = "";
+    note("");
     own?.remove(one);
     show();
   }
 
   function moved(one: Item, at: Pixel): void {
     own?.move(one, at);
-    note = say("moved", { name: plain(one.label), x: millimetres(at[0]), y: millimetres(at[1]) });
+    note(say("moved", { name: plain(one.label), x: millimetres(at[0]), y: millimetres(at[1]) }));
     show();
   }
 
@@ -195,7 +198,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
   /** What is said, with its buttons. */
   function said(): Prompt {
     if (busy !== null) return { html: say(busy), how: "", actions: [] };
-    if (why === null && own !== null) return prompt(own, form, acts, note);
+    if (why === null && own !== null) return prompt(own, form, acts, noted.form === app.history.now.value.form ? noted.text : "");
     const told = element("span", {}, why?.message ?? "");
     return { html: told.innerHTML, how: why?.hint ?? "", actions: [button(say("another"), acts.another, true)] };
   }
@@ -238,7 +241,8 @@ export function photoView(app: App, form: FormOf): PhotoView {
   }
 
   async function open(file: File): Promise<void> {
-    [own, why, busy, note] = [null, null, "opening", ""];
+    [own, why, busy] = [null, null, "opening"];
+    note("");
     isThere.set(false);
     table.show(null);
     reveal();
@@ -272,7 +276,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
     lookAt(begun.item(begun.chosen) ?? begun.items[0]);
     aim.middle();
     isThere.set(true);
-    if (read.bend > BENT) note = say("bent", { mm: millimetres(read.bend) });
+    if (read.bend > BENT) note(say("bent", { mm: millimetres(read.bend) }));
     show();
     aim.root.focus({ preventScroll: true });
     // While the eye looks, so that the first tap waits for nothing.
