@@ -329,7 +329,7 @@ fn exercise(path: &str, seed: u64) -> Result<Drawing, Box<dyn Error>> {
     let text = fs::read_to_string(root().join(path))?;
     let solution = solution(path, |_| ())?;
     let mut exercises = Exercises::new(&text, &solution.scene.figure, None, &solution.construction, seed)?;
-    Ok(exercises.next()?.sheet)
+    Ok(exercises.next()?.sheets("").swap_remove(0))
 }
 
 fn owned(names: &[&str]) -> Vec<String> {

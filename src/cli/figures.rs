@@ -137,7 +137,7 @@ impl Figures {
                     written.push((path, pdf.map_err(|error| Failure::Misuse(error.to_string(), None))?));
                     continue;
                 }
-                for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
+                for (path, drawing) in self.sheet_paths(path, sheets.len(), joined).zip(sheets) {
                     written.push((path, self.bytes(drawing, format)?));
                 }
             }
@@ -160,10 +160,11 @@ impl Figures {
     }
 
     /// The paths of a figure's sheets: the second has `-2` before its ending. Only the first is written on stdout.
-    fn sheet_paths(&self, first: PathBuf, sheets: usize) -> impl Iterator<Item = PathBuf> {
+    fn sheet_paths(&self, first: PathBuf, sheets: usize, joined: bool) -> impl Iterator<Item = PathBuf> {
         let on_stdout = self.is_stream();
         if on_stdout && sheets > 1 {
-            note("only the first sheet is on stdout; name a folder or a file to have the others");
+            let what = if joined { "further sheets are" } else { "the table is on a second sheet, which is" };
+            note(&format!("{what} not on stdout; name a folder or a file to have all"));
         }
         let numbered = move |number: usize| {
             let [stem, ending] = [first.file_stem(), first.extension()].map(|part| part.unwrap_or_default());
@@ -190,7 +191,7 @@ impl Figures {
                     Some("leave out --format, or name a file that ends in `.svg`".into()),
                 ));
             };
-            for (path, drawing) in self.sheet_paths(path, sheets.len()).zip(sheets) {
+            for (path, drawing) in self.sheet_paths(path, sheets.len(), false).zip(sheets) {
                 written.push((path, format::layered_svg(drawing, self.text()).into_bytes()));
             }
         }

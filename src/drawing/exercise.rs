@@ -12,6 +12,7 @@ use super::plan_sheets::plan_sheets;
 use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::sheet_notes::Fields;
+use super::text::RichText;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
 use crate::quantity::{Asked, Scales};
@@ -75,7 +76,8 @@ pub fn drawing_sheets(
         if has_table && is_whole(&scheme, &layout) {
             let first = sheet.draw(&layout).after_step(0);
             let apart = (place == TablePlace::Apart).then(|| blank.filled(&layout));
-            let last = apart.map(|table| further_sheets(&first, scheme.dims.unit, |_| Vec::new(), table));
+            let fields = |_| vec![RichText::plain(scheme.words.language.exercise_name())];
+            let last = apart.map(|table| further_sheets(&first, scheme.dims.unit, fields, table));
             return std::iter::once(first).chain(plans).chain(last.into_iter().flatten()).collect();
         }
     }

@@ -15,7 +15,7 @@ use crate::quantity::Kind;
 use crate::scene::PanelName;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
-use kurbo::Vec2;
+use kurbo::{Rect, Vec2};
 
 /// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -118,11 +118,16 @@ impl Placed {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
         if matches!(self.kind, Kind::Velocity | Kind::Acceleration) {
-            let mut room = self.frame.inset(-AROUND);
-            room.y0 += HEADING;
-            view = view.holding(geometry::Point::origin(), room);
+            view = view.holding(geometry::Point::origin(), self.room_of_pole());
         }
         view
+    }
+
+    /// Where the pole of a plan is always in sight, with its name.
+    pub(super) fn room_of_pole(&self) -> Rect {
+        let mut room = self.frame.inset(-AROUND);
+        room.y0 += HEADING;
+        room
     }
 }
 

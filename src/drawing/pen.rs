@@ -88,7 +88,7 @@ pub enum Pen {
     /// A marker by which a photograph of the sheet is read, and the small code: black in every style.
     #[serde(skip)]
     Marker,
-    /// The white around them on paper that is not white.
+    /// The white around them, on paper of any colour.
     #[serde(skip)]
     MarkerWhite,
 }

@@ -122,14 +122,15 @@ fn panel<'a>(scheme: &'a Scheme<'a>, plan: PanelName) -> Option<Panel<'a>> {
 /// The place of a plan's pole in its panel, at whole millimetres of paper: as near to the middle as the plan allows, so
 /// that it tells little about the plan and that others have room, too.
 fn pole(plan: &Extent, placed: &Placed) -> Point {
-    let (area, mu) = (placed.area, placed.mu * placed.unit);
-    let within = |middle: f64, [from, to]: [f64; 2]| {
+    let (area, room, mu) = (placed.area, placed.room_of_pole(), placed.mu * placed.unit);
+    let within = |middle: f64, [from, to]: [f64; 2], [first, last]: [f64; 2]| {
         let place = if from <= to { middle.clamp(from, to) } else { 0.5 * (from + to) };
-        libm::round(place * placed.unit) / placed.unit
+        let [first, last] = [libm::ceil(first * placed.unit), libm::floor(last * placed.unit)];
+        libm::round(place * placed.unit).min(last).max(first) / placed.unit
     };
     let middle = area.center();
     Point::new(
-        within(middle.x, [area.x0 - plan.low.x / mu, area.x1 - plan.high.x / mu]),
-        within(middle.y, [area.y0 + plan.high.y / mu, area.y1 + plan.low.y / mu]),
+        within(middle.x, [area.x0 - plan.low.x / mu, area.x1 - plan.high.x / mu], [room.x0, room.x1]),
+        within(middle.y, [area.y0 + plan.high.y / mu, area.y1 + plan.low.y / mu], [room.y0, room.y1]),
     )
 }

@@ -274,7 +274,7 @@ fn drawn_plans_have_the_lengths_of_the_form() {
         let task = Task::new(kind, &files::read(&format!("{folder}/{kind}.json"))).expect("a scene");
         let panels = [1, 2].map(|plan| {
             let mu = task.scheme.scales[plan] * 1.25;
-            Panel { plan, pole: [120.0, 90.0 * plan as f64], mu: Some(mu) }
+            Panel { plan, pole: [120.0, 90.0 * plan as f64], mu: Some(mu), has_pole: true }
         });
         let drawing = drawn(&task, None, RIGHT, 1, &panels);
         assert!(drawing.mistakes.is_empty() && drawing.strokes.len() > 10, "{kind}");

@@ -18,6 +18,7 @@ mod command_line_values;
 mod command_line_variants;
 mod courses;
 #[cfg(feature = "pdf")]
+mod drawing_sheets;
 mod engine;
 mod exercises;
 #[cfg(unix)] // it has a shell run what pages say

@@ -18,7 +18,7 @@ const END: f64 = 1.7;
 /// Distance within which signs of an end are one, in mm.
 const SAME: f64 = 0.4;
 /// Least length of what makes a line by itself, in mm; arrowheads and letters are shorter.
-const LONG: f64 = 4.0;
+const LONG: f64 = 6.0;
 
 /// A place that pencil lines show: from the pole, in mm, y up, with the radius that holds it with 95 %.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,15 +49,14 @@ pub(super) fn crossing(a: &Stroke, b: &Stroke) -> Option<Spot> {
 }
 
 /// Least standard deviation of a place, in mm: pencil lines are no thinner.
-const LEAST: f64 = 0.05;
+const LEAST: f64 = 0.08;
 
-/// Where a vector along a line ends, near where it should: what speaks for it are lines that cross there, arrowheads and the line's own end. `None` where there
-/// is nothing, or two places come into question.
+/// Where a vector along a line ends, near where it should: where long lines cross it, or else where both its own end and an arrowhead are. `None` where there is nothing,
+/// or where several places come into question.
 pub(super) fn end(strokes: &[Stroke], line: &Stroke, expected: Point) -> Option<Spot> {
     let along = line.along();
     let position = |at: Point| along.dot(&(at - expected));
-    // Positions along the line, with their weights and deviations.
-    let mut signs: Vec<(f64, f64, f64)> = Vec::new();
+    let (mut long, mut short): (Vec<Sign>, Vec<Sign>) = (Vec::new(), Vec::new());
     for other in strokes {
         let sine = cross(along, other.along()).abs();
         let Some(at) = line.crossing(other).filter(|_| sine > 0.25) else { continue };
@@ -65,28 +64,29 @@ pub(super) fn end(strokes: &[Stroke], line: &Stroke, expected: Point) -> Option<
         if place.abs() > END || other.beyond(at) > 0.8 || line.beyond(at) > 1.5 {
             continue;
         }
-        let weight = if other.length() > LONG { 2.0 } else { 0.7 };
-        signs.push((place, weight, other.deviation / sine));
+        let signs = if other.length() > LONG { &mut long } else { &mut short };
+        signs.push(Sign { place, deviation: libm::hypot(LEAST, other.deviation / sine) });
     }
-    for own in line.ends {
-        let place = position(own);
-        if place.abs() <= END {
-            signs.push((place, 0.8, 0.15));
-        }
-    }
-    let support =
-        |place: f64| signs.iter().filter(|sign| (sign.0 - place).abs() <= SAME).map(|sign| sign.1).sum::<f64>();
-    let best = signs.iter().max_by(|a, b| support(a.0).total_cmp(&support(b.0)))?;
-    let most = support(best.0);
-    let is_disputed = signs.iter().any(|sign| (sign.0 - best.0).abs() > 1.5 * SAME && support(sign.0) > 0.6 * most);
-    if most < 1.4 || is_disputed {
+    let own = line.ends.map(position).into_iter().filter(|place| place.abs() <= END);
+    let own: Vec<Sign> = own.map(|place| Sign { place, deviation: 0.15 }).collect();
+    let signs = match (long.is_empty(), own.is_empty() || short.is_empty()) {
+        (false, _) => long,
+        (true, false) => own.into_iter().chain(short).collect(),
+        (true, true) => return None,
+    };
+    let total: f64 = signs.iter().map(|sign| sign.deviation.powi(-2)).sum();
+    let place = signs.iter().map(|sign| sign.place * sign.deviation.powi(-2)).sum::<f64>() / total;
+    let scatter = signs.iter().map(|sign| (sign.place - place).abs()).fold(0.0, f64::max);
+    if scatter > SAME {
         return None;
     }
-    let own: Vec<&(f64, f64, f64)> = signs.iter().filter(|sign| (sign.0 - best.0).abs() <= SAME).collect();
-    let total: f64 = own.iter().map(|sign| sign.1 / (LEAST + sign.2).powi(2)).sum();
-    let place = own.iter().map(|sign| sign.0 * sign.1 / (LEAST + sign.2).powi(2)).sum::<f64>() / total;
-    let scatter = own.iter().map(|sign| (sign.0 - place).abs()).fold(0.0, f64::max);
     let foot = line.ends[0] + along * along.dot(&(expected - line.ends[0]));
-    let deviation = libm::hypot(libm::hypot(line.deviation, 0.06), 0.5 * scatter);
+    let deviation = libm::hypot(libm::hypot(line.deviation, LEAST), libm::hypot(libm::sqrt(1.0 / total), 0.5 * scatter));
     Some(Spot { at: foot + along * place, band: 2.45 * deviation })
+}
+
+/// A sign of a vector's end: how far beyond where it should be, and how sure, in mm.
+struct Sign {
+    place: f64,
+    deviation: f64,
 }

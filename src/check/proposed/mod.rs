@@ -104,7 +104,11 @@ pub struct Proposals {
 }
 
 /// Cost of a mistake, in lines that must agree with it: most sheets have none.
-const MISTAKE: f64 = 1.6;
+const MISTAKE: f64 = 3.0;
+/// Most that may be missing where a mistake is supposed, as a part of what agrees.
+const MISSING: f64 = 0.3;
+/// What of a place no line tells: where the student set the point of the pencil, as a radius in mm.
+const SET: f64 = 0.15;
 /// Explanations with less than this behind the best one have a say in where points are.
 const RIVAL: f64 = 1.2;
 /// Distance of two places that are not the same point, in mm.
@@ -143,11 +147,14 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
         }
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
     }
+    // A mistake that leaves much unexplained is none.
+    all.retain(|(_, mistakes, track)| mistakes.is_empty() || track.missing <= MISSING * track.agreeing);
     let best = all[0].0;
     let rivals: Vec<&(f64, Vec<&Candidate>, Track)> = all.iter().take_while(|tried| tried.0 > best - RIVAL).collect();
     for point in &mut points {
         point.found = agreed(&rivals, &model, plans, point);
     }
+    leave_coincident(&mut points);
     let mistakes = all[0].1.iter().map(|candidate| (*candidate).clone()).collect();
     Ok(Proposals { points, mistakes })
 }
@@ -186,9 +193,24 @@ fn agreed(
         return None;
     }
     let at = [spot.at.x, spot.at.y];
-    let band = libm::hypot(spot.band, (plan.band)(plan.on_sheet(at)));
+    let band = libm::hypot(libm::hypot(spot.band, SET), (plan.band)(plan.on_sheet(at)));
     let distance = libm::hypot(at[0] - point.right[0], at[1] - point.right[1]);
     Some(Found { at, band, verdict: PointVerdict::of(distance, band, point.tolerance) })
+}
+
+/// Leaves points to the student that seem to be at one place but should not be.
+fn leave_coincident(points: &mut [Proposal]) {
+    let apart = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
+    let places: Vec<Option<[f64; 2]>> = points.iter().map(|point| point.found.map(|found| found.at)).collect();
+    for i in 0..points.len() {
+        let is_taken = (0..points.len()).any(|j| {
+            let both = places[i].zip(places[j]).is_some_and(|(a, b)| apart(a, b) < 1.0);
+            i != j && points[i].kind == points[j].kind && both && apart(points[i].right, points[j].right) > 2.0
+        });
+        if is_taken {
+            points[i].found = None;
+        }
+    }
 }
 
 /// The points of the plans with their right places and the tolerances of these.

@@ -15,6 +15,9 @@ const VECTOR: f64 = 1.5;
 const NOTHING: f64 = 1.0;
 /// Shortest vector that is drawn, in mm.
 const DRAWN: f64 = 1.2;
+/// How far a crossing may be from where it should: always, and for each mm of its lines, in mm across them.
+const NEAR: f64 = 0.7;
+const NEAR_PER_MM: f64 = 0.012;
 /// Least sine between lines whose crossing is a place.
 const SINE: f64 = 0.1;
 
@@ -116,7 +119,8 @@ fn cross_of(strokes: &[Stroke], at: Point, lines: [(Point, Vector); 2]) -> Seen 
     if !(at.x.is_finite() && at.y.is_finite()) || sine < SINE {
         return Seen::Neutral;
     }
-    let [a, b] = lines.map(|(on, along)| drawn(strokes, at, along, (at - on).norm()));
+    let far = lines.map(|(on, _)| (at - on).norm());
+    let [a, b] = [0, 1].map(|i| drawn(strokes, at, lines[i].1, far[i]));
     let (Some((a, off_a)), Some((b, off_b))) = (a, b) else {
         return if a.is_some() || b.is_some() { Seen::Line { worth: -0.3 } } else { Seen::Nothing };
     };

@@ -3,7 +3,6 @@
 use super::{CODE_WHITE, CODES, PlacedPanel, SheetCode, WHITE, cells, code_place, places};
 use crate::drawing::shape::{Shape, corners};
 use crate::drawing::sheet::{Drawing, Pen};
-use crate::drawing::style::Style;
 use crate::scene::Page;
 use kurbo::{Point, Rect};
 use std::collections::BTreeMap;
@@ -41,12 +40,10 @@ impl Signs {
     }
 }
 
-/// Draws the black ones of cells in rows, as one area without seams, and white under and around them on other paper.
+/// Draws the black ones of cells in rows, as one area without seams, and white under and around them: a style may be for dark paper.
 fn draw_cells(drawing: &mut Drawing, id: &str, place: Rect, white: f64, cells: &[Vec<bool>]) {
-    if drawing.style.background() != Style::default().background() {
-        let around = corners(place.inflate(white, white));
-        drawing.draw_named(format!("{id}-white"), Pen::MarkerWhite, Shape::Polygon(around));
-    }
+    let around = corners(place.inflate(white, white));
+    drawing.draw_named(format!("{id}-white"), Pen::MarkerWhite, Shape::Polygon(around));
     let side = place.width() / cells.len() as f64;
     let at = |[column, row]: Corner| place.origin() + side * kurbo::Vec2::new(column as f64, row as f64);
     let chains = outlines(cells).into_iter().map(|chain| chain.into_iter().map(at).collect::<Vec<Point>>());

@@ -24,6 +24,8 @@ pub struct Panel {
     pub pole: [f64; 2],
     /// Units of the plan per mm; none: as the student's scheme has it.
     pub mu: Option<f64>,
+    /// The pole is printed with its letter; else the hand marks it.
+    pub has_pole: bool,
 }
 
 /// What is on the page, and the truth about it.
@@ -64,7 +66,8 @@ pub fn drawn(task: &Task, planned: Option<&Planned>, skill: Skill, seed: u64, pa
     for panel in panels {
         let points = points(&sheet, panel);
         let lines = lines(&sheet, panel);
-        drawing.strokes.extend(sketch(&points, &lines, &habit, &mut random));
+        let marked = &points[usize::from(panel.has_pole)..];
+        drawing.strokes.extend(sketch(marked, &lines, &habit, &mut random));
         drawing.points.extend(points.into_iter().map(|point| (panel.plan, point)));
     }
     drawing

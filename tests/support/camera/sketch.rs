@@ -57,7 +57,7 @@ impl Habit {
     }
 }
 
-/// All strokes of a plan. The first point is the pole, whose place is printed or marked with a dot.
+/// All strokes of a plan: its lines, marks of its points and their letters.
 pub fn sketch(points: &[Point], lines: &[Drawn], habit: &Habit, random: &mut Random) -> Vec<Stroke> {
     let mut hand = Hand { habit: *habit, random, strokes: Vec::new() };
     for line in lines {
