@@ -79,6 +79,7 @@ impl Taken {
 fn show(bench: &mut Bench, file: &std::path::Path) {
     bench.give_files("#photo-file", &[file]);
     bench.until("!document.querySelector('#photo').hidden && document.querySelector('#photo').ariaBusy === 'false'");
+    bench.frame();
 }
 
 /// What the photograph's foot says.
@@ -94,7 +95,7 @@ fn verdict(bench: &mut Bench, key: &str) -> Value {
 
 /// The places of a plan's points in the form.
 fn places(bench: &mut Bench, plan: &str) -> Value {
-    bench.value(&format!("JSON.parse(kinegon.history.now.value.form).points?.{plan} ?? {{}}"))
+    bench.value(&format!("JSON.parse(kinegon.history.now.value.form || '{{}}').points?.{plan} ?? {{}}"))
 }
 
 fn distance(a: [f64; 2], b: &Value) -> f64 {

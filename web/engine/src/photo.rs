@@ -21,6 +21,8 @@ const STEP: f64 = 0.1;
 const EDGE: f64 = 16.0;
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
+/// Distance of two estimates of the same crossing, in mm.
+const SAME: f64 = 1.0;
 /// Radius that holds a place that a hand has aimed at with 95 %, in mm.
 const AIMED: f64 = 0.5;
 
@@ -72,7 +74,7 @@ impl Upright {
     /// Where a place in the turned picture is on the sheet.
     fn paper(&self, pixel: [f64; 2]) -> Option<[f64; 2]> {
         let [width, height] = self.size;
-        let size = if self.turn % 2 == 0 { [width, height] } else { [height, width] };
+        let size = if matches!(self.turn, 0 | 2) { [width, height] } else { [height, width] };
         self.sheet.paper(turned(pixel, size, (4 - self.turn) % 4))
     }
 
@@ -292,21 +294,29 @@ impl Photograph {
         Ok(())
     }
 
-    /// The place of a plan that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
-    /// place itself.
+    /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
+    /// place itself. Where the point is proposed at the same crossing, the proposal knows more lines of it.
     pub fn tapped(
         &mut self,
         desk: &mut Desk,
-        plan: &str,
+        [plan, name]: [&str; 2],
         pixel: [f64; 2],
         reach: f64,
     ) -> Result<Option<Tapped>, Refused> {
         self.find(desk)?;
-        let plan = self.plans.iter().find(|known| known.key == plan);
-        let (Some(plan), Some(aimed), Some(pencil)) = (plan, self.sheet.paper(pixel), &self.found) else {
+        let index = self.plans.iter().position(|known| known.key == plan);
+        let (Some(index), Some(aimed), Some(pencil)) = (index, self.sheet.paper(pixel), &self.found) else {
             return Ok(None);
         };
+        let plan = &self.plans[index];
         let found = nearest(&pencil.strokes, Point::from(aimed), reach);
+        let proposed = pencil.points.iter().find(|(of, point)| *of == index && point.name == name);
+        if let (Some(crossing), Some(proposed)) = (&found, proposed.and_then(|(_, point)| point.found)) {
+            let paper = plan.on_sheet(proposed.at);
+            if (crossing.at - Point::from(paper)).norm() < SAME {
+                return Ok(Some(self.place(plan, paper, proposed.band, true)));
+            }
+        }
         let (paper, own) = found.map_or((aimed, AIMED), |found| (found.at.into(), found.band));
         Ok(Some(self.place(plan, paper, hypot(own, self.sheet.band(paper)), found.is_some())))
     }
@@ -357,15 +367,18 @@ impl Photograph {
     }
 }
 
-/// The crossing of pencil lines nearest to a place, at most `reach` mm away: under a finger on a small screen there may be more
-/// than one.
+/// The crossing of pencil lines at a place; where there is none, the nearest one at most `reach` mm away, as under a finger on a
+/// small screen.
 fn nearest(strokes: &[Stroke], near: Point, reach: f64) -> Option<Crossing> {
-    let beside =
-        |step: f64| [(step, 0.0), (0.0, step), (-step, 0.0), (0.0, -step)].map(|(x, y)| near + Vector::new(x, y));
-    let around = [near].into_iter().chain([1.0, 2.0].into_iter().flat_map(|ring| beside(ring * photo::SNAP)));
-    let far = |found: &Crossing| (found.at - near).norm();
-    let found = around.filter(|place| (place - near).norm() <= reach).filter_map(|place| crossing(strokes, place));
-    found.filter(|found| far(found) <= reach.max(photo::SNAP)).min_by(|a, b| far(a).total_cmp(&far(b)))
+    crossing(strokes, near).or_else(|| {
+        let rings = [1.0, 2.0].map(|ring| ring * photo::SNAP).into_iter().filter(|ring| *ring <= reach);
+        let around = rings.flat_map(|ring| {
+            [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(x, y)| near + Vector::new(x, y) * ring)
+        });
+        let far = |found: &Crossing| (found.at - near).norm();
+        let found = around.filter_map(|place| crossing(strokes, place)).filter(|found| far(found) <= reach);
+        found.min_by(|a, b| far(a).total_cmp(&far(b)))
+    })
 }
 
 /// A length in mm, to 0.01.
