@@ -81,7 +81,8 @@ pub(super) fn end(strokes: &[Stroke], line: &Stroke, expected: Point) -> Option<
         return None;
     }
     let foot = line.ends[0] + along * along.dot(&(expected - line.ends[0]));
-    let deviation = libm::hypot(libm::hypot(line.deviation, LEAST), libm::hypot(libm::sqrt(1.0 / total), 0.5 * scatter));
+    let deviation =
+        libm::hypot(libm::hypot(line.deviation, LEAST), libm::hypot(libm::sqrt(1.0 / total), 0.5 * scatter));
     Some(Spot { at: foot + along * place, band: 2.45 * deviation })
 }
 

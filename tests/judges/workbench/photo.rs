@@ -11,7 +11,7 @@ use crate::support::random::Random;
 use crate::support::students::hand::RIGHT;
 use crate::support::students::task::Task;
 use kinegon::drawing::ITALIC;
-use kinegon::drawing::markers::SheetCode;
+use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::scene::PanelName;
 use resvg::usvg::Options;
 use serde_json::{Value, json};
@@ -36,8 +36,8 @@ fn taken(bench: &Bench, kind: &'static str, name: &str) -> Taken {
     let sheet = sheets.iter().find(|sheet| is_of_plans(sheet.code.as_ref())).expect("a sheet for plans");
     let code = sheet.code.clone().expect("it has a code");
     let plan = |panel: PanelName| if panel == PanelName::Velocity { 1 } else { 2 };
-    let panels: Vec<Panel> =
-        code.panels.iter().map(|p| Panel { plan: plan(p.panel), pole: p.origin, mu: Some(p.mu) }).collect();
+    let panel = |p: &PlacedPanel| Panel { plan: plan(p.panel), pole: p.origin, mu: Some(p.mu), has_pole: true };
+    let panels: Vec<Panel> = code.panels.iter().map(panel).collect();
     let drawing = drawn(&task, None, RIGHT, 1, &panels);
     let size = code.page.size_mm();
     let mut options = Options::default();

@@ -267,13 +267,13 @@ impl Engine {
         answer(self.photograph().and_then(|(photo, desk)| photo.proposed(desk)))
     }
 
-    /// The place of a point of a plan, `velocity` or `acceleration`, that is tapped in the picture: where pencil lines cross at most
+    /// The place in a plan, `velocity` or `acceleration`, that is tapped in the picture: where pencil lines cross at most
     /// `reach` mm from there, else there.
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn photo_tap(&mut self, plan: &str, name: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
-        answer(self.photograph().and_then(|(photo, desk)| photo.tapped(desk, [plan, name], [x, y], reach)))
+    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
+        answer(self.photograph().and_then(|(photo, desk)| photo.tapped(desk, plan, [x, y], reach)))
     }
 
     /// How points of the student's plans stand in the photograph.

@@ -21,8 +21,8 @@ const STEP: f64 = 0.1;
 const EDGE: f64 = 16.0;
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
-/// Distance of two estimates of the same crossing, in mm.
-const SAME: f64 = 1.0;
+/// Lines that are longer, in mm, are no parts of letters and arrow heads.
+const LONG: f64 = 5.0;
 /// Radius that holds a place that a hand has aimed at with 95 %, in mm.
 const AIMED: f64 = 0.5;
 
@@ -295,28 +295,20 @@ impl Photograph {
     }
 
     /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
-    /// place itself. Where the point is proposed at the same crossing, the proposal knows more lines of it.
+    /// place itself.
     pub fn tapped(
         &mut self,
         desk: &mut Desk,
-        [plan, name]: [&str; 2],
+        plan: &str,
         pixel: [f64; 2],
         reach: f64,
     ) -> Result<Option<Tapped>, Refused> {
         self.find(desk)?;
-        let index = self.plans.iter().position(|known| known.key == plan);
-        let (Some(index), Some(aimed), Some(pencil)) = (index, self.sheet.paper(pixel), &self.found) else {
+        let plan = self.plans.iter().find(|known| known.key == plan);
+        let (Some(plan), Some(aimed), Some(pencil)) = (plan, self.sheet.paper(pixel), &self.found) else {
             return Ok(None);
         };
-        let plan = &self.plans[index];
         let found = nearest(&pencil.strokes, Point::from(aimed), reach);
-        let proposed = pencil.points.iter().find(|(of, point)| *of == index && point.name == name);
-        if let (Some(crossing), Some(proposed)) = (&found, proposed.and_then(|(_, point)| point.found)) {
-            let paper = plan.on_sheet(proposed.at);
-            if (crossing.at - Point::from(paper)).norm() < SAME {
-                return Ok(Some(self.place(plan, paper, proposed.band, true)));
-            }
-        }
         let (paper, own) = found.map_or((aimed, AIMED), |found| (found.at.into(), found.band));
         Ok(Some(self.place(plan, paper, hypot(own, self.sheet.band(paper)), found.is_some())))
     }
@@ -367,16 +359,18 @@ impl Photograph {
     }
 }
 
-/// The crossing of pencil lines at a place; where there is none, the nearest one at most `reach` mm away, as under a finger on a
-/// small screen.
+/// The crossing of pencil lines at a place, of long ones where they cross there; where there is none, the nearest one at most
+/// `reach` mm away, as under a finger on a small screen.
 fn nearest(strokes: &[Stroke], near: Point, reach: f64) -> Option<Crossing> {
-    crossing(strokes, near).or_else(|| {
+    let long: Vec<Stroke> = strokes.iter().filter(|stroke| stroke.length() > LONG).copied().collect();
+    let found = crossing(&long, near).or_else(|| crossing(strokes, near));
+    found.or_else(|| {
         let rings = [1.0, 2.0].map(|ring| ring * photo::SNAP).into_iter().filter(|ring| *ring <= reach);
         let around = rings.flat_map(|ring| {
             [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(x, y)| near + Vector::new(x, y) * ring)
         });
         let far = |found: &Crossing| (found.at - near).norm();
-        let found = around.filter_map(|place| crossing(strokes, place)).filter(|found| far(found) <= reach);
+        let found = around.filter_map(|place| crossing(&long, place)).filter(|found| far(found) <= reach);
         found.min_by(|a, b| far(a).total_cmp(&far(b)))
     })
 }

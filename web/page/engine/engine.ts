@@ -62,8 +62,8 @@ export interface Engine {
   photo(text: string, name: string, width: number, height: number, grey: Uint8Array): PhotoRead;
   /** The points that its pencil lines show; they are looked for once, which takes a moment. */
   photo_proposed(): Proposed[];
-  /** The place of a plan's point that is tapped in the picture: where pencil lines cross at most `reach` mm from there, else there; null where that is not on the sheet. */
-  photo_tap(plan: string, name: string, x: number, y: number, reach: number): Tapped | null;
+  /** The place in a plan that is tapped in the picture: where pencil lines cross at most `reach` mm from there, else there; null where that is not on the sheet. */
+  photo_tap(plan: string, x: number, y: number, reach: number): Tapped | null;
   /** How points of the student's plans stand in it. */
   photo_points(placed: PlacedPoint[]): PointVerdict[];
 }

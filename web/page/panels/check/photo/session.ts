@@ -133,7 +133,7 @@ export function session(app: App, form: FormOf, original: Photograph, read: Phot
       const labels = new Map(own.items.map(({ key, label }) => [key, label]));
       own.marks = found.map((verdict) => ({ ...verdict, label: labels.get(keyOf(verdict.plan, verdict.name)) ?? verdict.name, isChosen: false }));
     },
-    tap: (one, [x, y], reach) => ask(() => app.engine.photo_tap(one.plan.plan, one.name, x, y, reach)),
+    tap: (one, [x, y], reach) => ask(() => app.engine.photo_tap(one.plan.plan, x, y, reach)),
   };
   own.chosen = own.next("");
   return own;
