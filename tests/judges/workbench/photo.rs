@@ -20,6 +20,10 @@ use std::path::PathBuf;
 /// Longer side of a picture, in pixels; telephones have 4000.
 const EDGE: usize = 2800;
 
+/// How far a crossing that is tapped may be from its true place, in mm; with an arrow head on it.
+const SNAPPED: f64 = 0.3;
+const ARROW: f64 = 0.8;
+
 /// A photograph of a student's drawing sheet, and the truth about it.
 struct Taken {
     file: PathBuf,
@@ -125,20 +129,28 @@ fn points_of_a_photograph_are_checked() {
     // Nothing is taken without being asked.
     bench.until("document.querySelector('#photo .guess') !== null");
     assert_eq!(places(&mut bench, "velocity"), json!({}));
-    // A tap beside the guess goes to the crossing; the guess of the chosen point is accepted.
+    // The guess of the chosen point is accepted by a tap on it. An arrow head stands there.
     let ([x, y], b) = taken.place(&mut bench, 1, "b");
     bench.drag(&[[x + 2.0, y - 3.0]]);
     assert_eq!(verdict(&mut bench, "velocity/b"), "right");
     let own = places(&mut bench, "velocity");
-    assert!(distance(b, &own["b"]) < 0.3, "{b:?} {own}");
+    assert!(distance(b, &own["b"]) < ARROW, "{b:?} {own}");
     assert!(own["b"][2].as_f64().is_some_and(|band| band > 0.0 && band < 1.0), "{own}");
+    // Who aims beside a crossing gets the crossing.
+    let ([x, y], c) = taken.place(&mut bench, 1, "c");
+    bench.take_hold([x + 3.0, y + 3.0]);
+    bench.until("!document.querySelector('#photo .loupe').hidden");
+    bench.let_go([x + 3.0, y + 3.0]);
+    assert_eq!(verdict(&mut bench, "velocity/c"), "right");
+    let own = places(&mut bench, "velocity");
+    assert!(distance(c, &own["c"]) < SNAPPED, "{c:?} {own}");
     assert!(own["p"].is_array(), "the pole is where it is printed: {own}");
     bench.press_named("#photo .actions", "Accept all");
     for (plan, key, names) in [(1, "velocity", ["b", "c"]), (2, "acceleration", ["b", "c"])] {
         let own = places(&mut bench, key);
         for name in names {
             let (_, at) = taken.place(&mut bench, plan, name);
-            assert!(distance(at, &own[name]) < 0.3, "{key} {name}: {at:?} {own}");
+            assert!(distance(at, &own[name]) < ARROW, "{key} {name}: {at:?} {own}");
             assert_eq!(verdict(&mut bench, &format!("{key}/{name}")), "right");
         }
     }
@@ -177,7 +189,9 @@ fn a_photograph_fills_a_telephone() {
     let filled = "(() => { const r = document.querySelector('#photo').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()";
     assert_eq!(bench.value(filled), json!([0, 0, 390, 844]));
     // A finger that stays sees the place magnified, and the place goes to the crossing when it is lifted.
-    let ([x, y], b) = taken.place(&mut bench, 1, "b");
+    bench.click("#photo .chips [data-key='velocity/c']");
+    bench.frame();
+    let ([x, y], c) = taken.place(&mut bench, 1, "c");
     let point = |[x, y]: [f64; 2]| json!([{ "x": x, "y": y, "id": 0 }]);
     bench.call("Input.dispatchTouchEvent", json!({ "type": "touchStart", "touchPoints": point([x + 4.0, y + 5.0]) }));
     bench.until("!document.querySelector('#photo .loupe').hidden");
@@ -185,7 +199,7 @@ fn a_photograph_fills_a_telephone() {
     bench.call("Input.dispatchTouchEvent", json!({ "type": "touchEnd", "touchPoints": [] }));
     bench.until("document.querySelector('#photo .mark') !== null");
     let own = places(&mut bench, "velocity");
-    assert!(distance(b, &own["b"]) < 0.3, "{b:?} {own}");
+    assert!(distance(c, &own["c"]) < SNAPPED, "{c:?} {own}");
     assert_eq!(bench.value("document.querySelector('#photo .loupe').hidden"), true);
     // Two fingers enlarge, and mark nothing.
     let before = bench.text("kinegon.history.now.value.form");
