@@ -9,7 +9,7 @@ import { say, type Saying } from "./words.ts";
 /** The way to a photograph: by the camera, or a picture that is there. */
 export function photoBlock(app: App, view: PhotoView): { root: HTMLElement; show(form: Form): void } {
   const chooser = (id: string, saying: Saying, given: Record<string, string>): HTMLLabelElement => {
-    const input = element("input", { type: "file", id, accept: "image/*", class: "unseen", ...given });
+    const input = element("input", { type: "file", id, accept: "image/*", ...given });
     input.onchange = () => {
       const file = input.files?.[0];
       // The same picture may be chosen again.
