@@ -36,7 +36,9 @@ Examples:
   kinegon check scene.json class/ -o report.csv        a row for each form
   kinegon check scene.json class/ --marks marks.json   with marks
   kinegon check exercises/ class/ -o report.csv        each form by its exercise
-  kinegon check scene.json class/ --feedback pages/    a page for each student";
+  kinegon check scene.json class/ --feedback pages/    a page for each student
+  kinegon check scene.json Ana-2.jpg Ana-3.jpg -o out/ photographs of the sheets
+  kinegon check exercises/ photos/ -o forms/           a form for each student";
 
 /// Check values read from a hand drawing, or those of a class.
 #[derive(Debug, Args)]
@@ -44,23 +46,31 @@ Examples:
 pub(super) struct Check {
     /// Scene file, `-` for stdin. Or a folder of exercises, as `kinegon exercise` writes them: then each form is checked
     /// against its own, which it names as `exercise`, or which its file's name or its folder's name contains.
-    scene: PathBuf,
+    pub(super) scene: PathBuf,
     /// File with the values: JSON, or a table as CSV; `-` for stdin. Or a folder with such files, those of a class:
     /// then a table is printed, a row for each.
+    /// Or a photograph of a sheet with markers, JPEG or PNG, or a folder of them.
     #[arg(required_unless_present = "template")]
     measured: Option<PathBuf>,
+    /// Photographs of the same student's other sheets.
+    #[arg(value_name = "PHOTOGRAPH")]
+    pub(super) further: Vec<PathBuf>,
+    /// Take the places of points that pencil lines in a photograph show as they are, and check them.
+    #[arg(long)]
+    pub(super) accept: bool,
     /// Print an empty form in place of a check: every quantity of the steps, in order.
     #[arg(long, value_name = "FORMAT", num_args = 0..=1, default_missing_value = "json", conflicts_with = "measured")]
     template: Option<TemplateFormat>,
     /// Print verdicts and diagnosis as JSON.
     #[arg(long)]
     json: bool,
-    /// File for the table of a folder: .csv, .json or .jsonl; `-` for stdout.
-    #[arg(short, long, value_name = "FILE", conflicts_with = "template")]
-    output: Option<PathBuf>,
+    /// File for the table of a folder: .csv, .json or .jsonl; `-` for stdout. Of photographs the folder for the straightened sheets with the right
+    /// plans over them, and for the forms with the places of the points.
+    #[arg(short, long, value_name = "FILE|DIR", conflicts_with = "template")]
+    pub(super) output: Option<PathBuf>,
     /// Marking scheme: how many marks the quantities are worth (JSON, `kinegon schema marks`).
     #[arg(long, value_name = "FILE", conflicts_with = "template")]
-    marks: Option<PathBuf>,
+    pub(super) marks: Option<PathBuf>,
     /// How many mistakes at once are looked for.
     #[arg(long, default_value_t = check::DEPTH as u8, value_parser = clap::value_parser!(u8).range(1..=6))]
     depth: u8,
@@ -84,6 +94,9 @@ enum TemplateFormat {
 
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
+        if let Some(photographs) = self.photographs()? {
+            return photographs;
+        }
         if self.scene.is_dir() {
             return self.exercises();
         }
@@ -102,7 +115,21 @@ impl Check {
         }
     }
 
-    fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
+    /// What is to be checked.
+    pub(super) fn measured(&self) -> Option<&Path> {
+        self.measured.as_deref()
+    }
+
+    /// Checks the forms of a folder against the scene or the exercises.
+    pub(super) fn forms_of(&self, folder: &Path) -> Result<(), Failure> {
+        if self.scene.is_dir() {
+            self.classes(&ExerciseFolder::read(&self.scene)?, folder)
+        } else {
+            self.class(folder, &self.solved(&self.scene)?)
+        }
+    }
+
+    pub(super) fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
         solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
@@ -119,7 +146,7 @@ impl Check {
     }
 
     /// Checks one form and prints its report.
-    fn form(
+    pub(super) fn form(
         &self,
         scene: &Path,
         solution: &Solution,
@@ -181,7 +208,8 @@ impl Check {
 
     /// The file of a table and its format; refuses to write over what was read.
     fn report(&self) -> Result<(&Path, ReportFormat), Failure> {
-        let output = self.output.as_deref().unwrap_or(Path::new("-"));
+        // With `--accept` the folder of the output has the forms.
+        let output = self.output.as_deref().filter(|_| !self.accept).unwrap_or(Path::new("-"));
         for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
             input.map_or(Ok(()), |input| files::refuse_overwriting(what, input, output))?;
         }
@@ -314,7 +342,7 @@ impl Check {
         files::print(text.as_bytes())
     }
 
-    fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {
+    pub(super) fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {
         let hand = self.hand.is_given().then(|| self.hand.tolerance());
         AnswerKey { depth: usize::from(self.depth), ..AnswerKey::new(solution, hand) }
     }

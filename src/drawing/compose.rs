@@ -19,7 +19,7 @@ use kurbo::{Point, Rect};
 /// Size of the title, in mm of one em.
 pub(super) const TITLE_SIZE: f64 = 5.2;
 /// Smallest size of a title on one line beside a marker, in mm of one em.
-const SMALL_TITLE: f64 = 4.0;
+const SMALL_TITLE: f64 = 4.7;
 /// Baselines of a title on two lines, in mm from the upper edge.
 const TITLE_LINES: [f64; 2] = [MARGIN + 2.6, MARGIN + 7.2];
 /// Baseline of the title, in mm from the upper edge.
@@ -150,24 +150,34 @@ pub(super) fn draw_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
     drawing.draw(Pen::Heading, Shape::Text(heading));
 }
 
-/// Writes the title beside a marker: on two lines where it is too wide for one.
+/// Writes the title beside a marker: on two lines where it is too wide for one, and cut off where it is too long for two. The file has all of it.
 fn draw_broken_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
-    let title = RichText::verbatim(&drawing.title);
-    let halves = halves(drawing.title.for_comparing());
-    let Some(halves) = halves.filter(|_| title.width(SMALL_TITLE) > to - from) else {
+    let text = drawing.title.for_comparing().to_owned();
+    let fits = |text: &str| RichText::verbatim(text).width(SMALL_TITLE) <= to - from;
+    if fits(&text) {
         return draw_title(drawing, [from, to]);
-    };
-    let halves = halves.map(|half| RichText::verbatim(half.as_str()));
-    let widest = halves.iter().map(|half| half.width(SMALL_TITLE)).fold(0.0, f64::max);
-    let size = SMALL_TITLE * ((to - from) / widest).min(1.0);
-    for (half, line) in halves.into_iter().zip(TITLE_LINES) {
-        drawing.draw(Pen::Heading, Shape::Text(PlacedText::new(half, size, Point::new(from, line))));
+    }
+    for (line, baseline) in two_lines(&text, fits).into_iter().zip(TITLE_LINES).filter(|(line, _)| !line.is_empty()) {
+        let line = PlacedText::new(RichText::verbatim(line.as_str()), SMALL_TITLE, Point::new(from, baseline));
+        drawing.draw(Pen::Heading, Shape::Text(line));
     }
 }
 
-/// A text in two lines of about the same length; none for a single word.
-fn halves(text: &str) -> Option<[String; 2]> {
-    let spaces = text.match_indices(' ').map(|(at, _)| at);
-    let middle = spaces.min_by_key(|at| at.abs_diff(text.len() / 2))?;
-    Some([text[..middle].to_owned(), text[middle + 1..].to_owned()])
+/// A text in two lines of about the same length, if they fit; else the first as full as it may be, and dots where the second is cut off.
+fn two_lines(text: &str, fits: impl Fn(&str) -> bool) -> [String; 2] {
+    let spaces = || text.match_indices(' ').map(|(at, _)| at);
+    let parted = |at: usize| [&text[..at], &text[at + 1..]];
+    let middle = spaces().min_by_key(|at| at.abs_diff(text.len() / 2));
+    if let Some(halves) = middle.map(parted).filter(|halves| halves.iter().all(|half| fits(half))) {
+        return halves.map(str::to_owned);
+    }
+    let cut = |text: &str| {
+        let ends = text.char_indices().map(|(at, _)| at).rev();
+        let shortened = ends.map(|at| format!("{}…", text[..at].trim_end())).find(|text| fits(text));
+        if fits(text) { text.to_owned() } else { shortened.unwrap_or_default() }
+    };
+    match spaces().filter(|at| fits(&text[..*at])).last().map(parted) {
+        Some([first, second]) => [first.to_owned(), cut(second)],
+        None => [cut(text), String::new()],
+    }
 }

@@ -2,6 +2,7 @@
 //! Out: the bytes of a file in a format that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
+mod backdrop;
 #[cfg(feature = "arrow")]
 mod columns;
 mod digits;
@@ -26,6 +27,7 @@ mod wanted;
 #[cfg(feature = "html")]
 mod workbench;
 
+pub use self::backdrop::Backdrop;
 #[cfg(feature = "arrow")]
 pub use self::columns::{Columns, ColumnsError};
 pub use self::digits::DigitRow;

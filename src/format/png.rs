@@ -1,4 +1,4 @@
-use resvg::tiny_skia::{Color, Pixmap, Transform};
+use resvg::tiny_skia::{BlendMode, Color, Pixmap, PixmapPaint, Transform};
 use resvg::usvg::{Options, Tree};
 
 use super::svg::{Text, svg_with};
@@ -67,6 +67,23 @@ impl Drawing {
         resvg::render(&tree, Transform::from_scale(across, down), &mut pixmap.as_mut());
         encode(&pixmap, dpi)
     }
+}
+
+/// A drawing over pixels of four bytes, as on a film: where it is white they stay as they are.
+pub(super) fn over(drawing: &Drawing, [width, height]: [u32; 2], pixels: Vec<u8>) -> Result<Vec<u8>, PngError> {
+    let svg = svg_with(drawing, Text::Outlines);
+    let tree = Tree::from_str(&svg, &Options::default())?;
+    let too_large = PngError::TooLarge { width: f64::from(width), height: f64::from(height) };
+    let size = resvg::tiny_skia::IntSize::from_wh(width, height);
+    let mut pixmap = size.and_then(|size| Pixmap::from_vec(pixels, size)).ok_or(too_large)?;
+    let across = width as f32 / tree.size().width();
+    let mut film =
+        Pixmap::new(width, height).ok_or(PngError::TooLarge { width: f64::from(width), height: f64::from(height) })?;
+    film.fill(Color::WHITE);
+    resvg::render(&tree, Transform::from_scale(across, height as f32 / tree.size().height()), &mut film.as_mut());
+    let paint = PixmapPaint { blend_mode: BlendMode::Multiply, ..PixmapPaint::default() };
+    pixmap.draw_pixmap(0, 0, film.as_ref(), &paint, Transform::identity(), None);
+    encode(&pixmap, f64::from(across) * CSS_DPI)
 }
 
 /// The pixels as a PNG file.

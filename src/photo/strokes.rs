@@ -11,6 +11,8 @@ const RIDGE: f32 = 0.55;
 const BEGIN: f32 = 0.9;
 /// Most difference of direction inside a line, in radians.
 const ALIGNED: f64 = 0.24;
+/// Standard deviation across from which places are no single line, in mm.
+const WIDE: f64 = 0.32;
 /// Least length of a line, in mm.
 const SHORT: f64 = 1.6;
 /// Most gap between two parts of one line, in mm: where others cross it.
@@ -199,12 +201,40 @@ fn grown(paper: &Paper, ridges: &Ridges) -> Vec<Part> {
             let place = Point::new(paper.corner[0] + x * paper.step, paper.corner[1] + y * paper.step);
             (place, f64::from(ridges.strength[*index]))
         };
-        let part = Part::of(region.iter().map(at).collect());
-        if part.across < 0.35 && part.to - part.from > 0.8 && part.to - part.from > 3.0 * part.across {
+        let mut part = Part::of(region.iter().map(at).collect());
+        if part.across > WIDE {
+            // Lines that run together at a small angle: one of them is that through the first place; the others are found from theirs.
+            let own = one_line(&region, &at, first);
+            region.iter().for_each(|index| is_used[*index] = false);
+            is_used[seed] = true;
+            own.iter().for_each(|index| is_used[*index] = true);
+            part = Part::of(own.iter().map(at).collect());
+        }
+        if part.across < WIDE && part.to - part.from > 0.8 && part.to - part.from > 3.0 * part.across {
             parts.push(part);
         }
     }
     parts
+}
+
+/// The places of a region that lie on one line through its first place, which has that direction there.
+fn one_line(region: &[usize], at: &impl Fn(&usize) -> (Point, f64), direction: f64) -> Vec<usize> {
+    let mut line = (at(&region[0]).0, Vector::new(libm::cos(direction), libm::sin(direction)));
+    let mut own = vec![region[0]];
+    // First near the first place, where its direction is sure, then farther and farther out.
+    for reach in [2.0, 4.0, 8.0, 16.0, 40.0, 500.0] {
+        let is_near = |index: &&usize| {
+            let off = at(index).0 - line.0;
+            cross(line.1, off).abs() < WIDE && off.norm() < reach
+        };
+        own = region.iter().filter(is_near).copied().collect();
+        let part = Part::of(own.iter().map(at).collect());
+        if part.to - part.from > 1.0 {
+            line.1 = part.along;
+            line.0 = part.mean + part.along * part.along.dot(&(line.0 - part.mean));
+        }
+    }
+    own
 }
 
 impl Part {

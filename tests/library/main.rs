@@ -33,6 +33,7 @@ mod levers;
 mod markers;
 mod paper_facts;
 mod pencil;
+mod photographs;
 mod planted_mistakes;
 mod planted_modes;
 mod point_paths;

@@ -27,6 +27,7 @@ mod installed;
 #[cfg(unix)] // limits, links and modes
 mod outputs;
 mod overlays;
+mod photographs;
 #[cfg(unix)]
 mod signals;
 mod step_sheets;

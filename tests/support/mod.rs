@@ -13,6 +13,7 @@ pub mod groups;
 pub mod images;
 pub mod later;
 pub mod outputs;
+pub mod photographs;
 pub mod planted;
 pub mod program;
 pub mod random;

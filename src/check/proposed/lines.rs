@@ -14,7 +14,7 @@ const UNEVEN: f64 = 0.25;
 /// How far a line may end before the place that it leads to, in mm.
 const SHORT: f64 = 2.5;
 /// How far from where it should be a vector's end is looked for, along its line, in mm.
-const END: f64 = 1.7;
+const END: f64 = 0.9;
 /// Distance within which signs of an end are one, in mm.
 const SAME: f64 = 0.4;
 /// Least length of what makes a line by itself, in mm; arrowheads and letters are shorter.

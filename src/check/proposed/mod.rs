@@ -111,10 +111,10 @@ const MISSING: f64 = 0.3;
 const SET: f64 = 0.15;
 /// Explanations with less than this behind the best one have a say in where points are.
 const RIVAL: f64 = 1.2;
+/// How much better than none a mistake explains the lines at least.
+const CLEARLY: f64 = 1.5;
 /// Distance of two places that are not the same point, in mm.
 const APART: f64 = 0.5;
-/// Explanations with one mistake that are tried with a second.
-const EXTENDED: usize = 6;
 
 /// The plan points that the pencil lines of a student's sheets show. They are proposals: lines may mislead.
 ///
@@ -135,20 +135,12 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
     if all[0].2.missing > 0.0 {
         all.extend(candidates.iter().map(|candidate| rated(&tracker, vec![candidate])));
         all.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let singles: Vec<Vec<&Candidate>> = all
-            .iter()
-            .filter(|tried| tried.1.len() == 1 && tried.2.missing > 0.0)
-            .take(EXTENDED)
-            .map(|tried| tried.1.clone())
-            .collect();
-        for single in singles {
-            let pairs = candidates.iter().filter(|second| is_apart(single[0], second));
-            all.extend(pairs.map(|second| rated(&tracker, vec![single[0], second])));
-        }
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
     }
-    // A mistake that leaves much unexplained is none.
-    all.retain(|(_, mistakes, track)| mistakes.is_empty() || track.missing <= MISSING * track.agreeing);
+    // A mistake that leaves much unexplained is none, and one that explains little more than none.
+    let without = all.iter().find(|tried| tried.1.is_empty()).map_or(f64::NEG_INFINITY, |tried| tried.0);
+    all.retain(|(worth, mistakes, track)| {
+        mistakes.is_empty() || (track.missing <= MISSING * track.agreeing && *worth > without + CLEARLY)
+    });
     let best = all[0].0;
     let rivals: Vec<&(f64, Vec<&Candidate>, Track)> = all.iter().take_while(|tried| tried.0 > best - RIVAL).collect();
     for point in &mut points {
@@ -162,11 +154,6 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
 /// Whether a mistake shows in what is drawn, by an amount that is known.
 fn is_drawn(candidate: &Candidate) -> bool {
     !candidate.edits.is_empty() && candidate.free.is_empty() && candidate.mode == 0
-}
-
-/// Whether two mistakes change different operations.
-fn is_apart(one: &Candidate, other: &Candidate) -> bool {
-    one.edits.iter().all(|(operation, _)| other.edits.iter().all(|(own, _)| own != operation))
 }
 
 /// An explanation with what speaks for it.

@@ -126,7 +126,9 @@ fn cross_of(strokes: &[Stroke], at: Point, lines: [(Point, Vector); 2]) -> Seen 
     };
     match crossing(a, b) {
         Some(spot)
-            if (spot.at - at).norm() < 2.0 / sine.max(0.4) && a.beyond(spot.at) < 1.5 && b.beyond(spot.at) < 1.5 =>
+            if (spot.at - at).norm() < (NEAR + NEAR_PER_MM * far[0].max(far[1])) / sine.max(0.35)
+                && a.beyond(spot.at) < 1.5
+                && b.beyond(spot.at) < 1.5 =>
         {
             Seen::There { spot, worth: CROSSING * (1.0 - 0.4 * (off_a + off_b)).max(0.2) }
         }

@@ -48,7 +48,12 @@ impl Drawing {
     }
 
     /// Draws the sheet on a new page; returns its tags.
-    fn draw_page(&self, document: &mut Document, fonts: &Fonts) -> Result<TagGroup, PdfError> {
+    fn draw_page(
+        &self,
+        document: &mut Document,
+        fonts: &Fonts,
+        backdrop: Option<Backdrop<'_>>,
+    ) -> Result<TagGroup, PdfError> {
         let (width, height) = (self.width, self.height);
         let fits = |side: f64| side > 0.0 && side <= MOST_MM;
         if !(fits(width) && fits(height)) {
@@ -62,6 +67,13 @@ impl Drawing {
         let mut surface = page.surface();
         let millimetres = POINTS as f32;
         surface.push_transform(&Transform::from_scale(millimetres, millimetres));
+        if let Some(draw_picture) = backdrop {
+            surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
+            draw_picture(&mut surface);
+            surface.end_tagged();
+            // As on a film: where the drawing is white the picture stays as it is.
+            surface.push_blend_mode(krilla::blend::BlendMode::Multiply);
+        }
         let marks: Vec<(&Mark, bool)> = self.marks.iter().zip(self.halos()).collect();
         let background = self.style.background();
         if background != Colour::new(0xffffff) {
@@ -91,6 +103,9 @@ impl Drawing {
                 }
             }
         }
+        if backdrop.is_some() {
+            surface.pop();
+        }
         surface.pop();
         surface.finish();
         page.finish();
@@ -105,12 +120,32 @@ impl Drawing {
 /// # Errors
 /// A sheet has no size that a page can have, or there is no sheet.
 pub fn pdf_pages(sheets: &[Drawing], keyword: Option<&str>) -> Result<Vec<u8>, PdfError> {
+    pages(sheets, keyword, None)
+}
+
+/// Draws what lies under a sheet.
+type Backdrop<'a> = &'a dyn Fn(&mut Surface<'_>);
+
+/// A drawing over an image as large as its sheet.
+#[cfg(feature = "cli")]
+pub(super) fn over(drawing: &Drawing, image: krilla::image::Image) -> Result<Vec<u8>, PdfError> {
+    let size = krilla::geom::Size::from_wh(drawing.width as f32, drawing.height as f32);
+    let size = size.ok_or(PdfError::Size { width: drawing.width, height: drawing.height })?;
+    pages(
+        std::slice::from_ref(drawing),
+        None,
+        Some(&|surface: &mut Surface<'_>| surface.draw_image(image.clone(), size)),
+    )
+}
+
+/// A page for each sheet, the same under all of them.
+fn pages(sheets: &[Drawing], keyword: Option<&str>, backdrop: Option<Backdrop<'_>>) -> Result<Vec<u8>, PdfError> {
     let first = sheets.first().ok_or_else(|| PdfError::Writing("it has no sheet".to_owned()))?;
     let fonts = Fonts::new();
     let mut document = Document::new();
     let mut tags = TagTree::new();
     for sheet in sheets {
-        tags.push(sheet.draw_page(&mut document, &fonts)?);
+        tags.push(sheet.draw_page(&mut document, &fonts, backdrop)?);
     }
     document.set_tag_tree(tags);
     let mut about = Metadata::new().language(first.language.into());

@@ -93,6 +93,24 @@ sentences! {
     /// Angle by which a student's plan was turned to fit the right one.
     check_turned(plan, degrees);
 
+    // Photographs of drawings.
+    /// Heading of a column: a point of a plan, by its segment from the pole.
+    photo_column_point;
+    /// Heading of a column: the right length of that segment on paper, in mm.
+    photo_column_right;
+    /// Heading of a column: its length in the picture.
+    photo_column_found;
+    /// Heading of a column: distance of the point from its right place.
+    photo_column_off;
+    /// Heading of a column: how far the point may be from where it is seen.
+    photo_column_band;
+    /// Verdict: the picture is not sharp enough to tell.
+    photo_cannot_tell;
+    /// In place of a verdict: the point is not found.
+    photo_left;
+    /// What a sheet is, above the table of its points.
+    photo_sheet(file, number, name);
+
     // Texts that fill the blanks of mistakes' sentences.
     /// A cut line, by its special point.
     line_cut(point);

@@ -95,4 +95,17 @@ impl Language {
             self.check_column_verdict(),
         ]
     }
+
+    /// Headings of the columns in the table of points in a photograph.
+    #[must_use]
+    pub fn photo_columns(&self) -> [&str; 6] {
+        [
+            self.photo_column_point(),
+            self.photo_column_right(),
+            self.photo_column_found(),
+            self.photo_column_off(),
+            self.photo_column_band(),
+            self.check_column_verdict(),
+        ]
+    }
 }

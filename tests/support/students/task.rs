@@ -59,6 +59,11 @@ impl Task {
         Some(task)
     }
 
+    /// The scene.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
     /// Values, acts and the longest length on paper of a drawing without any error of the hand.
     fn exact(&self, scheme: &Scheme, changes: &[(String, Change)]) -> (Vec<Option<f64>>, Vec<Act>, f64) {
         let mut sheet = draw(self.kind, scheme, Hand::new(RIGHT, 1), changes);

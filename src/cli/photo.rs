@@ -1,0 +1,294 @@
+//! Photographs of a student's sheets: the right plans over them, the points that their pencil lines show, and the form that these give.
+
+use super::files;
+use super::message::{Failure, note};
+use super::output::FileSet;
+use super::pictures::read_picture;
+use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, PointsOf, Proposal, proposed};
+use crate::construction::{PlanKind, Solution};
+use crate::drawing::markers::{PlacedPanel, SheetCode};
+use crate::drawing::{Drawing, SeenPoint, SheetLabels, over_photo};
+use crate::format::Backdrop;
+use crate::photo::{PhotoSheet, Picture, Stroke, read, strokes};
+use crate::scene::PanelName;
+use crate::text::{Untrusted, shown};
+use crate::words::{NumberStyle, Wording};
+use std::path::{Path, PathBuf};
+
+/// Distance of places at which pencil lines are looked for, in mm.
+const STEP: f64 = 0.2;
+/// The edges of sheets, with the markers, on which nothing is drawn, in mm.
+const EDGE: f64 = 16.0;
+/// Pixels per mm of the picture under the right plans.
+const PIXELS: f64 = 6.0;
+
+/// A photograph with the sheet that it shows.
+pub(super) struct Photo {
+    pub path: PathBuf,
+    picture: Picture,
+    sheet: PhotoSheet,
+    strokes: Vec<Stroke>,
+}
+
+/// What photographs of one student's sheets tell.
+pub(super) struct PhotoResult {
+    /// All points of the plans that they show.
+    pub points: Vec<Proposal>,
+    /// The places that were found, as a form has them.
+    pub measured: Measured,
+    /// By photograph: the sheet, straightened out, with the right plans over it.
+    sheets: Vec<(PathBuf, Backdrop, Drawing)>,
+    codes: Vec<(PathBuf, SheetCode)>,
+}
+
+impl Photo {
+    /// Reads a photograph; `expected` are the codes that its sheet may have.
+    pub(super) fn read(path: &Path, expected: &[SheetCode]) -> Result<Photo, Failure> {
+        let picture = read_picture(path)?;
+        let sheet = read(&picture, expected).map_err(|refusal| {
+            Failure::Misuse(format!("{}: {refusal}", path.display()), Some(refusal.hint().to_owned()))
+        })?;
+        let [width, height] = sheet.code.page.size_mm();
+        let paper = sheet.straightened(&picture, [[EDGE, EDGE], [width - EDGE, height - EDGE]], STEP);
+        Ok(Photo { path: path.to_owned(), strokes: strokes(&paper), picture, sheet })
+    }
+
+    /// What the code of its sheet says.
+    pub(super) fn code(&self) -> &SheetCode {
+        &self.sheet.code
+    }
+
+    /// The plans on its sheet.
+    fn plans(&self) -> impl Iterator<Item = (PlanKind, &PlacedPanel)> {
+        self.sheet.code.panels.iter().filter_map(|panel| match panel.panel {
+            PanelName::Scheme => None,
+            PanelName::Velocity => Some((PlanKind::Velocity, panel)),
+            PanelName::Acceleration => Some((PlanKind::Acceleration, panel)),
+        })
+    }
+
+    /// The sheet, straightened out and evenly lit.
+    fn backdrop(&self) -> Backdrop {
+        let page = self.sheet.code.page.size_mm();
+        let paper = self.sheet.straightened(&self.picture, [[0.0; 2], page], 1.0 / PIXELS);
+        let grey = paper.dark().iter().map(|dark| (255.0 * (1.0 - dark)).clamp(0.0, 255.0) as u8).collect();
+        Backdrop { size: paper.size.map(|size| size as u32), grey }
+    }
+}
+
+/// The codes of a scene's own sheets.
+pub(super) fn expected(solution: &Solution) -> Vec<SheetCode> {
+    solution.drawing_sheets("").into_iter().filter_map(|sheet| sheet.code).collect()
+}
+
+impl PhotoResult {
+    /// What photographs of the sheets of a scene tell.
+    pub(super) fn of(photos: Vec<Photo>, solution: &Solution, key: &AnswerKey<'_>) -> Result<PhotoResult, Failure> {
+        let own = solution.scene.fingerprint();
+        for photo in photos.iter().filter(|photo| photo.code().scene != own) {
+            return Err(Failure::Misuse(
+                format!(
+                    "{} shows sheet {} of `{}`, which is not of this scene",
+                    photo.path.display(),
+                    photo.code().number,
+                    shown(&photo.code().name)
+                ),
+                Some(
+                    "name the scene from which that sheet was printed; a scene that was changed since needs new sheets"
+                        .into(),
+                ),
+            ));
+        }
+        let all: Vec<(&Photo, PlanKind, &PlacedPanel)> =
+            photos.iter().flat_map(|photo| photo.plans().map(move |(kind, panel)| (photo, kind, panel))).collect();
+        if all.is_empty() {
+            return Err(Failure::Misuse(
+                format!("{} shows no plan, only the sheet with the scheme", photos[0].path.display()),
+                Some("photograph the sheets on which the plans are drawn".into()),
+            ));
+        }
+        for (index, (photo, kind, _)) in all.iter().enumerate() {
+            if let Some((other, ..)) = all[..index].iter().find(|(_, own, _)| own == kind) {
+                return Err(Failure::Misuse(
+                    format!(
+                        "{} and {} both show the {}",
+                        other.path.display(),
+                        photo.path.display(),
+                        kind.sheet().name()
+                    ),
+                    Some("give one photograph of each sheet".into()),
+                ));
+            }
+        }
+        let bands: Vec<_> = photos.iter().map(|photo| |place: [f64; 2]| photo.sheet.band(place)).collect();
+        let mut plans: Vec<PencilledPlan<'_>> = Vec::new();
+        for (photo, kind, panel) in &all {
+            let index = photos.iter().position(|own| std::ptr::eq(own, *photo)).unwrap_or(0);
+            let (strokes, band) = (photo.strokes.as_slice(), &bands[index]);
+            plans.push(PencilledPlan { kind: *kind, mu: panel.mu, pole: panel.origin, strokes, band });
+        }
+        let proposals = proposed(key, &plans).map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
+        for plan in &plans {
+            measured.mu[plan.kind.sheet() as usize] = Some(plan.mu);
+            let mut points = PointsOf::new(plan.kind);
+            points.put(plan.kind.pole(), [0.0; 2], Some(hundredths((plan.band)(plan.pole))));
+            for point in proposals.points.iter().filter(|point| point.kind == plan.kind) {
+                if let Some(found) = point.found {
+                    points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
+                }
+            }
+            measured.points.push(points);
+        }
+        let sheet = |photo: &Photo| {
+            let own = plans.iter().zip(&all).filter(|(_, (own, ..))| std::ptr::eq(*own, photo));
+            let seen = own.flat_map(|(plan, _)| seen(plan, &proposals.points));
+            (photo.path.clone(), photo.backdrop(), over_photo(solution, photo.code(), &seen.collect::<Vec<_>>()))
+        };
+        let sheets = photos.iter().map(sheet).collect();
+        let codes = photos.iter().map(|photo| (photo.path.clone(), photo.code().clone())).collect();
+        Ok(PhotoResult { points: proposals.points, measured, sheets, codes })
+    }
+
+    /// Adds the pictures and the form to a set of files in a folder; `name` is that of the form.
+    pub(super) fn write(
+        &self,
+        files: &mut FileSet,
+        folder: &Path,
+        name: &str,
+        key: &AnswerKey<'_>,
+    ) -> Result<PathBuf, Failure> {
+        for (path, backdrop, drawing) in &self.sheets {
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            let failed = |error: String| Failure::Outside(format!("{}: {error}", path.display()));
+            let at = |ending: &str| folder.join(format!("{stem}-check.{ending}"));
+            for ending in ["png", "pdf"] {
+                files::refuse_overwriting("photograph", path, &at(ending))?;
+            }
+            #[cfg(feature = "png")]
+            files.add(&at("png"), &drawing.png_over(backdrop).map_err(|error| failed(error.to_string()))?)?;
+            #[cfg(feature = "pdf")]
+            files.add(&at("pdf"), &drawing.pdf_over(backdrop).map_err(|error| failed(error.to_string()))?)?;
+        }
+        let form = folder.join(format!("{name}.json"));
+        files.add(&form, FilledForm { measured: &self.measured, key }.json().as_bytes())?;
+        Ok(form)
+    }
+
+    /// The same of a student of that name.
+    pub(super) fn named(mut self, name: &str) -> PhotoResult {
+        self.measured.name = Some(Untrusted::from(name));
+        self
+    }
+
+    /// How many points have this verdict.
+    pub(super) fn count(&self, verdict: PointVerdict) -> usize {
+        self.points.iter().filter(|point| point.found.is_some_and(|found| found.verdict == verdict)).count()
+    }
+
+    /// How many points are left to the student.
+    pub(super) fn left(&self) -> usize {
+        self.points.iter().filter(|point| point.found.is_none()).count()
+    }
+
+    /// Which sheets these are, and the table of their points.
+    pub(super) fn table(&self, solution: &Solution) -> String {
+        let words = solution.wording();
+        let sheets: String = self
+            .codes
+            .iter()
+            .map(|(path, code)| {
+                let file = shown(&path.file_name().unwrap_or_default().to_string_lossy());
+                words.language.photo_sheet(&file, &code.number.to_string(), &shown(&code.name)) + "\n"
+            })
+            .collect();
+        let language = words.language;
+        let labels = SheetLabels::of(solution);
+        let plans: Vec<_> = solution.construction.plans().collect();
+        let head = language.photo_columns().map(str::to_owned);
+        let mut rows = vec![head];
+        for point in &self.points {
+            let label = plans.iter().find(|plan| plan.kind == point.kind);
+            let label = label.map_or_else(String::new, |plan| labels.plan_point(plan, &point.name).content());
+            let pole = point.kind.pole();
+            let mm = |x: f64| words.write(x, NumberStyle::decimals(1));
+            let distance = |[x, y]: [f64; 2]| libm::hypot(x, y);
+            let found = point.found.map(|found| {
+                let off = distance([found.at[0] - point.right[0], found.at[1] - point.right[1]]);
+                [mm(distance(found.at)), mm(off), mm(found.band), verdict(found.verdict, &words).to_owned()]
+            });
+            let blank = || [String::new(), String::new(), String::new(), language.photo_left().to_owned()];
+            let [length, off, band, told] = found.unwrap_or_else(blank);
+            rows.push([format!("{pole} {label}"), mm(distance(point.right)), length, off, band, told]);
+        }
+        sheets + &aligned(&rows)
+    }
+}
+
+/// The points of a plan that were found, on the sheet.
+fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
+    let own = points.iter().filter(|point| point.kind == plan.kind);
+    own.filter_map(|point| {
+        let found = point.found?;
+        Some(SeenPoint {
+            panel: plan.kind.sheet().panel(),
+            name: point.name.clone(),
+            at: plan.on_sheet(found.at),
+            band: found.band,
+            is_off: found.verdict == PointVerdict::Off,
+        })
+    })
+    .collect()
+}
+
+/// A verdict in words.
+fn verdict<'w>(verdict: PointVerdict, words: &'w Wording) -> &'w str {
+    match verdict {
+        PointVerdict::Right => words.language.check_right(),
+        PointVerdict::Off => words.language.check_off(),
+        PointVerdict::CannotTell => words.language.photo_cannot_tell(),
+    }
+}
+
+/// Rows of cells in columns; numbers stand right.
+fn aligned(rows: &[[String; 6]]) -> String {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: [usize; 6] = std::array::from_fn(width);
+    let line = |row: &[String; 6]| {
+        let cell = |(column, text): (usize, &String)| {
+            let blank = " ".repeat(widths[column] - text.chars().count());
+            if (1..5).contains(&column) { blank + text } else { text.clone() + &blank }
+        };
+        row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+/// A length in mm to 0.01.
+fn hundredths(mm: f64) -> f64 {
+    libm::round(100.0 * mm) / 100.0
+}
+
+/// The name of the student whose sheets these are: that of the first file, without its ending and a number behind it.
+pub(super) fn student(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let name = stem.trim_end_matches(|c: char| c.is_ascii_digit());
+    match name.strip_suffix(['-', '_', ' ']) {
+        Some(name) if !name.is_empty() => name.to_owned(),
+        _ => stem,
+    }
+}
+
+/// Says how to go on from proposed places.
+pub(super) fn note_next(form: Option<&Path>, scene: &Path) {
+    match form {
+        Some(form) => note(&format!(
+            "look at the pictures; places can be changed or taken out in {0}; then `kinegon check {1} {0}`, or --accept takes them as they are",
+            form.display(),
+            scene.display()
+        )),
+        None => note(
+            "-o DIR writes the pictures with the right plans over them, and the form; --accept takes the places as they are and checks them",
+        ),
+    }
+}

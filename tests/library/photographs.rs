@@ -1,0 +1,171 @@
+//! Photographs of sheets, taken by the camera of `tests/support/camera`, which shares nothing with the reader: where points are on paper, what is refused, which points are proposed.
+
+use crate::support::camera::Photograph;
+use crate::support::camera::chance::{KINDS, Kind};
+use crate::support::camera::drawn::drawn;
+use crate::support::camera::page::Page;
+use crate::support::camera::wrong::WRONGS;
+use crate::support::photographs::{Tally, decoded, given, panels, photographed, tally};
+use crate::support::random::Random;
+use crate::support::students::hand::SKILLS;
+use crate::support::survey::tried;
+use kinegon::drawing::markers::SheetCode;
+use kinegon::photo::{self, Picture, Refusal};
+
+/// What photographs of one kind come to.
+#[derive(Clone, Debug, Default)]
+struct Found {
+    photographs: usize,
+    /// With all markers in sight.
+    whole: usize,
+    found: usize,
+    /// Errors of places on paper, in mm, of sheets that were found.
+    errors: Vec<f64>,
+    covered: usize,
+    refused: Vec<String>,
+}
+
+impl Found {
+    fn rms(&self) -> f64 {
+        libm::sqrt(self.errors.iter().map(|error| error * error).sum::<f64>() / self.errors.len().max(1) as f64)
+    }
+
+    fn part(&self, part: f64) -> f64 {
+        let mut errors = self.errors.clone();
+        errors.sort_by(f64::total_cmp);
+        errors.get((part * errors.len() as f64) as usize).copied().unwrap_or(0.0)
+    }
+}
+
+/// Photographs a sheet of an exercise and adds what is found.
+fn photograph(kind: Kind, number: u64, edge: usize, all: &mut Found) {
+    let Some(given) = given(number) else { return };
+    let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
+    let sheet = &given.sheets[number as usize % given.sheets.len()];
+    let drawing = drawn(&given.task, None, SKILLS[1], number, &panels(&sheet.0));
+    let shot = photographed(sheet, &drawing, kind, number, edge);
+    let is_whole = shot.truth.markers().iter().all(|seen| *seen);
+    all.photographs += 1;
+    all.whole += usize::from(is_whole);
+    match photo::read(&decoded(&shot.jpeg), &codes) {
+        Ok(found) => {
+            assert_eq!(found.code, sheet.0, "{kind:?} {number} is read as another sheet");
+            all.found += usize::from(is_whole);
+            let [width, height] = sheet.0.page.size_mm();
+            for i in 0..8 {
+                for j in 0..6 {
+                    let mm = [18.0 + (width - 36.0) * f64::from(i) / 7.0, 18.0 + (height - 36.0) * f64::from(j) / 5.0];
+                    if !shot.truth.sees(mm) {
+                        continue;
+                    }
+                    let paper = found.paper(shot.truth.pixel(mm)).expect("it is on the sheet");
+                    let error = libm::hypot(paper[0] - mm[0], paper[1] - mm[1]);
+                    all.covered += usize::from(error <= found.band(mm));
+                    all.errors.push(error);
+                }
+            }
+        }
+        Err(refusal) if is_whole => all.refused.push(format!("{kind:?} {number}: {refusal}")),
+        Err(_) => {}
+    }
+}
+
+/// The errors that were simulated for eight markers and a camera with distortion, in mm: root of the mean square, and the 95th percentile.
+fn allowed(kind: Kind) -> Option<[f64; 2]> {
+    match kind {
+        Kind::Flat | Kind::Blurred => Some([0.07, 0.12]),
+        Kind::Curl1 => Some([0.11, 0.25]),
+        Kind::Curl3 | Kind::Curl6 => Some([0.32, 0.71]),
+        Kind::Chat1600 => Some([0.08, 0.14]),
+        Kind::Hard | Kind::Cropped => None,
+    }
+}
+
+#[test]
+fn places_on_paper_are_found() {
+    let (count, edge) = tried((1, 1600), (130, 4032));
+    let mut all = Found::default();
+    for kind in KINDS {
+        let mut own = Found::default();
+        for number in 1..=count {
+            photograph(kind, number, edge, &mut own);
+        }
+        let covered = own.covered as f64 / own.errors.len().max(1) as f64;
+        println!(
+            "{kind:?}: {} photographs, {} with all markers, {} of these found; rms {:.3} mm, 95 % {:.3} mm, largest {:.3} mm; within their bands {:.1} %; {:?}",
+            own.photographs,
+            own.whole,
+            own.found,
+            own.rms(),
+            own.part(0.95),
+            own.part(1.0 - 1e-9),
+            100.0 * covered,
+            own.refused
+        );
+        if let Some([rms, most]) = allowed(kind) {
+            assert!(own.rms() <= rms && own.part(0.95) <= most, "{kind:?}: {:.3} {:.3}", own.rms(), own.part(0.95));
+            assert!(covered >= tried(0.9, 0.95), "{kind:?}: only {covered:.3} are within their bands");
+        }
+        all.whole += own.whole;
+        all.found += own.found;
+        all.refused.extend(own.refused);
+    }
+    println!("{} of {} found", all.found, all.whole);
+    assert!(all.found as f64 >= 0.99 * all.whole as f64, "{:?}", all.refused);
+}
+
+#[test]
+fn no_sheet_is_seen_in_other_things() {
+    for number in 0..tried(5, 200) {
+        let wrong = WRONGS[number as usize % WRONGS.len()];
+        let mm = [297.0, 210.0];
+        let page =
+            wrong.svg(mm, &mut Random(number + 5)).map(|svg| Page::draw(&svg, mm, 12, &Default::default()).finished());
+        let shot = Photograph::random(number, Kind::Hard, mm).with_edge(1400).take(page.as_ref());
+        let read = photo::read(&decoded(&shot.jpeg), &[]);
+        assert!(matches!(read, Err(Refusal::FewMarkers { .. })), "{wrong:?} {number}: {read:?}");
+    }
+}
+
+#[test]
+fn any_pixels_are_refused_or_read() {
+    let mut random = Random(77);
+    for number in 0..tried(30, 3000) {
+        let (width, height) = (random.below(400), random.below(400));
+        let is_noise = number % 2 == 0;
+        let shade = random.below(256) as u8;
+        let grey = (0..width * height).map(|_| if is_noise { random.below(256) as u8 } else { shade }).collect();
+        let picture = Picture::new(width, height, grey).expect("as many pixels");
+        assert!(photo::read(&picture, &[]).is_err());
+    }
+}
+
+#[test]
+fn points_are_proposed_where_they_are() {
+    let (count, edge) = tried((6, 1600), (300, 2400));
+    let mut all = Tally::default();
+    for number in 1..=count {
+        tally(number, Kind::Flat, edge, &mut all);
+    }
+    let points = (all.right + all.wrong + all.left).max(1) as f64;
+    println!(
+        "{} of {} photographs read; of {points} points {:.1} % are proposed right, {:.1} % wrong, {:.1} % left; {:.1} % of those proposed within their bands; {} misjudged, {} that cannot be told",
+        all.read,
+        all.photographs,
+        100.0 * all.right as f64 / points,
+        100.0 * all.wrong as f64 / points,
+        100.0 * all.left as f64 / points,
+        100.0 * all.covered as f64 / (all.right + all.wrong).max(1) as f64,
+        all.misjudged,
+        all.untold,
+    );
+    println!(
+        "of {} sheets with mistakes all told from the typed form of {}, from photographs of {}",
+        all.planted, all.named[0], all.named[1]
+    );
+    assert!(all.wrong as f64 <= tried(0.03, 0.01) * points, "{:?}", all.told);
+    assert!(all.right as f64 >= 0.3 * points, "only {} of {points} points are proposed", all.right);
+    assert!(all.misjudged as f64 <= 0.01 * points);
+    // As often as from the typed form, within five of a hundred.
+    assert!(tapped as f64 >= typed as f64 - tried(0.2, 0.05) * all.planted as f64);
+}

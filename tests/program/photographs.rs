@@ -1,0 +1,177 @@
+//! `kinegon check` with photographs.
+
+use crate::support::camera::chance::Kind;
+use crate::support::camera::drawn::drawn;
+use crate::support::files;
+use crate::support::photographs::{Given, given, panels, photographed};
+use crate::support::program::{kinegon, scratch, stderr};
+use crate::support::random::Random;
+use crate::support::students::hand::SKILLS;
+use crate::support::survey::tried;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+/// The folder of an exercise, its scene and photographs of its plans.
+fn photographs(name: &str, number: u64) -> (PathBuf, PathBuf, Vec<PathBuf>, Given) {
+    let folder = scratch(name);
+    let given = given(number).expect("an exercise");
+    let scene = folder.join("scene.json");
+    std::fs::write(&scene, given.task.text()).expect("it is written");
+    let mut photos = Vec::new();
+    for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
+        let drawing = drawn(&given.task, None, SKILLS[1], number, &panels(&sheet.0));
+        let path = folder.join(format!("Ana-{}.jpg", sheet.0.number));
+        std::fs::write(&path, photographed(sheet, &drawing, Kind::Flat, number, 1600).jpeg).expect("it is written");
+        photos.push(path);
+    }
+    (folder, scene, photos, given)
+}
+
+fn check(scene: &Path, more: &[&str]) -> Output {
+    kinegon().arg("check").arg(scene).args(more).output().expect("it runs")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+#[test]
+fn a_photograph_gives_pictures_and_a_form() {
+    let (folder, scene, photos, given) = photographs("photo-form", 8);
+    let out = folder.join("out");
+    let out_text = out.to_str().expect("a path").to_owned();
+    let mut arguments: Vec<&str> = photos.iter().map(|photo| photo.to_str().expect("a path")).collect();
+    arguments.extend(["-o", &out_text]);
+    let output = check(&scene, &arguments);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.contains(&given.task.kind.to_uppercase()), "{text}");
+    assert!(text.contains("right") && text.contains("p c"), "{text}");
+    let form = out.join("Ana.json");
+    assert!(stderr(&output).contains("--accept"), "{}", stderr(&output));
+    for photo in &photos {
+        let stem = photo.file_stem().expect("a name").to_string_lossy().into_owned();
+        let png = std::fs::read(out.join(format!("{stem}-check.png"))).expect("a picture");
+        assert!(png.starts_with(b"\x89PNG"));
+        #[cfg(feature = "pdf")]
+        assert!(lopdf::Document::load(out.join(format!("{stem}-check.pdf"))).is_ok());
+    }
+    // The form is checked as any other, and `--accept` says the same at once.
+    let checked = check(&scene, &[form.to_str().expect("a path")]);
+    assert!(matches!(checked.status.code(), Some(0 | 1)), "{}", stderr(&checked));
+    arguments.push("--accept");
+    let accepted = check(&scene, &arguments);
+    assert!(stdout(&accepted).ends_with(&stdout(&checked)), "{}\n{}", stdout(&accepted), stdout(&checked));
+    // Another scene's sheet is refused by its name.
+    let other = folder.join("other.json");
+    std::fs::write(&other, files::read("templates/slider-crank.json")).expect("it is written");
+    let refused = check(&other, &[photos[0].to_str().expect("a path")]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(stderr(&refused).contains("which is not of this scene"), "{}", stderr(&refused));
+}
+
+#[test]
+fn a_folder_of_photographs_is_a_class() {
+    let (folder, scene, photos, _) = photographs("photo-class", 8);
+    let class = folder.join("photos");
+    std::fs::create_dir_all(class.join("Bo")).expect("a folder");
+    for photo in &photos {
+        std::fs::copy(photo, class.join(photo.file_name().expect("a name"))).expect("a copy");
+        std::fs::copy(photo, class.join("Bo").join(photo.file_name().expect("a name"))).expect("a copy");
+    }
+    std::fs::write(class.join("Cid.jpg"), b"\xff\xd8\xff no picture").expect("it is written");
+    let forms = folder.join("forms");
+    let [class, forms_text] = [&class, &forms].map(|path| path.to_str().expect("a path"));
+    let output = check(&scene, &[class, "-o", forms_text]);
+    let text = stdout(&output);
+    assert_eq!(output.status.code(), Some(2), "{text}{}", stderr(&output));
+    let rows: Vec<&str> = text.lines().collect();
+    assert_eq!(rows.len(), 4, "{text}");
+    assert!(
+        rows[1].starts_with("\"Ana\"") && rows[2].starts_with("\"Bo\"") && rows[3].starts_with("\"Cid\""),
+        "{text}"
+    );
+    assert!(forms.join("Ana.json").is_file() && forms.join("Bo.json").is_file() && !forms.join("Cid.json").exists());
+    let accepted = check(&scene, &[class, "-o", forms_text, "--accept"]);
+    assert!(stdout(&accepted).starts_with("file,name,passed,"), "{}{}", stdout(&accepted), stderr(&accepted));
+}
+
+#[test]
+fn files_that_are_no_pictures_get_one_message() {
+    let (folder, scene, photos, _) = photographs("photo-hostile", 8);
+    let good = std::fs::read(&photos[0]).expect("a picture");
+    let mut random = Random(5);
+    let mut files: Vec<(String, Vec<u8>)> = vec![
+        ("empty".into(), Vec::new()),
+        ("text".into(), b"no picture at all".to_vec()),
+        ("cut".into(), good[..good.len() / 2].to_vec()),
+        ("heic".into(), b"\0\0\0\x18ftypheic\0\0\0\0mif1heic".to_vec()),
+        ("large".into(), png_head(40_000, 40_000)),
+        ("wide".into(), png_head(u32::MAX, 1)),
+        ("nothing".into(), png_head(0, 0)),
+    ];
+    // What an Exif block says of the turn is taken or left, whatever it is.
+    if let Some(at) = good.windows(4).position(|part| part == b"Exif") {
+        let mut turned = good.clone();
+        (at..at + 60).for_each(|byte| turned[byte] ^= 0x55);
+        files.push(("exif".into(), turned));
+    }
+    for number in 0..tried(6, 400) {
+        let mut broken = good.clone();
+        for _ in 0..1 + random.below(30) {
+            let at = random.below(broken.len());
+            broken[at] = random.below(256) as u8;
+        }
+        files.push((format!("broken-{number}"), broken));
+    }
+    for (name, bytes) in files {
+        let path = folder.join(format!("{name}.jpg"));
+        std::fs::write(&path, bytes).expect("it is written");
+        let out = folder.join(format!("out-{name}"));
+        let output = check(&scene, &[path.to_str().expect("a path"), "-o", out.to_str().expect("a path")]);
+        let said = stderr(&output);
+        match output.status.code() {
+            Some(0 | 1) => assert!(name.starts_with("broken") || name == "exif" || name == "cut", "{name} is read"),
+            Some(2) => {
+                assert_eq!(said.matches("error:").count(), 1, "{name}: {said}");
+                assert!(said.contains("hint") || said.contains("help"), "{name}: {said}");
+                assert!(!out.exists(), "{name} leaves something");
+            }
+            other => panic!("{name}: {other:?} {said}"),
+        }
+    }
+}
+
+/// A PNG that says it is that large, and has no pixels.
+fn png_head(width: u32, height: u32) -> Vec<u8> {
+    let mut chunk = b"IHDR".to_vec();
+    chunk.extend(width.to_be_bytes());
+    chunk.extend(height.to_be_bytes());
+    chunk.extend([8, 0, 0, 0, 0]);
+    let mut sum = flate2::Crc::new();
+    sum.update(&chunk);
+    let mut file = b"\x89PNG\r\n\x1a\n\0\0\0\x0d".to_vec();
+    file.extend(&chunk);
+    file.extend(sum.sum().to_be_bytes());
+    file
+}
+
+#[test]
+fn wrong_uses_are_told() {
+    let folder = scratch("photo-uses");
+    let scene = folder.join("scene.json");
+    std::fs::write(&scene, files::read("templates/four-bar.json")).expect("it is written");
+    std::fs::write(folder.join("form.json"), r#"{"kinegon_measured": 1, "values": {"omega(2)": "1"}}"#)
+        .expect("written");
+    let form = folder.join("form.json");
+    let form = form.to_str().expect("a path");
+    for (arguments, message) in [
+        (&[form, "--accept"][..], "--accept is of photographs"),
+        (&[form, form], "one form too many"),
+        (&["missing.jpg"], "cannot be read"),
+    ] {
+        let output = check(&scene, arguments);
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+        assert!(stderr(&output).contains(message), "{}", stderr(&output));
+    }
+}

@@ -1,0 +1,241 @@
+//! Sheets of exercises with students' drawings, photographed by the tests' camera, and what reading them comes to.
+
+use super::camera::Photograph;
+use super::camera::chance::Kind;
+use super::camera::drawn::{Drawing, Panel, drawn};
+use super::camera::page::Page;
+use super::files;
+use super::random::Random;
+use super::stages::{answer_key, solved};
+use super::students::hand::SKILLS;
+use super::students::judge::{Class, Said, class};
+use super::students::script;
+use super::students::task::{Planned, Task};
+use image::{DynamicImage, ImageDecoder, ImageReader};
+use kinegon::check::{
+    AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposals, check, check_result, proposed,
+};
+use kinegon::construction::PlanKind;
+use kinegon::drawing::markers::SheetCode;
+use kinegon::exercise::Exercises;
+use kinegon::photo::{self, PhotoSheet, Picture, Stroke, strokes};
+use kinegon::scene::PanelName;
+use std::io::Cursor;
+
+/// A grey, upright picture from a file's bytes.
+pub fn decoded(bytes: &[u8]) -> Picture {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().expect("bytes can be read");
+    let mut decoder = reader.into_decoder().expect("a picture");
+    let turn = decoder.orientation().expect("a turn");
+    let mut picture = DynamicImage::ImageLuma8(DynamicImage::from_decoder(decoder).expect("pixels").into_luma8());
+    picture.apply_orientation(turn);
+    let grey = picture.into_luma8();
+    let (width, height) = (grey.width() as usize, grey.height() as usize);
+    Picture::new(width, height, grey.into_raw()).expect("as many pixels")
+}
+
+/// A student's exercise, with the sheets that are drawn on.
+pub struct Given {
+    pub task: Task,
+    /// By sheet with markers: its code and its SVG.
+    pub sheets: Vec<(SheetCode, String)>,
+}
+
+/// The exercise of that number, of all kinds by turns; none where its kind has none for this number.
+pub fn given(number: u64) -> Option<Given> {
+    let kinds: Vec<&'static str> = script::kinds().collect();
+    let kind = kinds[number as usize % kinds.len()];
+    let folder = if kind.starts_with("figure") { "examples" } else { "templates" };
+    let text = files::read(&format!("{folder}/{kind}.json"));
+    let base = solved(&text).expect("a good scene");
+    let mut exercises = Exercises::new(&text, &base.scene.figure, None, &base.construction, number).ok()?;
+    let exercise = exercises.next().ok()?;
+    let task = Task::new(kind, &exercise.text)?;
+    let sheets = exercise.sheets(kind).into_iter();
+    let sheets = sheets.filter_map(|sheet| Some((sheet.code.clone()?, sheet.svg()))).collect();
+    Some(Given { task, sheets })
+}
+
+/// The plans of a sheet as panels of the tests' hand.
+pub fn panels(code: &SheetCode) -> Vec<Panel> {
+    let plans = code.panels.iter().filter(|panel| panel.panel != PanelName::Scheme);
+    plans.map(|p| Panel { plan: p.panel as usize, pole: p.origin, mu: Some(p.mu), has_pole: true }).collect()
+}
+
+/// A photograph of a sheet with a drawing on it: the file and the truth.
+pub fn photographed(
+    sheet: &(SheetCode, String),
+    drawing: &Drawing,
+    kind: Kind,
+    seed: u64,
+    edge: usize,
+) -> super::camera::Shot {
+    let mm = sheet.0.page.size_mm();
+    let per_mm = if edge > 2000 { 24 } else { 12 };
+    let page = Page::draw(&sheet.1, mm, per_mm, &Default::default()).printed(&drawing.strokes, seed);
+    Photograph::random(seed, kind, mm).with_edge(edge).take(Some(&page))
+}
+
+/// What proposals for a student's plans come to.
+#[derive(Clone, Debug, Default)]
+pub struct Tally {
+    pub photographs: usize,
+    pub read: usize,
+    /// Points proposed within 0.5 mm of where the student has them, elsewhere, and not at all.
+    pub right: usize,
+    pub wrong: usize,
+    pub left: usize,
+    /// Points proposed whose radius holds the true place.
+    pub covered: usize,
+    /// Verdicts that are not those on the true places.
+    pub misjudged: usize,
+    pub untold: usize,
+    /// Sheets with mistakes, those of which the check tells all: from the typed form; with the plans' segments from the points that are proposed; and with those that
+    /// the student taps besides.
+    pub planted: usize,
+    pub named: [usize; 3],
+    pub told: Vec<String>,
+}
+
+/// Photographs the plans of an exercise with a student's drawing, and tells points and mistakes from the pictures.
+pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
+    let Some(given) = given(number) else { return };
+    let mut random = Random(number * 7919);
+    let skill = SKILLS[1 + number as usize % 3];
+    let task = &given.task;
+    let planned: Option<Planned> =
+        if number % 4 == 0 { None } else { (0..50).find_map(|_| task.plan(&mut random, &skill)) };
+    let key = answer_key(&task.solution, 5);
+    let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
+    let mut photos: Vec<(PhotoSheet, Vec<Stroke>, Vec<Panel>)> = Vec::new();
+    let mut truth: Vec<(PlanKind, String, [f64; 2])> = Vec::new();
+    for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
+        let panels = panels(&sheet.0);
+        let drawing = drawn(task, planned.as_ref(), skill, number, &panels);
+        let picture = decoded(&photographed(sheet, &drawing, kind, number, edge).jpeg);
+        tally.photographs += 1;
+        let found = match photo::read(&picture, &codes) {
+            Ok(found) => found,
+            Err(refusal) => {
+                tally.told.push(format!("{} {number}: {refusal}", task.kind));
+                continue;
+            }
+        };
+        tally.read += 1;
+        let [width, height] = sheet.0.page.size_mm();
+        let lines = strokes(&found.straightened(&picture, [[16.0, 16.0], [width - 16.0, height - 16.0]], 0.2));
+        for (plan, point) in &drawing.points {
+            let pole = panels.iter().find(|panel| panel.plan == *plan).expect("its panel").pole;
+            truth.push((kind_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
+        }
+        photos.push((found, lines, panels));
+    }
+    let bands: Vec<_> = photos.iter().map(|(found, ..)| move |place: [f64; 2]| found.band(place)).collect();
+    let mut plans = Vec::new();
+    for ((_, strokes, panels), band) in photos.iter().zip(&bands) {
+        for panel in panels {
+            let mu = panel.mu.expect("a scale");
+            plans.push(PencilledPlan { kind: kind_of(panel.plan), mu, pole: panel.pole, strokes, band });
+        }
+    }
+    let Ok(proposals) = proposed(&key, &plans) else { return };
+    let mut points = compare(&proposals, &truth, task, tally);
+    for plan in &plans {
+        if points.iter().all(|points| points.kind != plan.kind) {
+            let mut own = PointsOf::new(plan.kind);
+            own.put(plan.kind.pole(), [0.0; 2], Some(0.1));
+            points.push(own);
+        }
+    }
+    let Some(planned) = planned else { return };
+    let mut typed = task.hand_in(Some(&planned), skill, number);
+    let told = |form: &Measured| class_of(form, &key, &planned);
+    tally.planted += 1;
+    tally.named[0] += usize::from(told(&typed) == Class::Named);
+    typed.values.retain(|value| !(value.name.starts_with("vplan") || value.name.starts_with("aplan")));
+    typed.points = points;
+    for plan in &plans {
+        typed.mu[plan.kind.sheet() as usize] = Some(plan.mu);
+    }
+    tally.named[1] += usize::from(told(&typed) == Class::Named);
+    tap(&mut typed.points, &plans, &truth, &mut random);
+    tally.named[2] += usize::from(told(&typed) == Class::Named);
+}
+
+/// Adds the points that nobody proposes, as a finger sets them: within a millimetre, at the crossing of lines there if there is one.
+fn tap(
+    points: &mut [PointsOf],
+    plans: &[PencilledPlan<'_>],
+    truth: &[(PlanKind, String, [f64; 2])],
+    random: &mut Random,
+) {
+    for (kind, name, at) in truth {
+        let Some(plan) = plans.iter().find(|plan| plan.kind == *kind) else { continue };
+        let Some(own) = points.iter_mut().find(|points| points.kind == *kind) else { continue };
+        if own.places.contains_key(name) || name == kind.pole() {
+            continue;
+        }
+        let finger = plan.on_sheet([at[0] + random.between(-0.7, 0.7), at[1] + random.between(-0.7, 0.7)]);
+        let near = kinegon::geometry::Point::from(finger);
+        let (place, band) = match photo::crossing(plan.strokes, near) {
+            Some(crossing) => ([crossing.at.x, crossing.at.y], crossing.band.max(0.2)),
+            None => (finger, 1.0),
+        };
+        own.put(name.as_str(), plan.from_pole(place), Some(band));
+    }
+}
+
+/// How well what is told of a form fits what was planted.
+fn class_of(form: &Measured, key: &AnswerKey<'_>, planned: &Planned) -> Class {
+    let checked = check(form, key).expect("a form that is understood");
+    class(&Said::new(&check_result(&checked, key, &key.solution.wording(), None)), planned)
+}
+
+fn kind_of(plan: usize) -> PlanKind {
+    if plan == 1 { PlanKind::Velocity } else { PlanKind::Acceleration }
+}
+
+/// Compares proposals with the truth; the places of the points that were proposed.
+fn compare(
+    proposals: &Proposals,
+    truth: &[(PlanKind, String, [f64; 2])],
+    task: &Task,
+    tally: &mut Tally,
+) -> Vec<PointsOf> {
+    let construction = &task.solution.construction;
+    let place =
+        |kind: PlanKind, name: &str| construction.place(kind.sheet(), construction.plan_name(kind.sheet(), name));
+    let mut found: Vec<PointsOf> = Vec::new();
+    for point in &proposals.points {
+        let own = |(kind, name, _): &&(PlanKind, String, [f64; 2])| {
+            *kind == point.kind && place(*kind, name) == place(point.kind, &point.name)
+        };
+        let Some((_, _, at)) = truth.iter().find(own) else { continue };
+        let distance = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
+        let Some(spot) = point.found else {
+            tally.left += 1;
+            continue;
+        };
+        let (error, off) = (distance(spot.at, *at), distance(point.right, *at));
+        if error <= 0.5 {
+            tally.right += 1;
+        } else {
+            tally.wrong += 1;
+            tally.told.push(format!("{} {} is at {at:.1?}, proposed at {:.1?}", task.kind, point.name, spot.at));
+        }
+        tally.covered += usize::from(error <= spot.band);
+        match spot.verdict {
+            PointVerdict::Right => tally.misjudged += usize::from(off > point.tolerance),
+            PointVerdict::Off => tally.misjudged += usize::from(off <= point.tolerance),
+            PointVerdict::CannotTell => tally.untold += 1,
+        }
+        let index = found.iter().position(|points| points.kind == point.kind).unwrap_or_else(|| {
+            let mut points = PointsOf::new(point.kind);
+            points.put(point.kind.pole(), [0.0; 2], Some(0.1));
+            found.push(points);
+            found.len() - 1
+        });
+        found[index].put(point.name.as_str(), spot.at, Some(spot.band));
+    }
+    found
+}
