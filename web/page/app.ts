@@ -43,6 +43,8 @@ export interface App {
   place: Signal<{ from: number; to: number } | null>;
   /** A form or a marking scheme that somebody brings; the panel of the check takes it and sets it to null. */
   brought: Signal<{ name: string; text: string } | null>;
+  /** A picture that somebody brings; the panel of the check takes it for a photograph and sets it to null. */
+  photographed: Signal<File | null>;
   /**
    * Lets the person mark a place on the picture: the next presses on it call `picked` with the place on the sheet in mm, until
    * the answer is called. `markers` are drawn there.

@@ -68,6 +68,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     show: (panel) => app.shown.set(panel),
     place: signal<{ from: number; to: number } | null>(null),
     brought: signal<{ name: string; text: string } | null>(null),
+    photographed: signal<File | null>(null),
     pick: () => () => undefined,
     markers: signal([]),
     open: (text) => app.history.change({ text }),

@@ -11,6 +11,7 @@ mod gestures;
 mod hostile;
 mod keyboard;
 mod lesson;
+mod photo;
 mod prepare;
 mod share;
 mod speed;

@@ -2,6 +2,7 @@
 
 use super::Browser;
 use serde_json::{Value, json};
+use std::path::Path;
 
 /// Keys that write nothing, with the numbers that browsers know them by.
 const NAMED: [(&str, u32); 14] = [
@@ -130,6 +131,14 @@ impl Browser {
             self.call("Input.dispatchTouchEvent", json!({ "type": kind, "touchPoints": points(places) }));
         }
         self.call("Input.dispatchTouchEvent", json!({ "type": "touchEnd", "touchPoints": [] }));
+    }
+
+    /// Gives files to a box for files, as a person chooses them.
+    pub fn give_files(&mut self, selector: &str, files: &[&Path]) {
+        let root = self.call("DOM.getDocument", json!({ "depth": 0 }));
+        let asked = json!({ "nodeId": root["root"]["nodeId"], "selector": selector });
+        let node = self.call("DOM.querySelector", asked);
+        self.call("DOM.setFileInputFiles", json!({ "nodeId": node["nodeId"], "files": files }));
     }
 
     /// Taps on an element.

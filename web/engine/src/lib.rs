@@ -12,6 +12,8 @@ mod forms;
 mod gesture;
 mod kinds;
 mod opened;
+mod photo;
+mod photo_answers;
 mod picture;
 mod refused;
 #[cfg(not(target_arch = "wasm32"))]
@@ -27,6 +29,7 @@ use kinegon::editing::{self, Edit};
 use kinegon::exercise::Exercise;
 use kinegon::format::pdf_pages;
 use kinegon::scene::SceneError;
+use photo::Photograph;
 use refused::Refused;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -38,6 +41,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Engine {
     desk: Desk,
     series: Option<Series>,
+    photo: Option<Photograph>,
 }
 
 #[wasm_bindgen]
@@ -239,7 +243,54 @@ impl Engine {
     }
 }
 
+/// A photograph of the student's drawing.
+#[wasm_bindgen]
 impl Engine {
+    /// The sheet in a photograph, by its grey pixels row by row; it is kept until the next one. `name` is that of the exercise,
+    /// where there is one.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo(&mut self, text: &str, name: &str, width: f64, height: f64, grey: Vec<u8>) -> Result<String, String> {
+        self.photo = None;
+        let read = photo::read(&mut self.desk, text, name, [width, height].map(|side| side as usize), grey);
+        let (read, kept) = read.map_err(|refused| json(&refused))?;
+        self.photo = kept;
+        Ok(json(&read))
+    }
+
+    /// The points that the pencil lines of the photograph show; they are looked for once.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo_proposed(&mut self) -> Result<String, String> {
+        answer(self.photograph().and_then(|(photo, desk)| photo.proposed(desk)))
+    }
+
+    /// The place in a plan, `velocity` or `acceleration`, that is tapped in the picture: where pencil lines cross at most
+    /// `reach` mm from there, else there.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
+        answer(self.photograph().and_then(|(photo, desk)| photo.tapped(desk, plan, [x, y], reach)))
+    }
+
+    /// How points of the student's plans stand in the photograph.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn photo_points(&mut self, placed: &str) -> Result<String, String> {
+        answer(self.photograph().and_then(|(photo, desk)| photo.judged(desk, &asked::<Vec<_>>(placed)?)))
+    }
+}
+
+impl Engine {
+    fn photograph(&mut self) -> Result<(&mut Photograph, &mut Desk), Refused> {
+        let photo = self.photo.as_mut().ok_or_else(|| Refused::whole("there is no photograph"))?;
+        Ok((photo, &mut self.desk))
+    }
+
     /// An exercise; those before it are kept, as the next one is looked for from the last.
     fn found(&mut self, text: &str, [seed, number]: [f64; 2], options: &str) -> Result<&Exercise, Refused> {
         if seed < 0.0 || seed.fract() != 0.0 || seed > 9e15 {

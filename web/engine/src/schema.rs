@@ -5,6 +5,7 @@ use crate::files::{FileRequest, OverCycle};
 use crate::forms::Form;
 use crate::gesture::{Grab, To};
 use crate::kinds::Kind;
+use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Refused;
 use kinegon::editing::Edit;
 use schemars::generate::SchemaSettings;
@@ -19,5 +20,6 @@ pub fn schema() -> Value {
     }
     add!(Refused, Kind, Opened, View, Picture, Grab, To, Edit, Place, Mode, FileRequest, OverCycle, Drawn, ValueRow);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
+    add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     json!({ "title": "Engine", "definitions": types.take_definitions(true) })
 }

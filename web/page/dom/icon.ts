@@ -32,6 +32,8 @@ const ICONS: Record<string, string> = {
   modes: "M12 4 5 18h14zM12 20l-6-12h12z",
   check: "m5 13 4 4L19 7",
   exercise: "M14 4l6 6L9 21H3v-6zM12 6l6 6",
+  camera: "M4 8h3.500l1.500-2.500h6L16.500 8H20v11H4zM12 13m-3.200 0a3.200 3.200 0 1 0 6.400 0 3.200 3.200 0 1 0-6.400 0",
+  picture: "M4 5h16v14H4zM4 16l5-5 4 4 2.500-2.500L20 16M15.500 9v.1",
   save: "M12 3v12m-5-5 5 5 5-5M4 20h16",
 };
 

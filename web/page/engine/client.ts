@@ -7,10 +7,11 @@ export type EngineClient = {
   [Name in keyof Engine]: (...given: Parameters<Engine[Name]>) => Promise<ReturnType<Engine[Name]>>;
 };
 
-/** What the picture waits for; everything else has a worker of its own, so that no curve and no check stops a hand. */
+/** What the picture waits for; photographs and everything else have workers of their own, so that no curve and no check stops a hand. */
 const AT_ONCE = new Set(["kinds", "open", "picture", "grab", "drag", "drop", "edit", "places", "font"]);
+const OF_PHOTOGRAPHS = new Set(["photo", "photo_proposed", "photo_tap", "photo_points"]);
 
-/** Starts the engine in a worker, and in a second one as soon as something slow is asked for. */
+/** Starts the engine in a worker, and in others as soon as something slow is asked for, or a photograph comes. */
 export function startEngine(
   script: string,
   module: WebAssembly.Module,
@@ -30,8 +31,11 @@ export function startEngine(
     });
   const first = named("picture");
   let second: typeof first | undefined;
-  const call = (name: string) => (...given: unknown[]) =>
-    AT_ONCE.has(name) ? first(name, given) : (second ??= named("panels"))(name, given);
+  let third: typeof first | undefined;
+  const call = (name: string) => (...given: unknown[]) => {
+    if (AT_ONCE.has(name)) return first(name, given);
+    return OF_PHOTOGRAPHS.has(name) ? (third ??= named("photographs"))(name, given) : (second ??= named("panels"))(name, given);
+  };
   // A promise asks what it resolves with for `then`; the engine has none.
   const engine = new Proxy({}, { get: (_, name) => (name === "then" ? undefined : call(String(name))) }) as EngineClient;
   return { engine, busy };

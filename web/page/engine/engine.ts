@@ -12,8 +12,13 @@ import type {
   Mode,
   Opened,
   OverCycle,
+  PhotoRead,
   Picture,
+  PlacedPoint,
+  PointVerdict,
+  Proposed,
   Pull,
+  Tapped,
   Value,
   View,
 } from "./types.ts";
@@ -53,4 +58,12 @@ export interface Engine {
   exercise(text: string, name: string, seed: number, number: number, options: ExerciseOptions): Exercise;
   /** A sheet of an exercise as PDF. */
   exercise_file(text: string, name: string, seed: number, number: number, options: ExerciseOptions, what: "sheet" | "key"): Uint8Array;
+  /** The sheet in a photograph of that many pixels, by their brightness row by row; it is kept for the next three. `name` is that of the exercise, or empty. The pixels are handed over and gone here. */
+  photo(text: string, name: string, width: number, height: number, grey: Uint8Array): PhotoRead;
+  /** The points that its pencil lines show; they are looked for once, which takes a moment. */
+  photo_proposed(): Proposed[];
+  /** The place in a plan that is tapped in the picture: where pencil lines cross at most `reach` mm from there, else there; null where that is not on the sheet. */
+  photo_tap(plan: string, x: number, y: number, reach: number): Tapped | null;
+  /** How points of the student's plans stand in it. */
+  photo_points(placed: PlacedPoint[]): PointVerdict[];
 }

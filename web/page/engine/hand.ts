@@ -86,7 +86,9 @@ export function hand(address: string, module: WebAssembly.Module, watch: Watch):
     if (running === undefined) return;
     clock = window.setTimeout(() => fall("too_slow"), PATIENCE);
     notice = window.setTimeout(() => watch.busy(true), 200);
-    worker.postMessage({ name: running.name, given: running.given });
+    const { name, given } = running;
+    // Bytes are handed over, not copied.
+    worker.postMessage({ name, given }, given.flatMap((one) => (one instanceof Uint8Array ? [one.buffer] : [])));
   }
 
   return (name, given) =>

@@ -984,3 +984,219 @@ export interface ExerciseOptions {
    */
   decimal: string | null;
 }
+/**
+ * What is read from a photograph: one of both.
+ */
+export interface PhotoRead {
+  /**
+   * The sheet in it.
+   */
+  photo: Photo | null;
+  /**
+   * Why none is read.
+   */
+  refused: PhotoRefused | null;
+}
+/**
+ * A sheet in a photograph. Places in the picture are in pixels from its upper left corner, y down, after `turn`.
+ */
+export interface Photo {
+  /**
+   * The exercise or scene that the sheet is of, as its code has it.
+   */
+  name: string;
+  /**
+   * The sheet's number.
+   */
+  number: number;
+  /**
+   * Whether it is a sheet of this scene.
+   */
+  is_own: boolean;
+  /**
+   * By how many quarters the picture is turned clockwise, so that the sheet stands upright.
+   */
+  turn: number;
+  /**
+   * Pixels per mm in the sheet's middle.
+   */
+  per_mm: number;
+  /**
+   * How far the sheet's middle is above or below its edges, in mm.
+   */
+  bend: number;
+  /**
+   * Radius within which places on the sheet are known with 95 %, at the plans' points, in mm.
+   */
+  band: number;
+  /**
+   * The plans on it; none of another scene's sheet.
+   */
+  plans: PhotoPlan[];
+}
+/**
+ * The right plan over a photograph.
+ */
+export interface PhotoPlan {
+  /**
+   * `velocity` or `acceleration`.
+   */
+  plan: string;
+  /**
+   * The sheet's scale, in units per mm.
+   */
+  mu: number;
+  /**
+   * Its points in the order of the construction, the pole first.
+   */
+  points: PhotoPoint[];
+  /**
+   * Its vectors and rays: places along each in the picture.
+   */
+  lines: [number, number][][];
+}
+/**
+ * A point of the right plan in the picture.
+ */
+export interface PhotoPoint {
+  /**
+   * The name under which its place stands in the form file.
+   */
+  name: string;
+  /**
+   * As the sheet writes it, in HTML.
+   */
+  label: string;
+  /**
+   * Where it should be in the picture.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * Why no sheet is read from a photograph.
+ */
+export interface PhotoRefused {
+  /**
+   * `few-markers`, `not-even`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
+   */
+  why: string;
+  /**
+   * The number in the message: of markers, of mm; 0 where there is none.
+   */
+  number: number;
+  /**
+   * What is wrong, in English.
+   */
+  message: string;
+  /**
+   * What to do, in English.
+   */
+  hint: string;
+}
+/**
+ * A place that was tapped, or is proposed.
+ */
+export interface Tapped {
+  /**
+   * In mm of paper from the printed pole, x right, y up.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * In the picture.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  pixel: [number, number];
+  /**
+   * Whether pencil lines cross there.
+   */
+  is_snapped: boolean;
+  /**
+   * Radius that holds the place with 95 %, in mm.
+   */
+  band: number;
+  /**
+   * The same in pixels.
+   */
+  band_pixels: number;
+}
+/**
+ * A point of a student's plan.
+ */
+export interface PlacedPoint2 {
+  /**
+   * `velocity` or `acceleration`.
+   */
+  plan: string;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * In mm of paper from the printed pole, x right, y up.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * Radius that holds it with 95 %, in mm; none where a hand has put it.
+   */
+  band: number | null;
+}
+/**
+ * How a point of a student's plan stands.
+ */
+export interface PointVerdict {
+  /**
+   * `velocity` or `acceleration`.
+   */
+  plan: string;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * Where it is in the picture.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  pixel: [number, number];
+  /**
+   * Radius that holds it with 95 %, in pixels.
+   */
+  band_pixels: number;
+  /**
+   * How far it is from the right place, in mm.
+   */
+  off: number;
+  /**
+   * `right`, `off`, or `open`: the picture cannot tell.
+   */
+  verdict: string;
+}
+/**
+ * A point that pencil lines show: a proposal, as lines may mislead.
+ */
+export interface Proposed {
+  /**
+   * `velocity` or `acceleration`.
+   */
+  plan: string;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * Where it seems to be.
+   */
+  place: Tapped;
+}

@@ -14,9 +14,9 @@ type Anything = Record<string, (...given: unknown[]) => unknown>;
 
 let engine: Anything | undefined;
 
-/** Texts and numbers are handed over as they are, all else as JSON. */
+/** Texts, numbers and bytes are handed over as they are, all else as JSON. */
 function handed(given: unknown): unknown {
-  return typeof given === "object" ? JSON.stringify(given) : given;
+  return typeof given === "object" && !(given instanceof Uint8Array) ? JSON.stringify(given) : given;
 }
 
 function answered({ name, given }: Call): Answer {

@@ -40,8 +40,15 @@ export async function readFile(file: File): Promise<{ name: string; text: string
   return null;
 }
 
-/** Opens a file that somebody brings; none where none is chosen. */
+/** Pictures, also those of telephones whose kind a browser does not know. */
+const PICTURE = /\.(jpe?g|png|webp|avif|heic|heif)$/i;
+
+/** Opens a file that somebody brings; none where none is chosen. A picture is a photograph of a drawing. */
 export async function openFile(app: App, file: File | null): Promise<void> {
+  if (file !== null && (/^image\/(?!svg)/.test(file.type) || PICTURE.test(file.name))) {
+    app.photographed.set(file);
+    return app.show("check");
+  }
   const read = file === null ? null : await readFile(file);
   if (read !== null) take(app, read.name, read.text);
 }
@@ -67,6 +74,9 @@ export function dropped(app: App): void {
   document.addEventListener("paste", (event) => {
     if (event.defaultPrevented || takesText(event.target)) return;
     const text = event.clipboardData?.getData("text/plain") ?? "";
+    // A spreadsheet brings a picture of its cells beside their text.
+    const picture = text === "" ? event.clipboardData?.files[0] : undefined;
+    if (picture !== undefined) return void openFile(app, picture);
     if (!/^\s*\{/.test(text)) return;
     event.preventDefault();
     take(app, "", text);

@@ -34,25 +34,25 @@ export interface Viewport {
   toPane(mm: readonly [number, number]): [number, number];
 }
 
-/** Room around what is fitted, in pixels; above it stand the buttons. */
+/** Room around what is fitted, in pixels; above the picture stand the buttons. */
 const MARGIN = 10;
 const ABOVE = 54;
 /** How much larger than fitting, and how much smaller. */
 const [LEAST, MOST] = [0.5, 40];
 
-export function viewport(): Viewport {
+export function viewport(above = ABOVE): Viewport {
   const now = signal<Window>({ x: 148.5, y: 105, scale: 1 });
   const size = { width: 1, height: 1 };
   let box: Box = [0, 0, 297, 210];
   let isOwn = false;
 
   const fitting = (): number =>
-    Math.max(1e-3, Math.min((size.width - 2 * MARGIN) / box[2], (size.height - MARGIN - ABOVE) / box[3]));
+    Math.max(1e-3, Math.min((size.width - 2 * MARGIN) / box[2], (size.height - MARGIN - above) / box[3]));
 
   function refit(): void {
     isOwn = false;
     const whole = fitting();
-    const next = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 - (ABOVE - MARGIN) / 2 / whole, scale: whole };
+    const next = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 - (above - MARGIN) / 2 / whole, scale: whole };
     const { x, y, scale } = now.value;
     if (next.x !== x || next.y !== y || next.scale !== scale) now.set(next);
   }

@@ -10,8 +10,8 @@ export type PlanName = "velocity" | "acceleration";
 export const SCALES = ["mu_l", "mu_v", "mu_a"] as const;
 export type Scale = (typeof SCALES)[number];
 
-/** A place on paper in mm, x to the right, y up. */
-export type Place = [number, number];
+/** A place on paper in mm, x to the right, y up; then the radius that holds it with 95 %, where a photograph tells. */
+export type Place = [x: number, y: number, band?: number];
 
 /** A form file. */
 export interface FormFile {

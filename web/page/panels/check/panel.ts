@@ -11,6 +11,8 @@ import { formFiles, formName } from "./form_files.ts";
 import { head } from "./head.ts";
 import { judged } from "./judged.ts";
 import { overlay } from "./overlay.ts";
+import { photoBlock } from "./photo/block.ts";
+import { photoView } from "./photo/view.ts";
 import { pointsPart } from "./points.ts";
 import { result } from "./result.ts";
 import { rows } from "./rows.ts";
@@ -55,15 +57,25 @@ function mount(root: HTMLElement, app: App): void {
   const whole = result(app, drawing, () => {
     void drawing.drawn().then(({ feedback }) => saveFile(`${formName(app, present())}.html`, feedback, "text/html"), (why: Refused) => app.tell(why.message));
   });
+  const toResult = (): void => {
+    whole.root.scrollIntoView({ block: "start" });
+    whole.root.querySelector("h3")?.focus({ preventScroll: true });
+  };
   const foot = bar({
-    result: () => {
-      whole.root.scrollIntoView({ block: "start" });
-      whole.root.querySelector("h3")?.focus({ preventScroll: true });
-    },
+    result: toResult,
     firstOff: () => boxes.firstOff()?.focus(),
   });
   const files = formFiles(app, check.scheme, present);
-  const all = element("div", { class: "all" }, intro, files, top.root, boxes.root, points.root, whole.root);
+  const photo = photoView(app, {
+    change,
+    left,
+    present,
+    form: () => form,
+    toResult,
+  });
+  drawing.isShown.on((is) => is && photo.hide());
+  const camera = photoBlock(app, photo);
+  const all = element("div", { class: "all" }, intro, camera.root, files, top.root, boxes.root, points.root, whole.root);
   const none = element("p", { class: "quiet" });
   root.append(none, all, foot.root);
   // The browser's own undo ends at the field's edge; the page's goes through all of the form.
@@ -89,6 +101,7 @@ function mount(root: HTMLElement, app: App): void {
     const given = new Set(check.verdicts.value.checked?.parts?.rows.map((row) => row.name) ?? []);
     const count = asked.filter((row) => filled.has(row.name) || given.has(row.name)).length;
     whole.show(check.verdicts.value, count === asked.length);
+    photo.follow();
     foot.show(check.verdicts.value, count, asked.length);
   }
 
@@ -102,6 +115,7 @@ function mount(root: HTMLElement, app: App): void {
     top.build(form);
     boxes.build(form);
     points.build(form);
+    camera.show(form);
     show();
   }
 

@@ -65,7 +65,7 @@ export function planSheet(events: Events): PlanSheet {
     const step = event.shiftKey ? 0.1 : event.altKey ? 10 : 1;
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
     if (way !== undefined) {
-      cursor = cursor.map((x, axis) => Math.round((x + (way[axis] ?? 0) * step) * 10) / 10) as Place;
+      cursor = ([0, 1] as const).map((axis) => Math.round((cursor[axis] + (way[axis] ?? 0) * step) * 10) / 10) as Place;
       moveCross();
       paper.setAttribute("aria-label", `${cursor[0]} mm, ${cursor[1]} mm`);
     } else if (event.key === "Enter" || event.key === " ") events.placed([...cursor]);

@@ -1,0 +1,385 @@
+//! The last photograph of a sheet: the right plans over it, what is tapped on it, how its points stand.
+
+use crate::desk::Desk;
+use crate::forms::usual_key;
+use crate::photo_answers::{
+    Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused, PlacedPoint, PointVerdict, Proposed, Tapped,
+};
+use crate::refused::Refused;
+use kinegon::Solution;
+use kinegon::check::{self, BANDS, PencilledPlan, plan_points};
+use kinegon::construction::{Plan, PlanKind, PointRole, Teller, Tolerance};
+use kinegon::drawing::markers::{PlacedPanel, SheetCode};
+use kinegon::format::html_text;
+use kinegon::geometry::{Point, Vector};
+use kinegon::photo::{self, Crossing, PhotoSheet, Picture, Refusal, Stroke, crossing, strokes};
+use kinegon::scene::PanelName;
+
+/// Distance of places at which the paper is looked at, in mm: a pencil line is three to five of them wide.
+const STEP: f64 = 0.1;
+/// Edge of the sheet on which nobody draws, with the markers in it, in mm.
+const EDGE: f64 = 16.0;
+/// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
+const PIECE: f64 = 8.0;
+/// Lines that are longer, in mm, are no parts of letters and arrow heads.
+const LONG: f64 = 5.0;
+/// Radius that holds a place that a hand has aimed at with 95 %, in mm.
+const AIMED: f64 = 0.5;
+
+/// A photograph of a sheet that has plans of the scene.
+pub struct Photograph {
+    /// The scene's text.
+    text: String,
+    picture: Picture,
+    sheet: Upright,
+    plans: Vec<PlanInPhoto>,
+    found: Option<Pencil>,
+}
+
+/// What the pencil has drawn on the sheet.
+struct Pencil {
+    strokes: Vec<Stroke>,
+    /// Where plan points seem to be, with the index of the plan.
+    points: Vec<(usize, check::Proposal)>,
+}
+
+/// A sheet in its photograph, which is turned by quarters so that the sheet stands upright.
+struct Upright {
+    sheet: PhotoSheet,
+    /// Quarters clockwise.
+    turn: u8,
+    /// Width and height of the photograph as it was taken, in pixels.
+    size: [f64; 2],
+}
+
+impl Upright {
+    fn new(sheet: PhotoSheet, picture: &Picture) -> Upright {
+        let [width, height] = sheet.code.page.size_mm();
+        let [left, right] = [0.25, 0.75].map(|share| sheet.pixel([share * width, 0.5 * height]));
+        let way = [right[0] - left[0], right[1] - left[1]];
+        let turn = match (way[0].abs() >= way[1].abs(), way[0] > 0.0, way[1] > 0.0) {
+            (true, true, _) => 0,
+            (true, false, _) => 2,
+            (false, _, true) => 3,
+            (false, _, false) => 1,
+        };
+        Upright { sheet, turn, size: [picture.width() as f64, picture.height() as f64] }
+    }
+
+    /// Where a place on the sheet is in the turned picture.
+    fn pixel(&self, paper: [f64; 2]) -> [f64; 2] {
+        turned(self.sheet.pixel(paper), self.size, self.turn)
+    }
+
+    /// Where a place in the turned picture is on the sheet.
+    fn paper(&self, pixel: [f64; 2]) -> Option<[f64; 2]> {
+        let [width, height] = self.size;
+        let size = if matches!(self.turn, 0 | 2) { [width, height] } else { [height, width] };
+        self.sheet.paper(turned(pixel, size, (4 - self.turn) % 4))
+    }
+
+    fn band(&self, paper: [f64; 2]) -> f64 {
+        self.sheet.band(paper)
+    }
+
+    /// Pixels per mm in the sheet's middle.
+    fn per_mm(&self) -> f64 {
+        let [width, height] = self.sheet.code.page.size_mm();
+        let [a, b] = [-5.0, 5.0].map(|x| self.pixel([0.5 * width + x, 0.5 * height]));
+        0.1 * hypot(b[0] - a[0], b[1] - a[1])
+    }
+}
+
+/// A place in a picture of that size after quarters of a turn clockwise.
+fn turned([x, y]: [f64; 2], [width, height]: [f64; 2], quarters: u8) -> [f64; 2] {
+    match quarters {
+        1 => [height - y, x],
+        2 => [width - x, height - y],
+        3 => [y, width - x],
+        _ => [x, y],
+    }
+}
+
+/// A plan on the sheet.
+struct PlanInPhoto {
+    key: &'static str,
+    kind: PlanKind,
+    panel: PlacedPanel,
+    points: Vec<RightPoint>,
+    /// Its vectors and rays by their ends, in mm from the pole with y up.
+    lines: Vec<[[f64; 2]; 2]>,
+}
+
+/// A point of the right plan; lengths in mm.
+struct RightPoint {
+    name: String,
+    label: String,
+    /// From the pole, y up.
+    at: [f64; 2],
+    /// How far from there an honest hand may have it.
+    tolerance: f64,
+}
+
+/// Reads a photograph of a sheet of this scene, or of the exercise of that name; one that can be measured on is kept.
+pub fn read(
+    desk: &mut Desk,
+    text: &str,
+    name: &str,
+    size: [usize; 2],
+    grey: Vec<u8>,
+) -> Result<(PhotoRead, Option<Photograph>), Refused> {
+    let picture = Picture::new(size[0], size[1], grey)
+        .ok_or_else(|| Refused::whole("the picture has not as many pixels as its width and height say"))?;
+    let solution = desk.solution(text)?;
+    let read = photo::read(&picture, &[]).or_else(|why| match why {
+        // A blurred code is compared with those of the scene's own sheets.
+        Refusal::NoCode => {
+            let own: Vec<SheetCode> =
+                solution.drawing_sheets(name).into_iter().filter_map(|sheet| sheet.code).collect();
+            photo::read(&picture, &own)
+        }
+        why => Err(why),
+    });
+    let sheet = match read {
+        Ok(sheet) => sheet,
+        Err(why) => return Ok((PhotoRead { photo: None, refused: Some(PhotoRefused::of(&why)) }, None)),
+    };
+    let sheet = Upright::new(sheet, &picture);
+    let code = &sheet.sheet.code;
+    let is_own = code.scene == solution.scene.fingerprint();
+    let plans = if is_own { plans(solution, code) } else { Vec::new() };
+    let shown = plans.iter().map(|plan| plan.shown(&sheet)).collect();
+    let photo = Photo {
+        name: code.name.clone(),
+        number: code.number,
+        is_own,
+        turn: sheet.turn,
+        per_mm: sheet.per_mm(),
+        bend: sheet.sheet.bend(),
+        band: plans.iter().flat_map(|plan| plan.bands(&sheet)).fold(0.0, f64::max),
+        plans: shown,
+    };
+    let kept = (!plans.is_empty()).then(|| Photograph { text: text.to_owned(), picture, sheet, plans, found: None });
+    Ok((PhotoRead { photo: Some(photo), refused: None }, kept))
+}
+
+/// The plans on a sheet.
+fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
+    let construction = &solution.construction;
+    let mut labels = plan_points(solution);
+    let found = code.panels.iter().filter_map(|panel| {
+        let (key, index, kind) = match panel.panel {
+            PanelName::Velocity => ("velocity", 0, kinegon::construction::Sheet::Velocity),
+            PanelName::Acceleration => ("acceleration", 1, kinegon::construction::Sheet::Acceleration),
+            _ => return None,
+        };
+        let plan = construction.plan_on(kind)?;
+        let named = std::mem::take(&mut labels[index]);
+        // Images of points at rest are the pole itself.
+        let is_asked =
+            |name: &str| name == plan.kind.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
+        let points = named.into_iter().filter(|(name, _)| is_asked(name)).filter_map(|(name, label)| {
+            let vector = plan.points.get(&name)?.vector / panel.mu;
+            Some(RightPoint {
+                tolerance: BANDS * Tolerance::default().mm,
+                label: html_text(&label),
+                at: [vector.x, vector.y],
+                name,
+            })
+        });
+        let points = points.collect();
+        Some(PlanInPhoto { key, kind: plan.kind, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
+    });
+    found.collect()
+}
+
+/// The lines of a plan by their ends, each once.
+fn lines(solution: &Solution, plan: &Plan, mu: f64) -> Vec<[[f64; 2]; 2]> {
+    let words = solution.wording();
+    let mut lines: Vec<[[f64; 2]; 2]> = Vec::new();
+    for vector in Teller::new(solution, &words).vectors(plan) {
+        let ends = vector.ends.each_ref().map(|name| plan.points.get(name).map(|point| point.vector / mu));
+        let [Some(a), Some(b)] = ends else { continue };
+        let line = [[a.x, a.y], [b.x, b.y]];
+        if a != b && !lines.iter().any(|&[c, d]| [c, d] == line || [d, c] == line) {
+            lines.push(line);
+        }
+    }
+    lines
+}
+
+impl PlanInPhoto {
+    /// A place of the plan, in mm from the pole with y up, on the sheet.
+    fn on_sheet(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.panel.origin[0] + x, self.panel.origin[1] - y]
+    }
+
+    /// A place of the sheet in the plan.
+    fn in_plan(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x - self.panel.origin[0], self.panel.origin[1] - y]
+    }
+
+    fn point(&self, name: &str) -> Option<&RightPoint> {
+        self.points.iter().find(|point| point.name == name)
+    }
+
+    /// How sure places are at its points, in mm.
+    fn bands(&self, sheet: &Upright) -> impl Iterator<Item = f64> {
+        self.points.iter().map(|point| sheet.band(self.on_sheet(point.at)))
+    }
+
+    fn shown(&self, sheet: &Upright) -> PhotoPlan {
+        let point = |point: &RightPoint| PhotoPoint {
+            name: point.name.clone(),
+            label: point.label.clone(),
+            at: sheet.pixel(self.on_sheet(point.at)),
+        };
+        let line = |&[from, to]: &[[f64; 2]; 2]| {
+            let length = hypot(to[0] - from[0], to[1] - from[1]);
+            let count = (length / PIECE).ceil().max(1.0) as u32;
+            let along = |share: f64| std::array::from_fn(|i| from[i] + share * (to[i] - from[i]));
+            let places = (0..=count).map(|i| along(f64::from(i) / f64::from(count)));
+            places.map(|place| sheet.pixel(self.on_sheet(place))).collect()
+        };
+        PhotoPlan {
+            plan: self.key,
+            mu: self.panel.mu,
+            points: self.points.iter().map(point).collect(),
+            lines: self.lines.iter().map(line).collect(),
+        }
+    }
+}
+
+impl Photograph {
+    /// The points that the pencil lines show.
+    pub fn proposed(&mut self, desk: &mut Desk) -> Result<Vec<Proposed>, Refused> {
+        self.find(desk)?;
+        let points = self.found.iter().flat_map(|found| &found.points);
+        let proposed = points.filter_map(|(index, proposal)| {
+            let (plan, found) = (&self.plans[*index], proposal.found?);
+            let place = self.place(plan, plan.on_sheet(found.at), found.band, true);
+            Some(Proposed { plan: plan.key, name: proposal.name.clone(), place })
+        });
+        Ok(proposed.collect())
+    }
+
+    /// Finds pencil lines, and among them the points of the plans, once.
+    fn find(&mut self, desk: &mut Desk) -> Result<(), Refused> {
+        if self.found.is_some() {
+            return Ok(());
+        }
+        let [width, height] = self.sheet.sheet.code.page.size_mm();
+        let corners = [[EDGE, EDGE], [width - EDGE, height - EDGE]];
+        let strokes = strokes(&self.sheet.sheet.straightened(&self.picture, corners, STEP));
+        let band = |place: [f64; 2]| self.sheet.band(place);
+        let pencilled = self.plans.iter().map(|plan| PencilledPlan {
+            kind: plan.kind,
+            mu: plan.panel.mu,
+            pole: plan.panel.origin,
+            strokes: &strokes,
+            band: &band,
+        });
+        let pencilled: Vec<PencilledPlan<'_>> = pencilled.collect();
+        let all = check::proposed(&usual_key(desk.solution(&self.text)?), &pencilled)?.points;
+        let mut points = Vec::new();
+        for proposal in all {
+            let Some(index) = self.plans.iter().position(|plan| plan.kind == proposal.kind) else { continue };
+            let own = self.plans[index].points.iter_mut().find(|point| point.name == proposal.name);
+            if let Some(point) = own {
+                point.tolerance = proposal.tolerance;
+                points.push((index, proposal));
+            }
+        }
+        self.found = Some(Pencil { strokes, points });
+        Ok(())
+    }
+
+    /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
+    /// place itself.
+    pub fn tapped(
+        &mut self,
+        desk: &mut Desk,
+        plan: &str,
+        pixel: [f64; 2],
+        reach: f64,
+    ) -> Result<Option<Tapped>, Refused> {
+        self.find(desk)?;
+        let plan = self.plans.iter().find(|known| known.key == plan);
+        let (Some(plan), Some(aimed), Some(pencil)) = (plan, self.sheet.paper(pixel), &self.found) else {
+            return Ok(None);
+        };
+        let found = nearest(&pencil.strokes, Point::from(aimed), reach);
+        let (paper, own) = found.map_or((aimed, AIMED), |found| (found.at.into(), found.band));
+        Ok(Some(self.place(plan, paper, hypot(own, self.sheet.band(paper)), found.is_some())))
+    }
+
+    /// A place on the sheet, known within `band` mm.
+    fn place(&self, plan: &PlanInPhoto, paper: [f64; 2], band: f64, is_snapped: bool) -> Tapped {
+        let (pixel, band_pixels) = self.circle(paper, band);
+        Tapped { at: plan.in_plan(paper).map(hundredths), pixel, is_snapped, band: hundredths(band), band_pixels }
+    }
+
+    /// A circle on the sheet: its middle in the picture, and its radius in pixels.
+    fn circle(&self, paper: [f64; 2], radius: f64) -> ([f64; 2], f64) {
+        let at = self.sheet.pixel(paper);
+        let across = self.sheet.pixel([paper[0] + 1.0, paper[1]]);
+        (at, radius * hypot(across[0] - at[0], across[1] - at[1]))
+    }
+
+    /// How points of the student stand: where in the picture, and beside the right ones. Each plan hangs on its pole, on
+    /// the printed one where the student has none.
+    pub fn judged(&mut self, desk: &mut Desk, placed: &[PlacedPoint]) -> Result<Vec<PointVerdict>, Refused> {
+        self.find(desk)?;
+        let verdict = |point: &PlacedPoint| {
+            let plan = self.plans.iter().find(|plan| plan.key == point.plan)?;
+            let right = plan.point(&point.name)?;
+            let band =
+                |of: &PlacedPoint| of.band.unwrap_or_else(|| hypot(AIMED, self.sheet.band(plan.on_sheet(of.at))));
+            let pole = plan.points.first().filter(|pole| pole.name != point.name);
+            let pole = pole.and_then(|pole| placed.iter().find(|p| p.plan == plan.key && p.name == pole.name));
+            let origin = pole.map_or([0.0; 2], |pole| pole.at);
+            let off = hypot(point.at[0] - origin[0] - right.at[0], point.at[1] - origin[1] - right.at[1]);
+            let unsure = hypot(band(point), pole.map_or(0.0, band));
+            let verdict = match check::PointVerdict::of(off, unsure, right.tolerance) {
+                check::PointVerdict::Right => "right",
+                check::PointVerdict::Off => "off",
+                check::PointVerdict::CannotTell => "open",
+            };
+            let (pixel, band_pixels) = self.circle(plan.on_sheet(point.at), band(point));
+            Some(PointVerdict {
+                plan: plan.key,
+                name: point.name.clone(),
+                pixel,
+                band_pixels,
+                off: hundredths(off),
+                verdict,
+            })
+        };
+        Ok(placed.iter().filter_map(verdict).collect())
+    }
+}
+
+/// The crossing of pencil lines at a place, of long ones where they cross there; where there is none, the nearest one at most
+/// `reach` mm away, as under a finger on a small screen.
+fn nearest(strokes: &[Stroke], near: Point, reach: f64) -> Option<Crossing> {
+    let long: Vec<Stroke> = strokes.iter().filter(|stroke| stroke.length() > LONG).copied().collect();
+    let found = crossing(&long, near).or_else(|| crossing(strokes, near));
+    found.or_else(|| {
+        let rings = [1.0, 2.0].map(|ring| ring * photo::SNAP).into_iter().filter(|ring| *ring <= reach);
+        let around = rings.flat_map(|ring| {
+            [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(x, y)| near + Vector::new(x, y) * ring)
+        });
+        let far = |found: &Crossing| (found.at - near).norm();
+        let found = around.filter_map(|place| crossing(&long, place)).filter(|found| far(found) <= reach);
+        found.min_by(|a, b| far(a).total_cmp(&far(b)))
+    })
+}
+
+/// A length in mm, to 0.01.
+fn hundredths(mm: f64) -> f64 {
+    (100.0 * mm).round() / 100.0 + 0.0
+}
+
+fn hypot(a: f64, b: f64) -> f64 {
+    Vector::new(a, b).norm()
+}

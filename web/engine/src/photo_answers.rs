@@ -1,0 +1,140 @@
+use kinegon::photo::Refusal;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What is read from a photograph: one of both.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PhotoRead {
+    /// The sheet in it.
+    pub photo: Option<Photo>,
+    /// Why none is read.
+    pub refused: Option<PhotoRefused>,
+}
+
+/// Why no sheet is read from a photograph.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PhotoRefused {
+    /// `few-markers`, `not-even`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
+    pub why: &'static str,
+    /// The number in the message: of markers, of mm; 0 where there is none.
+    pub number: f64,
+    /// What is wrong, in English.
+    pub message: String,
+    /// What to do, in English.
+    pub hint: String,
+}
+
+impl PhotoRefused {
+    pub fn of(why: &Refusal) -> PhotoRefused {
+        let (kind, number) = match why {
+            Refusal::FewMarkers { markers } => ("few-markers", *markers as f64),
+            Refusal::NotEven { millimetres } => ("not-even", *millimetres),
+            Refusal::Bent { millimetres } => ("bent", *millimetres),
+            Refusal::NoCode => ("no-code", 0.0),
+            Refusal::OtherPage => ("other-page", 0.0),
+            _ => ("other", 0.0),
+        };
+        PhotoRefused { why: kind, number, message: why.to_string(), hint: why.hint().to_owned() }
+    }
+}
+
+/// A sheet in a photograph. Places in the picture are in pixels from its upper left corner, y down, after `turn`.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Photo {
+    /// The exercise or scene that the sheet is of, as its code has it.
+    pub name: String,
+    /// The sheet's number.
+    pub number: u16,
+    /// Whether it is a sheet of this scene.
+    pub is_own: bool,
+    /// By how many quarters the picture is turned clockwise, so that the sheet stands upright.
+    pub turn: u8,
+    /// Pixels per mm in the sheet's middle.
+    pub per_mm: f64,
+    /// How far the sheet's middle is above or below its edges, in mm.
+    pub bend: f64,
+    /// Radius within which places on the sheet are known with 95 %, at the plans' points, in mm.
+    pub band: f64,
+    /// The plans on it; none of another scene's sheet.
+    pub plans: Vec<PhotoPlan>,
+}
+
+/// The right plan over a photograph.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PhotoPlan {
+    /// `velocity` or `acceleration`.
+    pub plan: &'static str,
+    /// The sheet's scale, in units per mm.
+    pub mu: f64,
+    /// Its points in the order of the construction, the pole first.
+    pub points: Vec<PhotoPoint>,
+    /// Its vectors and rays: places along each in the picture.
+    pub lines: Vec<Vec<[f64; 2]>>,
+}
+
+/// A point of the right plan in the picture.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PhotoPoint {
+    /// The name under which its place stands in the form file.
+    pub name: String,
+    /// As the sheet writes it, in HTML.
+    pub label: String,
+    /// Where it should be in the picture.
+    pub at: [f64; 2],
+}
+
+/// A point that pencil lines show: a proposal, as lines may mislead.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Proposed {
+    /// `velocity` or `acceleration`.
+    pub plan: &'static str,
+    /// Its name in the form file.
+    pub name: String,
+    /// Where it seems to be.
+    pub place: Tapped,
+}
+
+/// A place that was tapped, or is proposed.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Tapped {
+    /// In mm of paper from the printed pole, x right, y up.
+    pub at: [f64; 2],
+    /// In the picture.
+    pub pixel: [f64; 2],
+    /// Whether pencil lines cross there.
+    pub is_snapped: bool,
+    /// Radius that holds the place with 95 %, in mm.
+    pub band: f64,
+    /// The same in pixels.
+    pub band_pixels: f64,
+}
+
+/// A point of a student's plan.
+#[derive(Debug, Deserialize, JsonSchema)]
+pub struct PlacedPoint {
+    /// `velocity` or `acceleration`.
+    pub plan: String,
+    /// Its name in the form file.
+    pub name: String,
+    /// In mm of paper from the printed pole, x right, y up.
+    pub at: [f64; 2],
+    /// Radius that holds it with 95 %, in mm; none where a hand has put it.
+    pub band: Option<f64>,
+}
+
+/// How a point of a student's plan stands.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PointVerdict {
+    /// `velocity` or `acceleration`.
+    pub plan: &'static str,
+    /// Its name in the form file.
+    pub name: String,
+    /// Where it is in the picture.
+    pub pixel: [f64; 2],
+    /// Radius that holds it with 95 %, in pixels.
+    pub band_pixels: f64,
+    /// How far it is from the right place, in mm.
+    pub off: f64,
+    /// `right`, `off`, or `open`: the picture cannot tell.
+    pub verdict: &'static str,
+}
