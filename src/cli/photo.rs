@@ -76,16 +76,18 @@ impl Photo {
     }
 }
 
-/// The codes of a scene's own sheets.
-pub(super) fn expected(solution: &Solution) -> Vec<SheetCode> {
-    solution.drawing_sheets("").into_iter().filter_map(|sheet| sheet.code).collect()
+/// The codes of a scene's own sheets, under the names that they may have: that of its file, and of its folder as an exercise has it.
+pub(super) fn expected(solution: &Solution, scene: &Path) -> Vec<SheetCode> {
+    let folder = scene.parent().and_then(Path::file_name);
+    let names = [scene.file_stem(), folder].into_iter().flatten().map(|name| name.to_string_lossy().into_owned());
+    names.flat_map(|name| solution.drawing_sheets(&name)).filter_map(|sheet| sheet.code).collect()
 }
 
 impl PhotoResult {
     /// What photographs of the sheets of a scene tell.
     pub(super) fn of(photos: Vec<Photo>, solution: &Solution, key: &AnswerKey<'_>) -> Result<PhotoResult, Failure> {
         let own = solution.scene.fingerprint();
-        for photo in photos.iter().filter(|photo| photo.code().scene != own) {
+        if let Some(photo) = photos.iter().find(|photo| photo.code().scene != own) {
             return Err(Failure::Misuse(
                 format!(
                     "{} shows sheet {} of `{}`, which is not of this scene",
@@ -242,7 +244,7 @@ fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
 }
 
 /// A verdict in words.
-fn verdict<'w>(verdict: PointVerdict, words: &'w Wording) -> &'w str {
+fn verdict(verdict: PointVerdict, words: &Wording) -> &str {
     match verdict {
         PointVerdict::Right => words.language.check_right(),
         PointVerdict::Off => words.language.check_off(),

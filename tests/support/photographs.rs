@@ -158,7 +158,13 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
         typed.mu[plan.kind.sheet() as usize] = Some(plan.mu);
     }
     tally.named[1] += usize::from(told(&typed) == Class::Named);
-    tap(&mut typed.points, &plans, &truth, &mut random);
+    let left: Vec<(PlanKind, String)> = proposals
+        .points
+        .iter()
+        .filter(|point| point.found.is_none())
+        .map(|point| (point.kind, point.name.clone()))
+        .collect();
+    tap(&mut typed.points, &plans, &left, &truth, task, &mut random);
     tally.named[2] += usize::from(told(&typed) == Class::Named);
 }
 
@@ -166,23 +172,30 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
 fn tap(
     points: &mut [PointsOf],
     plans: &[PencilledPlan<'_>],
+    left: &[(PlanKind, String)],
     truth: &[(PlanKind, String, [f64; 2])],
+    task: &Task,
     random: &mut Random,
 ) {
-    for (kind, name, at) in truth {
+    for (kind, name) in left {
+        let own = |(other, same, _): &&(PlanKind, String, [f64; 2])| kind == other && is_same(task, *kind, name, same);
+        let Some((_, _, at)) = truth.iter().find(own) else { continue };
         let Some(plan) = plans.iter().find(|plan| plan.kind == *kind) else { continue };
         let Some(own) = points.iter_mut().find(|points| points.kind == *kind) else { continue };
-        if own.places.contains_key(name) || name == kind.pole() {
-            continue;
-        }
         let finger = plan.on_sheet([at[0] + random.between(-0.7, 0.7), at[1] + random.between(-0.7, 0.7)]);
-        let near = kinegon::geometry::Point::from(finger);
-        let (place, band) = match photo::crossing(plan.strokes, near) {
+        let (place, band) = match photo::crossing(plan.strokes, kinegon::geometry::Point::from(finger)) {
             Some(crossing) => ([crossing.at.x, crossing.at.y], crossing.band.max(0.2)),
             None => (finger, 1.0),
         };
         own.put(name.as_str(), plan.from_pole(place), Some(band));
     }
+}
+
+/// Whether two names mean one point of a plan.
+fn is_same(task: &Task, kind: PlanKind, one: &str, other: &str) -> bool {
+    let construction = &task.solution.construction;
+    let place = |name: &str| construction.place(kind.sheet(), construction.plan_name(kind.sheet(), name));
+    place(one) == place(other)
 }
 
 /// How well what is told of a form fits what was planted.
@@ -208,7 +221,7 @@ fn compare(
     let mut found: Vec<PointsOf> = Vec::new();
     for point in &proposals.points {
         let own = |(kind, name, _): &&(PlanKind, String, [f64; 2])| {
-            *kind == point.kind && place(*kind, name) == place(point.kind, &point.name)
+            *kind == point.kind && is_same(task, *kind, name, &point.name)
         };
         let Some((_, _, at)) = truth.iter().find(own) else { continue };
         let distance = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
