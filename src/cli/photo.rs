@@ -162,15 +162,13 @@ impl PhotoResult {
     ) -> Result<PathBuf, Failure> {
         for (path, backdrop, drawing) in &self.sheets {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            let failed = |error: String| Failure::Outside(format!("{}: {error}", path.display()));
-            let at = |ending: &str| folder.join(format!("{stem}-check.{ending}"));
-            for ending in ["png", "pdf"] {
-                files::refuse_overwriting("photograph", path, &at(ending))?;
+            let made = pictures(backdrop, drawing);
+            let made = made.map_err(|error| Failure::Outside(format!("{}: {error}", path.display())))?;
+            for (ending, bytes) in made {
+                let picture = folder.join(format!("{stem}-check.{ending}"));
+                files::refuse_overwriting("photograph", path, &picture)?;
+                files.add(&picture, &bytes)?;
             }
-            #[cfg(feature = "png")]
-            files.add(&at("png"), &drawing.png_over(backdrop).map_err(|error| failed(error.to_string()))?)?;
-            #[cfg(feature = "pdf")]
-            files.add(&at("pdf"), &drawing.pdf_over(backdrop).map_err(|error| failed(error.to_string()))?)?;
         }
         let form = folder.join(format!("{name}.json"));
         files.add(&form, FilledForm { measured: &self.measured, key }.json().as_bytes())?;
@@ -225,6 +223,18 @@ impl PhotoResult {
         }
         sheets + &aligned(&rows)
     }
+}
+
+/// A drawing over its picture in the formats that are built in: endings and bytes.
+fn pictures(backdrop: &Backdrop, drawing: &Drawing) -> Result<Vec<(&'static str, Vec<u8>)>, String> {
+    #[cfg(not(any(feature = "png", feature = "pdf")))]
+    let _ = (backdrop, drawing);
+    Ok(vec![
+        #[cfg(feature = "png")]
+        ("png", drawing.png_over(backdrop).map_err(|error| error.to_string())?),
+        #[cfg(feature = "pdf")]
+        ("pdf", drawing.pdf_over(backdrop).map_err(|error| error.to_string())?),
+    ])
 }
 
 /// The points of a plan that were found, on the sheet.
