@@ -49,7 +49,7 @@ Examples:
   kinegon draw scene.json --steps -o lesson/    a sheet for each step
   kinegon draw scene.json --values=m -o v.svg   with values, in m/s and m/s²
   kinegon draw scene.json --worksheet -o w.pdf  to measure on, with a table
-  kinegon draw scene.json --worksheet=blank -o w.pdf  to draw on: scheme, then poles of the plans
+  kinegon draw scene.json --worksheet=blank -o b.pdf  sheets for the plans
   kinegon draw scene.json --page 16x9 --style lecture -o hall.pdf";
 
 /// Draw the figure of a scene.
