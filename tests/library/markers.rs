@@ -261,7 +261,7 @@ fn pdf_has_markers_at_their_places() {
     }
     for place in places([drawing.width, drawing.height]) {
         for corner in [[place.x0, place.y0], [place.x1, place.y0], [place.x1, place.y1], [place.x0, place.y1]] {
-            let off = |point: &[f64; 2]| (point[0] - corner[0]).hypot(point[1] - corner[1]);
+            let off = |point: &[f64; 2]| libm::hypot(point[0] - corner[0], point[1] - corner[1]);
             let nearest = points.iter().map(off).fold(f64::INFINITY, f64::min);
             assert!(nearest < 0.01, "{corner:?}: {nearest} mm");
         }
@@ -286,7 +286,7 @@ fn markers_can_be_left_out() {
         exercises.expect("it can vary").next().expect("one is found")
     });
     assert_eq!(with.text, without.text);
-    assert_eq!(without.sheets("x"), [without.sheet.clone()]);
+    assert_eq!(without.sheets("x"), std::slice::from_ref(&without.sheet));
     assert_eq!(with.sheet, without.sheet);
     assert!(with.sheets("x").len() >= 2);
     let is_marker = |shape: &Shape| matches!(shape, Shape::Area(_));

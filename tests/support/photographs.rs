@@ -104,7 +104,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     let skill = SKILLS[1 + number as usize % 3];
     let task = &given.task;
     let planned: Option<Planned> =
-        if number % 4 == 0 { None } else { (0..50).find_map(|_| task.plan(&mut random, &skill)) };
+        if number.is_multiple_of(4) { None } else { (0..50).find_map(|_| task.plan(&mut random, &skill)) };
     let key = answer_key(&task.solution, 5);
     let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
     let mut photos: Vec<(PhotoSheet, Vec<Stroke>, Vec<Panel>)> = Vec::new();
@@ -193,6 +193,28 @@ fn tap(
 
 /// Whether two names mean one point of a plan.
 fn is_same(task: &Task, kind: PlanKind, one: &str, other: &str) -> bool {
+    let construction = &task.solution.construction;
+    let place = |name: &str| construction.place(kind.sheet(), construction.plan_name(kind.sheet(), name));
+    place(one) == place(other)
+}
+
+/// How well what is told of a form fits what was planted.
+fn class_of(form: &Measured, key: &AnswerKey<'_>, planned: &Planned) -> Class {
+    let checked = check(form, key).expect("a form that is understood");
+    class(&Said::new(&check_result(&checked, key, &key.solution.wording(), None)), planned)
+}
+
+fn kind_of(plan: usize) -> PlanKind {
+    if plan == 1 { PlanKind::Velocity } else { PlanKind::Acceleration }
+}
+
+/// Compares proposals with the truth; the places of the points that were proposed.
+fn compare(
+    proposals: &Proposals,
+    truth: &[(PlanKind, String, [f64; 2])],
+    task: &Task,
+    tally: &mut Tally,
+) -> Vec<PointsOf> {
     let mut found: Vec<PointsOf> = Vec::new();
     for point in &proposals.points {
         let own = |(kind, name, _): &&(PlanKind, String, [f64; 2])| {
