@@ -116,7 +116,7 @@ fn places_on_paper_are_found() {
 
 #[test]
 fn no_sheet_is_seen_in_other_things() {
-    for number in 0..tried(5, 200) {
+    for number in 0..tried(3, 200) {
         let wrong = WRONGS[number as usize % WRONGS.len()];
         let mm = [297.0, 210.0];
         let page =
@@ -142,7 +142,7 @@ fn any_pixels_are_refused_or_read() {
 
 #[test]
 fn points_are_proposed_where_they_are() {
-    let (count, edge) = tried((6, 1600), (300, 2400));
+    let (count, edge) = tried((4, 1600), (300, 2400));
     let mut all = Tally::default();
     for number in 1..=count {
         tally(number, Kind::Flat, edge, &mut all);
