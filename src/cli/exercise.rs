@@ -25,7 +25,7 @@ The same seed gives the same files.
 Examples:
   kinegon exercise four-bar --seed 7 --count 30 -o class/  thirty of one kind
   kinegon exercise scene.json --seed 1 -o class/           of your own scene
-  kinegon exercise four-bar --no-markers -o class/     one plain sheet
+  kinegon exercise four-bar --seed 7 --no-markers -o class/  one plain sheet
 
 Into a course, as one file (docs/courses.md):
   kinegon exercise four-bar --seed 7 --lms moodle -o quiz.xml  a category of cloze questions
