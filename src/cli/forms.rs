@@ -67,9 +67,9 @@ pub(super) fn is_hidden(path: &Path) -> bool {
 
 fn none(folder: &Path) -> Failure {
     Failure::Misuse(
-        format!("{} has no forms to check", folder.display()),
+        format!("{} has no forms to check, and no photographs", folder.display()),
         Some(
-            "its files that end in `.json` or `.csv` are checked; `kinegon check SCENE --template` writes an empty form"
+            "files that end in `.json` or `.csv` are forms, those in `.jpg` or `.png` photographs of sheets; `kinegon check SCENE --template` writes an empty form"
                 .into(),
         ),
     )

@@ -7,18 +7,14 @@ use super::pictures::read_picture;
 use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, PointsOf, Proposal, proposed};
 use crate::construction::{PlanKind, Solution};
 use crate::drawing::markers::{PlacedPanel, SheetCode};
-use crate::drawing::{Drawing, SeenPoint, SheetLabels, over_photo};
+use crate::drawing::{Drawing, SeenPoint, over_photo};
 use crate::format::Backdrop;
-use crate::photo::{PhotoSheet, Picture, Stroke, read, strokes};
+use crate::photo::{PhotoSheet, Picture, Stroke, read};
 use crate::scene::PanelName;
 use crate::text::{Untrusted, shown};
 use crate::words::{NumberStyle, Wording};
 use std::path::{Path, PathBuf};
 
-/// Distance of places at which pencil lines are looked for, in mm.
-const STEP: f64 = 0.2;
-/// The edges of sheets, with the markers, on which nothing is drawn, in mm.
-const EDGE: f64 = 16.0;
 /// Pixels per mm of the picture under the right plans.
 const PIXELS: f64 = 6.0;
 
@@ -48,9 +44,7 @@ impl Photo {
         let sheet = read(&picture, expected).map_err(|refusal| {
             Failure::Misuse(format!("{}: {refusal}", path.display()), Some(refusal.hint().to_owned()))
         })?;
-        let [width, height] = sheet.code.page.size_mm();
-        let paper = sheet.straightened(&picture, [[EDGE, EDGE], [width - EDGE, height - EDGE]], STEP);
-        Ok(Photo { path: path.to_owned(), strokes: strokes(&paper), picture, sheet })
+        Ok(Photo { path: path.to_owned(), strokes: sheet.strokes(&picture), picture, sheet })
     }
 
     /// What the code of its sheet says.
@@ -191,7 +185,7 @@ impl PhotoResult {
         self.points.iter().filter(|point| point.found.is_none()).count()
     }
 
-    /// Which sheets these are, and the table of their points.
+    /// Which sheets these are, and the table of their points, which have the names of the form.
     pub(super) fn table(&self, solution: &Solution) -> String {
         let words = solution.wording();
         let sheets: String = self
@@ -203,13 +197,9 @@ impl PhotoResult {
             })
             .collect();
         let language = words.language;
-        let labels = SheetLabels::of(solution);
-        let plans: Vec<_> = solution.construction.plans().collect();
         let head = language.photo_columns().map(str::to_owned);
         let mut rows = vec![head];
         for point in &self.points {
-            let label = plans.iter().find(|plan| plan.kind == point.kind);
-            let label = label.map_or_else(String::new, |plan| labels.plan_point(plan, &point.name).content());
             let pole = point.kind.pole();
             let mm = |x: f64| words.write(x, NumberStyle::decimals(1));
             let distance = |[x, y]: [f64; 2]| libm::hypot(x, y);
@@ -219,7 +209,7 @@ impl PhotoResult {
             });
             let blank = || [String::new(), String::new(), String::new(), language.photo_left().to_owned()];
             let [length, off, band, told] = found.unwrap_or_else(blank);
-            rows.push([format!("{pole} {label}"), mm(distance(point.right)), length, off, band, told]);
+            rows.push([format!("{pole} {}", point.name), mm(distance(point.right)), length, off, band, told]);
         }
         sheets + &aligned(&rows)
     }

@@ -3,7 +3,7 @@
 use super::caught::caught;
 use super::message::Failure;
 use crate::photo::Picture;
-use image::{DynamicImage, ImageDecoder, ImageError, ImageReader, Limits};
+use image::{DynamicImage, GrayImage, ImageDecoder, ImageError, ImageReader, Limits};
 use std::fs;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -78,12 +78,25 @@ fn decoded(bytes: &[u8]) -> Result<Picture, Refused> {
     }
     // What a wrong note of the camera says about the turn does not matter: markers have their own.
     let turn = decoder.orientation().ok();
-    let grey = DynamicImage::from_decoder(decoder).map_err(broken)?.into_luma8();
-    let mut picture = DynamicImage::ImageLuma8(grey);
+    let mut picture = DynamicImage::ImageLuma8(grey(DynamicImage::from_decoder(decoder).map_err(broken)?));
     if let Some(turn) = turn {
         picture.apply_orientation(turn);
     }
     let grey = picture.into_luma8();
     let size = [grey.width() as usize, grey.height() as usize];
     Picture::new(size[0], size[1], grey.into_raw()).ok_or(Refused::Format)
+}
+
+/// A picture in grey. That of a JPEG is made here: `image` reckons for all colour spaces, which takes as long as decoding.
+fn grey(picture: DynamicImage) -> GrayImage {
+    // Luma of ITU-R BT.601, in 256ths.
+    let luma =
+        |pixel: &[u8]| ((77 * u32::from(pixel[0]) + 150 * u32::from(pixel[1]) + 29 * u32::from(pixel[2])) >> 8) as u8;
+    match picture {
+        DynamicImage::ImageRgb8(colour) => {
+            let grey = colour.as_raw().chunks_exact(3).map(luma).collect();
+            GrayImage::from_raw(colour.width(), colour.height(), grey).unwrap_or_default()
+        }
+        other => other.into_luma8(),
+    }
 }

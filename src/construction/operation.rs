@@ -446,7 +446,7 @@ impl OperationKind {
     }
 
     /// The places and lines that it uses.
-    pub(super) fn places_and_lines_read(&self) -> (SmallVec<[PlaceId; 2]>, SmallVec<[LineId; 2]>) {
+    pub(crate) fn places_and_lines_read(&self) -> (SmallVec<[PlaceId; 2]>, SmallVec<[LineId; 2]>) {
         let line = |along: &Along| match along.reference {
             Reference::Line(line) => SmallVec::from_slice(&[line]),
             Reference::Angle { base, from, to } => SmallVec::from_slice(&[base, from, to]),

@@ -16,18 +16,20 @@ const WINDOW: f64 = 6.5;
 /// Least standard deviation of a corner, in pixels: what profiles have in common.
 const FLOOR: f64 = 0.02;
 
-/// A corner in the picture with its standard deviation, in pixels.
+/// A corner in the picture with its standard deviation, in pixels, and how widely the edges at it are spread by blur, as a standard deviation in mm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     pub at: Point,
     pub deviation: f64,
+    pub blur: f64,
 }
 
-/// A straight line: a point on it, its direction of length one, and the standard deviation of its places across.
+/// A straight line: a point on it, its direction of length one, the standard deviation of its places across, and its blur.
 struct Edge {
     on: Point,
     along: Vector,
     deviation: f64,
+    blur: f64,
 }
 
 /// The corners of a marker near where they are expected; `side` is its side in mm. `None` for corners beside an edge that is not seen.
@@ -43,7 +45,8 @@ pub(super) fn corners(picture: &Picture, expected: &[Point; 4], side: f64) -> [O
         let both = libm::hypot(before.deviation, after.deviation) / sine.abs();
         let deviation = libm::hypot(both, FLOOR);
         let is_near = (at - expected[i]).norm() < 0.25 * (expected[(i + 2) % 4] - expected[i]).norm();
-        (is_near && picture.holds(at)).then_some(Corner { at, deviation })
+        let blur = 0.5 * (before.blur + after.blur);
+        (is_near && picture.holds(at)).then_some(Corner { at, deviation, blur })
     })
 }
 
@@ -52,16 +55,21 @@ fn edge(picture: &Picture, expected: &[Point; 4], from: usize, side: f64) -> Opt
     let (a, b) = (expected[from], expected[(from + 1) % 4]);
     let [inner_a, inner_b] = [expected[(from + 3) % 4], expected[(from + 2) % 4]];
     let mut points: Vec<Point> = Vec::with_capacity(PROFILES);
+    let mut blur = 0.0;
     for i in 0..PROFILES {
         let t = END + (1.0 - 2.0 * END) * i as f64 / (PROFILES - 1) as f64;
         let on = a + (b - a) * t;
         // Inwards along the sides next to it, so that perspective is followed.
         let inwards = ((inner_a - a) * (1.0 - t) + (inner_b - b) * t) / side * REACH;
-        points.extend(crossing(picture, on, inwards));
+        if let Some((point, width)) = crossing(picture, on, inwards) {
+            points.push(point);
+            blur += width;
+        }
     }
     if points.len() < PROFILES * 2 / 3 {
         return None;
     }
+    blur /= points.len() as f64;
     // Least squares, then once more without those far off.
     for _ in 0..2 {
         let line = line(&points)?;
@@ -69,12 +77,13 @@ fn edge(picture: &Picture, expected: &[Point; 4], from: usize, side: f64) -> Opt
         let limit = (3.0 * line.deviation * (points.len() as f64).sqrt()).max(0.05);
         points.retain(|point| off(point) <= limit);
     }
-    (points.len() >= PROFILES / 2).then(|| line(&points)).flatten()
+    let edge = (points.len() >= PROFILES / 2).then(|| line(&points)).flatten()?;
+    Some(Edge { blur, ..edge })
 }
 
 /// Where a profile passes from black to white: the middle of its rise, which blur on both sides alike does not move. Only what is near it counts, so that cells
-/// inside the marker do not.
-fn crossing(picture: &Picture, on: Point, inwards: Vector) -> Option<Point> {
+/// inside the marker do not. With the standard deviation of the rise about it, in mm.
+fn crossing(picture: &Picture, on: Point, inwards: Vector) -> Option<(Point, f64)> {
     let count = 2 * SAMPLES + 1;
     let place = |i: f64| on + inwards * (1.0 - i / SAMPLES as f64);
     if !picture.holds(place(0.0)) || !picture.holds(place((count - 1) as f64)) {
@@ -88,23 +97,27 @@ fn crossing(picture: &Picture, on: Point, inwards: Vector) -> Option<Point> {
     }
     // A window about the steepest rise, moved until its middle is the mean of the rises in it.
     let steepest = (0..rises.len()).max_by(|a, b| rises[*a].total_cmp(&rises[*b]))?;
-    let mut middle = steepest as f64 + 0.5;
+    let (mut middle, mut width) = (steepest as f64 + 0.5, 0.0);
     for _ in 0..6 {
-        let (mut sum, mut moment) = (0.0, 0.0);
+        let (mut sum, mut moment, mut second) = (0.0, 0.0, 0.0);
         for (i, rise) in rises.iter().enumerate() {
             // Rise i lies from i to i + 1; the part of it inside the window counts.
             let (from, to) = ((i as f64).max(middle - WINDOW), (i as f64 + 1.0).min(middle + WINDOW));
             if to > from {
                 sum += rise * (to - from);
                 moment += rise * (to - from) * 0.5 * (from + to);
+                second += rise * (to - from) * (0.5 * (from + to)).powi(2);
             }
         }
         if sum <= 0.0 {
             return None;
         }
         middle = moment / sum;
+        width = (second / sum - middle * middle).max(0.0).sqrt();
     }
-    (WINDOW * 0.5..rises.len() as f64 - WINDOW * 0.5).contains(&middle).then(|| place(middle))
+    (WINDOW * 0.5..rises.len() as f64 - WINDOW * 0.5)
+        .contains(&middle)
+        .then(|| (place(middle), width * REACH / SAMPLES as f64))
 }
 
 /// The straight line with least squares across.
@@ -121,5 +134,5 @@ fn line(points: &[Point]) -> Option<Edge> {
     let across: f64 = points.iter().map(|p| cross(along, p - mean).powi(2)).sum();
     let spread = (across / (n - 2.0).max(1.0)).sqrt();
     // At the ends of a line its place is half as sure as in the middle.
-    (xx + yy > 0.0).then_some(Edge { on: mean, along, deviation: 2.0 * spread / n.sqrt() })
+    (xx + yy > 0.0).then_some(Edge { on: mean, along, deviation: 2.0 * spread / n.sqrt(), blur: 0.0 })
 }

@@ -38,6 +38,8 @@ pub(super) struct Fitted {
     covariance: Square,
     /// Root of the mean square of the corners' distances from where they should be, on the sheet in mm.
     pub residual: f64,
+    /// Mean spread of the markers' edges by blur, as a standard deviation in mm.
+    pub blur: f64,
 }
 
 /// The camera for corners of a sheet of that size in mm, in a picture of that size in pixels; `plane` is where it is roughly.
@@ -177,7 +179,8 @@ fn finished(camera: Camera, sights: &[Sight]) -> Option<Fitted> {
     let freedom = (2.0 * sights.len() as f64 - 10.0).max(6.0);
     let covariance = inverse * (scatter / freedom).max(1.0);
     let residual = (on_paper / sights.len() as f64).sqrt();
-    Some(Fitted { camera, covariance, residual })
+    let blur = sights.iter().map(|sight| sight.corner.blur).sum::<f64>() / sights.len() as f64;
+    Some(Fitted { camera, covariance, residual, blur })
 }
 
 /// Without a marker that does not fit, less than this share of the squares of all residuals is left.

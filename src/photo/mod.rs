@@ -5,6 +5,7 @@
 
 mod camera;
 mod code;
+mod crossing;
 mod edges;
 mod fit;
 mod markers;
@@ -16,8 +17,9 @@ mod sheet;
 mod squares;
 mod strokes;
 
+pub use crossing::{Crossing, crossing};
 pub use paper::Paper;
 pub use picture::Picture;
 pub use refusal::Refusal;
 pub use sheet::{PhotoSheet, read};
-pub use strokes::{Crossing, SNAP, Stroke, crossing, strokes};
+pub use strokes::Stroke;

@@ -1,7 +1,7 @@
 //! The paper in a picture, straightened out: how dark it is at each place.
 
 use super::picture::Picture;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 
 /// Distance of places of the grid on which the picture's places are computed; between them they are interpolated, in mm.
 const GRID: f64 = 4.0;
@@ -32,36 +32,44 @@ impl Paper {
     ) -> Paper {
         let size: [usize; 2] = std::array::from_fn(|i| ((to[i] - from[i]) / step).ceil().max(1.0) as usize);
         let nodes: [usize; 2] = std::array::from_fn(|i| (size[i] as f64 * step / GRID).ceil() as usize + 2);
-        let node = |i: usize, j: usize| pixel(Point::new(from[0] + GRID * i as f64, from[1] + GRID * j as f64));
+        let middle = Point::new(0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]));
+        // Pixels along the side of a place. All of them count: means of several first, then as many samples as there are of these.
+        let density = (pixel(middle + Vector::new(1.0, 0.0)) - pixel(middle)).norm() * step;
+        let factor = (density as usize).clamp(1, 4);
+        let picture = picture.smaller(factor);
+        let count = ((density / factor as f64).round() as usize).clamp(1, 2);
+        let node = |i: usize, j: usize| {
+            pixel(Point::new(from[0] + GRID * i as f64, from[1] + GRID * j as f64)) / factor as f64
+        };
         let grid: Vec<Point> =
             (0..nodes[1]).flat_map(|j| (0..nodes[0]).map(move |i| (i, j))).map(|(i, j)| node(i, j)).collect();
-        let at = |x: f64, y: f64| {
-            let (u, v) = ((x - from[0]) / GRID, (y - from[1]) / GRID);
-            let (i, j) = ((u.max(0.0) as usize).min(nodes[0] - 2), (v.max(0.0) as usize).min(nodes[1] - 2));
-            let (u, v) = (u - i as f64, v - j as f64);
-            let mix = |row: usize| {
-                let (a, b) = (grid[row * nodes[0] + i], grid[row * nodes[0] + i + 1]);
-                a.coords * (1.0 - u) + b.coords * u
-            };
-            Point::from(mix(j) * (1.0 - v) + mix(j + 1) * v)
-        };
-        // As many samples of a place as the picture has pixels there.
-        let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
-        let density = (at(middle[0] + 1.0, middle[1]) - at(middle[0], middle[1])).norm() * step;
-        let count = (density.round() as usize).clamp(1, 4);
-        let offsets: Vec<f64> = (0..count).map(|i| ((i as f64 + 0.5) / count as f64 - 0.5) * step).collect();
-        let mut light = Vec::with_capacity(size[0] * size[1]);
-        for j in 0..size[1] {
-            for i in 0..size[0] {
-                let (x, y) = (from[0] + (i as f64 + 0.5) * step, from[1] + (j as f64 + 0.5) * step);
-                let sum: f64 = offsets
-                    .iter()
-                    .flat_map(|dy| offsets.iter().map(move |dx| (dx, dy)))
-                    .map(|(dx, dy)| picture.at(at(x + dx, y + dy)))
-                    .sum();
-                light.push((sum / (count * count) as f64) as f32);
+        let apart = step / count as f64;
+        // Where samples are, in nodes; those between two nodes follow one another by equal steps.
+        let place = |sample: usize| (sample as f64 + 0.5) * apart / GRID;
+        let columns = size[0] * count;
+        let mut ends = vec![0; nodes[0]];
+        (0..columns).for_each(|column| ends[place(column) as usize + 1] = column + 1);
+        let mut samples = vec![0.0_f32; columns];
+        let mut light = vec![0.0_f32; size[0] * size[1]];
+        for row in 0..size[1] * count {
+            let (j, v) = (place(row) as usize, place(row).fract());
+            let node = |i: usize| grid[j * nodes[0] + i].coords * (1.0 - v) + grid[(j + 1) * nodes[0] + i].coords * v;
+            for (i, own) in ends.windows(2).enumerate() {
+                let Some(samples) = samples.get_mut(own[0]..own[1]) else { continue };
+                let way = node(i + 1) - node(i);
+                let mut at = node(i) + way * place(own[0]).fract();
+                for sample in samples {
+                    *sample = picture.at(Point::from(at)) as f32;
+                    at += way * (apart / GRID);
+                }
             }
+            let light = &mut light[row / count * size[0]..][..size[0]];
+            light
+                .iter_mut()
+                .zip(samples.chunks_exact(count))
+                .for_each(|(light, own)| *light += own.iter().sum::<f32>());
         }
+        light.iter_mut().for_each(|light| *light /= (count * count) as f32);
         let dark = darkness(&light, size, (BLOCK / step).ceil() as usize);
         Paper { corner: from, step, size, dark }
     }

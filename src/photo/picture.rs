@@ -46,15 +46,19 @@ impl Picture {
     }
 
     /// Brightness at a place, from the four pixels around it; outside that of the nearest ones.
+    #[inline]
     pub(super) fn at(&self, at: Point) -> f64 {
-        let part = |x: f64, size: usize| {
-            let x = (x - 0.5).clamp(0.0, (size - 1) as f64);
-            let low = (x as usize).min(size.saturating_sub(2));
-            (low, (low + 1).min(size - 1), x - low as f64)
-        };
-        let ((x0, x1, u), (y0, y1, v)) = (part(at.x, self.width), part(at.y, self.height));
-        let mix = |row: &[u8]| f64::from(row[x0]) * (1.0 - u) + f64::from(row[x1]) * u;
-        mix(self.row(y0)) * (1.0 - v) + mix(self.row(y1)) * v
+        let within = |x: f64, size: usize| (x - 0.5).max(0.0).min(size as f64 - 1.0);
+        let (x, y) = (within(at.x, self.width), within(at.y, self.height));
+        let (i, j) = (x as u32 as usize, y as u32 as usize);
+        let (u, v) = (x - i as f64, y - j as f64);
+        // Beyond the last pixel of a row or column there is none, and its part is 0.
+        let right = usize::from(i + 1 < self.width);
+        let below = if j + 1 < self.height { self.width } else { 0 };
+        let first = j * self.width + i;
+        let grey = |further: usize| f64::from(self.grey[first + further]);
+        let upper = grey(0) * (1.0 - u) + grey(right) * u;
+        upper * (1.0 - v) + (grey(below) * (1.0 - u) + grey(below + right) * u) * v
     }
 
     /// The picture with means of `factor` × `factor` pixels; what is left over at its right and lower edges is cut off.

@@ -16,6 +16,12 @@ pub enum Refusal {
         /// Root of the mean square of their distances, in mm.
         millimetres: f64,
     },
+    /// The picture is so blurred that the markers are not where any camera would see them.
+    #[error("the picture is blurred: edges on the sheet are {millimetres:.1} mm wide in it")]
+    Blurred {
+        /// Width of edges, in mm.
+        millimetres: f64,
+    },
     /// The sheet is rolled too much.
     #[error("the sheet is bent: its middle is {millimetres:.0} mm above or below its edges")]
     Bent {
@@ -42,6 +48,9 @@ impl Refusal {
             }
             Refusal::NotEven { .. } | Refusal::Bent { .. } => {
                 "press the sheet flat, under a sheet of glass or with weights on its edges, and take the picture again"
+            }
+            Refusal::Blurred { .. } => {
+                "take the picture nearer, so that the sheet fills it, in more light, and hold the camera still"
             }
             Refusal::NoCode => {
                 "take the picture nearer and sharper, with light on the code; nothing may be drawn over it"

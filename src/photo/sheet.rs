@@ -8,6 +8,7 @@ use super::markers::{self, Seen};
 use super::paper::Paper;
 use super::picture::Picture;
 use super::refusal::Refusal;
+use super::strokes::{Stroke, strokes};
 use crate::drawing::markers::{CODES, SIDE, SheetCode, code_place};
 use crate::geometry::Point;
 use crate::scene::Page;
@@ -17,12 +18,20 @@ const WORKING: usize = 1700;
 /// Least number of markers.
 const LEAST: usize = 4;
 /// Largest residual of the markers' corners, in mm: a camera over an evenly bent sheet leaves 0.02 to 0.05 mm.
-const UNEVEN: f64 = 0.15;
+const UNEVEN: f64 = 0.18;
+/// Spread of edges, as a standard deviation in mm, from which blur moves them by as much.
+const BLURRED: f64 = 0.2;
+/// Width of an edge, in standard deviations of its spread, if it rises evenly.
+const WIDTH: f64 = 3.5;
 /// What a place errs in each direction by what no camera explains, in mm: always, and as a part of the residual.
 const ALWAYS: f64 = 0.02;
-const PART: f64 = 0.5;
+const PART: f64 = 0.8;
 /// Largest height of a bend, in mm.
-const BENT: f64 = 12.0;
+const BENT: f64 = 20.0;
+/// Edge of a sheet on which nobody draws, with the markers in it, in mm.
+const MARGIN: f64 = 16.0;
+/// Distance of places at which pencil lines are looked for, in mm: a line is one or two of them wide.
+const STEP: f64 = 0.2;
 
 /// A sheet found in a photograph.
 #[derive(Clone, Debug)]
@@ -54,7 +63,10 @@ pub fn read(picture: &Picture, expected: &[SheetCode]) -> Result<PhotoSheet, Ref
         return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(LEAST - 1) });
     };
     if fitted.residual > UNEVEN {
-        return Err(Refusal::NotEven { millimetres: fitted.residual });
+        return Err(match fitted.blur > BLURRED {
+            true => Refusal::Blurred { millimetres: WIDTH * fitted.blur },
+            false => Refusal::NotEven { millimetres: fitted.residual },
+        });
     }
     let bend = fitted.camera.bend_height();
     if bend > BENT {
@@ -135,6 +147,13 @@ impl PhotoSheet {
     #[must_use]
     pub fn bend(&self) -> f64 {
         self.fitted.camera.bend_height()
+    }
+
+    /// The straight pencil lines on the sheet, in `picture`; its edges with the markers are left out.
+    #[must_use]
+    pub fn strokes(&self, picture: &Picture) -> Vec<Stroke> {
+        let [width, height] = self.code.page.size_mm();
+        strokes(&self.straightened(picture, [[MARGIN; 2], [width - MARGIN, height - MARGIN]], STEP))
     }
 
     /// How dark the paper is between two corners, in mm, at places `step` mm apart.

@@ -9,6 +9,8 @@ const DARK: [u64; 2] = [74, 88];
 const AROUND: [usize; 2] = [28, 60];
 /// Least side of a figure, in pixels.
 const LEAST: f64 = 9.0;
+/// What pixels add to the outline of a square that stands on edge, for each of its length, in pixels.
+const ROUND: f64 = 0.4;
 /// Most corners of an outline that are looked at.
 const CORNERS: usize = 40;
 
@@ -40,13 +42,13 @@ pub(super) fn squares(picture: &Picture, pass: usize) -> Vec<[Point; 4]> {
             }
         }
         runs.extend(open.map(|from| Run { from, to: width, part: usize::MAX }));
-        // Runs that touch one of the row above belong to its part.
+        // Runs that touch one of the row above belong to its part, be it by a corner: frames that stand on edge are thin.
         let mut first = 0;
         for run in &mut runs {
-            while first < before.len() && before[first].to <= run.from {
+            while first < before.len() && before[first].to < run.from {
                 first += 1;
             }
-            for other in before[first..].iter().take_while(|other| other.from < run.to) {
+            for other in before[first..].iter().take_while(|other| other.from <= run.to) {
                 run.part =
                     if run.part == usize::MAX { parts.root(other.part) } else { parts.join(run.part, other.part) };
             }
@@ -180,8 +182,10 @@ impl Part {
         let filled = self.count as f64 / area(&quad);
         let sides: [f64; 4] = std::array::from_fn(|i| (quad[(i + 1) % 4] - quad[i]).norm());
         let (short, long) = sides.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), s| (a.min(*s), b.max(*s)));
-        let is_square =
-            short >= LEAST && long <= 3.5 * short && area(&quad) >= 0.84 * area(&hull) && (0.42..1.1).contains(&filled);
+        let is_square = short >= LEAST
+            && long <= 3.5 * short
+            && area(&quad) + ROUND * sides.iter().sum::<f64>() >= 0.84 * area(&hull)
+            && (0.42..1.1).contains(&filled);
         is_square.then_some(quad)
     }
 

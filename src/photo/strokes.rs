@@ -67,8 +67,7 @@ impl Stroke {
 }
 
 /// The straight pencil lines on paper.
-#[must_use]
-pub fn strokes(paper: &Paper) -> Vec<Stroke> {
+pub(super) fn strokes(paper: &Paper) -> Vec<Stroke> {
     let ridges = ridges(paper);
     let mut parts = grown(paper, &ridges);
     joined(&mut parts);
@@ -357,49 +356,4 @@ fn joined(parts: &mut Vec<Part>) {
             i += 1;
         }
     }
-}
-
-/// Most distance of a crossing from where it is looked for, in mm.
-pub const SNAP: f64 = 3.0;
-/// Least sine between lines whose crossing is a place.
-const SINE: f64 = 0.2;
-
-/// Least standard deviation of a crossing, in mm: pencil lines are not straight to less.
-const LEAST: f64 = 0.04;
-
-/// A crossing of pencil lines.
-#[derive(Clone, Copy, Debug)]
-pub struct Crossing {
-    /// Where it is on the sheet, in mm.
-    pub at: Point,
-    /// Radius that holds it with 95 %, in mm: of the lines alone.
-    pub band: f64,
-    /// How many lines meet there.
-    pub lines: usize,
-}
-
-/// The crossing of pencil lines nearest to a place, within [`SNAP`]; both lines reach it nearly.
-#[must_use]
-pub fn crossing(strokes: &[Stroke], near: Point) -> Option<Crossing> {
-    let close: Vec<&Stroke> =
-        strokes.iter().filter(|s| s.aside(near).abs() < SNAP && s.beyond(near) < SNAP + 1.5).collect();
-    let mut best: Option<(f64, Crossing)> = None;
-    for (i, a) in close.iter().enumerate() {
-        for b in &close[i + 1..] {
-            let Some(at) = a.crossing(b) else { continue };
-            let sine = cross(a.along(), b.along()).abs();
-            let distance = (at - near).norm();
-            let beyond = a.beyond(at).max(b.beyond(at));
-            if sine < SINE || distance > SNAP || beyond > 1.2 {
-                continue;
-            }
-            let lines = close.iter().filter(|s| s.aside(at).abs() < 0.4 && s.beyond(at) < 1.0).count();
-            let band = 2.45 * libm::hypot(libm::hypot(a.deviation, b.deviation) / sine, LEAST);
-            let worth = distance + beyond - 0.4 * (lines.min(4) as f64) - 0.1 * (a.length().min(b.length()).min(10.0));
-            if best.as_ref().is_none_or(|(least, _)| worth < *least) {
-                best = Some((worth, Crossing { at, band, lines }));
-            }
-        }
-    }
-    best.map(|(_, crossing)| crossing)
 }

@@ -2,7 +2,7 @@
 //!
 //! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`examples/speed_vs_error`).
 
-use crate::support::survey::tried;
+use crate::support::survey::{on_all_cores, tried};
 
 use crate::speed_vs_error::families::Family;
 use crate::speed_vs_error::truth::{ROUNDING, Truth, error};
@@ -16,7 +16,6 @@ use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
-use std::thread;
 
 /// Mechanisms of each kind: few enough for every day, or a million in all.
 fn count() -> u64 {
@@ -113,27 +112,10 @@ impl Seen {
 
 /// Cases by number on all cores: each has its own seed, so that how they are shared out changes nothing.
 fn cases(case: impl Fn(u64, &mut Random, &mut Seen) + Sync) -> Seen {
-    let count = count();
-    let cores = thread::available_parallelism().map_or(1, |n| n.get() as u64);
     let mut all = Seen::default();
-    thread::scope(|scope| {
-        let work = |core: u64| {
-            let case = &case;
-            scope.spawn(move || {
-                let mut seen = Seen::default();
-                for number in (core..count).step_by(cores as usize) {
-                    // Neighbouring seeds of splitmix64 are streams shifted by one.
-                    let seed = Random(number).next();
-                    case(number, &mut Random(seed), &mut seen);
-                }
-                seen
-            })
-        };
-        let threads: Vec<_> = (0..cores).map(work).collect();
-        for thread in threads {
-            all.join(thread.join().expect("a case went through"));
-        }
-    });
+    // Neighbouring seeds of splitmix64 are streams shifted by one.
+    let seen = on_all_cores(count(), |number, seen| case(number, &mut Random(Random(number).next()), seen));
+    seen.into_iter().for_each(|seen| all.join(seen));
     all
 }
 

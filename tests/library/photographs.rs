@@ -5,10 +5,10 @@ use crate::support::camera::chance::{KINDS, Kind};
 use crate::support::camera::drawn::drawn;
 use crate::support::camera::page::Page;
 use crate::support::camera::wrong::WRONGS;
-use crate::support::photographs::{Tally, decoded, given, panels, photographed, tally};
+use crate::support::photographs::{Tally, by_lot, decoded, given, panels, photographed, tally};
 use crate::support::random::Random;
 use crate::support::students::hand::SKILLS;
-use crate::support::survey::tried;
+use crate::support::survey::{on_all_cores, tried};
 use kinegon::drawing::markers::SheetCode;
 use kinegon::photo::{self, Picture, Refusal};
 
@@ -30,6 +30,15 @@ impl Found {
         libm::sqrt(self.errors.iter().map(|error| error * error).sum::<f64>() / self.errors.len().max(1) as f64)
     }
 
+    fn join(&mut self, other: Found) {
+        self.photographs += other.photographs;
+        self.whole += other.whole;
+        self.found += other.found;
+        self.errors.extend(other.errors);
+        self.covered += other.covered;
+        self.refused.extend(other.refused);
+    }
+
     fn part(&self, part: f64) -> f64 {
         let mut errors = self.errors.clone();
         errors.sort_by(f64::total_cmp);
@@ -43,7 +52,7 @@ fn photograph(kind: Kind, number: u64, edge: usize, all: &mut Found) {
     let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
     let sheet = &given.sheets[number as usize % given.sheets.len()];
     let drawing = drawn(&given.task, None, SKILLS[1], number, &panels(&sheet.0));
-    let shot = photographed(sheet, &drawing, kind, number, edge);
+    let shot = photographed(sheet, &drawing, &by_lot(sheet, kind, number, edge));
     let is_whole = shot.truth.markers().iter().all(|seen| *seen);
     all.photographs += 1;
     all.whole += usize::from(is_whole);
@@ -87,8 +96,8 @@ fn places_on_paper_are_found() {
     let mut all = Found::default();
     for kind in KINDS {
         let mut own = Found::default();
-        for number in 1..=count {
-            photograph(kind, number, edge, &mut own);
+        for seen in on_all_cores(count, |number, seen| photograph(kind, number + 1, edge, seen)) {
+            own.join(seen);
         }
         let covered = own.covered as f64 / own.errors.len().max(1) as f64;
         println!(
@@ -112,6 +121,42 @@ fn places_on_paper_are_found() {
     }
     println!("{} of {} found", all.found, all.whole);
     assert!(all.found as f64 >= 0.99 * all.whole as f64, "{:?}", all.refused);
+}
+
+/// Largest residual of a sheet that is read, in mm (docs/photographs.md).
+const EVEN: f64 = 0.15;
+
+#[test]
+fn uneven_and_blurred_sheets_are_refused() {
+    let (count, edge) = tried((4, 1200), (100, 2400));
+    let (mut read, mut uneven, mut blurred, mut worst) = (0, 0, 0, 0.0_f64);
+    for number in 1..=count {
+        let Some(given) = given(number) else { continue };
+        let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
+        let sheet = &given.sheets[0];
+        let drawing = drawn(&given.task, None, SKILLS[1], number, &panels(&sheet.0));
+        let mut random = Random(number);
+        let mut picture = by_lot(sheet, Kind::Flat, number, edge);
+        if number % 2 == 0 {
+            // Folded once, not through its middle, and with a corner up.
+            picture.shape.crease = Some([random.between(20.0, 60.0), random.between(0.1, 0.4)]);
+            picture.shape.ear = Some((random.below(4), 25.0, 0.4));
+        } else {
+            picture.sensor.motion[0] = random.between(0.002, 0.008) * edge as f64;
+            picture.sensor.defocus = random.between(0.001, 0.002) * edge as f64;
+        }
+        match photo::read(&decoded(&photographed(sheet, &drawing, &picture).jpeg), &codes) {
+            Ok(found) => {
+                read += 1;
+                worst = worst.max(found.residual());
+            }
+            Err(Refusal::NotEven { .. } | Refusal::Bent { .. }) => uneven += 1,
+            Err(Refusal::Blurred { .. } | Refusal::FewMarkers { .. } | Refusal::NoCode) => blurred += 1,
+            Err(other) => panic!("{number}: {other}"),
+        }
+    }
+    println!("{read} read, with residuals up to {worst:.3} mm; {uneven} refused as not even, {blurred} as blurred");
+    assert!(worst <= EVEN && uneven > 0 && blurred > 0, "{uneven} {blurred} {worst}");
 }
 
 #[test]
@@ -144,8 +189,8 @@ fn any_pixels_are_refused_or_read() {
 fn points_are_proposed_where_they_are() {
     let (count, edge) = tried((4, 1600), (300, 2400));
     let mut all = Tally::default();
-    for number in 1..=count {
-        tally(number, Kind::Flat, edge, &mut all);
+    for seen in on_all_cores(count, |number, seen| tally(number + 1, Kind::Flat, edge, seen)) {
+        all.join(seen);
     }
     let points = (all.right + all.wrong + all.left).max(1) as f64;
     println!(
@@ -161,11 +206,11 @@ fn points_are_proposed_where_they_are() {
     );
     let [typed, proposed, tapped] = all.named;
     println!(
-        "of {} sheets with mistakes all told from the typed form of {typed}, from proposed points of {proposed}, with the others tapped of {tapped}",
+        "of {} sheets with mistakes in the drawing all are told from the typed form of {typed}, from proposed points of {proposed}, with the others tapped of {tapped}",
         all.planted
     );
     assert!(all.wrong as f64 <= tried(0.03, 0.01) * points, "{:?}", all.told);
-    assert!(all.right as f64 >= 0.3 * points, "only {} of {points} points are proposed", all.right);
+    assert!(all.right as f64 >= 0.4 * points, "only {} of {points} points are proposed", all.right);
     assert!(all.misjudged as f64 <= 0.01 * points);
     // As often as from the typed form, within five of a hundred.
     assert!(tapped as f64 >= typed as f64 - tried(0.2, 0.05) * all.planted as f64);

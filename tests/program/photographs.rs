@@ -3,7 +3,7 @@
 use crate::support::camera::chance::Kind;
 use crate::support::camera::drawn::drawn;
 use crate::support::files;
-use crate::support::photographs::{Given, given, panels, photographed};
+use crate::support::photographs::{Given, by_lot, given, panels, photographed};
 use crate::support::program::{kinegon, scratch, stderr};
 use crate::support::random::Random;
 use crate::support::students::hand::SKILLS;
@@ -21,7 +21,8 @@ fn photographs(name: &str, number: u64) -> (PathBuf, PathBuf, Vec<PathBuf>, Give
     for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
         let drawing = drawn(&given.task, None, SKILLS[1], number, &panels(&sheet.0));
         let path = folder.join(format!("Ana-{}.jpg", sheet.0.number));
-        std::fs::write(&path, photographed(sheet, &drawing, Kind::Flat, number, 1600).jpeg).expect("it is written");
+        std::fs::write(&path, photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, number, 1600)).jpeg)
+            .expect("it is written");
         photos.push(path);
     }
     (folder, scene, photos, given)

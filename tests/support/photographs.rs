@@ -1,15 +1,16 @@
 //! Sheets of exercises with students' drawings, photographed by the tests' camera, and what reading them comes to.
 
-use super::camera::Photograph;
 use super::camera::chance::Kind;
 use super::camera::drawn::{Drawing, Panel, drawn};
 use super::camera::page::Page;
+use super::camera::{Photograph, Shot};
 use super::files;
 use super::random::Random;
 use super::stages::{answer_key, solved};
-use super::students::hand::SKILLS;
+use super::students::hand::{RIGHT, SKILLS};
 use super::students::judge::{Class, Said, class};
 use super::students::script;
+use super::students::sheet::ends_of;
 use super::students::task::{Planned, Task};
 use image::{DynamicImage, ImageDecoder, ImageReader};
 use kinegon::check::{
@@ -18,7 +19,7 @@ use kinegon::check::{
 use kinegon::construction::PlanKind;
 use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
-use kinegon::photo::{self, PhotoSheet, Picture, Stroke, strokes};
+use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
 use kinegon::scene::PanelName;
 use std::io::Cursor;
 
@@ -62,18 +63,18 @@ pub fn panels(code: &SheetCode) -> Vec<Panel> {
     plans.map(|p| Panel { plan: p.panel as usize, pole: p.origin, mu: Some(p.mu), has_pole: true }).collect()
 }
 
+/// The picture of a sheet of that kind and number, with so many pixels along its longer edge at most.
+pub fn by_lot(sheet: &(SheetCode, String), kind: Kind, number: u64, edge: usize) -> Photograph {
+    let picture = Photograph::random(number, kind, sheet.0.page.size_mm());
+    let own = picture.size[0].max(picture.size[1]);
+    picture.with_edge(edge.min(own))
+}
+
 /// A photograph of a sheet with a drawing on it: the file and the truth.
-pub fn photographed(
-    sheet: &(SheetCode, String),
-    drawing: &Drawing,
-    kind: Kind,
-    seed: u64,
-    edge: usize,
-) -> super::camera::Shot {
-    let mm = sheet.0.page.size_mm();
-    let per_mm = if edge > 2000 { 24 } else { 12 };
-    let page = Page::draw(&sheet.1, mm, per_mm, &Default::default()).printed(&drawing.strokes, seed);
-    Photograph::random(seed, kind, mm).with_edge(edge).take(Some(&page))
+pub fn photographed(sheet: &(SheetCode, String), drawing: &Drawing, picture: &Photograph) -> Shot {
+    let per_mm = if picture.size[0].max(picture.size[1]) > 2000 { 24 } else { 12 };
+    let page = Page::draw(&sheet.1, sheet.0.page.size_mm(), per_mm, &Default::default());
+    picture.take(Some(&page.printed(&drawing.strokes, picture.seed)))
 }
 
 /// What proposals for a student's plans come to.
@@ -90,11 +91,27 @@ pub struct Tally {
     /// Verdicts that are not those on the true places.
     pub misjudged: usize,
     pub untold: usize,
-    /// Sheets with mistakes, those of which the check tells all: from the typed form; with the plans' segments from the points that are proposed; and with those that
+    /// Sheets with mistakes in the drawing, those of which the check tells all: from the typed form; with the plans' segments from the points that are proposed; and with those that
     /// the student taps besides.
     pub planted: usize,
     pub named: [usize; 3],
     pub told: Vec<String>,
+}
+
+impl Tally {
+    pub fn join(&mut self, other: Tally) {
+        self.photographs += other.photographs;
+        self.read += other.read;
+        self.right += other.right;
+        self.wrong += other.wrong;
+        self.left += other.left;
+        self.covered += other.covered;
+        self.misjudged += other.misjudged;
+        self.untold += other.untold;
+        self.planted += other.planted;
+        self.named = std::array::from_fn(|i| self.named[i] + other.named[i]);
+        self.told.extend(other.told);
+    }
 }
 
 /// Photographs the plans of an exercise with a student's drawing, and tells points and mistakes from the pictures.
@@ -112,7 +129,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
         let panels = panels(&sheet.0);
         let drawing = drawn(task, planned.as_ref(), skill, number, &panels);
-        let picture = decoded(&photographed(sheet, &drawing, kind, number, edge).jpeg);
+        let picture = decoded(&photographed(sheet, &drawing, &by_lot(sheet, kind, number, edge)).jpeg);
         tally.photographs += 1;
         let found = match photo::read(&picture, &codes) {
             Ok(found) => found,
@@ -122,8 +139,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
             }
         };
         tally.read += 1;
-        let [width, height] = sheet.0.page.size_mm();
-        let lines = strokes(&found.straightened(&picture, [[16.0, 16.0], [width - 16.0, height - 16.0]], 0.2));
+        let lines = found.strokes(&picture);
         for (plan, point) in &drawing.points {
             let pole = panels.iter().find(|panel| panel.plan == *plan).expect("its panel").pole;
             truth.push((kind_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
@@ -147,7 +163,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
             points.push(own);
         }
     }
-    let Some(planned) = planned else { return };
+    let Some(planned) = planned.filter(|planned| are_drawn(task, planned)) else { return };
     let mut typed = task.hand_in(Some(&planned), skill, number);
     let told = |form: &Measured| class_of(form, &key, &planned);
     tally.planted += 1;
@@ -168,6 +184,19 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     tally.named[2] += usize::from(told(&typed) == Class::Named);
 }
 
+/// Whether all mistakes are in the drawing or in numbers: a segment that is right and only read or written wrongly is so in no photograph.
+fn are_drawn(task: &Task, planned: &Planned) -> bool {
+    let [right, wrong] = [None, Some(planned)].map(|planned| task.drawn(planned, RIGHT, 1));
+    let is_drawn = |name: &String| match ends_of(name) {
+        Some((plan, from, to)) if plan > 0 => {
+            let [right, wrong] = [&right, &wrong].map(|sheet| sheet.at(plan, to) - sheet.at(plan, from));
+            right != wrong
+        }
+        _ => true,
+    };
+    planned.causes.iter().all(|cause| cause.begins.iter().any(is_drawn))
+}
+
 /// Adds the points that nobody proposes, as a finger sets them: within a millimetre, at the crossing of lines there if there is one.
 fn tap(
     points: &mut [PointsOf],
@@ -183,7 +212,7 @@ fn tap(
         let Some(plan) = plans.iter().find(|plan| plan.kind == *kind) else { continue };
         let Some(own) = points.iter_mut().find(|points| points.kind == *kind) else { continue };
         let finger = plan.on_sheet([at[0] + random.between(-0.7, 0.7), at[1] + random.between(-0.7, 0.7)]);
-        let (place, band) = match photo::crossing(plan.strokes, kinegon::geometry::Point::from(finger)) {
+        let (place, band) = match photo::crossing(plan.strokes, kinegon::geometry::Point::from(finger), 1.5) {
             Some(crossing) => ([crossing.at.x, crossing.at.y], crossing.band.max(0.2)),
             None => (finger, 1.0),
         };

@@ -11,8 +11,11 @@ const FARTHEST: f64 = 1.8;
 /// Most difference of directions, in radians, and what is added to it for short lines, in mm.
 const TURNED: f64 = 0.05;
 const UNEVEN: f64 = 0.25;
-/// How far a line may end before the place that it leads to, in mm.
-const SHORT: f64 = 2.5;
+/// How far a line may end before the place that it leads to, in mm: in an arrowhead it is no line any more.
+const SHORT: f64 = 3.2;
+/// As a part of its own length; but that far always, in mm.
+const AHEAD: f64 = 0.2;
+const NEXT: f64 = 1.0;
 /// How far from where it should be a vector's end is looked for, along its line, in mm.
 const END: f64 = 0.9;
 /// Distance within which signs of an end are one, in mm.
@@ -61,7 +64,7 @@ pub(super) fn end(strokes: &[Stroke], line: &Stroke, expected: Point) -> Option<
         let sine = cross(along, other.along()).abs();
         let Some(at) = line.crossing(other).filter(|_| sine > 0.25) else { continue };
         let place = position(at);
-        if place.abs() > END || other.beyond(at) > 0.8 || line.beyond(at) > 1.5 {
+        if place.abs() > END || other.beyond(at) > 0.8 || line.beyond(at) > SHORT.min(AHEAD * line.length()).max(NEXT) {
             continue;
         }
         let signs = if other.length() > LONG { &mut long } else { &mut short };

@@ -4,9 +4,10 @@ use super::PencilledPlan;
 use super::lines::{Spot, crossing, drawn, end};
 use crate::check::mistakes::Candidate;
 use crate::check::model::{Changes, Edit, Model};
-use crate::construction::{Disturbance, OperationKind, PlaceId, Sheet};
+use crate::construction::{Disturbance, LineId, OperationKind, PlaceId, Sheet};
 use crate::geometry::{Point, Vector, cross, unit};
 use crate::photo::Stroke;
+use std::collections::HashSet;
 
 /// What speaks for a crossing of two lines that are there, and for a vector.
 const CROSSING: f64 = 2.0;
@@ -15,9 +16,14 @@ const VECTOR: f64 = 1.5;
 const NOTHING: f64 = 1.0;
 /// Shortest vector that is drawn, in mm.
 const DRAWN: f64 = 1.2;
+/// Most that may be missing where places are believed that nothing leads to, as a part of what agrees.
+const MISSING: f64 = 0.3;
 /// How far a crossing may be from where it should: always, and for each mm of its lines, in mm across them.
 const NEAR: f64 = 0.7;
 const NEAR_PER_MM: f64 = 0.012;
+/// A vector's line that goes on by more than this, in mm, must pass within the next of where the vector should end.
+const PAST: f64 = 4.0;
+const ON: f64 = 0.4;
 /// Least sine between lines whose crossing is a place.
 const SINE: f64 = 0.1;
 
@@ -36,6 +42,8 @@ pub(super) struct Track {
     pub agreeing: f64,
     /// What should be there and is not.
     pub missing: f64,
+    /// Places found of which nothing shows what they were drawn from.
+    unsure: Vec<PlaceId>,
 }
 
 impl Track {
@@ -64,6 +72,8 @@ impl<'a> Tracker<'a> {
         let operations = &self.model.construction.operations;
         let mut values = self.model.exact.clone();
         let mut track = Track::default();
+        // Places and lines of which nothing is seen, or that come from such.
+        let mut lost: (HashSet<PlaceId>, HashSet<LineId>) = Default::default();
         for (index, operation) in operations.iter().enumerate() {
             let from = changes.partition_point(|change| change.operation < index);
             let to = changes.partition_point(|change| change.operation <= index);
@@ -75,6 +85,13 @@ impl<'a> Tracker<'a> {
                 _ => None,
             });
             let at = |place: PlaceId| Point::from(values.place(place) / mu);
+            let (places, lines) = operation.kind.places_and_lines_read();
+            let is_unsure =
+                places.iter().any(|place| lost.0.contains(place)) || lines.iter().any(|line| lost.1.contains(line));
+            if is_unsure {
+                lost.0.extend(operation.kind.place());
+                lost.1.extend(operation.kind.line());
+            }
             let (place, seen) = match done.unwrap_or(&operation.kind) {
                 OperationKind::Cross { place, lines } => {
                     let lines = lines.map(|line| {
@@ -87,15 +104,26 @@ impl<'a> Tracker<'a> {
                 _ => continue,
             };
             match seen {
-                Seen::Nothing => track.missing += NOTHING,
+                Seen::Nothing => {
+                    track.missing += NOTHING;
+                    lost.0.insert(place);
+                }
                 Seen::Neutral => {}
                 Seen::There { spot, worth } => {
                     track.agreeing += worth;
                     values.put_place(place, spot.at.coords * mu);
                     track.spots.push((place, spot));
+                    if is_unsure {
+                        track.unsure.push(place);
+                    }
                 }
                 Seen::Line { worth } => track.agreeing += worth,
             }
+        }
+        // Where much is missing such a place may be of other lines.
+        if track.missing > MISSING * track.agreeing {
+            let unsure = std::mem::take(&mut track.unsure);
+            track.spots.retain(|(place, _)| !unsure.contains(place));
         }
         track
     }
@@ -151,7 +179,9 @@ fn vector(strokes: &[Stroke], from: Point, to: Point) -> Seen {
     if covered < 0.5 {
         return Seen::Nothing;
     }
-    match end(strokes, line, to) {
+    // A line that goes on may be another one, drawn over this.
+    let is_other = a.max(b) > length + PAST && line.aside(to).abs() > ON;
+    match end(strokes, line, to).filter(|_| !is_other) {
         Some(spot) => Seen::There { spot, worth: VECTOR * (1.0 - 0.5 * off).max(0.2) },
         None => Seen::Line { worth: 0.2 },
     }

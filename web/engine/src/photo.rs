@@ -12,17 +12,11 @@ use kinegon::construction::{Plan, PlanKind, PointRole, Teller, Tolerance};
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::format::html_text;
 use kinegon::geometry::{Point, Vector};
-use kinegon::photo::{self, Crossing, PhotoSheet, Picture, Refusal, Stroke, crossing, strokes};
+use kinegon::photo::{self, PhotoSheet, Picture, Refusal, Stroke, crossing};
 use kinegon::scene::PanelName;
 
-/// Distance of places at which the paper is looked at, in mm: a pencil line is three to five of them wide.
-const STEP: f64 = 0.1;
-/// Edge of the sheet on which nobody draws, with the markers in it, in mm.
-const EDGE: f64 = 16.0;
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
-/// Lines that are longer, in mm, are no parts of letters and arrow heads.
-const LONG: f64 = 5.0;
 /// Radius that holds a place that a hand has aimed at with 95 %, in mm.
 const AIMED: f64 = 0.5;
 
@@ -268,9 +262,7 @@ impl Photograph {
         if self.found.is_some() {
             return Ok(());
         }
-        let [width, height] = self.sheet.sheet.code.page.size_mm();
-        let corners = [[EDGE, EDGE], [width - EDGE, height - EDGE]];
-        let strokes = strokes(&self.sheet.sheet.straightened(&self.picture, corners, STEP));
+        let strokes = self.sheet.sheet.strokes(&self.picture);
         let band = |place: [f64; 2]| self.sheet.band(place);
         let pencilled = self.plans.iter().map(|plan| PencilledPlan {
             kind: plan.kind,
@@ -308,7 +300,7 @@ impl Photograph {
         let (Some(plan), Some(aimed), Some(pencil)) = (plan, self.sheet.paper(pixel), &self.found) else {
             return Ok(None);
         };
-        let found = nearest(&pencil.strokes, Point::from(aimed), reach);
+        let found = crossing(&pencil.strokes, Point::from(aimed), reach);
         let (paper, own) = found.map_or((aimed, AIMED), |found| (found.at.into(), found.band));
         Ok(Some(self.place(plan, paper, hypot(own, self.sheet.band(paper)), found.is_some())))
     }
@@ -357,22 +349,6 @@ impl Photograph {
         };
         Ok(placed.iter().filter_map(verdict).collect())
     }
-}
-
-/// The crossing of pencil lines at a place, of long ones where they cross there; where there is none, the nearest one at most
-/// `reach` mm away, as under a finger on a small screen.
-fn nearest(strokes: &[Stroke], near: Point, reach: f64) -> Option<Crossing> {
-    let long: Vec<Stroke> = strokes.iter().filter(|stroke| stroke.length() > LONG).copied().collect();
-    let found = crossing(&long, near).or_else(|| crossing(strokes, near));
-    found.or_else(|| {
-        let rings = [1.0, 2.0].map(|ring| ring * photo::SNAP).into_iter().filter(|ring| *ring <= reach);
-        let around = rings.flat_map(|ring| {
-            [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)].map(|(x, y)| near + Vector::new(x, y) * ring)
-        });
-        let far = |found: &Crossing| (found.at - near).norm();
-        let found = around.filter_map(|place| crossing(&long, place)).filter(|found| far(found) <= reach);
-        found.min_by(|a, b| far(a).total_cmp(&far(b)))
-    })
 }
 
 /// A length in mm, to 0.01.

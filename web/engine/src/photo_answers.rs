@@ -14,7 +14,7 @@ pub struct PhotoRead {
 /// Why no sheet is read from a photograph.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PhotoRefused {
-    /// `few-markers`, `not-even`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
+    /// `few-markers`, `not-even`, `blurred`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
     pub why: &'static str,
     /// The number in the message: of markers, of mm; 0 where there is none.
     pub number: f64,
@@ -29,6 +29,7 @@ impl PhotoRefused {
         let (kind, number) = match why {
             Refusal::FewMarkers { markers } => ("few-markers", *markers as f64),
             Refusal::NotEven { millimetres } => ("not-even", *millimetres),
+            Refusal::Blurred { millimetres } => ("blurred", *millimetres),
             Refusal::Bent { millimetres } => ("bent", *millimetres),
             Refusal::NoCode => ("no-code", 0.0),
             Refusal::OtherPage => ("other-page", 0.0),

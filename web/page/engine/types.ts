@@ -1080,7 +1080,7 @@ export interface PhotoPoint {
  */
 export interface PhotoRefused {
   /**
-   * `few-markers`, `not-even`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
+   * `few-markers`, `not-even`, `blurred`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
    */
   why: string;
   /**

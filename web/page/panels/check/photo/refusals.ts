@@ -16,6 +16,8 @@ function ofPicture({ why, number: count, message, hint }: PhotoRefused): Why {
       return { message: count === 0 ? say("few_none") : count === 1 ? say("few_one") : say("few_some", { number: count }), hint: say("few_hint") };
     case "not-even":
       return { message: say("not_even", shown), hint: say("flat_hint") };
+    case "blurred":
+      return { message: say("blurred", shown), hint: say("blurred_hint") };
     case "bent":
       return { message: say("bent_much", { number: Math.round(count) }), hint: say("flat_hint") };
     case "no-code":

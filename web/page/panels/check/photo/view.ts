@@ -36,7 +36,9 @@ export interface PhotoView {
 const NARROW = "(max-width: 959.9px)";
 /** Under a finger a crossing may be so far away, in pixels of the screen; and most and least, in mm. */
 const FINGER = 16;
-const [NEAR, FAR] = [3, 6];
+const [NEAR, FAR] = [1.5, 6];
+/** A point that seems to be nearer than this to its right place, in mm, stands at the same letter. */
+const BESIDE = 3;
 /** A sheet that is bent by more, in mm, is worth a word. */
 const BENT = 3;
 
@@ -231,7 +233,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
       const pixel = own?.guessOf(one)?.pixel as Pixel | undefined;
       const at = one.plan.points.find(({ name }) => name === one.name)?.at ?? [0, 0];
       if (pixel === undefined || photo === null) return [];
-      const isNear = Math.hypot(pixel[0] - at[0], pixel[1] - at[1]) < NEAR * photo.per_mm && right.length > 0;
+      const isNear = Math.hypot(pixel[0] - at[0], pixel[1] - at[1]) < BESIDE * photo.per_mm && right.length > 0;
       return [{ key: one.key, label: one.label, pixel, isNear, isChosen: one.key === own?.chosen }];
     });
     table.over({ right, marks, guesses });
