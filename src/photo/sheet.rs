@@ -59,24 +59,27 @@ pub fn read(picture: &Picture, expected: &[SheetCode]) -> Result<PhotoSheet, Ref
     let mut fitted: Vec<(Seen, Fitted)> =
         together.into_iter().filter_map(|seen| Some((seen.clone(), fitted(picture, &seen)?))).collect();
     fitted.sort_by(|a, b| a.1.residual.total_cmp(&b.1.residual));
-    let Some((seen, fitted)) = fitted.into_iter().next() else {
+    let Some((seen, best)) = fitted.first() else {
         return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(LEAST - 1) });
     };
-    if fitted.residual > UNEVEN {
-        return Err(match fitted.blur > BLURRED {
-            true => Refusal::Blurred { millimetres: WIDTH * fitted.blur },
-            false => Refusal::NotEven { millimetres: fitted.residual },
-        });
-    }
-    let bend = fitted.camera.bend_height();
-    if bend > BENT {
-        return Err(Refusal::Bent { millimetres: bend });
-    }
-    let code = code(picture, seen.page, &fitted.camera, expected).ok_or(Refusal::NoCode)?;
-    if code.page != seen.page {
-        return Err(Refusal::OtherPage);
-    }
+    even(best)?;
+    let code = code(picture, seen.page, &best.camera, expected).ok_or(Refusal::NoCode)?;
+    // Folded a sheet may look like one of another size.
+    let own = fitted.into_iter().find(|(seen, _)| seen.page == code.page);
+    let (seen, fitted) = own.ok_or(Refusal::OtherPage)?;
+    even(&fitted)?;
     Ok(PhotoSheet { code, markers: seen.markers.len(), fitted })
+}
+
+/// Refuses what lies too unevenly, and what is too blurred to know.
+fn even(fitted: &Fitted) -> Result<(), Refusal> {
+    let bend = fitted.camera.bend_height();
+    match (fitted.residual > UNEVEN, fitted.blur > BLURRED) {
+        (true, true) => Err(Refusal::Blurred { millimetres: WIDTH * fitted.blur }),
+        (true, false) => Err(Refusal::NotEven { millimetres: fitted.residual }),
+        _ if bend > BENT => Err(Refusal::Bent { millimetres: bend }),
+        _ => Ok(()),
+    }
 }
 
 /// The camera that explains the markers: from their rough corners first, then from the edges where that camera expects them.
