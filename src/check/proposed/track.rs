@@ -42,8 +42,6 @@ pub(super) struct Track {
     pub agreeing: f64,
     /// What should be there and is not.
     pub missing: f64,
-    /// Places found of which nothing shows what they were drawn from.
-    unsure: Vec<PlaceId>,
 }
 
 impl Track {
@@ -71,9 +69,7 @@ impl<'a> Tracker<'a> {
         changes.sort_by_key(|change| change.operation);
         let operations = &self.model.construction.operations;
         let mut values = self.model.exact.clone();
-        let mut track = Track::default();
-        // Places and lines of which nothing is seen, or that come from such.
-        let mut lost: (HashSet<PlaceId>, HashSet<LineId>) = Default::default();
+        let (mut track, mut lost, mut unsure) = (Track::default(), Lost::default(), HashSet::new());
         for (index, operation) in operations.iter().enumerate() {
             let from = changes.partition_point(|change| change.operation < index);
             let to = changes.partition_point(|change| change.operation <= index);
@@ -85,12 +81,8 @@ impl<'a> Tracker<'a> {
                 _ => None,
             });
             let at = |place: PlaceId| Point::from(values.place(place) / mu);
-            let (places, lines) = operation.kind.places_and_lines_read();
-            let is_unsure =
-                places.iter().any(|place| lost.0.contains(place)) || lines.iter().any(|line| lost.1.contains(line));
-            if is_unsure {
-                lost.0.extend(operation.kind.place());
-                lost.1.extend(operation.kind.line());
+            if lost.goes_on_with(&operation.kind) {
+                unsure.extend(operation.kind.place());
             }
             let (place, seen) = match done.unwrap_or(&operation.kind) {
                 OperationKind::Cross { place, lines } => {
@@ -106,26 +98,43 @@ impl<'a> Tracker<'a> {
             match seen {
                 Seen::Nothing => {
                     track.missing += NOTHING;
-                    lost.0.insert(place);
+                    lost.places.insert(place);
                 }
                 Seen::Neutral => {}
                 Seen::There { spot, worth } => {
                     track.agreeing += worth;
                     values.put_place(place, spot.at.coords * mu);
                     track.spots.push((place, spot));
-                    if is_unsure {
-                        track.unsure.push(place);
-                    }
                 }
                 Seen::Line { worth } => track.agreeing += worth,
             }
         }
         // Where much is missing such a place may be of other lines.
         if track.missing > MISSING * track.agreeing {
-            let unsure = std::mem::take(&mut track.unsure);
             track.spots.retain(|(place, _)| !unsure.contains(place));
         }
         track
+    }
+}
+
+/// Places of which nothing is seen, and places and lines that come from such.
+#[derive(Default)]
+struct Lost {
+    places: HashSet<PlaceId>,
+    lines: HashSet<LineId>,
+}
+
+impl Lost {
+    /// Whether an operation begins at what is lost; its result is then lost, too.
+    fn goes_on_with(&mut self, operation: &OperationKind) -> bool {
+        let (places, lines) = operation.places_and_lines_read();
+        let is_lost = places.iter().any(|place| self.places.contains(place))
+            || lines.iter().any(|line| self.lines.contains(line));
+        if is_lost {
+            self.places.extend(operation.place());
+            self.lines.extend(operation.line());
+        }
+        is_lost
     }
 }
 
