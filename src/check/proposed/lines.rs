@@ -13,8 +13,9 @@ const TURNED: f64 = 0.05;
 const UNEVEN: f64 = 0.25;
 /// How far a line may end before the place that it leads to, in mm: in an arrowhead it is no line any more.
 const SHORT: f64 = 3.2;
-/// As a part of its own length; but that far always, in mm.
+/// Farther than this part of its length a short line is not drawn out, as its direction is not sure.
 const AHEAD: f64 = 0.2;
+/// So far, in mm, every line is.
 const NEXT: f64 = 1.0;
 /// How far from where it should be a vector's end is looked for, along its line, in mm.
 const END: f64 = 0.9;
