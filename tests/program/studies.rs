@@ -358,7 +358,7 @@ fn bad_studies_are_refused() {
     std::fs::write(folder.join("study.json"), study(&format!("{vary} {cycle} {want}"))).expect("written");
     let forms: [(&[&str], &str); 3] = [
         (&["-o", "out.jsonl"], "ending in `.jsonl`"),
-        (&["-o", "out.xls"], "known endings: csv, "),
+        (&["-o", "out.xls"], "known endings: csv"),
         (&["-o", "out.csv", "--format", "jsonl"], "not written as JSON lines"),
     ];
     for (options, expected) in forms {
