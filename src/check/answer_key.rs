@@ -1,7 +1,12 @@
-use super::checked::LATITUDE;
-use super::prepared::DEPTH;
 use crate::construction::{Solution, Tolerance};
 use crate::quantity::Scales;
+
+/// How many times as large as usual an honest hand's errors may be where nobody has said how accurate it should be: up to
+/// 1 mm and 1° with the usual tolerance.
+pub const LATITUDE: f64 = 10.0 / 3.0;
+
+/// How many mistakes at once are usually looked for.
+pub const DEPTH: usize = 5;
 
 /// What a student's values are compared with: the solved scene, and the accuracy expected of a hand.
 #[derive(Clone, Copy, Debug)]

@@ -39,10 +39,6 @@ impl Checked {
 /// whole drawing of dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
 pub const BANDS: f64 = 2.0;
 
-/// How many times as large as usual an honest hand's errors may be where nobody has said how accurate it should be: up to
-/// 1 mm and 1° with the usual tolerance.
-pub const LATITUDE: f64 = 10.0 / 3.0;
-
 /// How accurate somebody draws and computes, found from the scatter of all values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {

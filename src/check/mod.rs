@@ -53,9 +53,9 @@ mod unit;
 mod verdict;
 mod walk;
 
-pub use answer_key::AnswerKey;
+pub use answer_key::{AnswerKey, DEPTH, LATITUDE};
 pub use boxes::{FormBox, form_boxes, further_boxes, plan_points};
-pub use checked::{Accuracy, BANDS, Checked, LATITUDE, check};
+pub use checked::{Accuracy, BANDS, Checked, check};
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries, faults};
 pub use explanation::{Diagnosis, Explanation, Finding};
@@ -65,7 +65,7 @@ pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use parts::{Cause, ReportParts, ReportRow, report_parts};
 pub use precision::Precision;
-pub use prepared::{DEPTH, Prepared};
+pub use prepared::Prepared;
 #[cfg(feature = "photo")]
 pub use proposed::{Found, PencilledPlan, PointVerdict, Proposal, Proposals, proposed};
 pub use redrawn::redrawn;

@@ -22,9 +22,6 @@ pub struct Prepared<'a> {
 /// The quantities of a form in their order, and the bits of its scales.
 type Asking = (Vec<String>, [Option<u64>; 3]);
 
-/// How many mistakes at once are usually looked for.
-pub const DEPTH: usize = 5;
-
 /// Most sets of quantities that are kept: forms are alike, or blanks are left in each at other places.
 const KEPT: usize = 50;
 

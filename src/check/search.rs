@@ -50,13 +50,9 @@ pub(super) struct Tried {
 }
 
 /// An explanation that is tried with a further mistake.
-pub(super) struct Parent<'a> {
-    pub set: Vec<&'a Candidate>,
-    indices: &'a [usize],
-    hand: Hand,
-    pub predicted: &'a [f64],
-    /// By datum: whether it is unexplained.
-    pub outside: &'a [bool],
+struct Parent<'a> {
+    tried: &'a Tried,
+    set: Vec<&'a Candidate>,
     /// By datum: whether a further mistake is wanted that concerns it.
     wanted: Vec<bool>,
     metrics: Vec<Metric>,
@@ -180,11 +176,11 @@ impl<'a> Search<'a> {
         let mut chosen: Vec<(Vec<usize>, Hand)> = Vec::new();
         let mut fitted: Vec<(Candidate, f64)> = Vec::new();
         for child in self.children(beam, off) {
-            let (index, _) = match child.new {
-                New::Listed(index) => (index, ()),
+            let index = match child.new {
+                New::Listed(index) => index,
                 New::Fitted(template, candidate) => {
                     fitted.push((*candidate, self.costs[template]));
-                    (self.pool.len() + fitted.len() - 1, ())
+                    self.pool.len() + fitted.len() - 1
                 }
             };
             let mut set = child.before.to_vec();
@@ -219,7 +215,7 @@ impl<'a> Search<'a> {
             children.extend(found.into_iter().flatten().map(|(cost, new)| Child {
                 cost: cost + own,
                 before: &tried.set,
-                hand: parent.hand,
+                hand: tried.fit.hand,
                 new,
             }));
         }
@@ -262,23 +258,15 @@ impl<'a> Search<'a> {
             hands.extend([0.2, 0.02].map(Hand::alike));
         }
         let metrics = hands.iter().map(|hand| Metric::new(&covariances, hand, &self.scorer.data)).collect();
-        let outside = tried.fit.outside.as_slice();
-        Parent {
-            set,
-            indices: &tried.set,
-            hand: tried.fit.hand,
-            predicted: &tried.fit.predicted,
-            outside,
-            wanted: outside.iter().zip(off).map(|(outside, off)| *outside || is_first && *off).collect(),
-            metrics,
-        }
+        let wanted = tried.fit.outside.iter().zip(off).map(|(outside, off)| *outside || is_first && *off);
+        Parent { tried, set, wanted: wanted.collect(), metrics }
     }
 
     /// The further mistakes at a candidate's place that concern a wanted value, each with its cost.
     fn further(&self, parent: &Parent<'_>, index: usize) -> Vec<(f64, New)> {
         let candidate = &self.pool[index];
         let is_wanted = self.changed[index].iter().any(|&datum| parent.wanted.get(datum).is_some_and(|wanted| *wanted));
-        if !is_wanted || !self.go_together(parent.indices, index) {
+        if !is_wanted || !self.go_together(&parent.tried.set, index) {
             return Vec::new();
         }
         let look = |candidate: &Candidate| {
@@ -291,7 +279,7 @@ impl<'a> Search<'a> {
         if candidate.free.is_empty() {
             return vec![(look(candidate), New::Listed(index))];
         }
-        let settled = Settling::new(self.scorer, parent, candidate).settled().into_iter();
+        let settled = Settling::new(self.scorer, &parent.set, &parent.tried.fit, candidate).settled().into_iter();
         settled.map(|fitted| (look(&fitted), New::Fitted(index, Box::new(fitted)))).collect()
     }
 

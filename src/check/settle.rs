@@ -1,8 +1,8 @@
 //! Fits the amounts of mistakes that are not known beforehand: so that the first value that they move is the written one.
 
+use super::fit::Fit;
 use super::mistakes::{Amount, Candidate};
 use super::score::Scorer;
-use super::search::Parent;
 
 /// Angles that are tried first, in degrees apart.
 const GRID: f64 = 15.0;
@@ -19,21 +19,28 @@ const ITERATIONS: usize = 40;
 /// A mistake of unknown amount beside the mistakes of an explanation.
 pub(super) struct Settling<'a> {
     scorer: &'a Scorer<'a>,
-    parent: &'a Parent<'a>,
+    /// The mistakes of the explanation, and how well values fit it.
+    set: &'a [&'a Candidate],
+    fit: &'a Fit,
     template: &'a Candidate,
     /// The amounts without the mistake.
     none: Vec<f64>,
 }
 
 impl<'a> Settling<'a> {
-    pub fn new(scorer: &'a Scorer<'a>, parent: &'a Parent<'a>, template: &'a Candidate) -> Settling<'a> {
-        let model = scorer.model(&parent.set);
-        let values = model.replay(&scorer.changes(&parent.set, None));
+    pub fn new(
+        scorer: &'a Scorer<'a>,
+        set: &'a [&'a Candidate],
+        fit: &'a Fit,
+        template: &'a Candidate,
+    ) -> Settling<'a> {
+        let model = scorer.model(set);
+        let values = model.replay(&scorer.changes(set, None));
         let none = template.free.iter().map(|free| match free.what {
             Amount::Error(_) => 0.0,
             Amount::Number(number) => values.number(number),
         });
-        Settling { scorer, parent, template, none: none.collect() }
+        Settling { scorer, set, fit, template, none: none.collect() }
     }
 
     /// The mistake with amounts that make the first value it moves the written one; none where that value is as
@@ -41,7 +48,7 @@ impl<'a> Settling<'a> {
     pub fn settled(&self) -> Vec<Candidate> {
         let moved = self.moved();
         // Values before the first that is wrong may happen to be near.
-        let Some(at) = moved.iter().take(NEAR).position(|&datum| self.parent.outside[datum]) else {
+        let Some(at) = moved.iter().take(NEAR).position(|&datum| self.fit.outside[datum]) else {
             return Vec::new();
         };
         let first = moved[at];
@@ -69,21 +76,21 @@ impl<'a> Settling<'a> {
 
     fn predicted(&self, amounts: &[f64]) -> Vec<f64> {
         let candidate = self.with(amounts);
-        let mut set = self.parent.set.clone();
+        let mut set = self.set.to_vec();
         set.push(&candidate);
         self.scorer.predicted(&set)
     }
 
     /// The data that the mistake moves, in the order of the construction.
     fn moved(&self) -> Vec<usize> {
-        let mut moved = vec![false; self.parent.predicted.len()];
+        let mut moved = vec![false; self.fit.predicted.len()];
         for (which, free) in self.template.free.iter().enumerate() {
             let mut amounts = self.none.clone();
             amounts[which] += 0.5 * free.range;
             let predicted = self.predicted(&amounts);
             for (index, moved) in moved.iter_mut().enumerate() {
                 let datum = &self.scorer.data[index];
-                let by = datum.seen_apart(predicted[index], self.parent.predicted[index]);
+                let by = datum.seen_apart(predicted[index], self.fit.predicted[index]);
                 *moved |= by.abs() > 1e-3 * datum.span;
             }
         }
