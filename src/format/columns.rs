@@ -1,7 +1,7 @@
-use super::study::{study_arrays, study_schema};
+use super::table::status;
 use crate::cycle::Sweep;
-use crate::study::Column;
-use arrow_array::{ArrayRef, Float64Array, RecordBatch};
+use crate::study::{Column, Content};
+use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray, UInt64Array};
 use arrow_ipc::writer::FileWriter;
 use arrow_schema::{ArrowError, DataType, Field, Schema};
 use parquet::arrow::ArrowWriter;
@@ -126,4 +126,31 @@ impl<W: Write + Send> Columns<W> {
 fn schema(sweep: &Sweep) -> Arc<Schema> {
     let field = |name: String| Field::new(name, DataType::Float64, true);
     Arc::new(Schema::new(sweep.header().into_iter().map(field).collect::<Vec<_>>()))
+}
+
+/// The columns of a study as Arrow has them.
+fn study_schema(columns: &[Column]) -> Schema {
+    let field = |column: &Column| {
+        let (kind, may_lack) = match column.content {
+            Content::Index => (DataType::UInt64, false),
+            Content::Status => (DataType::Utf8, false),
+            Content::Number => (DataType::Float64, true),
+        };
+        Field::new(&column.name, kind, may_lack)
+    };
+    Schema::new(columns.iter().map(field).collect::<Vec<_>>())
+}
+
+/// Rows of a study by columns.
+fn study_arrays(columns: &[Column], numbers: &[f64]) -> Vec<ArrayRef> {
+    let width = columns.len();
+    let array = |(index, column): (usize, &Column)| -> ArrayRef {
+        let values = numbers.iter().skip(index).step_by(width).copied();
+        match column.content {
+            Content::Index => Arc::new(values.map(|x| x as u64).collect::<UInt64Array>()),
+            Content::Status => Arc::new(values.map(status).map(Some).collect::<StringArray>()),
+            Content::Number => Arc::new(values.map(|x| x.is_finite().then_some(x)).collect::<Float64Array>()),
+        }
+    };
+    columns.iter().enumerate().map(array).collect()
 }

@@ -1,5 +1,4 @@
 use super::svg;
-use super::template::filled;
 use crate::drawing::{Drawing, RichText, Script};
 use crate::text::{Untrusted, xml};
 
@@ -80,6 +79,19 @@ pub fn html_text(text: &RichText) -> String {
             false => written.push_str(&xml(&run.content)),
         }
         run.scripts.iter().rev().for_each(|script| written.push_str(&format!("</{}>", tag(script))));
+    }
+    written
+}
+
+/// A template with `{{name}}` replaced by the contents of that name, by nothing where there are none.
+fn filled(template: &str, contents: &[(&str, String)]) -> String {
+    let mut parts = template.split("{{");
+    let mut written = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (name, rest) = part.split_once("}}").unwrap_or((part, ""));
+        let content = contents.iter().find(|(known, _)| *known == name);
+        written.push_str(content.map_or("", |(_, text)| text));
+        written.push_str(rest);
     }
     written
 }

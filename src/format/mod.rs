@@ -9,7 +9,6 @@ mod digits;
 mod feedback;
 mod json;
 mod number;
-mod outline;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod pencil;
@@ -18,12 +17,9 @@ mod png;
 mod result;
 mod steps;
 mod structure;
-mod study;
 mod svg;
 mod table;
-mod template;
 mod tikz;
-mod wanted;
 #[cfg(feature = "html")]
 mod workbench;
 
@@ -44,9 +40,8 @@ pub use self::result::{
     GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
 };
 pub use self::structure::{listed_modes, mode, modes, structure};
-pub use self::study::{study_header, study_lines};
 pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
-pub use self::table::{csv_header, csv_rows, json_lines};
+pub use self::table::{csv_header, csv_rows, json_lines, study_header, study_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};
 

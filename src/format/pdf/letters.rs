@@ -46,7 +46,7 @@ impl Fonts {
                 // The box of the missing letter as lines, and a space as a letter for the actual text to replace.
                 let mut path = PathBuilder::new();
                 outline(&mut path, placed);
-                super::draw_path(surface, path.finish());
+                paths::draw_path(surface, path.finish());
                 let content = " ";
                 self.write_run(surface, &PlacedRun { content, ..placed });
             } else {

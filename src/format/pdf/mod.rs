@@ -81,7 +81,7 @@ impl Drawing {
             let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(Point::from);
             surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
             pens(&mut surface, None, Some(fill(background)));
-            draw_path(&mut surface, paths::chain(&corners, true));
+            paths::draw_path(&mut surface, paths::chain(&corners, true));
             surface.end_tagged();
         }
         // Consecutive marks of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
@@ -177,17 +177,17 @@ fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
             if let Some(head) = shape.head() {
                 // Without a stroke, which would move the tip beyond the vector's end.
                 pens(surface, None, Some(fill(look.stroke.unwrap_or(look.ink))));
-                draw_path(surface, paths::chain(&head, true));
+                paths::draw_path(surface, paths::chain(&head, true));
             }
         }
         // An open line is never filled, even with a pen that fills areas.
         Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. } => {
             pens(surface, stroke(look), None);
-            draw_path(surface, paths::path(shape));
+            paths::draw_path(surface, paths::path(shape));
         }
         Shape::Polygon(_) | Shape::Area(_) | Shape::Circle { .. } => {
             pens(surface, stroke(look), look.fill.map(fill));
-            draw_path(surface, paths::path(shape));
+            paths::draw_path(surface, paths::path(shape));
         }
     }
 }
@@ -198,16 +198,7 @@ fn halo(surface: &mut Surface<'_>, background: Colour, look: &Look, shape: &Shap
     let Shape::Text(text) = shape else { return };
     let around = Look { stroke: Some(background), width: look.halo, dash: Dash::new(), ..look.clone() };
     pens(surface, stroke(&around), Some(fill(background)));
-    draw_path(surface, letters::outlines(text));
-}
-
-/// Draws a path, if there is one.
-fn draw_path(surface: &mut Surface<'_>, path: Option<krilla::geom::Path>) {
-    // Without fill and stroke krilla would fill with black.
-    let is_visible = surface.get_fill().is_some() || surface.get_stroke().is_some();
-    if is_visible && let Some(path) = path {
-        surface.draw_path(&path);
-    }
+    paths::draw_path(surface, letters::outlines(text));
 }
 
 fn pens(surface: &mut Surface<'_>, stroke: Option<Stroke>, fill: Option<Fill>) {

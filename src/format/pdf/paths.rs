@@ -1,6 +1,7 @@
 //! Shapes as paths of PDF, which has lines and cubic curves only. Lengths are in mm.
 
 use krilla::geom::{Path, PathBuilder};
+use krilla::surface::Surface;
 
 use crate::drawing::{Outline, OutlinePart, Point, Shape};
 
@@ -32,6 +33,15 @@ pub(super) fn path(shape: &Shape) -> Option<Path> {
             path.finish()
         }
         Shape::Arrow { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => None,
+    }
+}
+
+/// Draws a path, if there is one.
+pub(super) fn draw_path(surface: &mut Surface<'_>, path: Option<Path>) {
+    // Without fill and stroke krilla would fill with black.
+    let is_visible = surface.get_fill().is_some() || surface.get_stroke().is_some();
+    if is_visible && let Some(path) = path {
+        surface.draw_path(&path);
     }
 }
 

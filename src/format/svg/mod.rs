@@ -1,36 +1,26 @@
+//! SVG: a sheet as one file, its panels alone, or a group for each step (`mod.rs`); marks in groups (`marks.rs`), shapes
+//! (`shapes.rs`) and texts (`letters.rs`).
+
+#[cfg(test)]
+mod ink;
+mod letters;
+mod marks;
+mod shapes;
+
+use super::number::number;
+use crate::drawing::{Drawing, Mark, Pen};
+use crate::text::xml;
+#[cfg(test)]
+pub(crate) use ink::ink_in;
 use kurbo::Rect;
+pub use marks::Text;
+use marks::{Drawn, body, drawn, write_marks};
+use shapes::attribute;
+use std::collections::BTreeMap;
+use std::fmt::Write;
 use svg::Node;
 use svg::node::Blob;
 use svg::node::element::Element;
-
-mod glyphs;
-#[cfg(test)]
-mod ink;
-mod layers;
-mod shapes;
-
-#[cfg(test)]
-pub(crate) use ink::ink_in;
-
-use super::number::{number, push_number};
-use super::outline::{FINEST, IN_FINEST, Tracer};
-use crate::drawing::{Cap, Colour, Drawing, Look, Mark, PlacedText, Shape};
-use crate::text::xml;
-use shapes::{write_path, write_shape};
-
-/// How texts are written in an SVG file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Text {
-    /// As letters: small, searchable and editable; shown in the bundled font where it is installed, else in a similar
-    /// one.
-    #[default]
-    Letters,
-    /// As the outlines of the bundled font's letters: exactly the same in every program, whatever fonts it has.
-    Outlines,
-    /// The same, with each glyph once in the file: half as large where many letters are the same, but not a path for each text.
-    Glyphs,
-}
 
 impl Drawing {
     /// The drawing as the text of an SVG file, with its texts as letters.
@@ -77,8 +67,73 @@ fn whole(drawing: &Drawing) -> Rect {
 ///
 /// With all groups shown the file looks like the finished figure.
 pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
-    document(drawing, text, layers::groups(drawing, text), whole(drawing))
+    document(drawing, text, groups(drawing, text), whole(drawing))
 }
+
+/// Marks that come and go together.
+struct Layer {
+    /// The step that draws them, from 1; 0 for marks that are there from the start.
+    step: u16,
+    /// Whether they are shown in that step only.
+    passing: bool,
+    /// The step from which later marks stand in their place.
+    until: Option<u16>,
+    /// Whether they lie below all marks of other layers: areas and construction lines.
+    below: bool,
+    /// The marks as SVG, one per line.
+    svg: String,
+}
+
+/// The layers from the lowest to the highest, without empty ones.
+fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
+    let mut piles: BTreeMap<(bool, u16, bool, Option<u16>), Vec<Drawn<'_>>> = BTreeMap::new();
+    for one in drawn(drawing) {
+        let mark = one.0;
+        piles.entry((!lies_below(mark), mark.since, mark.passing, mark.until)).or_default().push(one);
+    }
+    let layer = |((above, step, passing, until), marks): ((bool, u16, bool, Option<u16>), Vec<Drawn<'_>>)| {
+        let mut svg = String::new();
+        write_marks(&mut svg, drawing, text, &marks);
+        Layer { step, passing, until, below: !above, svg }
+    };
+    piles.into_iter().map(layer).collect()
+}
+
+/// The marks with a group for each layer; passing layers are left out. Groups `step-03-until-07` with what later marks
+/// replace are hidden: all groups together are the finished figure.
+fn groups(drawing: &Drawing, text: Text) -> String {
+    let digits = drawing.steps.len().to_string().len().max(2);
+    let mut written = String::new();
+    for layer in layers(drawing, text).into_iter().filter(|l| !l.passing) {
+        if layer.step == 0 {
+            written.push_str(&layer.svg);
+            continue;
+        }
+        let suffix = if layer.below { "-under" } else { "" };
+        written.push_str("<g");
+        let until = layer.until.map_or_else(String::new, |until| format!("-until-{until:0digits$}"));
+        attribute(&mut written, "id", &format!("step-{:0digits$}{until}{suffix}", layer.step));
+        if layer.until.is_some() {
+            attribute(&mut written, "visibility", "hidden");
+        }
+        written.push_str(">\n");
+        let words = drawing.steps.get(usize::from(layer.step) - 1);
+        if let (false, None, Some(words)) = (layer.below, layer.until, words) {
+            let _ = writeln!(written, "<title>{}</title>", xml(words));
+        }
+        written.push_str(&layer.svg);
+        written.push_str("</g>\n");
+    }
+    written.truncate(written.trim_end().len());
+    written
+}
+
+fn lies_below(mark: &Mark) -> bool {
+    matches!(mark.pen, Pen::LinkFill | Pen::ImageFill | Pen::Construction | Pen::Hint)
+}
+
+/// The bundled font, then fonts of about the same width for where it is not installed.
+const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
 
 /// A complete file around the marks, which shows that part of the sheet.
 fn document(drawing: &Drawing, text: Text, marks: String, area: Rect) -> String {
@@ -118,191 +173,6 @@ fn document(drawing: &Drawing, text: Text, marks: String, area: Rect) -> String 
     file
 }
 
-/// A mark, and whether it is a text that needs its halo.
-type Drawn<'a> = (&'a Mark, bool);
-
-/// All marks whose numbers are finite.
-fn drawn(drawing: &Drawing) -> Vec<Drawn<'_>> {
-    drawing.marks.iter().zip(drawing.halos()).filter(|(mark, _)| mark.shape.is_drawable()).collect()
-}
-
-/// All marks, written straight into one string: building an `Element` for each would take many times as long.
-fn body(drawing: &Drawing, text: Text) -> String {
-    let drawn = drawn(drawing);
-    let each = if text == Text::Letters { 160 } else { 600 };
-    let mut written = String::with_capacity(each * drawn.len());
-    write_marks(&mut written, drawing, text, &drawn);
-    written.truncate(written.trim_end().len());
-    if text == Text::Glyphs {
-        written += &glyphs::definitions(&drawn);
-    }
-    written
-}
-
-/// Writes marks in drawing order, with a group for consecutive marks that look alike.
-fn write_marks(written: &mut String, drawing: &Drawing, text: Text, marks: &[Drawn<'_>]) {
-    let alike = |(a, _): &Drawn<'_>, (b, _): &Drawn<'_>| {
-        let of = |mark: &Mark| (mark.pen, mark.emphasis, is_text(mark));
-        of(a) == of(b) && (a.number == b.number || drawing.look(a) == drawing.look(b))
-    };
-    for marks in marks.chunk_by(alike) {
-        let first = marks[0].0;
-        let look = drawing.look(first);
-        if is_text(first) {
-            write_texts(written, text, &look, drawing.style.background(), marks);
-        } else {
-            open_line_group(written, &look);
-            for (mark, _) in marks {
-                written.push('\n');
-                write_shape(written, &look, &mark.shape, mark.id.as_deref());
-            }
-            written.push_str("\n</g>\n");
-        }
-    }
-}
-
-/// The bundled font, then fonts of about the same width for where it is not installed.
-pub(super) const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
-
-fn is_text(mark: &Mark) -> bool {
-    matches!(mark.shape, Shape::Text(_))
-}
-
-/// Opens a group of marks that are not texts.
-fn open_line_group(written: &mut String, look: &Look) {
-    written.push_str("<g");
-    if let Some(stroke) = look.stroke {
-        attribute(written, "stroke", &stroke.to_string());
-        length(written, "stroke-width", look.width);
-        if !look.dash.is_empty() {
-            let lengths: Vec<String> = look.dash.iter().copied().map(number).collect();
-            attribute(written, "stroke-dasharray", &lengths.join(" "));
-        }
-        if look.cap == Cap::Round {
-            attribute(written, "stroke-linecap", "round");
-        }
-        attribute(written, "stroke-linejoin", "round");
-    }
-    if let Some(fill) = look.fill {
-        attribute(written, "fill", &fill.to_string());
-    }
-    written.push('>');
-}
-
-/// Writes texts of one pen; those with a halo (marked true) twice, first outlined in the background's colour, because
-/// not every program knows the attribute `paint-order` that puts a stroke behind its letters. All halos come before all
-/// letters, so that none covers a neighbour.
-fn write_texts(written: &mut String, text: Text, look: &Look, background: Colour, marks: &[Drawn<'_>]) {
-    if marks.iter().any(|mark| mark.1) {
-        written.push_str("<g");
-        attribute(written, "fill", &background.to_string());
-        attribute(written, "stroke", &background.to_string());
-        match text {
-            Text::Letters => length(written, "stroke-width", look.halo),
-            Text::Outlines | Text::Glyphs => {
-                length(written, "stroke-width", look.halo / FINEST);
-                attribute(written, "transform", IN_FINEST);
-            }
-        }
-        attribute(written, "stroke-linejoin", "round");
-        attribute(written, "aria-hidden", "true");
-        written.push('>');
-        for (mark, _) in marks.iter().filter(|mark| mark.1) {
-            write_label(written, text, mark, None);
-        }
-        written.push_str("\n</g>\n");
-    }
-    written.push_str("<g");
-    attribute(written, "fill", &look.ink.to_string());
-    if text != Text::Letters {
-        attribute(written, "transform", IN_FINEST);
-    }
-    written.push('>');
-    for (mark, _) in marks {
-        write_label(written, text, mark, mark.id.as_deref());
-    }
-    written.push_str("\n</g>\n");
-}
-
-/// Writes a text on a line of its own.
-fn write_label(written: &mut String, text: Text, mark: &Mark, id: Option<&str>) {
-    if let Shape::Text(placed) = &mark.shape {
-        written.push('\n');
-        match text {
-            Text::Letters => write_text(written, placed, id),
-            Text::Outlines => write_outline(written, placed, id),
-            Text::Glyphs => glyphs::write(written, placed, id),
-        }
-    }
-}
-
-fn write_id(written: &mut String, id: Option<&str>) {
-    let Some(id) = id else { return };
-    // Nearly all names need no escaping.
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
-    if id.bytes().all(plain) {
-        attribute(written, "id", id);
-    } else {
-        attribute(written, "id", &xml(id));
-    }
-}
-
-fn length(written: &mut String, name: &str, value: f64) {
-    for part in [" ", name, "=\""] {
-        written.push_str(part);
-    }
-    push_number(written, value);
-    written.push('"');
-}
-
-/// Writes a text as one path, in hundredths of a mm.
-fn write_outline(written: &mut String, text: &PlacedText, id: Option<&str>) {
-    write_path(written, id, "", |data| {
-        let mut tracer = Tracer::new(data);
-        for run in text.runs() {
-            run.outline(|glyph, origin| tracer.trace(glyph, origin, run.size));
-        }
-    });
-}
-
-/// Writes a text as letters: each run at its measured place, without white space between the elements, which would be
-/// visible.
-fn write_text(written: &mut String, text: &PlacedText, id: Option<&str>) {
-    let several = text.text.runs().len() > 1;
-    written.push_str("<text");
-    write_id(written, id);
-    // A text of one run needs no inner element.
-    if several {
-        length(written, "font-size", text.size);
-        written.push('>');
-    }
-    for run in text.runs() {
-        if several {
-            written.push_str("<tspan");
-        }
-        if !several || run.size != text.size {
-            length(written, "font-size", run.size);
-        }
-        if run.italic {
-            attribute(written, "font-style", "italic");
-        }
-        length(written, "x", run.origin.x);
-        length(written, "y", run.origin.y);
-        written.push('>');
-        written.push_str(&xml(run.content));
-        if several {
-            written.push_str("</tspan>");
-        }
-    }
-    written.push_str("</text>");
-}
-
-fn attribute(written: &mut String, name: &str, value: &str) {
-    for part in [" ", name, "=\"", value, "\""] {
-        written.push_str(part);
-    }
-}
-
 fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Element {
     let mut element = Element::new(name);
     for (name, value) in attributes {
@@ -314,7 +184,7 @@ fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Eleme
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Pen, Point, RichText};
+    use crate::drawing::{PlacedText, Point, RichText, Shape};
 
     #[test]
     fn hostile_texts_are_escaped() {

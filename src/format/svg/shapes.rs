@@ -1,8 +1,8 @@
-//! Shapes as elements and path data.
+//! Shapes as elements of SVG, with their attributes and path data.
 
 use super::super::number::{number, push_number};
-use super::{length, write_id};
 use crate::drawing::{Look, Point, Shape};
+use crate::text::xml;
 
 /// Writes a shape that is not a text, in the group of its pen.
 pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: Option<&str>) {
@@ -44,6 +44,32 @@ pub(super) fn write_shape(written: &mut String, look: &Look, shape: &Shape, id: 
         }
         // `write_texts` writes texts, in groups of their own.
         Shape::Text(_) => {}
+    }
+}
+
+pub(super) fn attribute(written: &mut String, name: &str, value: &str) {
+    for part in [" ", name, "=\"", value, "\""] {
+        written.push_str(part);
+    }
+}
+
+/// Writes a length in mm as an attribute.
+pub(super) fn length(written: &mut String, name: &str, value: f64) {
+    for part in [" ", name, "=\""] {
+        written.push_str(part);
+    }
+    push_number(written, value);
+    written.push('"');
+}
+
+pub(super) fn write_id(written: &mut String, id: Option<&str>) {
+    let Some(id) = id else { return };
+    // Nearly all names need no escaping.
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+    if id.bytes().all(plain) {
+        attribute(written, "id", id);
+    } else {
+        attribute(written, "id", &xml(id));
     }
 }
 
