@@ -1,7 +1,6 @@
 use super::clip::{clipped, clipped_segment, holds, is_within};
 use super::dims::Dims;
-use super::held::Held;
-use super::inset::Inset;
+use super::held::{Held, Inset};
 use super::labels::{LabelRequest, Obstacles, place_among, place_near};
 use super::layout::HEADING;
 use super::obstacles::Taken;
@@ -19,7 +18,7 @@ const CUT_EDGE: f64 = 2.5;
 pub(super) struct Canvas<'a> {
     pub drawing: &'a mut Drawing,
     /// Prefix of the marks' ids, different for each panel.
-    prefix: &'static str,
+    prefix: &'a str,
     taken: Taken,
     requests: Vec<(Wanted, u16)>,
     frame: Rect,
@@ -61,7 +60,7 @@ pub(super) struct Wanted {
 impl<'a> Canvas<'a> {
     pub(super) fn new(
         drawing: &'a mut Drawing,
-        prefix: &'static str,
+        prefix: &'a str,
         frame: Rect,
         renamed: &'a IndexMap<String, Untrusted>,
         dims: Dims,

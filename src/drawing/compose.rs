@@ -1,14 +1,17 @@
-//! Composition of a sheet: a title, panels in their places, items beside and below them.
+//! Composition of a sheet: a title, panels in their places, items beside and below them; and of further sheets with the
+//! table that has no room on it.
 
-use super::dims::Dims;
+use super::dims::{Dims, MARGIN, TITLE};
 use super::held::Held;
-use super::layout::{Aside, Item, LEAST_WHITE, Layout, MARGIN, Needs, layout};
+use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout};
 use super::legend;
+use super::lines;
 use super::markers::Signs;
 use super::panel::Panel;
-use super::shape::Shape;
+use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
+use super::table::Table;
 use super::text::{PlacedText, RichText};
 use crate::quantity::Kind;
 use crate::scene::{PanelName, Scene};
@@ -24,6 +27,11 @@ const SMALL_TITLE: f64 = 4.7;
 const TITLE_LINES: [f64; 2] = [MARGIN + 2.6, MARGIN + 7.2];
 /// Baseline of the title, in mm from the upper edge.
 pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
+
+/// White between words and the table below them, in mm.
+const WORDS_GAP: f64 = 4.0;
+/// White above words in their frame, in mm.
+const WORDS_TOP: f64 = 1.4;
 
 /// The contents of a sheet, before layout.
 pub(super) struct Composition<'a> {
@@ -140,7 +148,7 @@ pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: Untrust
 
 /// Writes the title above the panels between two ends of its line, in a smaller size if it is too wide; none where it is
 /// blank.
-pub(super) fn draw_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
+fn draw_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
     if drawing.title.is_blank() {
         return;
     }
@@ -180,4 +188,43 @@ fn two_lines(text: &str, fits: impl Fn(&str) -> bool) -> [String; 2] {
         Some([first, second]) => [first.to_owned(), cut(second)],
         None => [cut(text), String::new()],
     }
+}
+
+/// Sheets with the figure's title, the lines of words for a sheet of their size, and the table, as many as its rows
+/// need; none without words and rows. Portrait unless the rows are too wide.
+pub(super) fn further_sheets<const N: usize>(
+    figure: &Drawing,
+    unit: f64,
+    words: impl Fn([f64; 2]) -> Vec<RichText>,
+    mut table: Table<N>,
+) -> Vec<Drawing> {
+    let [across, down] = [figure.width, figure.height].map(|side| side / unit);
+    let narrow = across.min(down);
+    let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
+        true => [narrow, across.max(down)],
+        false => [across, down],
+    };
+    let area = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN);
+    let mut words = words([width, height]);
+    let mut sheets = Vec::new();
+    while !(table.rows.is_empty() && words.is_empty()) {
+        let mut drawing = Drawing::new(width, height);
+        (drawing.style, drawing.language) = (figure.style.clone(), figure.language);
+        drawing.title.clone_from(&figure.title);
+        draw_title(&mut drawing, [MARGIN, width - MARGIN]);
+        let mut left = area;
+        if !words.is_empty() {
+            let room = Rect { y1: left.y0 + WORDS_TOP + lines::height(words.len()), ..left };
+            drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
+            lines::draw(&mut drawing, Rect { y0: room.y0 + WORDS_TOP, ..room }, 0, &std::mem::take(&mut words));
+            left.y0 = room.y1 + WORDS_GAP;
+        }
+        if !table.rows.is_empty() {
+            let later = table.rows.split_off(table.capacity(left).clamp(1, table.rows.len()));
+            table.draw_in(&mut drawing, table.needed(left));
+            table.rows = later;
+        }
+        sheets.push(drawing.enlarged(unit));
+    }
+    sheets
 }

@@ -1,10 +1,9 @@
 //! The sheets of a corrected drawing: the student's drawing over the right figure, sentences about it, and the table of
 //! values.
 
-use super::compose::Composition;
+use super::compose::{Composition, further_sheets};
 use super::dims::Dims;
 use super::figure::{composition, content, extents, hints, panels};
-use super::further::further_sheets;
 use super::layout::Layout;
 use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};

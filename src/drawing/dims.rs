@@ -4,7 +4,6 @@
 //! on a smaller sheet for a style with larger letters. [`Drawing::enlarged`] brings it to its size on paper. So all
 //! that has no size of its own is in proportion to the letters; "mm" of the layout are these units.
 
-use super::layout::{MARGIN, TITLE};
 use super::markers::{CODE_WHITE, EDGE, SIDE, WHITE, code_place};
 use super::shape::Shape;
 use super::sheet::Drawing;
@@ -13,6 +12,10 @@ use super::text::CAPTION;
 use crate::scene::Figure;
 use kurbo::{Affine, Point};
 
+/// White around the sheet's content, in mm.
+pub(super) const MARGIN: f64 = 8.0;
+/// Height of the title above the panels, in mm.
+pub(super) const TITLE: f64 = 9.0;
 /// Room for half of the width of lines beside markers, in mm of paper.
 const BORDER: f64 = 0.3;
 /// White between the scales and the small code, in units of the layout.

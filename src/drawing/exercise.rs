@@ -1,9 +1,8 @@
 //! The sheets of an exercise: the student's with the scheme true to scale, the given numbers, and boxes for the
 //! results; the teacher's key.
 
-use super::compose::Composition;
+use super::compose::{Composition, further_sheets};
 use super::figure::{composition, content, extents, kind, panels};
-use super::further::further_sheets;
 use super::key_table::{KeyRow, KeyTable};
 use super::layout::{Item, Layout};
 use super::lines::Lines;

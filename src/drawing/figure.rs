@@ -1,12 +1,10 @@
 //! The figure of a scene: its panels and their layers, finished or with all steps; and the frames of an animation.
 
 use super::canvas::Canvas;
-use super::compose::Composition;
-use super::further::further_sheets;
+use super::compose::{Composition, further_sheets};
 use super::layout::{Item, Layout, Needs, Placed, WHITE};
 use super::legend::{self, Legend};
-use super::line::Line;
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use super::markers::Signs;
 use super::panel::{Frame, Layer, Layers, Panel, numbered};
 use super::plan_panel;
@@ -319,7 +317,7 @@ pub(super) fn panels<'a>(
         let lowest: Box<dyn Layer> = Box::new(frame(index));
         Panel {
             name: name.to_owned(),
-            prefix: panel.as_str(),
+            prefix: panel.as_str().to_owned(),
             // The width of the first panel's heading: it must not depend on the panel's letter.
             needs: Needs {
                 above: if panel == PanelName::Scheme { scheme.above() } else { 0.0 },

@@ -1,9 +1,8 @@
 //! Where labels and enlarged details stood in the picture before: there they stay while a mechanism moves, as long as
 //! nothing is much better.
 
-use super::inset::Inset;
 use indexmap::IndexMap;
-use kurbo::Vec2;
+use kurbo::{Point, Vec2};
 
 /// Places in the picture before and in the one that is being drawn.
 #[derive(Clone, Debug, Default)]
@@ -17,7 +16,7 @@ struct Places {
     /// By label: the middle of its ink from its anchor, in mm.
     labels: IndexMap<String, Vec2>,
     /// By panel.
-    insets: IndexMap<&'static str, Inset>,
+    insets: IndexMap<String, Inset>,
 }
 
 impl Held {
@@ -47,7 +46,19 @@ impl Held {
     }
 
     /// Keeps the enlarged detail of a panel.
-    pub(super) fn keep_inset(&mut self, panel: &'static str, inset: Inset) {
-        self.now.insets.insert(panel, inset);
+    pub(super) fn keep_inset(&mut self, panel: &str, inset: Inset) {
+        self.now.insets.insert(panel.to_owned(), inset);
     }
+}
+
+/// A circle with an enlarged crowd of points.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Inset {
+    /// Centre of the crowd, on the sheet.
+    pub crowd: Point,
+    /// Centre and radius of the circle, on the sheet.
+    pub centre: Point,
+    pub radius: f64,
+    /// Factor of enlargement.
+    pub factor: f64,
 }

@@ -1,6 +1,7 @@
 //! Enlarged detail: a crowd of plan points, drawn larger in a circle beside it.
 
 use super::canvas::Canvas;
+use super::held::Inset;
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
@@ -22,18 +23,6 @@ const FACTORS: [f64; 8] = [2.0, 2.5, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0];
 const APART: f64 = 1.5;
 /// Grid of the places that are tried, in mm.
 const STEP: f64 = 2.0;
-
-/// A circle with an enlarged crowd of points.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Inset {
-    /// Centre of the crowd, on the sheet.
-    crowd: Point,
-    /// Centre and radius of the circle, on the sheet.
-    centre: Point,
-    radius: f64,
-    /// Factor of enlargement.
-    factor: f64,
-}
 
 impl Inset {
     /// An enlarged detail for the largest crowd of `places`, in the free place nearest to it; `None` without a crowd or

@@ -5,10 +5,6 @@ use crate::geometry;
 use crate::quantity::Kind;
 use kurbo::{Affine, Rect};
 
-/// White around the sheet's content, in mm.
-pub(super) const MARGIN: f64 = 8.0;
-/// Height of the title above the panels, in mm.
-pub(super) const TITLE: f64 = 9.0;
 /// White between panels, in mm.
 const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm.
@@ -42,6 +38,13 @@ pub(super) struct Needs {
     pub white: f64,
     /// Exponent of its content's size in the quality of a layout: how much it counts among the panels.
     pub weight: f64,
+}
+
+impl Needs {
+    /// Those of a panel with the usual white, at a scale that fits.
+    pub(super) fn usual(kind: Kind, extent: Extent, heading: f64) -> Needs {
+        Needs { kind, extent, heading, above: 0.0, mu: None, white: WHITE, weight: 1.0 }
+    }
 }
 
 /// A panel's place and scale.

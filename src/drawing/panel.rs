@@ -4,7 +4,7 @@ use super::canvas::Canvas;
 use super::dims::Dims;
 use super::held::Held;
 use super::layout::{HEADING, Needs, Placed};
-use super::line::Line;
+use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
@@ -29,7 +29,7 @@ pub(super) struct Panel<'a> {
     /// Its name, in the figure's language.
     pub name: String,
     /// Prefix of its marks' ids.
-    pub prefix: &'static str,
+    pub prefix: String,
     /// The room that it needs.
     pub needs: Needs,
     /// What it says where its content is larger.
@@ -63,7 +63,13 @@ impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
     }
 }
 
-impl Panel<'_> {
+impl<'a> Panel<'a> {
+    /// A panel whose content always fits and has room for its names.
+    pub(super) fn plain(name: &str, prefix: &str, needs: Needs, layers: Layers<'a>) -> Panel<'a> {
+        let (name, prefix) = (name.to_owned(), prefix.to_owned());
+        Panel { name, prefix, needs, cut: String::new(), unlabelled: String::new(), content: None, layers }
+    }
+
     /// Draws the panel in its place; `renamed` replaces names of points and links. What was `held` in the picture before
     /// stays where it was, if it can.
     pub(super) fn draw(
@@ -77,7 +83,7 @@ impl Panel<'_> {
         drawing.panels.push((self.name.clone(), placed.frame));
         let view = placed.view(&self.needs.extent, self.content);
         let before = drawing.marks.len();
-        let mut canvas = Canvas::new(drawing, self.prefix, placed.frame, renamed, *dims);
+        let mut canvas = Canvas::new(drawing, &self.prefix, placed.frame, renamed, *dims);
         canvas.held = held;
         for layer in &self.layers {
             layer.reserve(&mut canvas, &view);
@@ -95,9 +101,7 @@ impl Panel<'_> {
         }
         drawing.marks.append(&mut marks);
     }
-}
 
-impl Panel<'_> {
     /// The panel on a sheet, for programs that read a photograph of it.
     pub(super) fn on_paper(&self, placed: &Placed) -> PlacedPanel {
         let origin = placed.view(&self.needs.extent, self.content).at(geometry::Point::origin());

@@ -1,6 +1,6 @@
 use super::canvas::Canvas;
 use super::clip::{clipped_segment, holds};
-use super::inset::Inset;
+use super::held::Inset;
 use super::scheme::{Scheme, outline};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};

@@ -4,8 +4,7 @@ use super::canvas::Canvas;
 use super::compose::Composition;
 use super::figure::{composition, kind, name};
 use super::layout::{Item, Needs, Placed};
-use super::line::Line;
-use super::lines::Lines;
+use super::lines::{Line, Lines};
 use super::panel::{Frame, Layer, Panel};
 use super::plan_panel;
 use super::scheme::Scheme;
@@ -110,7 +109,7 @@ fn panel<'a>(scheme: &'a Scheme<'a>, plan: PanelName) -> Option<Panel<'a>> {
     };
     Some(Panel {
         name: name.to_owned(),
-        prefix: plan.as_str(),
+        prefix: plan.as_str().to_owned(),
         needs,
         cut: scheme.words.language.cut_at_edge().to_owned(),
         unlabelled: scheme.words.language.names_without_room().to_owned(),

@@ -2,7 +2,8 @@
 //! auxiliary points of the plans are.
 
 use super::compose::TITLE_SIZE;
-use super::layout::{Item, Layout, MARGIN};
+use super::dims::MARGIN;
+use super::layout::{Item, Layout};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::sheet::Drawing;

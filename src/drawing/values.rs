@@ -2,8 +2,9 @@
 //! stand in a list, too, beside the panels.
 
 use super::canvas::{Canvas, Wanted, ascii};
+use super::dims::MARGIN;
 use super::labels::LabelRequest;
-use super::layout::{Aside, Item, Layout, MARGIN};
+use super::layout::{Aside, Item, Layout};
 use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::{Shape, corners};

@@ -1,7 +1,8 @@
 //! Words about each step below the panels: caption, equation, results.
 
+use super::dims::MARGIN;
 use super::figure::{Steps, extents, kind};
-use super::layout::{Item, Layout, MARGIN, Placed};
+use super::layout::{Item, Layout, Placed};
 use super::legend::SCALE;
 use super::lines::PAD;
 use super::plan_panel;

@@ -1,20 +1,18 @@
 //! The sheet of curves: a graph for each kind of quantity, one above the other on a common axis of the drive.
 
 use super::axis::Axis;
-use super::course::Course;
-use super::error::{CurvesError, MOST_CURVES};
+use super::context::{CurveContext, CurvesError, MOST_CURVES};
 use super::graph::{self, BESIDE, Graph};
-use super::looks::looks;
 use crate::cycle::{Curve, Curves};
-use crate::drawing::dims::Dims;
+use crate::drawing::dims::{MARGIN, TITLE};
 use crate::drawing::labels::{LabelRequest, Obstacles, place};
-use crate::drawing::layout::{HEADING, MARGIN, Placed, TITLE};
+use crate::drawing::layout::{HEADING, Placed};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
 use crate::quantity::Kind;
 use crate::scene::Scene;
-use crate::words::{Language, Wording};
+use crate::words::Language;
 use kurbo::{Point, Rect, Vec2};
 
 /// Height of the row above the panels with the names of vertical lines, in mm.
@@ -37,40 +35,40 @@ const BEYOND: f64 = 0.02;
 /// # Errors
 /// There are too many panels for a sheet, or too many curves in one panel.
 pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
-    let course = course(scene, curves);
+    let context = context(scene, curves);
     let all = &curves.curves;
-    let graphs = graphs(&course, curves)?;
+    let graphs = graphs(&context, curves)?;
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
-    let [width, _] = course.dims.page;
+    let [width, _] = context.dims.page;
     let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
-    let drive = drive_axis(&course, across);
-    let mut drawing = course.titled(across[1]);
+    let drive = drive_axis(&context, across);
+    let mut drawing = context.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {
         let frame = Rect::new(across[0], graph.rows[1], across[1], graph.rows[2]);
         // A graph has different scales in x and y, in its own axes.
-        let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN, unit: course.dims.unit };
-        graph.panel(index, &course, &drive).draw(&mut drawing, &placed, &scene.figure.labels, &course.dims, None);
+        let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN, unit: context.dims.unit };
+        graph.panel(index, &context, &drive).draw(&mut drawing, &placed, &scene.figure.labels, &context.dims, None);
     }
     if let (Some(first), Some(last)) = (graphs.first(), graphs.last()) {
-        name_verticals(&mut drawing, &course, first.rows[1], &drive);
-        foot(&mut drawing, &course, all, last.rows[2], &drive);
+        name_verticals(&mut drawing, &context, first.rows[1], &drive);
+        foot(&mut drawing, &context, all, last.rows[2], &drive);
     }
-    drawing.description = description(&course, &graphs);
-    Ok(drawing.enlarged(course.dims.unit))
+    drawing.description = description(&context, &graphs);
+    Ok(drawing.enlarged(context.dims.unit))
 }
 
 /// The values of the drive at the left and right edges of the graphs that [`curves`] draws.
 #[must_use]
 pub fn drive_ends(scene: &Scene, curves: &Curves) -> [f64; 2] {
-    shown_range(&course(scene, curves))
+    shown_range(&context(scene, curves))
 }
 
-fn course<'a>(scene: &'a Scene, Curves { path, range, events, .. }: &'a Curves<'a>) -> Course<'a> {
-    Course { scene, dims: Dims::of(&scene.figure), words: Wording::of(&scene.figure), path, range: *range, events }
+fn context<'a>(scene: &'a Scene, Curves { path, range, events, .. }: &'a Curves<'a>) -> CurveContext<'a> {
+    CurveContext::new(scene, path, *range, events)
 }
 
 /// A graph for each kind of quantity, with its place on the sheet.
-fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>, CurvesError> {
+fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>, CurvesError> {
     let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
     for (index, curve) in curves.curves.iter().enumerate() {
         match kinds.iter_mut().find(|(kind, _)| *kind == curve.kind()) {
@@ -81,7 +79,7 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
     if let Some((_, members)) = kinds.iter().find(|(_, members)| members.len() > MOST_CURVES) {
         return Err(CurvesError::Crowd { wanted: members.len() });
     }
-    let [width, height] = course.dims.page;
+    let [width, height] = context.dims.page;
     let top = MARGIN + TITLE + BAND;
     let bottom = height - MARGIN - FOOT;
     let room = ((bottom - top + GAP) / (HEADING + LOWEST + GAP)) as usize;
@@ -98,29 +96,66 @@ fn graphs<'a>(course: &Course<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>,
         let head = HEADING + if index == 0 { BAND } else { 0.0 };
         let rows = [y, y + head, y + head + each];
         let graph_curves = members.into_iter().map(|member| (&curves.curves[member], looks[member]));
-        graphs.push(Graph::new(course.words, kind, graph_curves.collect(), rows));
+        graphs.push(Graph::new(context.words, kind, graph_curves.collect(), rows));
         y = rows[2] + GAP;
     }
     Ok(graphs)
 }
 
+/// By curve: the number of its colour and dash. Curves of one link or point have the same number in all panels, curves
+/// of one panel different ones.
+fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize> {
+    let subject = |index: &usize| curves.curves[*index].asked[0].subject();
+    // The links and points with curves in more than one panel.
+    let mut shared: Vec<&str> = Vec::new();
+    for (number, (_, members)) in kinds.iter().enumerate() {
+        for named in members.iter().map(subject) {
+            let again = kinds[number + 1..].iter().any(|(_, other)| other.iter().any(|index| subject(index) == named));
+            if again && !shared.contains(&named) {
+                shared.push(named);
+            }
+        }
+    }
+    let mut numbers = vec![0; curves.curves.len()];
+    for (_, members) in kinds {
+        let mut free: Vec<usize> = (0..MOST_CURVES).collect();
+        let mut later = Vec::new();
+        let mut take = |free: &mut Vec<usize>, index: usize, place: usize| {
+            numbers[index] = free.remove(place);
+        };
+        for &index in members {
+            let wanted = shared.iter().position(|s| *s == subject(&index));
+            match free.iter().position(|number| Some(*number) == wanted) {
+                Some(place) => take(&mut free, index, place),
+                None => later.push(index),
+            }
+        }
+        // Other curves take numbers that are not shared, while there are any.
+        for index in later {
+            let unshared = free.iter().position(|number| *number >= shared.len());
+            take(&mut free, index, unshared.unwrap_or(0));
+        }
+    }
+    numbers
+}
+
 /// The axis of the drive.
-fn drive_axis(course: &Course<'_>, across: [f64; 2]) -> Axis {
-    Axis::new(course.words, shown_range(course), across, APART, course.path.drive.is_angle())
+fn drive_axis(context: &CurveContext<'_>, across: [f64; 2]) -> Axis {
+    Axis::new(context.words, shown_range(context), across, APART, context.path.drive.is_angle())
 }
 
 /// The range of the motion, with some room beyond limits.
-fn shown_range(course: &Course<'_>) -> [f64; 2] {
-    let [low, high] = course.range;
+fn shown_range(context: &CurveContext<'_>) -> [f64; 2] {
+    let [low, high] = context.range;
     let margin = BEYOND * (high - low);
-    let beside = |at: f64| course.verticals().iter().any(|(pen, x)| *pen == Pen::Limit && (x - at).abs() < margin);
+    let beside = |at: f64| context.verticals().iter().any(|(pen, x)| *pen == Pen::Limit && (x - at).abs() < margin);
     let end = |at: f64, beyond: f64| if beside(at) { at + beyond } else { at };
     [end(low, -margin), end(high, margin)]
 }
 
 /// Names the vertical lines above the first panel, where there is room.
-fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Axis) {
-    let language = course.words.language;
+fn name_verticals(drawing: &mut Drawing, context: &CurveContext<'_>, y: f64, drive: &Axis) {
+    let language = context.words.language;
     let request = |(pen, value): (Pen, f64)| {
         let word = match pen {
             Pen::Limit => language.limit(),
@@ -128,7 +163,7 @@ fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Ax
             _ => language.scene(),
         };
         LabelRequest {
-            text: RichText::plain(&format!("{word} {}", course.drive_value(value))),
+            text: RichText::plain(&format!("{word} {}", context.drive_value(value))),
             size: CAPTION,
             anchor: Point::new(drive.at(value), y),
             clearance: 0.7,
@@ -136,7 +171,7 @@ fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Ax
             priority: 1,
         }
     };
-    let requests: Vec<LabelRequest> = course.verticals().into_iter().map(request).collect();
+    let requests: Vec<LabelRequest> = context.verticals().into_iter().map(request).collect();
     // All names are on one baseline.
     let row = Rect::new(MARGIN, y - 0.7 - CAPTION, drawing.width - MARGIN, y);
     let obstacles = Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: row };
@@ -150,7 +185,7 @@ fn name_verticals(drawing: &mut Drawing, course: &Course<'_>, y: f64, drive: &Ax
 }
 
 /// Draws numbers and name of the drive's axis, and the key of the marks.
-fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, drive: &Axis) {
+fn foot(drawing: &mut Drawing, context: &CurveContext<'_>, curves: &[Curve], y: f64, drive: &Axis) {
     for tick in &drive.ticks {
         let text = RichText::plain(&drive.tick(*tick));
         let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
@@ -169,13 +204,13 @@ fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, dr
         x -= 7.0;
     };
     if curves.iter().any(|c| !c.dead.is_empty()) {
-        explain(Pen::Joint, graph::DEAD, course.words.language.dead_centre());
+        explain(Pen::Joint, graph::DEAD, context.words.language.dead_centre());
     }
     if curves.iter().any(|c| !c.extremes.is_empty()) {
-        explain(Pen::Pole, graph::DOT, course.words.language.extremes());
+        explain(Pen::Pole, graph::DOT, context.words.language.extremes());
     }
     // Centred, or further to the left beside the key.
-    let line = course.drive();
+    let line = context.drive();
     let half = 0.5 * line.width(CAPTION);
     let centre = 0.5 * (drive.places[0] + drive.places[1]);
     let centre = centre.min(x - half).max(MARGIN + half);
@@ -183,14 +218,14 @@ fn foot(drawing: &mut Drawing, course: &Course<'_>, curves: &[Curve], y: f64, dr
 }
 
 /// Sentences about the figure for readers who cannot see it.
-fn description(course: &Course<'_>, graphs: &[Graph<'_>]) -> String {
-    let (units, language, drive) = (course.scene.units, course.words.language, &course.path.drive);
-    let amount = |value: f64| course.words.number(drive.amount(value));
-    let [from, to] = course.range.map(amount);
+fn description(context: &CurveContext<'_>, graphs: &[Graph<'_>]) -> String {
+    let (units, language, drive) = (context.scene.units, context.words.language, &context.path.drive);
+    let amount = |value: f64| context.words.number(drive.amount(value));
+    let [from, to] = context.range.map(amount);
     let mut text = language.over(&drive.quantity(), &from, &to);
     for graph in graphs {
         let unit = graph.kind.unit(units);
-        let value = |value: f64| format!("{} {unit}", course.number(value, 6));
+        let value = |value: f64| format!("{} {unit}", context.number(value, 6));
         for (curve, _) in &graph.curves {
             let names = curve.asked.iter().map(|asked| asked.name()).collect::<Vec<_>>().join(" = ");
             if let Some(constant) = curve.constant {

@@ -1,13 +1,13 @@
 use super::axis::Axis;
-use super::course::Course;
+use super::context::CurveContext;
 use super::names::{CLEARANCE, Surroundings, name_place};
 use crate::cycle::Curve;
 use crate::drawing::canvas::{Canvas, Wanted};
-use crate::drawing::chain::{clipped_chain, simplified};
+use crate::drawing::clip::{clipped_chain, simplified};
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::{Needs, WHITE};
-use crate::drawing::line::Line;
-use crate::drawing::panel::{Frame, Panel, numbered};
+use crate::drawing::layout::Needs;
+use crate::drawing::lines::Line;
+use crate::drawing::panel::{Frame, Layers, Panel, numbered};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, LABEL, PlacedText, RichText};
@@ -83,9 +83,9 @@ impl<'a> Graph<'a> {
     }
 
     /// The panel with the layers grid, frame and curves.
-    pub(super) fn panel<'s>(&'s self, index: usize, course: &'s Course<'_>, drive: &'s Axis) -> Panel<'s> {
-        let language = course.words.language;
-        let unit = self.kind.unit(course.scene.units);
+    pub(super) fn panel<'s>(&'s self, index: usize, context: &'s CurveContext<'_>, drive: &'s Axis) -> Panel<'s> {
+        let language = context.words.language;
+        let unit = self.kind.unit(context.scene.units);
         let unit = match self.axis.power {
             0 => unit,
             power => format!("{} {unit}", power_of_ten(power)),
@@ -99,25 +99,11 @@ impl<'a> Graph<'a> {
             at: Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]),
         };
         let grid = |canvas: &mut Canvas<'_>, _: &View| self.grid(canvas.drawing, canvas.frame(), drive);
-        let content = |canvas: &mut Canvas<'_>, _: &View| self.content(canvas, course, drive);
+        let content = |canvas: &mut Canvas<'_>, _: &View| self.content(canvas, context, drive);
         let corner = |end: usize| geometry::Point::new(drive.ends[end], self.axis.ends[end]);
-        Panel {
-            name: name.to_owned(),
-            prefix: self.prefix(),
-            needs: Needs {
-                above: 0.0,
-                kind: self.kind,
-                extent: Extent::of([corner(0), corner(1)]),
-                heading: 0.0,
-                mu: None,
-                white: WHITE,
-                weight: 1.0,
-            },
-            cut: String::new(),
-            unlabelled: String::new(),
-            content: None,
-            layers: vec![Box::new(grid), Box::new(frame), Box::new(content)],
-        }
+        let extent = Extent::of([corner(0), corner(1)]);
+        let layers: Layers<'s> = vec![Box::new(grid), Box::new(frame), Box::new(content)];
+        Panel::plain(name, self.prefix(), Needs::usual(self.kind, extent, 0.0), layers)
     }
 
     /// Lines at round values, and their numbers.
@@ -144,7 +130,7 @@ impl<'a> Graph<'a> {
     }
 
     /// Draws lines at zero and at marked values of the drive, the curves, their extreme values and names.
-    fn content(&self, canvas: &mut Canvas<'_>, course: &Course<'_>, drive: &Axis) {
+    fn content(&self, canvas: &mut Canvas<'_>, context: &CurveContext<'_>, drive: &Axis) {
         let frame = canvas.frame();
         let place = |at: f64, value: f64| Point::new(drive.at(at), self.axis.at(value));
         let mut straight = Vec::new();
@@ -152,7 +138,7 @@ impl<'a> Graph<'a> {
             let y = self.axis.at(0.0);
             straight.push((Pen::Zero, Point::new(frame.x0, y), Point::new(frame.x1, y)));
         }
-        for (pen, value) in course.verticals() {
+        for (pen, value) in context.verticals() {
             let x = drive.at(value);
             straight.push((pen, Point::new(x, frame.y0), Point::new(x, frame.y1)));
         }
@@ -171,7 +157,7 @@ impl<'a> Graph<'a> {
         let straight: Vec<(Point, Point)> = straight.iter().map(|(_, a, b)| (*a, *b)).collect();
         let around = Surroundings { frame, curves: &lines, lines: &straight };
         for (index, (curve, look)) in self.curves.iter().enumerate() {
-            let text = RichText::math(&self.name(course, canvas, curve));
+            let text = RichText::math(&self.name(context, canvas, curve));
             let size = text.ink_box(LABEL).size();
             let Some((anchor, toward, area)) = name_place(index, size, &around, &taken) else {
                 continue;
@@ -226,10 +212,10 @@ impl<'a> Graph<'a> {
     }
 
     /// The symbol of a curve, as in `ω_2 = ω_3`; with its value if it is constant.
-    fn name(&self, course: &Course<'_>, canvas: &Canvas<'_>, curve: &Curve) -> String {
+    fn name(&self, context: &CurveContext<'_>, canvas: &Canvas<'_>, curve: &Curve) -> String {
         let mut parts: Vec<String> = Vec::new();
         for asked in &curve.asked {
-            let symbol = canvas.shown(asked.name(), &course.symbol(asked));
+            let symbol = canvas.shown(asked.name(), &context.symbol(asked));
             if !parts.contains(&symbol) {
                 parts.push(symbol);
             }

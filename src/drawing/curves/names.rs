@@ -1,5 +1,4 @@
-use crate::drawing::chain::distance;
-use crate::drawing::clip::clipped_segment;
+use crate::drawing::clip::{clipped_segment, distance};
 use kurbo::{Point, Rect, Size, Vec2};
 
 /// White between a curve and its name, in mm.

@@ -13,13 +13,12 @@ use kurbo::{Point, Vec2};
 mod boxes;
 mod moves;
 mod places;
-mod request;
 mod search;
 
 use super::obstacles::Taken;
 use super::text::{Anchor, PlacedText};
-use places::Place;
-pub use request::{LabelRequest, Obstacles, PlacedLabel};
+use places::Spot;
+pub use places::{LabelRequest, Obstacles, PlacedLabel};
 use search::Search;
 
 /// The places of the labels, in the order of the requests.
@@ -45,7 +44,7 @@ pub(super) fn place_among(
     search.free_struck();
     search.search_panel();
     let is_cut_short = search.is_cut_short.get();
-    let found: Vec<Option<Place>> =
+    let found: Vec<Option<Spot>> =
         search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
     let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
         let crowded = found.is_none() && !request.text.is_empty();

@@ -3,8 +3,7 @@
 use kurbo::{Rect, Vec2};
 
 use super::boxes::gap;
-use super::places::{LINE_GAP, Place, SIDES};
-use super::request::LabelRequest;
+use super::places::{LINE_GAP, LabelRequest, SIDES, Spot};
 use super::search::{Effort, Search};
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.
@@ -215,7 +214,7 @@ impl Search<'_> {
             let steps = |room: f64| {
                 if room >= 0.0 { (room / LAST_STEP).min(1000.0) as usize + 1 } else { 0 }
             };
-            let mut best: Option<(f64, Place)> = None;
+            let mut best: Option<(f64, Spot)> = None;
             for row in 0..steps(bounds.height() - size.height) {
                 if self.is_enough() {
                     break;
@@ -250,7 +249,7 @@ impl Search<'_> {
     }
 
     /// A place inside the panel for a label without one, which covers as little as possible.
-    pub(super) fn least_covering(&self, index: usize) -> Place {
+    pub(super) fn least_covering(&self, index: usize) -> Spot {
         let label = &self.labels[index];
         let bounds = self.taken.all().bounds;
         let covered = |ink: Rect| {
@@ -276,6 +275,6 @@ impl Search<'_> {
             }
         }
         let ink = best.map_or(label.ink + label.anchor.to_vec2(), |(_, ink)| ink);
-        Place { ink, least: 0.0, known: false, leader: None }
+        Spot { ink, least: 0.0, known: false, leader: None }
     }
 }

@@ -1,9 +1,52 @@
-//! Possible places of a label, and their costs by distance and direction.
+//! Labels without a place, the spots where each could stand with their costs by distance and direction, and placed labels.
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::super::text::{PlacedText, RichText};
 use super::boxes::{Clipped, cross, touch, unit};
-use super::request::LabelRequest;
+
+/// A label without a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelRequest {
+    /// Its text.
+    pub text: RichText,
+    /// Its size: mm of one em.
+    pub size: f64,
+    /// The point that it names.
+    pub anchor: Point,
+    /// Smallest distance of its ink from the anchor, in mm: the radius of a joint and a gap.
+    pub clearance: f64,
+    /// The preferred direction from the anchor, y down; none for any.
+    pub prefer: Option<Vec2>,
+    /// Labels of higher priority choose first.
+    pub priority: u8,
+}
+
+/// Obstacles for labels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacles {
+    /// Joints, arrowheads, boxes: never touched.
+    pub boxes: Vec<Rect>,
+    /// Lines: crossing one costs by the length inside the label's box.
+    pub lines: Vec<(Point, Point)>,
+    /// The panel: no label leaves it.
+    pub bounds: Rect,
+}
+
+/// A label at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlacedLabel {
+    /// The text on the sheet.
+    pub text: PlacedText,
+    /// A thin line from near the anchor to near the text, where the text had to stand apart.
+    pub leader: Option<(Point, Point)>,
+    /// Length of the lines that cross the ink's box, in mm.
+    pub struck: f64,
+    /// Whether the panel holds no free place, so that this label touches something.
+    pub crowded: bool,
+    /// Whether there are so many labels that the search was ended before this one had a place: it is better left out.
+    pub left_out: bool,
+}
 
 /// Distances beyond the clearance, in mm, at which a label still clearly belongs to its anchor.
 pub(super) const NEAR: [f64; 4] = [0.0, 0.6, 1.3, 2.2];
@@ -92,7 +135,7 @@ pub(super) static SIDES: [Side; 24] = [
 
 /// A possible place of a label.
 #[derive(Clone, Copy)]
-pub(super) struct Place {
+pub(super) struct Spot {
     pub(super) ink: Rect,
     /// A lower bound of its cost: first for distance and direction, in the end the whole. Most places are ruled out
     /// before.
@@ -110,7 +153,7 @@ pub(super) struct Label {
     pub(super) ink: Rect,
     pub(super) prefer: Option<Vec2>,
     /// Its free places, and the index of the present one.
-    pub(super) places: Vec<Place>,
+    pub(super) places: Vec<Spot>,
     pub(super) chosen: Option<usize>,
     /// What any of its places could touch: lines by their numbers, and anchors.
     pub(super) lines: Vec<u32>,
@@ -159,7 +202,7 @@ impl Label {
     }
 
     /// The place that comes first, free or not.
-    pub(super) fn first_place(&self) -> Place {
+    pub(super) fn first_place(&self) -> Spot {
         self.place_at(self.ink_beside(&SIDES[0], self.clearance), 0.0, 0.0)
     }
 
@@ -185,10 +228,10 @@ impl Label {
 
     /// A place of the ink, `distance` beyond the clearance; `dislike` is the cost of its direction.
     #[inline]
-    pub(super) fn place_at(&self, ink: Rect, distance: f64, dislike: f64) -> Place {
+    pub(super) fn place_at(&self, ink: Rect, distance: f64, dislike: f64) -> Spot {
         let leader = if distance < FAR[0] { None } else { self.leader_to(ink) };
         let apart = if leader.is_some() { LEADER } else { 0.0 };
-        Place { ink, least: distance + dislike + apart, known: false, leader }
+        Spot { ink, least: distance + dislike + apart, known: false, leader }
     }
 
     /// The leader, from the edge of the anchor's clearance to near the ink.
@@ -199,7 +242,7 @@ impl Label {
     }
 }
 
-impl Place {
+impl Spot {
     /// The box around its ink and its leader.
     pub(super) fn area(&self) -> Rect {
         self.leader.map_or(self.ink, |(from, to)| self.ink.union_pt(from).union_pt(to))

@@ -6,8 +6,7 @@ use std::cell::Cell;
 use super::super::grid::Grid;
 use super::super::obstacles::Taken;
 use super::boxes::{Clipped, gap, inside, touch};
-use super::places::{FAR, LINE_GAP, Label, NEAR, OBSTACLE_GAP, Place, SIDES};
-use super::request::LabelRequest;
+use super::places::{FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot};
 
 // Costs, in mm of distance from the anchor.
 /// Per millimetre of line inside the box.
@@ -108,13 +107,13 @@ impl<'a> Search<'a> {
     }
 
     /// The present places near a box, in the order of their labels; at least all that touch it.
-    pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = &Place> {
+    pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = &Spot> {
         let near = self.chosen.near(area).into_iter();
         near.filter_map(|index| Some(&self.labels[index].places[self.labels[index].chosen?]))
     }
 
     /// Whether a present place overlaps another.
-    pub(super) fn is_overlapped(&self, place: &Place) -> bool {
+    pub(super) fn is_overlapped(&self, place: &Spot) -> bool {
         let overlaps = |other: usize| {
             let label = &self.labels[other];
             label.chosen.is_some_and(|chosen| place.overlaps(&label.places[chosen]))
@@ -212,7 +211,7 @@ impl<'a> Search<'a> {
     /// The whole cost of a place if it is less than `limit`.
     pub(super) fn cost_below(&mut self, index: usize, place: usize, limit: f64) -> Option<f64> {
         let label = &mut self.labels[index];
-        let Place { ink, mut least, known, leader } = label.places[place];
+        let Spot { ink, mut least, known, leader } = label.places[place];
         if known || least >= limit {
             return (least < limit).then_some(least);
         }

@@ -1,7 +1,7 @@
 //! Paths of points over the cycle of the drive, and ghosts: the links in other positions.
 
 use super::super::canvas::Canvas;
-use super::super::chain::{simplified, simplified_to};
+use super::super::clip::{simplified, simplified_to};
 use super::super::shape::Shape;
 use super::super::sheet::Pen;
 use super::super::view::{View, on_sheet};

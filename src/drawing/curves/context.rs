@@ -1,9 +1,8 @@
 use super::axis::significant;
 use crate::cycle::{Event, Happening, Path};
 use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
-use crate::drawing::dims::Dims;
-use crate::drawing::layout::MARGIN;
-use crate::drawing::line::Line;
+use crate::drawing::dims::{Dims, MARGIN};
+use crate::drawing::lines::Line;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, RichText};
 use crate::mechanism::{Role, SliderId};
@@ -13,8 +12,37 @@ use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::Point;
 
-/// A range of a motion with its events, and the words for them.
-pub(super) struct Course<'a> {
+/// Number of curves in one panel that every style distinguishes.
+pub(super) const MOST_CURVES: usize = 12;
+
+/// Reasons why curves do not fit on a sheet.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CurvesError {
+    /// More panels than the sheet holds.
+    #[error(
+        "{wanted} kinds of quantities need {wanted} panels, and the sheet has room for {room}\n  \
+         try: fewer quantities at a time, or another `page` in the scene's figure, as \"a4-portrait\""
+    )]
+    Panels {
+        /// Number of panels needed.
+        wanted: usize,
+        /// Number of panels that the sheet holds.
+        room: usize,
+    },
+    /// More curves in a panel than can be distinguished.
+    #[error(
+        "{wanted} curves in one panel are more than can be told apart, which is {MOST_CURVES}\n  \
+         try: fewer quantities at a time"
+    )]
+    Crowd {
+        /// Number of curves in the panel.
+        wanted: usize,
+    },
+}
+
+/// What the sheets of curves ask: a range of a motion with its events, the words for them, and the sheet.
+pub(super) struct CurveContext<'a> {
     pub scene: &'a Scene,
     pub dims: Dims,
     pub words: Wording,
@@ -24,7 +52,11 @@ pub(super) struct Course<'a> {
     pub events: &'a [Event],
 }
 
-impl Course<'_> {
+impl<'a> CurveContext<'a> {
+    pub fn new(scene: &'a Scene, path: &'a Path<'a>, range: [f64; 2], events: &'a [Event]) -> Self {
+        Self { scene, dims: Dims::of(&scene.figure), words: Wording::of(&scene.figure), path, range, events }
+    }
+
     /// A sheet with its title and, if there is room up to `right`, the rates of the drives.
     pub fn titled(&self, right: f64) -> Drawing {
         let title = self.scene.title.clone().unwrap_or_else(|| self.words.language.curves().into());
