@@ -1,10 +1,11 @@
-//! Ties of rotations that are no part of a slider, through all stages: wheels that mesh, against closed forms and differences.
+//! Relations between angles that are no part of a slider, through all stages: wheels that mesh, against closed forms and
+//! differences.
 
 use crate::Solution;
 use crate::accuracy::bounds;
 use crate::cycle::{Drive, Path};
 use crate::geometry::{Point, Vector, turn_of_degrees};
-use crate::mechanism::{GROUND, Joint, Mechanism, Tie, mechanism_with};
+use crate::mechanism::{AngularConstraint, GROUND, Joint, Mechanism, mechanism_with};
 use crate::motion::Order;
 use crate::position::{pose, poses};
 use crate::scene::Scene;
@@ -23,18 +24,18 @@ fn five_bar(angle: f64) -> Scene {
     Scene::read(&text).expect("a good scene")
 }
 
-/// Ties links by name (and the ground) with these weights: their angles so often taken add up to `apart` degrees.
-fn tied(scene: &Scene, weights: &[(&str, i32)], apart: f64) -> Mechanism {
+/// Gears between links by name (and the ground): their angles times these weights add up to `constant` degrees.
+fn geared(scene: &Scene, weights: &[(&str, i32)], constant: f64) -> Mechanism {
     let add = |mechanism: &mut Mechanism| {
-        let turns = weights.iter().map(|&(name, weight)| (mechanism.link(name).unwrap_or(GROUND), weight)).collect();
-        let tie = Tie { turns, apart: turn_of_degrees(apart) };
-        let bodies = [tie.turns[0].0, tie.turns[1].0];
+        let terms = weights.iter().map(|&(name, weight)| (mechanism.link(name).unwrap_or(GROUND), weight)).collect();
+        let angular = AngularConstraint { terms, constant: turn_of_degrees(constant) };
+        let bodies = [angular.terms[0].0, angular.terms[1].0];
         mechanism.joints.push(Joint {
             letter: 'G',
             bodies,
             pin: None,
             slider: None,
-            tie: Some(tie),
+            angular: Some(angular),
             marks: Default::default(),
         });
     };
@@ -76,7 +77,7 @@ fn a_geared_five_bar_is_where_its_lengths_and_wheels_put_it() {
     for angle in [-200.0, -35.0, 0.0, 70.0, 140.0] {
         let scene = five_bar(angle);
         // Wheels of 20 teeth on link 1 and 10 on link 4: it turns twice as fast the other way, from 30 degrees.
-        let s = solved(&scene, tied(&scene, &[("4", 1), ("1", 2), ("ground", -3)], 30.0));
+        let s = solved(&scene, geared(&scene, &[("4", 1), ("1", 2), ("ground", -3)], 30.0));
         let second = |first: f64| 30.0 - 2.0 * first;
         let time = |t: f64| angle + (2.0 * t - 1.5 * t * t).to_degrees();
         let at = |t: f64| apex(time(t), second(time(t)));
@@ -92,7 +93,7 @@ fn a_geared_five_bar_is_where_its_lengths_and_wheels_put_it() {
         let links: Vec<String> = s.mechanism.groups.iter().map(|g| g.link_names(&s.mechanism)).collect();
         assert_eq!(links, ["4", "2, 3"]);
         let bounds = bounds(&s.scene, &s.mechanism, &s.pose, &s.motion);
-        let [omega, alpha] = bounds.spin(s.mechanism.link("2").expect("2"));
+        let [omega, alpha] = bounds.angular_rates(s.mechanism.link("2").expect("2"));
         assert!(omega > 0.0 && omega < 1e-12 && alpha > omega && alpha < 1e-11, "{omega} {alpha}");
         for agreement in &s.construction.agreement {
             let agreement = agreement.expect("there is a construction");
@@ -106,7 +107,7 @@ fn a_geared_five_bar_is_where_its_lengths_and_wheels_put_it() {
 #[test]
 fn a_geared_five_bar_goes_round() {
     let scene = five_bar(70.0);
-    let mechanism = tied(&scene, &[("4", 1), ("1", 2), ("ground", -3)], 30.0);
+    let mechanism = geared(&scene, &[("4", 1), ("1", 2), ("ground", -3)], 30.0);
     let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
     let mut path = Path::new(&mechanism, &pose, Drive::new(&mechanism, None).expect("a drive")).expect("not singular");
     path.cover(None, None).expect("it goes round");
@@ -124,7 +125,7 @@ fn a_geared_five_bar_goes_round() {
 #[test]
 fn a_slower_wheel_has_two_modes() {
     let scene = five_bar(70.0);
-    let mechanism = tied(&scene, &[("4", 2), ("1", 1), ("ground", -3)], 0.0);
+    let mechanism = geared(&scene, &[("4", 2), ("1", 1), ("ground", -3)], 0.0);
     let link = mechanism.link("4").expect("4");
     let mut angles: Vec<f64> = Vec::new();
     for pose in poses(&mechanism, &scene.near).expect("it can be assembled") {
@@ -143,13 +144,13 @@ fn a_slower_wheel_has_two_modes() {
 fn wheels_within_one_group_are_found_together() {
     let driven = five_bar(70.0);
     let weights = [("4", 1), ("1", 2), ("ground", -3)];
-    let coupler = number(&solved(&driven, tied(&driven, &weights, 30.0)), "angle(2)");
+    let coupler = number(&solved(&driven, geared(&driven, &weights, 30.0)), "angle(2)");
     let mut scene = driven.clone();
     scene.links["1"].drive.as_mut().expect("a drive").angle_deg = None;
     scene.links["2"].angle_deg = Some(coupler);
     let near = [("B", [18.0, 43.0]), ("C", [50.0, 90.0])];
     scene.near.points = near.into_iter().map(|(name, place)| (name.to_owned(), place)).collect();
-    let mechanism = tied(&scene, &weights, 30.0);
+    let mechanism = geared(&scene, &weights, 30.0);
     assert_eq!(mechanism.for_positions().groups.len(), 1);
     let found = number(&solved(&scene, mechanism), "angle(1)");
     assert!((found - 70.0).abs() < 1e-9, "{found}");
@@ -166,7 +167,7 @@ fn a_planet_turns_with_the_arm_and_about_the_sun() {
     );
     let scene = scene.expect("a good scene");
     // 40 teeth on the ground, 20 on the wheel.
-    let s = solved(&scene, tied(&scene, &[("2", 1), ("ground", 2), ("1", -3)], -10.0));
+    let s = solved(&scene, geared(&scene, &[("2", 1), ("ground", 2), ("1", -3)], -10.0));
     let at = |t: f64| {
         let arm = 25.0 + (1.5 * t + 2.0 * t * t).to_degrees();
         let wheel = 3.0 * arm - 10.0;

@@ -104,7 +104,7 @@ impl<'a, T: Digits> Assembly<'a, T> {
     /// The assembly next to `pose`, with the driven links at these angles in degrees, by body; `None` where Newton's method
     /// does not end, or a joint is of another kind than a pin or an undriven slider.
     pub fn new(mechanism: &'a Mechanism, pose: &Pose, angle: impl Fn(BodyId) -> f64) -> Option<Self> {
-        let known = mechanism.joints.iter().all(|j| j.tie.is_none() || j.slider.is_some())
+        let known = mechanism.joints.iter().all(|j| j.angular.is_none() || j.slider.is_some())
             && mechanism.sliders.iter().all(|s| s.drive.is_none())
             && mechanism.bodies.iter().all(|b| matches!(b.role, Role::Ground | Role::Driver { .. } | Role::Member));
         if !known {

@@ -76,10 +76,10 @@ impl Bounds<'_> {
 
     /// Of a body's angular velocity and acceleration.
     #[must_use]
-    pub fn spin(&self, body: BodyId) -> [f64; 2] {
+    pub fn angular_rates(&self, body: BodyId) -> [f64; 2] {
         let motion = self.motion.body(body);
         [(0, motion.omega), (1, motion.alpha)]
-            .map(|(order, rate)| self.from(|e| Some(e.spin(body)[order]), |ball| of_number(ball, rate)))
+            .map(|(order, rate)| self.from(|e| Some(e.angular_rates(body)[order]), |ball| of_number(ball, rate)))
     }
 
     /// Of a slider's velocity and acceleration along its guide.

@@ -63,7 +63,7 @@ impl Enclosure {
 
     /// Angular velocity and acceleration of a body.
     #[must_use]
-    pub fn spin(&self, body: BodyId) -> [Ball; 2] {
+    pub fn angular_rates(&self, body: BodyId) -> [Ball; 2] {
         let motion = self.state.body(body);
         [motion.omega, motion.alpha]
     }

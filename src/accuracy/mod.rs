@@ -4,7 +4,6 @@
 
 mod bounds;
 mod enclosure;
-mod frame;
 mod given;
 mod placed;
 mod quantity;

@@ -1,11 +1,10 @@
 //! True places of a mechanism near a pose, with bounds of their errors.
 //!
-//! From lengths, Newton's method goes on from the pose's angles and slides with twice the digits of f64, until only the
+//! From lengths, Newton's method continues from the pose's angles and slides with twice the digits of f64, until only the
 //! errors of what the scene gives are left; |A⁻¹| takes these to the angles and slides (Higham, *Accuracy and Stability
 //! of Numerical Algorithms*, 2002, §7.1). As drawn, the places are those of the scene.
 
-use super::frame::Frame;
-use super::given::{Given, Vector, written};
+use super::given::{Frame, Given, Vector, written};
 use crate::geometry::{Ball, Numbers, Pair, Point, UNIT_ROUNDOFF, span};
 use crate::mechanism::{BodyId, Group, JointId, LoopEquations, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
@@ -17,7 +16,7 @@ const STEPS: usize = 12;
 const LAST_CORRECTION: f64 = UNIT_ROUNDOFF * UNIT_ROUNDOFF;
 
 /// How much of itself the inverse of the matrix may change within the bounds, for these still to be told.
-const STEEPEST: f64 = 0.5;
+const MOST_STRETCH: f64 = 0.5;
 
 /// The true places of points and guides, with the bounds of their errors.
 #[derive(Clone, Debug)]
@@ -153,10 +152,10 @@ impl<'a> Finder<'a> {
     /// Finds a group's angles and slides and places its links.
     fn find(&mut self, group: &Group) -> Option<()> {
         let equations = LoopEquations::new(self.mechanism, group);
-        let mut spins: Vec<Option<Vector>> = (0..equations.unknowns).map(|u| self.start(&equations, u)).collect();
+        let mut angles: Vec<Option<Vector>> = (0..equations.unknowns).map(|u| self.start(&equations, u)).collect();
         let mut before = f64::INFINITY;
         for _ in 0..STEPS {
-            let gaps = self.gaps(group, &equations, &spins)?;
+            let gaps = self.gaps(group, &equations, &angles)?;
             let (points, guides) = self.rounded();
             let size = span(points.iter().copied());
             let system = equations.factored(&points, &guides)?;
@@ -164,7 +163,7 @@ impl<'a> Finder<'a> {
             let correction = system.solve(&right);
             let relative = |errors: &[f64]| {
                 let parts =
-                    errors.iter().zip(&spins).map(|(x, spin)| x.abs() / if spin.is_some() { 1.0 } else { size });
+                    errors.iter().zip(&angles).map(|(x, angle)| x.abs() / if angle.is_some() { 1.0 } else { size });
                 parts.fold(0.0, f64::max)
             };
             let change = relative(&correction);
@@ -176,16 +175,16 @@ impl<'a> Finder<'a> {
                 let bounds = system.error_bound(&correction, &right, &uncertain);
                 let bounds: Vec<f64> = bounds.iter().zip(&correction).map(|(b, c)| b + c.abs()).collect();
                 // Within the bounds the matrix turns and stretches by about as much.
-                let steepness = 4.0 * system.condition() * relative(&bounds);
-                if steepness.is_nan() || steepness > STEEPEST {
+                let stretch = 4.0 * system.condition() * relative(&bounds);
+                if stretch.is_nan() || stretch > MOST_STRETCH {
                     return None;
                 }
-                let bounds: Vec<f64> = bounds.iter().map(|b| b / (1.0 - steepness)).collect();
-                self.widen(&equations, &mut spins, &bounds);
-                return self.gaps(group, &equations, &spins).map(|_| ());
+                let bounds: Vec<f64> = bounds.iter().map(|b| b / (1.0 - stretch)).collect();
+                self.widen(&equations, &mut angles, &bounds);
+                return self.gaps(group, &equations, &angles).map(|_| ());
             }
             before = change;
-            self.correct(&equations, &mut spins, &correction);
+            self.correct(&equations, &mut angles, &correction);
         }
         None
     }
@@ -208,13 +207,13 @@ impl<'a> Finder<'a> {
     fn start(&self, equations: &LoopEquations, unknown: usize) -> Option<Vector> {
         let link = equations.link_of(unknown)?;
         let axis = self.pose.axes.get(link.0).copied().flatten()?;
-        Some(sharp(Vector::from(axis).unit()))
+        Some(exact(Vector::from(axis).unit()))
     }
 
-    fn correct(&mut self, equations: &LoopEquations, spins: &mut [Option<Vector>], correction: &[f64]) {
-        for (spin, &step) in spins.iter_mut().zip(correction) {
+    fn correct(&mut self, equations: &LoopEquations, angles: &mut [Option<Vector>], correction: &[f64]) {
+        for (angle, &step) in angles.iter_mut().zip(correction) {
             // The rotation by the arctangent of the correction.
-            *spin = spin.map(|turn| sharp((turn + turn.quarter_turn() * step.into()).unit()));
+            *angle = angle.map(|turn| exact((turn + turn.quarter_turn() * step.into()).unit()));
         }
         for id in self.mechanism.slider_ids() {
             if let Some(unknown) = equations.slide_unknown(id) {
@@ -224,9 +223,9 @@ impl<'a> Finder<'a> {
         }
     }
 
-    fn widen(&mut self, equations: &LoopEquations, spins: &mut [Option<Vector>], bounds: &[f64]) {
-        for (spin, &bound) in spins.iter_mut().zip(bounds) {
-            *spin = spin.map(|turn| turn.unit().widened(bound));
+    fn widen(&mut self, equations: &LoopEquations, angles: &mut [Option<Vector>], bounds: &[f64]) {
+        for (angle, &bound) in angles.iter_mut().zip(bounds) {
+            *angle = angle.map(|turn| turn.unit().widened(bound));
         }
         for id in self.mechanism.slider_ids() {
             if let Some(unknown) = equations.slide_unknown(id) {
@@ -235,10 +234,10 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// Places the group's links by its angles and slides; the gaps left in its loops and ties, in the order of the
+    /// Places the group's links by its angles and slides; the gaps left in its loops and in the relations between its angles, in the order of the
     /// equations. `None` where a link has no angle.
-    fn gaps(&mut self, group: &Group, equations: &LoopEquations, spins: &[Option<Vector>]) -> Option<Vec<Ball>> {
-        let turns = self.turns(group, equations, spins);
+    fn gaps(&mut self, group: &Group, equations: &LoopEquations, angles: &[Option<Vector>]) -> Option<Vec<Ball>> {
+        let turns = self.turns(group, equations, angles);
         let mut placed: Vec<BodyId> = Vec::new();
         let mut gaps = vec![Ball::default(); 2 * group.loops.len()];
         let mut waiting: Vec<_> = group.loops.iter().enumerate().collect();
@@ -246,7 +245,7 @@ impl<'a> Finder<'a> {
         while let Some(next) = waiting.iter().position(|(_, c)| !c.closed || placed.contains(&c.bodies[0])) {
             let (index, chain) = waiting.remove(next);
             let last = chain.joints.len() - 1;
-            // Each loop goes its own way, also over links that another loop has placed.
+            // Each loop is followed by itself, also over links that another loop has placed.
             let start = self.mechanism.side(chain.joints[0], chain.bodies[0]);
             let mut at = (start, self.frames[start.0]?);
             for (&joint, &link) in chain.joints[..last].iter().zip(&chain.bodies[1..]) {
@@ -264,11 +263,10 @@ impl<'a> Finder<'a> {
             let at = self.over(joint, (base, self.frames[base.0]?), to, &turns)?;
             self.settle(at, to, &mut placed);
         }
-        let ties = group.joints.iter().filter_map(|&joint| self.mechanism.joint(joint).tie.as_ref());
-        for tie in ties.filter(|tie| tie.as_alike().is_none()) {
-            let apart = Vector::from(crate::geometry::Vector::new(tie.apart.re, tie.apart.im)).unit();
-            let mut left = apart;
-            for &(body, weight) in &tie.turns {
+        for angular in self.mechanism.geared(group) {
+            let constant = crate::geometry::Vector::new(angular.constant.re, angular.constant.im);
+            let mut left = Vector::from(constant).unit();
+            for &(body, weight) in &angular.terms {
                 let turn = turns[body.0].or(self.frames[body.0].map(|f| f.turn))?;
                 let back = if weight > 0 { turn.reversed() } else { turn };
                 left = (0..weight.unsigned_abs()).fold(left, |left, _| left.turn(back));
@@ -280,13 +278,13 @@ impl<'a> Finder<'a> {
     }
 
     /// By body: cosine and sine of the angle, for bodies of the group: unknown angles, and what sliders make turn alike.
-    fn turns(&self, group: &Group, equations: &LoopEquations, spins: &[Option<Vector>]) -> Vec<Option<Vector>> {
+    fn turns(&self, group: &Group, equations: &LoopEquations, angles: &[Option<Vector>]) -> Vec<Option<Vector>> {
         let mut turns: Vec<Option<Vector>> = self.frames.iter().map(|frame| frame.map(|f| f.turn)).collect();
         for body in &group.bodies {
             turns[body.0] = None;
         }
-        for (unknown, spin) in spins.iter().enumerate() {
-            if let (Some(link), Some(turn)) = (equations.link_of(unknown), spin) {
+        for (unknown, angle) in angles.iter().enumerate() {
+            if let (Some(link), Some(turn)) = (equations.link_of(unknown), angle) {
                 turns[link.0] = Some(*turn);
             }
         }
@@ -330,8 +328,8 @@ impl<'a> Finder<'a> {
 
     /// Another body of the same compound link, placed from the one that is.
     fn within(&self, (from, frame): (BodyId, Frame), to: BodyId) -> (BodyId, Frame) {
-        let way = self.mechanism.way(from, to).into_iter();
-        (to, way.fold(frame, |frame, slide| frame.of(&self.across(slide.slider, slide.from))))
+        let slides = self.mechanism.slides_between(from, to).into_iter();
+        (to, slides.fold(frame, |frame, slide| frame.of(&self.across(slide.slider, slide.from))))
     }
 
     /// Keeps the places of link `link` and its compound link, unless they are there.
@@ -374,7 +372,7 @@ pub(super) fn relative(points: &[Vector]) -> Vec<Point> {
 }
 
 /// The middles of both components, taken as exact.
-fn sharp(v: Vector) -> Vector {
+fn exact(v: Vector) -> Vector {
     Pair { x: Ball { radius: 0.0, ..v.x }, y: Ball { radius: 0.0, ..v.y } }
 }
 

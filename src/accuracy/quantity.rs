@@ -34,8 +34,8 @@ impl Bounds<'_> {
             Quantity::Vector(v) => v.norm() * ROUNDINGS,
         };
         let bound = match asked.what() {
-            What::Omega(link) => self.spin(*link)[0],
-            What::Alpha(link) => self.spin(*link)[1],
+            What::Omega(link) => self.angular_rates(*link)[0],
+            What::Alpha(link) => self.angular_rates(*link)[1],
             What::Angle(link) => self.angle(*link)?,
             What::SlidePosition(slider) => self.slide_position(*slider)?,
             What::SlideVelocity(slider) => self.slide(*slider)[0],
@@ -97,7 +97,7 @@ impl Bounds<'_> {
         };
         let arm = self.pose.arm(*second, *first).norm();
         let off = self.of_place(a)? + self.of_place(b)?;
-        let ([omega, alpha], motion) = (self.spin(link), self.motion.body(link));
+        let ([omega, alpha], motion) = (self.angular_rates(link), self.motion.body(link));
         let (factor, error) = match part {
             Normality::Normal => (motion.omega * motion.omega, (2.0 * motion.omega.abs() + omega) * omega),
             Normality::Tangential => (motion.alpha.abs(), alpha),

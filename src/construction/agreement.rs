@@ -60,7 +60,7 @@ impl Writer<'_> {
     }
 
     fn unknown_spins(&self, group: &Group, equations: &LoopEquations, order: usize) -> Vec<UnknownRate> {
-        let unknown = group.bodies.iter().filter(|&&link| equations.spin_unknown(link).is_some());
+        let unknown = group.bodies.iter().filter(|&&link| equations.angular_unknown(link).is_some());
         let rates = unknown.filter_map(|&link| {
             let (body, errors) = (self.motion.body(link), self.motion.error(link));
             let (rate, error) = [(body.omega, errors.omega), (body.alpha, errors.alpha)][order];

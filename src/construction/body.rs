@@ -27,7 +27,7 @@ impl Writer<'_> {
             let rates = match root.role {
                 Role::Ground => [0.0, 0.0],
                 Role::Driver { omega, alpha, .. } | Role::Moving { omega, alpha, .. } => [omega, alpha],
-                Role::Pushed { .. } | Role::Carrier { .. } | Role::Stub | Role::Member => continue,
+                Role::Pushed { .. } | Role::Carrier { .. } | Role::Unsolved | Role::Member => continue,
             };
             let omega = self.take(Sheet::Velocity, NumberKind::Rate(Rate::Omega(body)), rates[0]);
             let alpha = self.take(Sheet::Acceleration, NumberKind::Rate(Rate::Alpha(body)), rates[1]);
@@ -69,7 +69,7 @@ impl Writer<'_> {
             Role::Pushed { .. } => {
                 let root = mechanism.root(body);
                 let start = self.motion(sheet, root, point);
-                self.add_slides(sheet, start, &mechanism.way(root, body))
+                self.add_slides(sheet, start, &mechanism.slides_between(root, body))
             }
             // The scene gives the vector itself.
             _ => Some(self.computed_motion(sheet, body, point)),
@@ -140,7 +140,7 @@ impl Writer<'_> {
         let is_there = |b: &BodyId| self.anchors[b.0].is_some() || self.first_motions.contains_key(&(sheet, *b));
         let other = others.find(|b| *b != body && is_there(b))?;
         let start = self.motion(sheet, other, point);
-        self.add_slides(sheet, start, &mechanism.way(other, body))
+        self.add_slides(sheet, start, &mechanism.slides_between(other, body))
     }
 
     /// Adds the relative motion of two points of one body, ω × r or α × r − ω² r, to `place`; `None` where the body's

@@ -167,7 +167,7 @@ fn driven_slides(mechanism: &Mechanism, point: &SpecialPoint, leg: &Leg) -> Vec<
     let link = mechanism.lead(point.link);
     let mut slides = leg.carrier_slides(mechanism);
     let last = leg.carried.map_or(leg.outer, |carried| carried.inner);
-    slides.extend(mechanism.way(mechanism.side(last, link), point.link));
+    slides.extend(mechanism.slides_between(mechanism.side(last, link), point.link));
     slides
 }
 

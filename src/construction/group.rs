@@ -10,7 +10,7 @@ use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, 
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
-use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId, Spin};
+use crate::mechanism::{AngularRate, BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
 use core::cmp::Reverse;
 
 /// The ray of a leg.
@@ -28,13 +28,13 @@ impl Writer<'_> {
         let special = special_points(self.mechanism, self.pose, group);
         let equations = LoopEquations::new(self.mechanism, group);
         for &link in &group.bodies {
-            if let Spin::Known(body) = equations.spin_of(link) {
+            if let AngularRate::Known(body) = equations.angular_rate_of(link) {
                 self.construction.spins[link.0] = self.construction.spins[body.0];
             }
         }
         let has_crossing =
             |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
-        let equation_count = 2 * special.len() + equations.ties.len();
+        let equation_count = 2 * special.len() + equations.angular.len();
         let has_rays = equation_count == equations.unknowns && special.iter().all(has_crossing);
         let ids = (first..).map(SpecialId);
         let drawn: Vec<Option<Drawn<'_>>> =
@@ -179,7 +179,7 @@ impl Writer<'_> {
         let root = self.mechanism.root(base);
         self.known_vector(sheet, root, point);
         let start = (self.start_name(root, point), self.motion(sheet, root, point));
-        let way = self.mechanism.way(root, base);
+        let way = self.mechanism.slides_between(root, base);
         let (_, place) = self.driven_slides(sheet, start, &way, PointRole::Known, Some(name));
         self.show(sheet, name, place, PointRole::Known);
         self.note_motion(sheet, base, point, place);
@@ -213,7 +213,7 @@ impl Writer<'_> {
             }
             self.note_joint_motion(sheet, point, crossing);
         }
-        for terms in &equations.ties {
+        for terms in &equations.angular {
             rows.push(self.tie_equation(sheet, terms)?);
         }
         let rates = self.unknown_rates(sheet, group, equations);
@@ -249,7 +249,7 @@ impl Writer<'_> {
         let is_second = sheet == Sheet::Acceleration;
         let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
         for &link in &group.bodies {
-            if let Some(unknown) = equations.spin_unknown(link) {
+            if let Some(unknown) = equations.angular_unknown(link) {
                 rates[unknown] = if is_second { Rate::Alpha(link) } else { Rate::Omega(link) };
             }
         }
@@ -267,9 +267,9 @@ impl Writer<'_> {
         let order = sheet.order();
         let name = |link| [Rate::Omega(link), Rate::Alpha(link)][order].name(self.mechanism);
         for &link in &group.bodies {
-            if let Some(unknown) = equations.spin_unknown(link) {
+            if let Some(unknown) = equations.angular_unknown(link) {
                 self.construction.spins[link.0].get_or_insert_default()[order] = Some(numbers[unknown]);
-                let alike = group.bodies.iter().copied().filter(|&b| equations.spin_unknown(b) == Some(unknown));
+                let alike = group.bodies.iter().copied().filter(|&b| equations.angular_unknown(b) == Some(unknown));
                 let most = alike.min_by_key(|&b| Reverse(self.mechanism.body(b).points.len()));
                 if let Some(other) = most.filter(|&other| other != link) {
                     self.construction.same_rates.insert(name(link), name(other));
@@ -286,7 +286,7 @@ impl Writer<'_> {
     /// Names and values of the rates that a group is solved for.
     fn solved_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<(String, f64)> {
         let (motion, order) = (self.motion, sheet.order());
-        let links = group.bodies.iter().filter(|&&link| equations.spin_unknown(link).is_some()).map(|&link| {
+        let links = group.bodies.iter().filter(|&&link| equations.angular_unknown(link).is_some()).map(|&link| {
             let body = motion.body(link);
             [(Rate::Omega(link), body.omega), (Rate::Alpha(link), body.alpha)][order]
         });
@@ -302,7 +302,7 @@ impl Writer<'_> {
     /// Takes the rates of a group without a construction from the motion; marked as not found by hand.
     fn take_computed_rates(&mut self, group: &Group, equations: &LoopEquations) {
         for &link in &group.bodies {
-            if equations.spin_unknown(link).is_none() {
+            if equations.angular_unknown(link).is_none() {
                 continue;
             }
             let (body, errors) = (*self.motion.body(link), *self.motion.error(link));

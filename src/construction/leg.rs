@@ -8,7 +8,7 @@ use super::operation::{
 use super::step::{Action, Added, Arrow, PointRole, VectorOf};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
-use crate::mechanism::{BodyId, LoopEquations, PointId, SliderId, Spin, TieTerms};
+use crate::mechanism::{AngularRate, AngularTerms, BodyId, LoopEquations, PointId, SliderId};
 
 /// Directions of a leg on the sheets.
 #[derive(Clone, Copy)]
@@ -110,7 +110,7 @@ impl Writer<'_> {
         let (mut left, mut right) = (Vec::new(), vec![Product::plain(segment)]);
         for summand in self.summands(drawn, side) {
             match summand {
-                Summand::Turn(link, length) => match equations.spin_unknown(link) {
+                Summand::Turn(link, length) => match equations.angular_unknown(link) {
                     Some(unknown) => left.push((unknown, Product::plain(length))),
                     None => {
                         if let Some(rate) = self.construction.spins[link.0]?[sheet.order()] {
@@ -129,12 +129,12 @@ impl Writer<'_> {
     }
 
     /// The equation of a tie of rotations; `None` where the rate of a known body has no number.
-    pub(super) fn tie_equation(&self, sheet: Sheet, terms: &TieTerms) -> Option<Equation> {
+    pub(super) fn tie_equation(&self, sheet: Sheet, terms: &AngularTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for &(spin, weight) in terms {
             match spin {
-                Spin::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
-                Spin::Known(body) => {
+                AngularRate::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
+                AngularRate::Known(body) => {
                     let rate = self.construction.spins[body.0]?[sheet.order()];
                     right.extend(rate.map(|rate| Product::new(ProductKind::Plain, -weight, &[rate])));
                 }

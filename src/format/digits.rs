@@ -26,9 +26,9 @@ impl Solution {
         let bounds = &bounds(scene, mechanism, pose, motion);
         let mut table = Table { units: scene.units, bounds, motion, lines: Vec::new() };
         for (link, body) in mechanism.links() {
-            // Only the motion of a stub's point is known.
-            if body.role != Role::Stub {
-                let (rates, [omega, alpha]) = (motion.body(link), bounds.spin(link));
+            // Only the motion of an unsolved link's point is known.
+            if body.role != Role::Unsolved {
+                let (rates, [omega, alpha]) = (motion.body(link), bounds.angular_rates(link));
                 let name = |letter: &str| format!("{letter}({})", body.name);
                 table.line(name("omega"), rates.omega, omega, Kind::AngularVelocity);
                 table.line(name("alpha"), rates.alpha, alpha, Kind::AngularAcceleration);

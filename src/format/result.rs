@@ -198,9 +198,9 @@ impl Solution {
         let Solution { scene, mechanism, pose, motion, construction } = self;
         let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
         let bounds = &bounds(scene, mechanism, pose, motion);
-        let links = mechanism.links().filter(|(_, body)| body.role != Role::Stub).map(|(id, body)| {
+        let links = mechanism.links().filter(|(_, body)| body.role != Role::Unsolved).map(|(id, body)| {
             let (rates, at_position) = (motion.body(id), motion.errors[id.0]);
-            let [omega_error, alpha_error] = bounds.spin(id);
+            let [omega_error, alpha_error] = bounds.angular_rates(id);
             let link = LinkResult {
                 angle: pose.axes[id.0].map(degrees_of),
                 angle_error: bounds.angle(id),

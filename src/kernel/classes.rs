@@ -1,5 +1,5 @@
 use crate::geometry::Turn;
-use crate::mechanism::{GROUND, Mechanism, Role, Tie};
+use crate::mechanism::{AngularConstraint, GROUND, Mechanism, Role};
 
 /// By body: its class and its rotation relative to the class. The ground's class is 0; a class has the rotation of its
 /// first body, a driven link where it contains one.
@@ -15,7 +15,7 @@ pub(super) fn classes(mechanism: &Mechanism) -> Vec<(usize, Turn)> {
         }
         found[root] = Some((next, Turn::identity()));
         while let Some((body, seat)) = mechanism.joints.iter().find_map(|joint| {
-            let ([first, second], turn) = joint.tie.as_ref().and_then(Tie::as_alike)?;
+            let ([first, second], turn) = joint.angular.as_ref().and_then(AngularConstraint::as_fixed_angle)?;
             match (found[first.0], found[second.0]) {
                 (Some((class, seat)), None) => Some((second, (class, seat * turn))),
                 (None, Some((class, seat))) => Some((first, (class, seat * turn.inverse()))),

@@ -2,7 +2,8 @@ use super::action::{Action, Chain, Closing, Member, Placing, Rail, ReducedColumn
 use super::classes::classes;
 use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
-    Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, Reduction, Role, Slider, SliderId, Tie,
+    AngularConstraint, Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, Reduction, Role,
+    Slider, SliderId,
 };
 use crate::scene::GivenBy;
 use std::collections::BTreeSet;
@@ -328,7 +329,7 @@ impl<'a> Compiler<'a> {
         let equations = LoopEquations::new(self.mechanism, group);
         let mut unknowns = vec![Unknown::Spin(0); equations.unknowns];
         for &link in &group.links {
-            if let Some(unknown) = equations.spin_unknown(link) {
+            if let Some(unknown) = equations.angular_unknown(link) {
                 unknowns[unknown] = Unknown::Spin(self.classes[link.0].0);
             }
         }
@@ -345,7 +346,7 @@ impl<'a> Compiler<'a> {
         let ties = group
             .joints
             .iter()
-            .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).tie.as_ref()?, &unknowns));
+            .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).angular.as_ref()?, &unknowns));
         let ties = ties.collect();
         let mut closing = Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0 };
         for chain in &group.loops {
@@ -360,12 +361,12 @@ impl<'a> Compiler<'a> {
     }
 
     /// A tie in terms of classes; `None` for a tie that makes its bodies one class.
-    fn compile_tie(&self, tie: &Tie, unknowns: &[Unknown]) -> Option<Tied> {
-        if tie.as_alike().is_some() {
+    fn compile_tie(&self, tie: &AngularConstraint, unknowns: &[Unknown]) -> Option<Tied> {
+        if tie.as_fixed_angle().is_some() {
             return None;
         }
-        let mut tied = Tied { classes: Vec::new(), apart: angle(tie.apart) };
-        for &(body, weight) in &tie.turns {
+        let mut tied = Tied { classes: Vec::new(), apart: angle(tie.constant) };
+        for &(body, weight) in &tie.terms {
             let (class, turn) = self.classes[body.0];
             let spin = unknowns.iter().position(|u| *u == Unknown::Spin(class));
             let weight = f64::from(weight);
@@ -433,7 +434,7 @@ impl<'a> Compiler<'a> {
 
     /// Continues the walk over the driven sliders of a compound link to its body `to`.
     fn walk_compound(&self, sums: &mut LoopSums, walk: &mut Walk, to: BodyId) {
-        for driven in self.mechanism.way(walk.body, to) {
+        for driven in self.mechanism.slides_between(walk.body, to) {
             self.walk_joint(sums, walk, self.mechanism.slider_joint(driven.slider), driven.to);
         }
     }

@@ -1,31 +1,4 @@
-use super::{BodyId, GROUND, Group, Joint, JointId, Mechanism, Role, Slider, SliderId};
-
-/// A driven slider that is passed on the way between two links of a compound link.
-///
-/// The two bodies of a driven slider have one rotation, and their sliding is given: their relative motion is known. So
-/// all links that driven sliders join, directly or over others, are one *compound link* to groups and loops, with
-/// lengths that change as the scene says: a hydraulic cylinder with its rod is a link of varying length between its two
-/// pins. One of its links, the lead, stands for all of them; where the lead's motion is known, so are those of the
-/// others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DrivenSlide {
-    /// The slider.
-    pub slider: SliderId,
-    /// The body from which the slider is passed.
-    pub from: BodyId,
-    /// The body to which it is passed.
-    pub to: BodyId,
-    /// +1 from the guide's body to the sliding link, −1 from the sliding link to the guide's body.
-    pub sign: f64,
-}
-
-impl DrivenSlide {
-    fn new(mechanism: &Mechanism, slider: SliderId, from: BodyId) -> Self {
-        let ends = mechanism.slider(slider);
-        let forward = ends.on == from;
-        Self { slider, from, to: if forward { ends.link } else { ends.on }, sign: if forward { 1.0 } else { -1.0 } }
-    }
-}
+use super::{BodyId, DrivenSlide, GROUND, Group, Joint, JointId, Mechanism, Role, Slider, SliderId};
 
 impl Mechanism {
     /// The body that stands for `body` in groups and loops: the lead of its compound link, or `body` itself if no
@@ -39,7 +12,7 @@ impl Mechanism {
     /// Whether the body's motion, or for a carrier that of its point, is known before any group is solved.
     #[must_use]
     pub fn is_known(&self, body: BodyId) -> bool {
-        !matches!(self.body(self.root(body)).role, Role::Member | Role::Stub)
+        !matches!(self.body(self.root(body)).role, Role::Member | Role::Unsolved)
     }
 
     /// Whether the body is a link of an Assur group, whose motion is unknown.
@@ -94,7 +67,7 @@ impl Mechanism {
     /// The driven sliders on the way from one body to another of the same compound link, in that order; none from a
     /// body to itself.
     #[must_use]
-    pub fn way(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
+    pub fn slides_between(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
         let (mut up, mut down) = (self.slides_to_root(from), self.slides_to_root(to));
         while !up.is_empty() && up.last() == down.last() {
             up.pop();
@@ -107,13 +80,13 @@ impl Mechanism {
 
     /// The driven sliders from a body to the root of its compound link.
     fn slides_to_root(&self, body: BodyId) -> Vec<DrivenSlide> {
-        let mut way = Vec::new();
+        let mut found = Vec::new();
         let mut here = body;
         while let Role::Pushed { slider, from } = self.body(here).role {
-            way.push(DrivenSlide::new(self, slider, here));
+            found.push(DrivenSlide::new(self, slider, here));
             here = from;
         }
-        way
+        found
     }
 
     /// The body from which, directly or over others, driven sliders push `body`; `body` itself if none does.
@@ -170,8 +143,8 @@ impl Mechanism {
                 continue;
             }
             surplus += joint.constraints() + usize::from(driven.is_some());
-            let way = self.way(a, b).into_iter();
-            bodies.extend([a, b].into_iter().chain(way.map(|slide| slide.to)));
+            let slides = self.slides_between(a, b).into_iter();
+            bodies.extend([a, b].into_iter().chain(slides.map(|slide| slide.to)));
         }
         bodies.retain(|&b| b != GROUND);
         bodies.sort_unstable();

@@ -27,8 +27,8 @@ pub(super) fn role(
     let Some(drive) = &link.drive else {
         let known = |p: &String| scene.known.contains_key(p);
         let slides = |s: &scene::Slider| s.link.as_deref() == Some(name) || s.on == On::Link(name.to_owned());
-        let is_stub = !link.points.is_empty() && link.points.iter().all(known) && !scene.sliders.iter().any(slides);
-        return Ok(if is_stub { Role::Stub } else { Role::Member });
+        let is_unsolved = !link.points.is_empty() && link.points.iter().all(known) && !scene.sliders.iter().any(slides);
+        return Ok(if is_unsolved { Role::Unsolved } else { Role::Member });
     };
     let pivots: Vec<&String> = link.points.iter().filter(|p| scene.ground.contains(p)).collect();
     let [pivot] = pivots.as_slice() else {

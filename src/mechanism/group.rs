@@ -103,7 +103,7 @@ impl Leg {
             return Vec::new();
         };
         let [from, to] = [self.outer, inner].map(|joint| mechanism.side(joint, carrier));
-        mechanism.way(from, to)
+        mechanism.slides_between(from, to)
     }
 }
 

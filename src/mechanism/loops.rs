@@ -1,4 +1,4 @@
-use super::{BodyId, DrivenSlide, Group, Loop, Mechanism, PointId, SliderId, Tie};
+use super::{AngularConstraint, BodyId, DrivenSlide, Group, Loop, Mechanism, PointId, SliderId};
 use crate::geometry::{LinearSystem, Point, Vector, quarter_turn};
 use nalgebra::DMatrix;
 use smallvec::SmallVec;
@@ -13,21 +13,21 @@ use smallvec::SmallVec;
 ///
 /// Both have the same matrix. A closed contour has one arm more, from p_m back to p_1, and zero for the ends. The rates
 /// of driven sliders are known: their terms belong to the right sides.
-/// Links that joints make turn alike have one angular rate. Any other tie of rotations gives one further equation,
-/// after those of the loops: Σ weight ω = 0, and the same for α.
-/// The unknowns are the angular rates, then the slide rates, two for each loop and one for each such tie. The equations
-/// do not depend on the position.
+/// Links with a constant angle between them have one angular rate. Any other relation between angles, as of gears, gives
+/// one further equation, after those of the loops: Σ weight ω = 0, and the same for α.
+/// The unknowns are the angular rates, then the slide rates, two for each loop and one for each such relation. The
+/// equations do not depend on the position.
 #[derive(Clone, Debug)]
 pub struct LoopEquations {
     /// One entry for each loop of the group.
     pub loops: Vec<LoopTerms>,
-    /// One entry for each joint that ties rotations otherwise than alike, with the rotations and their weights.
-    pub ties: Vec<TieTerms>,
+    /// One entry for each relation between angles that needs an equation: angular rates with their weights.
+    pub angular: Vec<AngularTerms>,
     /// The number of unknown rates.
     pub unknowns: usize,
     /// How two equations for two rates are split off; `None` where they cannot be.
     pub reduction: Option<Reduction>,
-    spins: Vec<(BodyId, Spin)>,
+    angular_rates: Vec<(BodyId, AngularRate)>,
     slides: Vec<(SliderId, usize)>,
 }
 
@@ -47,7 +47,7 @@ pub enum Reduction {
 
 /// The angular rate of a body: an unknown of the equations, or that of a known body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spin {
+pub enum AngularRate {
     /// The unknown of this index.
     Unknown(usize),
     /// The angular rate of this body.
@@ -86,7 +86,7 @@ pub struct Arm {
     /// The revolute joint p_(k+1).
     pub to: PointId,
     /// The angular rate of the arm.
-    pub spin: Spin,
+    pub angular: AngularRate,
 }
 
 /// A slider of a loop.
@@ -99,11 +99,11 @@ pub struct Slide {
     /// +1 where the loop runs from the guide to the sliding link, −1 from the sliding link to the guide.
     pub sign: f64,
     /// The angular rate of its guide.
-    pub spin: Spin,
+    pub angular: AngularRate,
 }
 
-/// The terms of a tie: angular rates with their weights.
-pub type TieTerms = SmallVec<[(Spin, f64); 3]>;
+/// The terms of a relation between angular rates, with their weights: their sum is zero.
+pub type AngularTerms = SmallVec<[(AngularRate, f64); 3]>;
 
 impl LoopTerms {
     /// Adds this loop's coefficients to the columns of the unknowns, where the points are at `points` and the guides
@@ -111,7 +111,7 @@ impl LoopTerms {
     #[inline]
     pub fn add_columns(&self, points: &[Point], guides: &[Vector], columns: &mut [Vector]) {
         for arm in &self.arms {
-            if let Spin::Unknown(unknown) = arm.spin {
+            if let AngularRate::Unknown(unknown) = arm.angular {
                 columns[unknown] += quarter_turn(points[arm.to.0] - points[arm.from.0]);
             }
         }
@@ -123,7 +123,7 @@ impl LoopTerms {
     }
 
     fn has_unknown(&self, unknown: usize) -> bool {
-        let arms = self.arms.iter().any(|a| a.spin == Spin::Unknown(unknown));
+        let arms = self.arms.iter().any(|a| a.angular == AngularRate::Unknown(unknown));
         let rate = SlideRate::Unknown(unknown);
         arms || self.slides.iter().any(|s| s.rate == rate)
     }
@@ -133,23 +133,30 @@ impl LoopEquations {
     /// The equations of `group`.
     #[must_use]
     pub fn new(mechanism: &Mechanism, group: &Group) -> Self {
-        let spins = spins(mechanism, group);
+        let angular_rates = angular_rates(mechanism, group);
         let mut unknowns = 0;
-        for (_, spin) in &spins {
-            if let Spin::Unknown(unknown) = spin {
+        for (_, rate) in &angular_rates {
+            if let AngularRate::Unknown(unknown) = rate {
                 unknowns = unknowns.max(unknown + 1);
             }
         }
         let mut slides: Vec<(SliderId, usize)> = Vec::new();
         let mut loops = Vec::new();
         for chain in &group.loops {
-            loops.push(terms(mechanism, chain, &spins, &mut slides, &mut unknowns));
+            loops.push(terms(mechanism, chain, &angular_rates, &mut slides, &mut unknowns));
         }
-        let ties = group.joints.iter().filter_map(|&joint| {
-            let tie = mechanism.joint(joint).tie.as_ref().filter(|tie| tie.as_alike().is_none())?;
-            Some(tie.turns.iter().map(|&(body, weight)| (spin_of(&spins, body), f64::from(weight))).collect())
+        let angular = mechanism.geared(group).map(|angular| {
+            let terms = angular.terms.iter();
+            terms.map(|&(body, weight)| (rate_of(&angular_rates, body), f64::from(weight))).collect()
         });
-        Self { reduction: reduction(&loops, unknowns), loops, ties: ties.collect(), unknowns, spins, slides }
+        Self {
+            reduction: reduction(&loops, unknowns),
+            loops,
+            angular: angular.collect(),
+            unknowns,
+            angular_rates,
+            slides,
+        }
     }
 
     /// The index of the unknown that is the rate of `slider`; `None` for a slider of another group and for a driven
@@ -162,37 +169,37 @@ impl LoopEquations {
     /// The index of the unknown that is the angular rate of `link`; `None` if `link` turns as a known body does, or is
     /// none of the group.
     #[must_use]
-    pub fn spin_unknown(&self, link: BodyId) -> Option<usize> {
-        match self.spins.iter().find(|(b, _)| *b == link)?.1 {
-            Spin::Unknown(unknown) => Some(unknown),
-            Spin::Known(_) => None,
+    pub fn angular_unknown(&self, link: BodyId) -> Option<usize> {
+        match self.angular_rates.iter().find(|(b, _)| *b == link)?.1 {
+            AngularRate::Unknown(unknown) => Some(unknown),
+            AngularRate::Known(_) => None,
         }
     }
 
     /// The angular rate of `link`: an unknown, or that of the known body with which it turns.
     #[must_use]
-    pub fn spin_of(&self, link: BodyId) -> Spin {
-        spin_of(&self.spins, link)
+    pub fn angular_rate_of(&self, link: BodyId) -> AngularRate {
+        rate_of(&self.angular_rates, link)
     }
 
     /// The first link whose angular rate is this unknown; `None` for a slide rate.
     #[must_use]
     pub fn link_of(&self, unknown: usize) -> Option<BodyId> {
-        self.spins.iter().find(|(_, spin)| *spin == Spin::Unknown(unknown)).map(|(body, _)| *body)
+        self.angular_rates.iter().find(|(_, rate)| *rate == AngularRate::Unknown(unknown)).map(|(body, _)| *body)
     }
 
     /// The value of `link`'s angular rate, where `x` are the unknowns and `known` gives the rates of known bodies.
     #[must_use]
-    pub fn spin(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {
-        match spin_of(&self.spins, link) {
-            Spin::Unknown(unknown) => x[unknown],
-            Spin::Known(body) => known(body),
+    pub fn angular_rate(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {
+        match rate_of(&self.angular_rates, link) {
+            AngularRate::Unknown(unknown) => x[unknown],
+            AngularRate::Known(body) => known(body),
         }
     }
 
     /// The number of equations.
     fn count(&self) -> usize {
-        2 * self.loops.len() + self.ties.len()
+        2 * self.loops.len() + self.angular.len()
     }
 
     /// Whether there are as many equations as unknowns; else the group is singular in every position.
@@ -213,9 +220,9 @@ impl LoopEquations {
                 matrix[(2 * index + 1, unknown)] = column.y;
             }
         }
-        for (index, terms) in self.ties.iter().enumerate() {
-            for (spin, weight) in terms {
-                if let Spin::Unknown(unknown) = *spin {
+        for (index, terms) in self.angular.iter().enumerate() {
+            for (rate, weight) in terms {
+                if let AngularRate::Unknown(unknown) = *rate {
                     matrix[(2 * self.loops.len() + index, unknown)] += weight;
                 }
             }
@@ -230,42 +237,42 @@ impl LoopEquations {
     }
 }
 
-fn spin_of(spins: &[(BodyId, Spin)], body: BodyId) -> Spin {
-    spins.iter().find(|(b, _)| *b == body).map_or(Spin::Known(body), |(_, spin)| *spin)
+fn rate_of(rates: &[(BodyId, AngularRate)], body: BodyId) -> AngularRate {
+    rates.iter().find(|(b, _)| *b == body).map_or(AngularRate::Known(body), |(_, rate)| *rate)
 }
 
 /// The terms of a loop; new slide rates get the indices from `unknowns` on.
 fn terms(
     mechanism: &Mechanism,
     chain: &Loop,
-    spins: &[(BodyId, Spin)],
+    rates: &[(BodyId, AngularRate)],
     slides: &mut Vec<(SliderId, usize)>,
     unknowns: &mut usize,
 ) -> LoopTerms {
     let mut pins = Vec::new();
     let mut arms: Vec<Arm> = Vec::new();
     let mut sliding = Vec::new();
-    let driven = |way: Vec<DrivenSlide>, spin| {
-        way.into_iter().map(move |way| Slide {
-            slider: way.slider,
-            rate: driven_rate(mechanism, way.slider),
-            sign: way.sign,
-            spin,
+    let driven = |slides: Vec<DrivenSlide>, angular| {
+        slides.into_iter().map(move |slide| Slide {
+            slider: slide.slider,
+            rate: driven_rate(mechanism, slide.slider),
+            sign: slide.sign,
+            angular,
         })
     };
     // The link of a compound link on which the loop enters it; it may leave by another one.
     let mut entered = None;
     for (&joint, sides) in chain.joints.iter().zip(chain.bodies.windows(2)) {
-        let spin = spin_of(spins, sides[0]);
+        let angular = rate_of(rates, sides[0]);
         if let Some(from) = entered {
             let left = mechanism.side(joint, sides[0]);
-            sliding.extend(driven(mechanism.way(from, left), spin));
+            sliding.extend(driven(mechanism.slides_between(from, left), angular));
         }
         entered = Some(mechanism.side(joint, sides[1]));
         let joint = mechanism.joint(joint);
         if let Some(to) = joint.pin {
             if let Some(&from) = pins.last() {
-                arms.push(Arm { from, to, spin });
+                arms.push(Arm { from, to, angular });
             }
             pins.push(to);
         }
@@ -280,7 +287,7 @@ fn terms(
                 slider,
                 rate: SlideRate::Unknown(unknown),
                 sign: mechanism.slide_sign(slider, sides[0]),
-                spin,
+                angular,
             });
         }
     }
@@ -290,11 +297,11 @@ fn terms(
     let ends = [chain.bodies[0], chain.bodies[chain.bodies.len() - 1]];
     if chain.closed {
         let (from, to) = (last, first);
-        let spin = spin_of(spins, ends[0]);
-        arms.push(Arm { from, to, spin });
+        let angular = rate_of(rates, ends[0]);
+        arms.push(Arm { from, to, angular });
         let left = mechanism.side(chain.joints[0], ends[0]);
-        let way = mechanism.way(entered.unwrap_or(left), left);
-        sliding.extend(driven(way, spin));
+        let slides = mechanism.slides_between(entered.unwrap_or(left), left);
+        sliding.extend(driven(slides, angular));
     }
     LoopTerms { ends: (!chain.closed).then_some(ends), first, last, arms, slides: sliding }
 }
@@ -325,11 +332,12 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
     }
 }
 
-/// The angular rate of every link of the group; links that joints make turn alike share one.
-fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
+/// The angular rate of every link of the group; links with a constant angle between them share one.
+fn angular_rates(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, AngularRate)> {
     let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&lead| mechanism.compound(lead)).collect();
     for &joint in &group.joints {
-        let Some((sides, _)) = mechanism.joint(joint).tie.as_ref().and_then(Tie::as_alike) else {
+        let Some((sides, _)) = mechanism.joint(joint).angular.as_ref().and_then(AngularConstraint::as_fixed_angle)
+        else {
             continue;
         };
         let find = |body| classes.iter().position(|c| c.contains(&body));
@@ -343,15 +351,15 @@ fn spins(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, Spin)> {
             _ => {}
         }
     }
-    let mut spins = Vec::new();
+    let mut rates = Vec::new();
     let mut unknowns = 0;
     for class in classes {
         let is_unknown = |b: &BodyId| group.bodies.contains(b);
         let anchor = class.iter().find(|b| !is_unknown(b));
-        let spin = anchor.map_or(Spin::Unknown(unknowns), |&body| Spin::Known(body));
+        let rate = anchor.map_or(AngularRate::Unknown(unknowns), |&body| AngularRate::Known(body));
         unknowns += usize::from(anchor.is_none());
         let links = class.into_iter().filter(is_unknown);
-        spins.extend(links.map(|link| (link, spin)));
+        rates.extend(links.map(|link| (link, rate)));
     }
-    spins
+    rates
 }

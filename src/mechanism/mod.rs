@@ -10,7 +10,6 @@ mod group;
 mod grouping;
 mod joint;
 mod loops;
-mod placing;
 mod radians;
 mod shape;
 mod structure;
@@ -19,11 +18,10 @@ pub use build::mechanism;
 #[cfg(test)]
 pub(crate) use build::mechanism_with;
 pub(crate) use build::mirrored_mechanism;
-pub use compound::DrivenSlide;
 pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
-pub use joint::{Guide, Joint, Mark, Slider, Tie};
-pub use loops::{Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate, Spin, TieTerms};
+pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Slider};
+pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate};
 
 use crate::geometry::{Point, Vector};
 use crate::scene::GivenBy;
@@ -150,8 +148,8 @@ pub enum Role {
         /// Acceleration of the point.
         acceleration: Vector,
     },
-    /// A link with points of given motion only, as one that drives the mechanism from outside: shown but not solved.
-    Stub,
+    /// A link with points of given motion only, as one that drives the mechanism from outside: shown, but no motion is found for it.
+    Unsolved,
     /// A link of an Assur group, whose motion is unknown.
     Member,
 }

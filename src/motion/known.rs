@@ -39,7 +39,7 @@ pub(super) fn known_motion(mechanism: &Mechanism, places: &impl Places, id: Body
             acceleration: places.given_pair(*acceleration),
             ..BoundedMotion::default()
         },
-        Role::Stub => {
+        Role::Unsolved => {
             let carries = |b: &BodyId| {
                 let other = mechanism.body(*b);
                 matches!(other.role, Role::Carrier { .. }) && other.points[0] == body.points[0]

@@ -111,7 +111,7 @@ pub struct GroupAccuracy {
 pub struct Motion {
     /// The highest derivative computed.
     pub order: Order,
-    /// By body. For a stub or a carrier only the motion of the carried point has a meaning.
+    /// By body. For an unsolved link or a carrier only the motion of the carried point has a meaning.
     pub bodies: Vec<BodyMotion>,
     /// By body: bounds on its errors.
     pub errors: Vec<MotionErrors>,

@@ -2,7 +2,7 @@ use super::ClosedForm;
 use super::places::Places;
 use super::sides::{Balls, Sides, residuals};
 use crate::geometry::{Ball, LinearSystem, Numbers, Pair, UNIT_ROUNDOFF};
-use crate::mechanism::{Arm, LoopEquations, SlideRate, Spin};
+use crate::mechanism::{AngularRate, Arm, LoopEquations, SlideRate};
 use smallvec::smallvec;
 
 /// Solves a group's loop equations almost to the last digit by iterative refinement.
@@ -81,7 +81,7 @@ impl<'a, P: Places> Solver<'a, P> {
                 (*size, *sum) = (size.max(exact), *sum + error);
             };
             for arm in &terms.arms {
-                if let Spin::Unknown(unknown) = arm.spin {
+                if let AngularRate::Unknown(unknown) = arm.angular {
                     let [exact, rounded] = self.arms(arm);
                     let [x, y] = exact.errors_from(rounded.rounded());
                     add(unknown, [rounded.rounded().amax(), x + y]);
@@ -106,10 +106,10 @@ impl<'a, P: Places> Solver<'a, P> {
                 uncertain[1] += y * times.abs();
             };
             for arm in &terms.arms {
-                if let Spin::Unknown(unknown) = arm.spin {
+                if let AngularRate::Unknown(unknown) = arm.angular {
                     let [exact, rounded] = self.arms(arm);
                     // One rounding for each further arm of the same rotation.
-                    let alike = terms.arms.iter().filter(|other| other.spin == arm.spin);
+                    let alike = terms.arms.iter().filter(|other| other.angular == arm.angular);
                     let rounding = alike.count() as f64 * UNIT_ROUNDOFF;
                     let [x, y] = exact.errors_from(rounded.rounded());
                     let sum = [x + rounding * rounded.x.high.abs(), y + rounding * rounded.y.high.abs()];

@@ -1,23 +1,23 @@
 use super::moving::State;
 use super::places::Places;
 use crate::geometry::{Ball, Pair};
-use crate::mechanism::{BodyId, LoopEquations, LoopTerms, SlideRate, Spin, TieTerms};
+use crate::mechanism::{AngularRate, AngularTerms, BodyId, LoopEquations, LoopTerms, SlideRate};
 use smallvec::SmallVec;
 
 /// A number for each unknown of a group.
 pub(super) type Balls = SmallVec<[Ball; 4]>;
 
-/// Right sides of the equations, or residuals: a vector for each loop, a number for each tie.
+/// Right sides of the equations, or residuals: a vector for each loop, a number for each relation between angles.
 #[derive(Clone, Debug)]
 pub(super) struct Sides {
     loops: SmallVec<[Pair<Ball>; 2]>,
-    ties: SmallVec<[Ball; 1]>,
+    angular: SmallVec<[Ball; 1]>,
 }
 
 impl Sides {
-    /// The components of all loops, then of all ties: the order of the equations.
+    /// The components of all loops, then of all relations between angles: the order of the equations.
     pub fn numbers(&self) -> impl Iterator<Item = Ball> {
-        self.loops.iter().flat_map(|side| [side.x, side.y]).chain(self.ties.iter().copied())
+        self.loops.iter().flat_map(|side| [side.x, side.y]).chain(self.angular.iter().copied())
     }
 }
 
@@ -25,7 +25,7 @@ impl Sides {
 pub(super) fn velocity_sides(equations: &LoopEquations, places: &impl Places, state: &State) -> Sides {
     Sides {
         loops: equations.loops.iter().map(|terms| velocity_side(terms, places, state)).collect(),
-        ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).omega)).collect(),
+        angular: equations.angular.iter().map(|terms| angular_side(terms, |body| state.body(body).omega)).collect(),
     }
 }
 
@@ -38,33 +38,33 @@ pub(super) fn acceleration_sides(
 ) -> Sides {
     Sides {
         loops: equations.loops.iter().map(|terms| acceleration_side(terms, places, state, rates)).collect(),
-        ties: equations.ties.iter().map(|terms| tie_side(terms, |body| state.body(body).alpha)).collect(),
+        angular: equations.angular.iter().map(|terms| angular_side(terms, |body| state.body(body).alpha)).collect(),
     }
 }
 
 /// The residuals of the equations for the unknowns `x`.
 pub(super) fn residuals(equations: &LoopEquations, places: &impl Places, sides: &Sides, x: &[Ball]) -> Sides {
     let loops = equations.loops.iter().zip(&sides.loops);
-    let ties = equations.ties.iter().zip(&sides.ties);
+    let angular = equations.angular.iter().zip(&sides.angular);
     Sides {
         loops: loops.map(|(terms, &side)| loop_residual(terms, places, side, x)).collect(),
-        ties: ties.map(|(terms, &side)| tie_residual(terms, side, x)).collect(),
+        angular: angular.map(|(terms, &side)| angular_residual(terms, side, x)).collect(),
     }
 }
 
 /// side − Σ weight · rate with the unknowns `x`.
-fn tie_residual(terms: &TieTerms, side: Ball, x: &[Ball]) -> Ball {
-    terms.iter().fold(side, |rest, &(spin, weight)| match spin {
-        Spin::Unknown(unknown) => rest - x[unknown] * weight.into(),
-        Spin::Known(_) => rest,
+fn angular_residual(terms: &AngularTerms, side: Ball, x: &[Ball]) -> Ball {
+    terms.iter().fold(side, |rest, &(rate, weight)| match rate {
+        AngularRate::Unknown(unknown) => rest - x[unknown] * weight.into(),
+        AngularRate::Known(_) => rest,
     })
 }
 
-/// The right side of a tie: − Σ weight · rate of the bodies whose rotation is known.
-fn tie_side(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
-    terms.iter().fold(Ball::default(), |side, &(spin, weight)| match spin {
-        Spin::Unknown(_) => side,
-        Spin::Known(body) => side - rate(body) * weight.into(),
+/// The right side of a relation between angles: − Σ weight · rate of the bodies whose rotation is known.
+fn angular_side(terms: &AngularTerms, rate_of: impl Fn(BodyId) -> Ball) -> Ball {
+    terms.iter().fold(Ball::default(), |side, &(rate, weight)| match rate {
+        AngularRate::Unknown(_) => side,
+        AngularRate::Known(body) => side - rate_of(body) * weight.into(),
     })
 }
 
@@ -72,7 +72,7 @@ fn tie_side(terms: &TieTerms, rate: impl Fn(BodyId) -> Ball) -> Ball {
 fn loop_residual(terms: &LoopTerms, places: &impl Places, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
     let mut rest = side;
     for arm in &terms.arms {
-        if let Spin::Unknown(unknown) = arm.spin {
+        if let AngularRate::Unknown(unknown) = arm.angular {
             let turned = places.arm(arm.from, arm.to).quarter_turn();
             rest = rest - turned * x[unknown];
         }
@@ -94,7 +94,7 @@ fn velocity_side(terms: &LoopTerms, places: &impl Places, state: &State) -> Pair
         side = (end.velocity - start.velocity) + (end.swing(last) - start.swing(first));
     }
     for arm in &terms.arms {
-        if let Spin::Known(body) = arm.spin {
+        if let AngularRate::Known(body) = arm.angular {
             let turned = places.arm(arm.from, arm.to).quarter_turn();
             side = side - turned * state.body(body).omega;
         }
@@ -117,15 +117,15 @@ fn acceleration_side(terms: &LoopTerms, places: &impl Places, state: &State, rat
         let turning = end.turning(last) - start.turning(first);
         side = (end.acceleration - start.acceleration) + turning;
     }
-    let omega = |spin: Spin| match spin {
-        Spin::Unknown(unknown) => rates[unknown],
-        Spin::Known(body) => state.body(body).omega,
+    let omega = |rate: AngularRate| match rate {
+        AngularRate::Unknown(unknown) => rates[unknown],
+        AngularRate::Known(body) => state.body(body).omega,
     };
     for arm in &terms.arms {
         let r = places.arm(arm.from, arm.to);
-        let omega = omega(arm.spin);
+        let omega = omega(arm.angular);
         side = side + r * (omega * omega);
-        if let Spin::Known(body) = arm.spin {
+        if let AngularRate::Known(body) = arm.angular {
             side = side - r.quarter_turn() * state.body(body).alpha;
         }
     }
@@ -138,7 +138,7 @@ fn acceleration_side(terms: &LoopTerms, places: &impl Places, state: &State, rat
                 places.given(speed)
             }
         };
-        side = side - u.quarter_turn() * (omega(slide.spin) * rate).twice();
+        side = side - u.quarter_turn() * (omega(slide.angular) * rate).twice();
     }
     side
 }

@@ -6,7 +6,7 @@ use super::sides::{acceleration_sides, velocity_sides};
 use super::singular::singular;
 use super::{GroupAccuracy, Motion, MotionError, Order};
 use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
-use crate::mechanism::{BodyId, Group, JointId, Loop, LoopEquations, Mechanism, SliderId, Spin};
+use crate::mechanism::{AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, SliderId};
 use crate::position::Pose;
 use smallvec::smallvec;
 
@@ -130,9 +130,9 @@ fn move_group(
     }
 
     for &link in &group.bodies {
-        let (omega, alpha) = match equations.spin_of(link) {
-            Spin::Unknown(unknown) => (rates[unknown], accelerations[unknown]),
-            Spin::Known(body) => (state.body(body).omega, state.body(body).alpha),
+        let (omega, alpha) = match equations.angular_rate_of(link) {
+            AngularRate::Unknown(unknown) => (rates[unknown], accelerations[unknown]),
+            AngularRate::Known(body) => (state.body(body).omega, state.body(body).alpha),
         };
         let body = &mut state.bodies[link.0];
         (body.omega, body.alpha) = (omega, alpha);
@@ -159,7 +159,7 @@ fn set_reference_motions(mechanism: &Mechanism, group: &Group, places: &impl Pla
         let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
         motion_over_joint(mechanism, places, state, joint, from, entered);
         for link in mechanism.compound(to) {
-            for slide in mechanism.way(entered, link) {
+            for slide in mechanism.slides_between(entered, link) {
                 motion_over_slider(mechanism, places, state, slide.slider, slide.from, slide.to);
             }
         }

@@ -1,13 +1,13 @@
+use super::closing::places;
 use super::count::{Count, counted};
-use super::drawn::drawn_pose;
 use super::listing::Listing;
 use super::modes::NoMode;
 use super::nearest::nearest;
-use super::rough::{LISTED, Rough, not_chosen};
-use super::tree::{Tree, Way};
+use super::rough::Rough;
+use super::tree::{Tree, WholeAssembly};
 use super::{Assembly, AssemblyError, Pose};
-use crate::geometry::span;
-use crate::mechanism::{Mechanism, Role, SliderId};
+use crate::geometry::{Point, Vector, span, unit};
+use crate::mechanism::{Body, Guide, Mechanism, PointId, Role, SliderId};
 use crate::scene::{GivenBy, Near};
 
 /// Most assemblies of a whole mechanism that are listed.
@@ -16,8 +16,14 @@ const MOST_LISTED: usize = 4096;
 /// Most work, as [`Tree::work`] counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
 const MOST_WORK: usize = 20_000_000;
 
-/// The same for a number that only stands in a warning.
+/// Most work for a number of assemblies that only stands in a warning.
 const LITTLE_WORK: usize = 2_000_000;
+
+/// Distance of a point from its rough place, in parts of the mechanism's size, above which a person means another place.
+const FAR: f64 = 0.22;
+
+/// Number of assemblies that a warning lists.
+const LISTED: usize = 8;
 
 /// Lengths must lie between the inverse of this and this: closing a loop takes their fourth powers.
 const LARGEST: f64 = 1e70;
@@ -33,13 +39,13 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     check_size(mechanism)?;
     let rough = Rough::new(mechanism.for_positions(), near);
     let mut tree = Tree::new(mechanism.for_positions(), &rough);
-    let (mut way, remarks) =
+    let (mut whole, remarks) =
         if rough.is_empty() { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree, &rough) }?;
     if mechanism.placing.is_some() {
-        let assembly = number(&mut tree, &way);
-        way.assemblies = vec![assembly; mechanism.groups.len()];
+        let assembly = number(&mut tree, &whole);
+        whole.assemblies = vec![assembly; mechanism.groups.len()];
     }
-    let mut pose = way.pose(mechanism);
+    let mut pose = whole.pose(mechanism);
     pose.warnings.extend(remarks);
     Ok(pose)
 }
@@ -75,21 +81,21 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
     check_size(mechanism)?;
     let rough = Rough::new(mechanism.for_positions(), near);
     let mut tree = Tree::new(mechanism.for_positions(), &rough);
-    let (mut ways, is_all) = listed(mechanism, &mut tree, MOST_LISTED + 1)?;
-    let mut count = Count { number: ways.len() as u64, is_exact: is_all };
+    let (mut found, is_all) = listed(mechanism, &mut tree, MOST_LISTED + 1)?;
+    let mut count = Count { number: found.len() as u64, is_exact: is_all };
     if !is_all {
         let all = counted(&mut tree, MOST_WORK);
         count = Count { number: all.number.max(count.number), ..all };
     }
-    ways.truncate(MOST_LISTED);
+    found.truncate(MOST_LISTED);
     if mechanism.placing.is_some() {
         let modes = usize::try_from(count.number).ok().filter(|_| count.is_exact);
-        for (index, way) in ways.iter_mut().enumerate() {
+        for (index, whole) in found.iter_mut().enumerate() {
             let assembly = modes.map(|modes| Assembly { mode: index + 1, modes });
-            way.assemblies = vec![assembly; mechanism.groups.len()];
+            whole.assemblies = vec![assembly; mechanism.groups.len()];
         }
     }
-    Ok(Listed { poses: ways.into_iter().map(|way| way.pose(mechanism)).collect(), count })
+    Ok(Listed { poses: found.into_iter().map(|whole| whole.pose(mechanism)).collect(), count })
 }
 
 /// The first assemblies that [`poses`] lists, `most` at most.
@@ -100,8 +106,8 @@ pub fn first_poses(mechanism: &Mechanism, near: &Near, most: usize) -> Result<Ve
     check_size(mechanism)?;
     let rough = Rough::new(mechanism.for_positions(), near);
     let mut tree = Tree::new(mechanism.for_positions(), &rough);
-    let (ways, _) = listed(mechanism, &mut tree, most.max(1))?;
-    Ok(ways.into_iter().map(|way| way.pose(mechanism)).collect())
+    let (found, _) = listed(mechanism, &mut tree, most.max(1))?;
+    Ok(found.into_iter().map(|whole| whole.pose(mechanism)).collect())
 }
 
 /// The assembly of that number, counted from 1, in the order of [`poses`].
@@ -119,7 +125,7 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     let mut listing = Listing::new(&mut tree, MOST_WORK);
     let mut count = 0;
     let found = listing.by_ref().inspect(|_| count += 1).take(mode).last().filter(|_| mode > 0);
-    let Some(mut way) = found.filter(|_| count == mode) else {
+    let Some(mut whole) = found.filter(|_| count == mode) else {
         return Err(match (count, listing.is_stopped) {
             (0, _) => no_assembly(mechanism, listing),
             (_, is_stopped) => none(count, !is_stopped),
@@ -127,46 +133,50 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     };
     if mechanism.placing.is_some() {
         let modes = exact_number(&mut tree);
-        way.assemblies = vec![modes.map(|modes| Assembly { mode, modes }); mechanism.groups.len()];
+        whole.assemblies = vec![modes.map(|modes| Assembly { mode, modes }); mechanism.groups.len()];
     }
-    Ok(way.pose(mechanism))
+    Ok(whole.pose(mechanism))
 }
 
 fn check_size(mechanism: &Mechanism) -> Result<(), AssemblyError> {
     let bodies = mechanism.bodies.iter();
     let spans = bodies.map(|b| span(b.local.iter().copied()));
     let size = spans.fold(0.0, f64::max);
-    let way = if size > LARGEST { "large" } else { "small" };
+    let how = if size > LARGEST { "large" } else { "small" };
     match size == 0.0 || (1.0 / LARGEST..=LARGEST).contains(&size) {
         true => Ok(()),
-        false => Err(AssemblyError::Size { size, way }),
+        false => Err(AssemblyError::Size { size, how }),
     }
 }
 
 /// The first assembly, with a warning if it is not the only one.
-fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(Way, Vec<String>), AssemblyError> {
-    let (ways, is_all) = listed(mechanism, tree, LISTED + 1)?;
-    let warning = (ways.len() > 1).then(|| {
-        let number = ways.len() as u64;
+fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, Vec<String>), AssemblyError> {
+    let (found, is_all) = listed(mechanism, tree, LISTED + 1)?;
+    let warning = (found.len() > 1).then(|| {
+        let number = found.len() as u64;
         let count = if is_all { Count { number, is_exact: true } } else { counted(tree, LITTLE_WORK) };
-        not_chosen(tree.mechanism, &ways, Count { number: count.number.max(number), ..count })
+        not_chosen(tree.mechanism, &found, Count { number: count.number.max(number), ..count })
     });
-    let mut ways = ways.into_iter();
-    let first = ways.next().expect("a listing has at least one");
+    let mut found = found.into_iter();
+    let first = found.next().expect("a listing has at least one");
     Ok((first, warning.into_iter().collect()))
 }
 
 /// The assembly nearest to the rough places, with warnings about the choice.
-fn closest(mechanism: &Mechanism, tree: &mut Tree<'_>, rough: &Rough) -> Result<(Way, Vec<String>), AssemblyError> {
+fn closest(
+    mechanism: &Mechanism,
+    tree: &mut Tree<'_>,
+    rough: &Rough,
+) -> Result<(WholeAssembly, Vec<String>), AssemblyError> {
     let Some(nearest) = nearest(tree, rough) else {
         return match listed(mechanism, tree, 1)?.0.pop() {
-            Some(way) => Ok((way, vec![unproven()])),
+            Some(whole) => Ok((whole, vec![unproven()])),
             None => Err(AssemblyError::TooMuchWork),
         };
     };
-    let remark = rough.remark(tree.mechanism, &nearest.way, || counted(tree, LITTLE_WORK));
+    let remark = far_remark(tree.mechanism, rough, &nearest.whole, || counted(tree, LITTLE_WORK));
     let unproven = (!nearest.is_proven).then(unproven);
-    Ok((nearest.way, unproven.into_iter().chain(remark).collect()))
+    Ok((nearest.whole, unproven.into_iter().chain(remark).collect()))
 }
 
 fn unproven() -> String {
@@ -175,14 +185,18 @@ fn unproven() -> String {
 }
 
 /// The first assemblies, `most` at most, and whether these are all.
-fn listed(mechanism: &Mechanism, tree: &mut Tree<'_>, most: usize) -> Result<(Vec<Way>, bool), AssemblyError> {
+fn listed(
+    mechanism: &Mechanism,
+    tree: &mut Tree<'_>,
+    most: usize,
+) -> Result<(Vec<WholeAssembly>, bool), AssemblyError> {
     let mut listing = Listing::new(tree, MOST_WORK);
-    let ways: Vec<Way> = listing.by_ref().take(most).collect();
-    if ways.is_empty() {
+    let found: Vec<WholeAssembly> = listing.by_ref().take(most).collect();
+    if found.is_empty() {
         return Err(no_assembly(mechanism, listing));
     }
-    let is_all = ways.len() < most && !listing.is_stopped;
-    Ok((ways, is_all))
+    let is_all = found.len() < most && !listing.is_stopped;
+    Ok((found, is_all))
 }
 
 /// The error that a listing is empty.
@@ -202,9 +216,9 @@ fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
 }
 
 /// The number of an assembly among all; none where these are too many to count.
-fn number(tree: &mut Tree<'_>, way: &Way) -> Option<Assembly> {
+fn number(tree: &mut Tree<'_>, whole: &WholeAssembly) -> Option<Assembly> {
     let mut listing = Listing::new(tree, LITTLE_WORK);
-    let same = |other: &Way| other.assemblies == way.assemblies;
+    let same = |other: &WholeAssembly| other.assemblies == whole.assemblies;
     let mode = listing.position(|other| same(&other))? + 1;
     let rest = listing.by_ref().count();
     (!listing.is_stopped).then_some(Assembly { mode, modes: mode + rest })
@@ -232,4 +246,97 @@ fn given_angles(mechanism: &Mechanism) -> String {
         format!(" at angle({name}) = {}°", placing.angle)
     });
     turned.chain(pushed).chain(placed).collect::<Vec<_>>().join(",")
+}
+
+/// The warning that the nearest assembly is far from `near`: as a whole, or else in one of its places. `count` says how
+/// many assemblies there are.
+fn far_remark(
+    mechanism: &Mechanism,
+    rough: &Rough,
+    nearest: &WholeAssembly,
+    count: impl FnOnce() -> Count,
+) -> Option<String> {
+    let (points, _) = places(mechanism, &nearest.frames);
+    let size = span(points.iter().copied());
+    let distance = nearest.distance_from(rough, mechanism);
+    if distance > 0.5 * size {
+        return Some(format!(
+            "`near` is {distance:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {size:.4}: \
+             check its coordinates",
+            count(),
+        ));
+    }
+    let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
+    let (point, off) = rough.points().iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    (off > FAR * size).then(|| {
+        let (name, place) = (mechanism.point_name(point), points[point.0]);
+        format!(
+            "point {name} is at [{:.4}, {:.4}], {off:.4} away from its place in `near`, in the closest of {} assembly modes: check its coordinates",
+            place.x,
+            place.y,
+            count(),
+        )
+    })
+}
+
+/// The warning that `near` does not choose, with the first assemblies listed.
+fn not_chosen(mechanism: &Mechanism, first: &[WholeAssembly], count: Count) -> String {
+    let listed = first.iter().take(LISTED).enumerate().map(|(index, whole)| {
+        let (points, _) = places(mechanism, &whole.frames);
+        let places = mechanism.inner_points().into_iter().map(|p| {
+            let q = points[p.0];
+            format!("{} ({:.2}, {:.2})", mechanism.point_name(p), q.x, q.y)
+        });
+        format!("{}: {}", index + 1, places.collect::<Vec<_>>().join(" "))
+    });
+    let listed = listed.collect::<Vec<_>>().join("; ");
+    let more = if first.len() > LISTED { "; …" } else { "" };
+    let links: Vec<String> = mechanism.groups.iter().map(|g| g.link_names(mechanism)).collect();
+    format!(
+        "links {} can be assembled in {count} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
+        links.join(", "),
+    )
+}
+
+/// The pose of a drawn configuration: the scene's coordinates, unchanged.
+fn drawn_pose(mechanism: &Mechanism) -> Pose {
+    // Reading the scene has checked that every point has a place.
+    let places = mechanism.given.iter();
+    let points: Vec<Point> = places.map(|p| p.unwrap_or_else(Point::origin)).collect();
+    let guides: Vec<Vector> = mechanism
+        .sliders
+        .iter()
+        .map(|slider| match slider.guide {
+            Guide::DrawnBetween(a, b) => unit(points[b.0] - points[a.0]).unwrap_or_else(Vector::x),
+            Guide::Drawn(direction) | Guide::Local { direction, .. } => direction,
+        })
+        .collect();
+    let axes = mechanism.bodies.iter().enumerate();
+    let axes = axes.map(|(index, body)| match body.points.as_slice() {
+        _ if is_nameless(body) => None,
+        [a, b, ..] => Some(points[b.0] - points[a.0]),
+        // The axis of a link with one point is its guide.
+        _ => {
+            let mut sliders = mechanism.sliders.iter().zip(&guides);
+            let guide = sliders.find(|(s, _)| s.on.0 == index || s.link.0 == index);
+            guide.map(|(_, direction)| *direction)
+        }
+    });
+    let slides = mechanism.sliders.iter().zip(&guides).map(|(slider, along)| {
+        let from = slider.counted_from?;
+        Some((points[slider.at.0] - points[from.0]).dot(along))
+    });
+    Pose {
+        slides: slides.collect(),
+        axes: axes.collect(),
+        assemblies: vec![None; mechanism.groups.len()],
+        points,
+        guides,
+        warnings: Vec::new(),
+    }
+}
+
+/// Whether a body has no name in the scene.
+fn is_nameless(body: &Body) -> bool {
+    body.role == Role::Ground || body.is_nameless()
 }

@@ -1,8 +1,7 @@
-use super::extent::Extent;
 use super::frames::{Frames, pinned};
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single, Unknown};
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, SliderId};
+use crate::mechanism::{BodyId, GROUND, Joint, Mechanism, PointId, SliderId};
 
 /// Most Newton steps: from a simple root of a polynomial two or three are needed, from a double root ten.
 const STEPS: usize = 16;
@@ -14,7 +13,7 @@ pub(super) struct Assembled {
     pub frames: Frames,
     /// By slider: its position along the guide.
     pub slides: Vec<f64>,
-    /// The largest gap of the loops, relative to the mechanism's size, or of the ties, in radians.
+    /// The largest gap of the loops, relative to the mechanism's size, or of the relations between angles, in radians.
     pub gap: f64,
 }
 
@@ -42,7 +41,7 @@ struct Surroundings {
     /// The length of its shortest link that has one.
     shortest: f64,
     sliders: Vec<SliderId>,
-    /// Whether its rotations are tied otherwise than alike.
+    /// Whether gears, or the like, relate its rotations: two or more unknown angles in one equation.
     is_geared: bool,
 }
 
@@ -239,10 +238,10 @@ fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
         points.dedup();
         let joints = group.joints.iter().map(|&joint| mechanism.joint(joint));
         let joined = joints.clone().flat_map(|joint| joint.bodies);
-        let tied = joints.flat_map(|joint| &joint.tie).flat_map(|tie| &tie.turns).map(|(body, _)| *body);
+        let related = joints.flat_map(Joint::related_bodies);
         let holding = points.iter().flat_map(|point| holders[point.0].iter().copied());
         // A joint on one link of a compound link depends on all of them.
-        let all = joined.chain(tied).chain(holding).flat_map(|body| mechanism.compound(mechanism.root(body)));
+        let all = joined.chain(related).chain(holding).flat_map(|body| mechanism.compound(mechanism.root(body)));
         let mut bodies: Vec<BodyId> = all.chain(group.bodies.iter().copied()).collect();
         bodies.sort_unstable();
         bodies.dedup();
@@ -253,14 +252,13 @@ fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
             (slider.line().0.coords - from).norm()
         };
         let spans = group.bodies.iter().map(|&body| span(mechanism.body(body).local.iter().copied()));
-        let ties = group.joints.iter().filter_map(|&joint| mechanism.joint(joint).tie.as_ref());
         Surroundings {
             bodies,
             points,
             shortest: spans.clone().filter(|&length| length > 0.0).fold(f64::INFINITY, f64::min),
             lengths: spans.sum::<f64>() + sliders.iter().map(zero).sum::<f64>(),
             sliders,
-            is_geared: ties.into_iter().any(|tie| tie.as_alike().is_none()),
+            is_geared: mechanism.geared(group).next().is_some(),
         }
     });
     around.collect()
@@ -281,4 +279,36 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
         frames.of(slider.on).map_or(direction, |frame| (frame.rotation * direction).normalize())
     });
     (points, guides.collect())
+}
+
+/// The bounding box of points.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Extent {
+    /// Its lower left and upper right corner; none without points.
+    corners: Option<[Point; 2]>,
+}
+
+impl Extent {
+    pub(super) fn of(points: impl IntoIterator<Item = Point>) -> Extent {
+        Extent::default().with(points)
+    }
+
+    /// The box of these points, too.
+    pub(super) fn with(mut self, points: impl IntoIterator<Item = Point>) -> Extent {
+        for p in points {
+            let [low, high] = self.corners.unwrap_or([p, p]);
+            self.corners = Some([low.inf(&p), high.sup(&p)]);
+        }
+        self
+    }
+
+    /// The box of both.
+    pub(super) fn joined(self, other: Extent) -> Extent {
+        self.with(other.corners.into_iter().flatten())
+    }
+
+    /// Its diagonal: the size of the set of points, as [`span`] gives it.
+    pub(super) fn size(self) -> f64 {
+        span(self.corners.into_iter().flatten())
+    }
 }

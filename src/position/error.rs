@@ -14,14 +14,14 @@ pub enum AssemblyError {
     },
     /// Lengths too large or too small: closing a loop takes fourth powers, which leave the range of f64.
     #[error(
-        "lengths of about {size:e} are too {way} to assemble from: their fourth powers leave the range of numbers\n  \
+        "lengths of about {size:e} are too {how} to assemble from: their fourth powers leave the range of numbers\n  \
          try: another unit of length"
     )]
     Size {
         /// The largest length, in the scene's unit.
         size: f64,
         /// `large` or `small`.
-        way: &'static str,
+        how: &'static str,
     },
     /// There is no assembly mode of this number.
     #[error("there is no assembly mode {mode}: there are {count}\n  try: `kinegon modes` lists them")]

@@ -133,8 +133,8 @@ pub(super) fn driven_position(slider: &Slider) -> f64 {
 
 /// Placement of body `to` in the frame of `from`, both of one compound link.
 pub(super) fn placement_in_compound(mechanism: &Mechanism, from: BodyId, to: BodyId) -> Placement {
-    let way = mechanism.way(from, to).into_iter();
-    way.fold(Placement::identity(), |frame, slide| {
+    let slides = mechanism.slides_between(from, to).into_iter();
+    slides.fold(Placement::identity(), |frame, slide| {
         let slider = mechanism.slider(slide.slider);
         frame * placement_across(mechanism, slider, slide.from, driven_position(slider))
     })

@@ -19,9 +19,9 @@ impl Lever {
     /// The levers of a group.
     pub(super) fn all(mechanism: &Mechanism, group: &Group, equations: &LoopEquations) -> Vec<Lever> {
         let mut levers: Vec<Lever> = Vec::new();
-        let spins = 0..equations.unknowns;
-        for spin in spins {
-            let turns = |link: &&BodyId| equations.spin_unknown(**link) == Some(spin);
+        let unknowns = 0..equations.unknowns;
+        for unknown in unknowns {
+            let turns = |link: &&BodyId| equations.angular_unknown(**link) == Some(unknown);
             let links: Vec<BodyId> = group.bodies.iter().filter(turns).copied().collect();
             let sliders: Vec<SliderId> = (0..mechanism.sliders.len())
                 .map(SliderId)

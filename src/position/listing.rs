@@ -1,5 +1,5 @@
 use super::modes::NoMode;
-use super::tree::{Placed, Tree, Way};
+use super::tree::{Placed, Tree, WholeAssembly};
 
 /// All assemblies of a mechanism, one after another in the order of their numbers: that of the first group's modes,
 /// then of the second's, and so on.
@@ -44,9 +44,9 @@ impl<'t, 'a> Listing<'t, 'a> {
 }
 
 impl Iterator for Listing<'_, '_> {
-    type Item = Way;
+    type Item = WholeAssembly;
 
-    fn next(&mut self) -> Option<Way> {
+    fn next(&mut self) -> Option<WholeAssembly> {
         let groups = self.tree.mechanism.groups.len();
         loop {
             if self.tree.work() > self.most_work {
@@ -64,7 +64,7 @@ impl Iterator for Listing<'_, '_> {
             self.tree.put(placed);
             if depth == groups {
                 let down = self.levels.iter().filter_map(|(modes, next)| modes.get(next.checked_sub(1)?));
-                return Some(self.tree.way(down));
+                return Some(self.tree.whole(down));
             }
             self.enter(depth);
         }

@@ -5,9 +5,7 @@
 mod assemble;
 mod closing;
 mod count;
-mod drawn;
 mod error;
-mod extent;
 mod frames;
 mod legs;
 mod levers;

@@ -1,7 +1,6 @@
 use std::cmp::Ordering;
 
-use super::closing::{Assembled, Closer, places};
-use super::extent::Extent;
+use super::closing::{Assembled, Closer, Extent, places};
 use super::frames::Frames;
 use super::levers::Lever;
 use super::platform::Platform;
@@ -239,7 +238,7 @@ impl<'s, 'a> Modes<'s, 'a> {
             }
         }
         let mut links = self.group.links.iter();
-        let turning = links.find(|&&link| equations.spin_unknown(link).is_some());
+        let turning = links.find(|&&link| equations.angular_unknown(link).is_some());
         let angle = |a: &Assembled| {
             let frame = turning.and_then(|&link| a.frames.of(link));
             frame.map_or(0.0, |f| degrees_of(f.rotation * Vector::x()).rem_euclid(360.0))

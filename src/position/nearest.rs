@@ -1,7 +1,6 @@
-use super::closing::places;
-use super::extent::Extent;
+use super::closing::{Extent, places};
 use super::rough::{Rough, chord};
-use super::tree::{Placed, Tree, Way};
+use super::tree::{Placed, Tree, WholeAssembly};
 use crate::geometry::Point;
 use crate::mechanism::{BodyId, PointId};
 
@@ -11,7 +10,7 @@ const MOST_WORK: usize = 12_000_000;
 
 /// The assembly nearest to the rough places.
 pub(super) struct Nearest {
-    pub way: Way,
+    pub whole: WholeAssembly,
     /// Whether it was shown that no other one is nearer.
     pub is_proven: bool,
 }
@@ -47,7 +46,7 @@ pub(super) fn nearest(tree: &mut Tree<'_>, rough: &Rough) -> Option<Nearest> {
             search.add(level.best);
         }
     };
-    found.map(|best| Nearest { way: tree.way(&best.placed), is_proven: !search.is_hasty })
+    found.map(|best| Nearest { whole: tree.whole(&best.placed), is_proven: !search.is_hasty })
 }
 
 /// The levels of the tree that are being tried, from the whole mechanism to a part of a part.
@@ -272,8 +271,8 @@ impl Wishes {
         wishes
     }
 
-    /// A group's mode with its squared distances; an angle counts as in [`Rough::distance`], with the size of what is
-    /// down.
+    /// A group's mode with its squared distances; an angle counts as in [`WholeAssembly::distance_from`], with the size
+    /// of what is down.
     fn choice(&self, tree: &Tree<'_>, before: Laid, placed: Placed) -> Choice {
         let frame = |body: BodyId| placed.frames.iter().find(|(other, _)| *other == body).map(|(_, frame)| frame);
         let distance =

@@ -65,8 +65,8 @@ impl<'a> Platform<'a> {
                 let (bodies, joints) = (&chain(0).bodies, &chain(0).joints);
                 // A link joined to a known body by a slider keeps its angle: it is body b, placed by a line or a
                 // circle.
-                let ties = |joint: JointId| mechanism.joint(joint).tie.is_some();
-                let from_end = ties(joints[2]) && !ties(joints[0]);
+                let turns_alike = |joint: JointId| mechanism.joint(joint).angular.is_some();
+                let from_end = turns_alike(joints[2]) && !turns_alike(joints[0]);
                 let at = |forward: usize, backward: usize| if from_end { backward } else { forward };
                 let (start, b) = (bodies[at(0, 3)], bodies[at(1, 2)]);
                 let (middle, end) = (bodies[at(2, 1)], bodies[at(3, 0)]);

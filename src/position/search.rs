@@ -2,7 +2,7 @@ use super::closing::Assembled;
 use super::frames::{Frames, least_squares_placement, pinned, placement_in_compound};
 use super::rough::Rough;
 use crate::geometry::{Placement, Point, Random, Turn, span};
-use crate::mechanism::{BodyId, Group, Mechanism, Tie};
+use crate::mechanism::{AngularConstraint, BodyId, Group, Mechanism};
 use std::f64::consts::TAU;
 
 /// Starts that use the rough places; links without a rough place are random each time.
@@ -95,7 +95,7 @@ impl<'a> Search<'a> {
         let guided = self.starts < GUIDED;
         self.starts += 1;
         let mut frames = self.known.clone();
-        self.set_tied_rotations(&mut frames);
+        self.set_related_rotations(&mut frames);
         if guided {
             for &link in &self.group.links {
                 self.set_rotation(&mut frames, link, self.guide.of(link).map(|f| f.rotation));
@@ -117,23 +117,25 @@ impl<'a> Search<'a> {
         Assembled { frames, slides, gap: f64::INFINITY }
     }
 
-    /// Sets the rotation of a link that has none yet, and of those tied to it.
+    /// Sets the rotation of a link that has none yet, and of those at a constant angle to it.
     fn set_rotation(&self, frames: &mut Frames, link: BodyId, turn: Option<Turn>) {
         if let (None, Some(turn)) = (frames.of(link), turn) {
             let turned = pinned(turn, Point::origin(), Point::origin());
             frames.set_compound(self.mechanism, link, turned);
-            self.set_tied_rotations(frames);
+            self.set_related_rotations(frames);
         }
     }
 
-    /// Sets the rotations of links tied at a constant angle to links of known rotation. Their places follow along the
+    /// Sets the rotations of links at a constant angle to links of known rotation. Their places follow along the
     /// loops.
-    fn set_tied_rotations(&self, frames: &mut Frames) {
+    fn set_related_rotations(&self, frames: &mut Frames) {
         let mut changed = true;
         while changed {
             changed = false;
             for &joint in &self.group.joints {
-                let Some(([a, b], apart)) = self.mechanism.joint(joint).tie.as_ref().and_then(Tie::as_alike) else {
+                let Some(([a, b], apart)) =
+                    self.mechanism.joint(joint).angular.as_ref().and_then(AngularConstraint::as_fixed_angle)
+                else {
                     continue;
                 };
                 for (from, to, turn) in [(a, b, apart), (b, a, apart.inverse())] {

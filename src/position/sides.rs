@@ -67,5 +67,5 @@ fn distance(scene: &Scene, mechanism: &Mechanism) -> Option<f64> {
     let mechanism = mechanism.for_positions();
     let rough = Rough::new(mechanism, &scene.near);
     let nearest = nearest(&mut Tree::new(mechanism, &rough), &rough)?;
-    Some(rough.distance(mechanism, &nearest.way))
+    Some(nearest.whole.distance_from(&rough, mechanism))
 }

@@ -1,10 +1,10 @@
 use super::closing::places;
 use super::frames::{Frames, driven_position};
 use super::modes::{Assembler, NoMode};
-use super::rough::Rough;
+use super::rough::{Rough, chord};
 use super::{Assembly, Pose};
-use crate::geometry::{Placement, Vector};
-use crate::mechanism::{BodyId, Class, Mechanism, Role};
+use crate::geometry::{Placement, Vector, span};
+use crate::mechanism::{BodyId, Class, Joint, Mechanism, PointId, Role};
 use crate::words::{Language, Wording};
 
 /// The assemblies of a mechanism as a tree: each mode of a group leaves the groups after it modes of their own.
@@ -102,18 +102,18 @@ impl<'a> Tree<'a> {
     }
 
     /// The assembly of the whole mechanism with these groups.
-    pub(super) fn way<'p>(&self, placed: impl IntoIterator<Item = &'p Placed>) -> Way {
-        let mut way = Way {
+    pub(super) fn whole<'p>(&self, placed: impl IntoIterator<Item = &'p Placed>) -> WholeAssembly {
+        let mut whole = WholeAssembly {
             frames: self.frames.clone(),
             slides: self.slides.clone(),
             assemblies: vec![None; self.mechanism.groups.len()],
         };
         for group in placed {
-            way.frames.settle(&group.frames);
-            group.slides.iter().for_each(|&(id, position)| way.slides[id] = position);
-            way.assemblies[group.group] = Some(group.assembly);
+            whole.frames.settle(&group.frames);
+            group.slides.iter().for_each(|&(id, position)| whole.slides[id] = position);
+            whole.assemblies[group.group] = Some(group.assembly);
         }
-        way
+        whole
     }
 }
 
@@ -128,8 +128,8 @@ impl Order {
         let mut hang_on = vec![Vec::new(); count];
         for (index, group) in mechanism.groups.iter().enumerate() {
             let joints = group.joints.iter().map(|&joint| mechanism.joint(joint));
-            let tied = joints.clone().flat_map(|joint| &joint.tie).flat_map(|tie| &tie.turns).map(|(body, _)| *body);
-            let bodies = joints.flat_map(|joint| joint.bodies).chain(tied);
+            let related = joints.clone().flat_map(Joint::related_bodies);
+            let bodies = joints.flat_map(|joint| joint.bodies).chain(related);
             let groups = bodies.filter_map(|body| group_of[body.0]);
             groups.filter(|&other| other < index).for_each(|other| hang_on[other].push(index));
         }
@@ -170,14 +170,14 @@ fn first_of(part: &mut [usize], mut group: usize) -> usize {
 
 /// An assembly of the whole mechanism.
 #[derive(Clone, Debug)]
-pub(super) struct Way {
+pub(super) struct WholeAssembly {
     pub frames: Frames,
     pub slides: Vec<f64>,
     /// By group: the number of its assembly mode.
     pub assemblies: Vec<Option<Assembly>>,
 }
 
-impl Way {
+impl WholeAssembly {
     /// The pose of `mechanism`. It may have fewer bodies and sliders than its [`Mechanism::for_positions`], to which
     /// this assembly belongs.
     pub(super) fn pose(self, mechanism: &Mechanism) -> Pose {
@@ -195,6 +195,28 @@ impl Way {
             assemblies: self.assemblies,
             warnings: search_warnings(mechanism.for_positions(), Wording::default().language).collect(),
         }
+    }
+
+    /// Root mean square of the distances from the rough places, for the groups assembled so far; an angle counts as its
+    /// chord on a circle whose radius is the mechanism's size.
+    pub(super) fn distance_from(&self, rough: &Rough, mechanism: &Mechanism) -> f64 {
+        let (points, _) = places(mechanism, &self.frames);
+        let size = span(points.iter().copied());
+        let placed = |p: PointId| {
+            let mut links = mechanism.links();
+            links.any(|(id, body)| self.frames.of(id).is_some() && body.points.contains(&p))
+        };
+        let mut sum = 0.0;
+        for (p, rough) in rough.points().iter().filter(|(p, _)| placed(*p)) {
+            sum += (points[p.0] - rough).norm_squared();
+        }
+        for (link, angle) in rough.angles() {
+            if let Some(frame) = self.frames.of(*link) {
+                let chord = chord(frame, *angle) * size;
+                sum += chord * chord;
+            }
+        }
+        (sum / rough.count().max(1) as f64).sqrt()
     }
 }
 

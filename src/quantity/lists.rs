@@ -12,7 +12,7 @@ use crate::motion::Order;
 pub fn readable_names(solution: &Solution) -> Vec<String> {
     let Solution { mechanism, motion, construction, .. } = solution;
     let mut names = measured_names(construction);
-    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Stub) {
+    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Unsolved) {
         // A link with one point has no line whose angle could be measured.
         let heads = ["angle", "omega", "alpha"].into_iter().skip(usize::from(body.points.len() < 2));
         names.extend(heads.map(|head| format!("{head}({})", body.name)));

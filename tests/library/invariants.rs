@@ -220,12 +220,12 @@ fn the_closed_form_agrees_with_the_whole_system() {
         });
         let side = &matrix * rates;
         let closed = form.solve_all(side.as_slice());
-        let closed: [f64; 4] = std::array::from_fn(|i| equations.spin(links[i], &closed, |_| f64::NAN));
+        let closed: [f64; 4] = std::array::from_fn(|i| equations.angular_rate(links[i], &closed, |_| f64::NAN));
         let whole = system.solve(side.as_slice());
-        let rates: [f64; 4] = std::array::from_fn(|i| equations.spin(links[i], &whole, |_| f64::NAN));
+        let rates: [f64; 4] = std::array::from_fn(|i| equations.angular_rate(links[i], &whole, |_| f64::NAN));
         // Every rate counts with the length of its arm, as it stands in the equations.
         let arms: [f64; 4] = std::array::from_fn(|i| {
-            let unknown = equations.spin_unknown(links[i]).expect("all pins");
+            let unknown = equations.angular_unknown(links[i]).expect("all pins");
             matrix.column(unknown).amax()
         });
         let scale = (0..4).fold(0.0, |m: f64, i| m.max(rates[i].abs() * arms[i]));

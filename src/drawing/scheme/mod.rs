@@ -199,7 +199,7 @@ impl<'a> Scheme<'a> {
             self.block(canvas, view, slider);
         }
         for (link, body) in self.mechanism.links() {
-            if body.role == Role::Stub {
+            if body.role == Role::Unsolved {
                 self.stub(canvas, view, link);
             }
         }

@@ -56,7 +56,7 @@ impl Scheme<'_> {
         let mut joints = Near::new(canvas.bounds());
         self.pose.points.iter().for_each(|&p| joints.add(view.at(p)));
         for (id, body) in self.mechanism.links() {
-            if body.role == Role::Stub {
+            if body.role == Role::Unsolved {
                 continue;
             }
             let (anchor, clearance, prefer) = match self.shape(view, id) {

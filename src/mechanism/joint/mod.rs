@@ -4,24 +4,19 @@
 //! To add a kind of joint: a file like `slider` with all that belongs to it, and its line in [`add_given`]. It is read
 //! by a file beside `scene/slider.rs`, with a line in `scene/read.rs`.
 
-mod pin;
 mod slider;
-mod tie;
 
-pub use slider::{Guide, Slider};
-pub use tie::Tie;
+pub use slider::{DrivenSlide, Guide, Slider};
 
-pub(super) use pin::add_pins;
-
-use super::{BodyId, JointId, Mechanism, PointId, SliderId};
-use crate::geometry::Point;
+use super::{BodyId, Group, JointId, Mechanism, PointId, SliderId};
+use crate::geometry::{Point, Turn};
 use crate::scene::Scene;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 /// A joint between two bodies.
 ///
-/// A pin makes a point of both bodies coincide. A slider keeps a point on a line, and its tie keeps the angle between
-/// the two bodies.
+/// A pin makes a point of both bodies coincide. A slider keeps a point on a line, and the angle between the two bodies
+/// constant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joint {
     /// The letter of its kind in patterns: R revolute, P prismatic.
@@ -33,7 +28,7 @@ pub struct Joint {
     /// The slider whose point it keeps on a guide, for a prismatic joint.
     pub slider: Option<SliderId>,
     /// The relation between angles of bodies that it keeps, if any.
-    pub tie: Option<Tie>,
+    pub angular: Option<AngularConstraint>,
     /// The marks by which it is drawn.
     pub marks: SmallVec<[Mark; 2]>,
 }
@@ -55,11 +50,55 @@ pub enum Mark {
     Block(SliderId),
 }
 
+/// A relation between the angles of some bodies, as a pair of gears keeps it: the angles, each times its weight, add up
+/// to a constant angle.
+///
+/// Weights are whole numbers, as numbers of teeth are, so that a full turn of a body does not change the sum as an
+/// angle. They add up to zero: bodies that turn as one satisfy every such relation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AngularConstraint {
+    /// The bodies and their weights.
+    pub terms: SmallVec<[(BodyId, i32); 3]>,
+    /// The constant angle; not used in a drawn configuration.
+    pub constant: Turn,
+}
+
+impl AngularConstraint {
+    /// The angle between two bodies is constant: `angle` is the rotation from the frame of the first to that of the
+    /// second.
+    #[must_use]
+    pub fn fixed_angle([first, second]: [BodyId; 2], angle: Turn) -> Self {
+        Self { terms: smallvec![(first, -1), (second, 1)], constant: angle }
+    }
+
+    /// The two bodies with a constant angle between them, and the rotation from the frame of the first to that of the
+    /// second; `None` for any other relation. Such bodies have one angular rate, so that the relation needs no equation.
+    #[must_use]
+    pub fn as_fixed_angle(&self) -> Option<([BodyId; 2], Turn)> {
+        match *self.terms.as_slice() {
+            [(first, -1), (second, 1)] => Some(([first, second], self.constant)),
+            _ => None,
+        }
+    }
+}
+
 impl Joint {
+    /// A pin at a common point of both bodies.
+    #[must_use]
+    pub fn pin(point: PointId, bodies: [BodyId; 2]) -> Self {
+        let circle = Mark::Circle { center: point, towards: point, part: 0.0 };
+        Self { letter: 'R', bodies, pin: Some(point), slider: None, angular: None, marks: smallvec![circle] }
+    }
+
+    /// The bodies whose angles it relates; none if it constrains places alone.
+    pub(crate) fn related_bodies(&self) -> impl Iterator<Item = BodyId> {
+        self.angular.iter().flat_map(|angular| &angular.terms).map(|(body, _)| *body)
+    }
+
     /// The number of degrees of freedom that it takes away between its bodies.
     #[must_use]
     pub fn constraints(&self) -> usize {
-        2 * usize::from(self.pin.is_some()) + usize::from(self.slider.is_some()) + usize::from(self.tie.is_some())
+        2 * usize::from(self.pin.is_some()) + usize::from(self.slider.is_some()) + usize::from(self.angular.is_some())
     }
 
     /// Whether it constrains places: the place of one of its bodies then limits that of the other. Loops run over such
@@ -75,6 +114,13 @@ impl Mechanism {
     #[must_use]
     pub fn joint(&self, id: JointId) -> &Joint {
         &self.joints[id.0]
+    }
+
+    /// The relations between angles in a group that need an equation of their own: all but constant angles between two
+    /// bodies.
+    pub(crate) fn geared<'a>(&'a self, group: &'a Group) -> impl Iterator<Item = &'a AngularConstraint> {
+        let angular = group.joints.iter().filter_map(|&joint| self.joint(joint).angular.as_ref());
+        angular.filter(|angular| angular.as_fixed_angle().is_none())
     }
 
     /// The point of a joint: the pin, or the slider's point on the guide.
@@ -103,4 +149,15 @@ impl Mechanism {
 /// Adds the joints that a scene lists; pins follow from shared points.
 pub(super) fn add_given(scene: &Scene, mechanism: &mut Mechanism) {
     slider::add(scene, mechanism);
+}
+
+/// Adds the pins: for a point of n bodies n − 1 of them, all at the first body of known motion, or else at the first.
+pub(super) fn add_pins(mechanism: &mut Mechanism) {
+    for (point, mut bodies) in mechanism.point_ids().zip(mechanism.holders()) {
+        bodies.sort_by_key(|&b| !mechanism.is_known(b));
+        let Some((&first, others)) = bodies.split_first() else {
+            continue;
+        };
+        mechanism.joints.extend(others.iter().map(|&other| Joint::pin(point, [first, other])));
+    }
 }

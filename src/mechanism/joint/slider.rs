@@ -1,6 +1,6 @@
 //! Sliders: prismatic joints, each with a point of one link on a straight guide of another body.
 
-use super::{Joint, Mark, Tie};
+use super::{AngularConstraint, Joint, Mark};
 use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees};
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
@@ -63,6 +63,33 @@ impl Slider {
     }
 }
 
+/// A driven slider that is passed on the way between two links of a compound link.
+///
+/// The two bodies of a driven slider have one rotation, and their sliding is given: their relative motion is known. So
+/// all links that driven sliders join, directly or over others, are one *compound link* to groups and loops, with
+/// lengths that change as the scene says: a hydraulic cylinder with its rod is a link of varying length between its two
+/// pins. One of its links, the lead, stands for all of them; where the lead's motion is known, so are those of the
+/// others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrivenSlide {
+    /// The slider.
+    pub slider: SliderId,
+    /// The body from which the slider is passed.
+    pub from: BodyId,
+    /// The body to which it is passed.
+    pub to: BodyId,
+    /// +1 from the guide's body to the sliding link, −1 from the sliding link to the guide's body.
+    pub sign: f64,
+}
+
+impl DrivenSlide {
+    pub(in crate::mechanism) fn new(mechanism: &Mechanism, slider: SliderId, from: BodyId) -> Self {
+        let ends = mechanism.slider(slider);
+        let forward = ends.on == from;
+        Self { slider, from, to: if forward { ends.link } else { ends.on }, sign: if forward { 1.0 } else { -1.0 } }
+    }
+}
+
 impl Mechanism {
     /// Adds a slider and its joint.
     pub(in crate::mechanism) fn add_slider(&mut self, slider: Slider) {
@@ -73,7 +100,7 @@ impl Mechanism {
             bodies,
             pin: None,
             slider: Some(id),
-            tie: Some(Tie::alike(bodies, slider.turn())),
+            angular: Some(AngularConstraint::fixed_angle(bodies, slider.turn())),
             marks: smallvec![Mark::Block(id)],
         });
         self.sliders.push(slider);
