@@ -11,7 +11,7 @@
 //! `datum`, `covariance`, `hand`, `walk`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the
 //! catalogue, `settle` fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the
 //! explanations and chooses the `explanation` that is told; `report` and `result` write it as text and JSON, `parts` piece by piece for a page, `redrawn/` draws the
-//! student's sheets as they probably were; `student` draws with mistakes on purpose; `proposed/` finds plan points among the pencil lines of a photograph; `marks` gives the marks that
+//! student's sheets as they probably were; `student` draws with mistakes on purpose; `photographs` has the plans of photographed sheets, `proposed/` finds their points among the pencil lines; `marks` gives the marks that
 //! values earn, `class` sums up many drawings, `feedback` makes of one what its student gets back. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
@@ -32,6 +32,8 @@ mod marks;
 mod mistakes;
 mod model;
 mod parts;
+#[cfg(feature = "photo")]
+mod photographs;
 mod points;
 mod precision;
 mod prepared;
@@ -64,10 +66,12 @@ pub use filled::FilledForm;
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Candidate, Mistake};
 pub use parts::{Cause, ReportParts, ReportRow, report_parts};
+#[cfg(feature = "photo")]
+pub use photographs::{Aimed, PencilledPlan, PlacedPoint, PointVerdict, hundredths};
 pub use precision::Precision;
 pub use prepared::Prepared;
 #[cfg(feature = "photo")]
-pub use proposed::{Found, PencilledPlan, PointVerdict, Proposal, Proposals, proposed};
+pub use proposed::{Found, Proposal, Proposals, proposed};
 pub use redrawn::redrawn;
 pub use report::report;
 pub use result::{CheckResult, check_result, check_schema};

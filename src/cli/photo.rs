@@ -4,13 +4,12 @@ use super::files;
 use super::message::{Failure, note};
 use super::output::FileSet;
 use super::pictures::read_picture;
-use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, PointsOf, Proposal, proposed};
-use crate::construction::{PlanKind, Solution};
-use crate::drawing::markers::{PlacedPanel, SheetCode};
+use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, Proposal, proposed};
+use crate::construction::Solution;
+use crate::drawing::markers::SheetCode;
 use crate::drawing::{Drawing, SeenPoint, over_photo};
 use crate::format::Backdrop;
 use crate::photo::{PhotoSheet, Picture, Stroke, read};
-use crate::scene::PanelName;
 use crate::text::{Untrusted, shown};
 use crate::words::{NumberStyle, Wording};
 use std::path::{Path, PathBuf};
@@ -39,7 +38,7 @@ pub(super) struct PhotoResult {
 
 impl Photo {
     /// Reads a photograph; `expected` are the codes that its sheet may have.
-    pub(super) fn read(path: &Path, expected: &[SheetCode]) -> Result<Photo, Failure> {
+    pub(super) fn read(path: &Path, expected: impl FnOnce() -> Vec<SheetCode>) -> Result<Photo, Failure> {
         let picture = read_picture(path)?;
         let sheet = read(&picture, expected).map_err(|refusal| {
             Failure::Misuse(format!("{}: {refusal}", path.display()), Some(refusal.hint().to_owned()))
@@ -53,12 +52,8 @@ impl Photo {
     }
 
     /// The plans on its sheet.
-    fn plans(&self) -> impl Iterator<Item = (PlanKind, &PlacedPanel)> {
-        self.sheet.code.panels.iter().filter_map(|panel| match panel.panel {
-            PanelName::Scheme => None,
-            PanelName::Velocity => Some((PlanKind::Velocity, panel)),
-            PanelName::Acceleration => Some((PlanKind::Acceleration, panel)),
-        })
+    fn plans(&self) -> impl Iterator<Item = PencilledPlan<'_>> {
+        PencilledPlan::on(&self.sheet, &self.strokes)
     }
 
     /// The sheet, straightened out and evenly lit.
@@ -95,51 +90,33 @@ impl PhotoResult {
                 ),
             ));
         }
-        let all: Vec<(&Photo, PlanKind, &PlacedPanel)> =
-            photos.iter().flat_map(|photo| photo.plans().map(move |(kind, panel)| (photo, kind, panel))).collect();
+        let all: Vec<(&Photo, PencilledPlan<'_>)> =
+            photos.iter().flat_map(|photo| photo.plans().map(move |plan| (photo, plan))).collect();
         if all.is_empty() {
             return Err(Failure::Misuse(
                 format!("{} shows no plan, only the sheet with the scheme", photos[0].path.display()),
                 Some("photograph the sheets on which the plans are drawn".into()),
             ));
         }
-        for (index, (photo, kind, _)) in all.iter().enumerate() {
-            if let Some((other, ..)) = all[..index].iter().find(|(_, own, _)| own == kind) {
+        for (index, (photo, plan)) in all.iter().enumerate() {
+            if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.kind == plan.kind) {
                 return Err(Failure::Misuse(
                     format!(
                         "{} and {} both show the {}",
                         other.path.display(),
                         photo.path.display(),
-                        kind.sheet().name()
+                        plan.kind.sheet().name()
                     ),
                     Some("give one photograph of each sheet".into()),
                 ));
             }
         }
-        let bands: Vec<_> = photos.iter().map(|photo| |place: [f64; 2]| photo.sheet.band(place)).collect();
-        let mut plans: Vec<PencilledPlan<'_>> = Vec::new();
-        for (photo, kind, panel) in &all {
-            let index = photos.iter().position(|own| std::ptr::eq(own, *photo)).unwrap_or(0);
-            let (strokes, band) = (photo.strokes.as_slice(), &bands[index]);
-            plans.push(PencilledPlan { kind: *kind, mu: panel.mu, pole: panel.origin, strokes, band });
-        }
+        let plans: Vec<PencilledPlan<'_>> = all.iter().map(|(_, plan)| *plan).collect();
         let proposals = proposed(key, &plans).map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
-        let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
-        for plan in &plans {
-            measured.mu[plan.kind.sheet() as usize] = Some(plan.mu);
-            let mut points = PointsOf::new(plan.kind);
-            points.put(plan.kind.pole(), [0.0; 2], Some(hundredths((plan.band)(plan.pole))));
-            for point in proposals.points.iter().filter(|point| point.kind == plan.kind) {
-                if let Some(found) = point.found {
-                    points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
-                }
-            }
-            measured.points.push(points);
-        }
+        let measured = proposals.measured(&plans, key);
         let sheet = |photo: &Photo| {
-            let own = plans.iter().zip(&all).filter(|(_, (own, ..))| std::ptr::eq(*own, photo));
-            let seen = own.flat_map(|(plan, _)| seen(plan, &proposals.points));
-            (photo.path.clone(), photo.backdrop(), over_photo(solution, photo.code(), &seen.collect::<Vec<_>>()))
+            let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals.points)).collect();
+            (photo.path.clone(), photo.backdrop(), over_photo(solution, photo.code(), &seen))
         };
         let sheets = photos.iter().map(sheet).collect();
         let codes = photos.iter().map(|photo| (photo.path.clone(), photo.code().clone())).collect();
@@ -264,11 +241,6 @@ fn aligned(rows: &[[String; 6]]) -> String {
         row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
     };
     rows.iter().map(line).collect()
-}
-
-/// A length in mm to 0.01.
-fn hundredths(mm: f64) -> f64 {
-    libm::round(100.0 * mm) / 100.0
 }
 
 /// The name of the student whose sheets these are: that of the first file, without its ending and a number behind it.

@@ -97,8 +97,11 @@ impl Check {
     /// What photographs tell, and of which scene they are.
     fn result<'s>(&self, paths: &[PathBuf], subjects: &'s [Subject]) -> Result<(&'s Subject, PhotoResult), Failure> {
         // Of one scene its sheets are known, so that a blurred code is read; those of many are told apart by their codes alone.
-        let codes = if let [subject] = subjects { expected(&subject.solution, &subject.path) } else { Vec::new() };
-        let photos: Vec<Photo> = paths.iter().map(|path| Photo::read(path, &codes)).collect::<Result<_, _>>()?;
+        let codes = || match subjects {
+            [subject] => expected(&subject.solution, &subject.path),
+            _ => Vec::new(),
+        };
+        let photos: Vec<Photo> = paths.iter().map(|path| Photo::read(path, codes)).collect::<Result<_, _>>()?;
         let is_of = |subject: &&Subject| subject.solution.scene.fingerprint() == photos[0].code().scene;
         let subject = match subjects {
             [subject] => subject,

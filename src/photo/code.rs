@@ -33,7 +33,11 @@ const ASIDE: f64 = 0.16;
 
 /// What the code in a square says: `pixel` says where its places are in the picture, for coordinates from 0 to 1. Where it is too blurred to be read
 /// by itself it is compared with those that are `expected`.
-pub(super) fn code(picture: &Picture, pixel: impl Fn(f64, f64) -> Point, expected: &[&SheetCode]) -> Option<SheetCode> {
+pub(super) fn code(
+    picture: &Picture,
+    pixel: impl Fn(f64, f64) -> Point,
+    expected: impl FnOnce() -> Vec<SheetCode>,
+) -> Option<SheetCode> {
     let sizes = || VERSIONS.map(|version| 17 + 4 * version);
     let seen: Vec<Seen> = sizes().map(|size| Seen::new(picture, &pixel, size)).collect();
     let read = |all: &mut dyn Iterator<Item = Modules>| SheetCode::read(&first_text(all)?);
@@ -54,7 +58,7 @@ pub(super) fn code(picture: &Picture, pixel: impl Fn(f64, f64) -> Point, expecte
     let modules = further.iter().map(Equalized::modules).chain(aligned.iter().map(Seen::plain));
     let moved = read(&mut modules.collect::<Vec<_>>().into_iter());
     all.extend(further);
-    moved.or_else(|| likest(&all, expected).cloned())
+    moved.or_else(|| likest(&all, &expected()).cloned())
 }
 
 /// The text of the first code that can be read, the likeliest size first.
@@ -71,11 +75,11 @@ const CORRELATED: f64 = 0.4;
 const CLEARLY: f64 = 0.15;
 
 /// The expected code that is clearly most like what is seen.
-fn likest<'a>(all: &[Equalized], expected: &[&'a SheetCode]) -> Option<&'a SheetCode> {
+fn likest<'a>(all: &[Equalized], expected: &'a [SheetCode]) -> Option<&'a SheetCode> {
     let rated = expected.iter().filter_map(|code| {
         let modules = code.modules()?;
         let of_size = all.iter().filter(|seen| seen.size == modules.len());
-        Some((of_size.map(|seen| seen.correlation(&modules)).fold(0.0, f64::max), *code))
+        Some((of_size.map(|seen| seen.correlation(&modules)).fold(0.0, f64::max), code))
     });
     let mut rated: Vec<(f64, &SheetCode)> = rated.collect();
     rated.sort_by(|a, b| b.0.total_cmp(&a.0));

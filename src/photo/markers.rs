@@ -1,12 +1,16 @@
 //! Which dark squares are markers, and which of them stand together on one sheet.
 
 use super::picture::Picture;
-use super::plane::Homography;
 use super::squares::squares;
 use crate::drawing::markers::{CELLS, CODES, INNER, places};
 use crate::geometry::Point;
 use crate::scene::{Page, PageSize};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
+/// Longer side of the picture in which markers are looked for, in pixels; their edges are found in the whole one.
+const WORKING: usize = 1700;
+/// Least number of markers of a sheet.
+pub(super) const LEAST: usize = 4;
 /// Cells in which a code may differ from that of its marker: codes differ in six.
 const WRONG_CELLS: u32 = 2;
 /// Least difference of brightness between paper and print.
@@ -61,8 +65,19 @@ impl Marker {
     }
 }
 
+/// The markers in a picture. They are looked for in a smaller one; a sheet far away has small markers, so where some are missing in one of twice that size,
+/// too.
+pub(super) fn markers(picture: &Picture) -> Vec<Marker> {
+    let factor = picture.width().max(picture.height()).div_ceil(WORKING);
+    let mut found = markers_in(&picture.smaller(factor), factor);
+    if factor > 1 && most_together(&found) < CODES.len() {
+        add(&mut found, markers_in(&picture.smaller(factor / 2), factor / 2));
+    }
+    found
+}
+
 /// The markers in a picture, in places of the whole picture, which is `factor` times as large.
-pub(super) fn markers(small: &Picture, factor: usize) -> Vec<Marker> {
+fn markers_in(small: &Picture, factor: usize) -> Vec<Marker> {
     let mut found: Vec<Marker> = Vec::new();
     for pass in 0..2 {
         add(&mut found, squares(small, pass).iter().filter_map(|square| read(small, square)).collect());
@@ -77,7 +92,7 @@ pub(super) fn markers(small: &Picture, factor: usize) -> Vec<Marker> {
 }
 
 /// Adds further markers; those that are known already stay as they are.
-pub(super) fn add(found: &mut Vec<Marker>, further: Vec<Marker>) {
+fn add(found: &mut Vec<Marker>, further: Vec<Marker>) {
     for marker in further {
         let is_known = |other: &Marker| {
             other.number == marker.number && (other.corners[0] - marker.corners[0]).norm() < 0.5 * marker.side()
@@ -144,9 +159,9 @@ fn read(picture: &Picture, square: &[Point; 4]) -> Option<Marker> {
     (wrong <= WRONG_CELLS).then(|| Marker { number, corners: std::array::from_fn(|i| square[(i + turn) % 4]) })
 }
 
-/// The largest set of markers that can stand on one sheet, for every page on which it can; at least `least` markers.
-pub(super) fn sheets(markers: &[Marker], least: usize) -> Vec<Seen> {
-    let mut all: Vec<Seen> = PAGES.iter().filter_map(|page| largest(markers, *page, least)).collect();
+/// The largest set of markers that can stand on one sheet, for every page on which it can; at least [`LEAST`] markers.
+pub(super) fn sheets(markers: &[Marker]) -> Vec<Seen> {
+    let mut all: Vec<Seen> = PAGES.iter().filter_map(|page| largest(markers, *page)).collect();
     let most = all.iter().map(|seen| seen.markers.len()).max().unwrap_or(0);
     all.retain(|seen| seen.markers.len() == most);
     all
@@ -156,7 +171,7 @@ pub(super) fn sheets(markers: &[Marker], least: usize) -> Vec<Seen> {
 const TRIED: usize = 24;
 
 /// The largest set on a page: of those that two or three markers let expect.
-fn largest(markers: &[Marker], page: Page, least: usize) -> Option<Seen> {
+fn largest(markers: &[Marker], page: Page) -> Option<Seen> {
     let mut best: Option<(f64, Seen)> = None;
     let few = &markers[..markers.len().min(TRIED)];
     let mut try_with = |seed: &[&Marker]| {
@@ -181,7 +196,7 @@ fn largest(markers: &[Marker], page: Page, least: usize) -> Option<Seen> {
         let error = chosen.iter().map(|(error, _)| error).sum::<f64>() / chosen.len().max(1) as f64;
         let worth = chosen.len() as f64 - error;
         if let Some(plane) = plane
-            && chosen.len() >= least
+            && chosen.len() >= LEAST
             && best.as_ref().is_none_or(|(most, _)| worth > *most)
         {
             best = Some((worth, Seen { page, markers: chosen.into_iter().map(|(_, marker)| marker).collect(), plane }));
@@ -203,4 +218,59 @@ fn largest(markers: &[Marker], page: Page, least: usize) -> Option<Seen> {
 /// How many markers with different numbers there are.
 pub(super) fn most_together(markers: &[Marker]) -> usize {
     (0..CODES.len()).filter(|number| markers.iter().any(|marker| marker.number == *number)).count()
+}
+
+/// Places of one plane to places of another, with straight lines kept straight: a homography.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Homography(pub Matrix3<f64>);
+
+impl Homography {
+    /// The homography that takes the first of each pair nearest to the second, by the direct linear transformation with both sides scaled (Hartley 1997);
+    /// `None` for fewer than four pairs or where they leave it open.
+    pub(super) fn through(pairs: &[(Point, Point)]) -> Option<Homography> {
+        if pairs.len() < 4 {
+            return None;
+        }
+        let (from, to) = (scaling(pairs.iter().map(|pair| pair.0))?, scaling(pairs.iter().map(|pair| pair.1))?);
+        let mut normal = DMatrix::<f64>::zeros(9, 9);
+        for (a, b) in pairs {
+            let (a, b) = (Homography(from).at(*a), Homography(to).at(*b));
+            for row in [
+                [a.x, a.y, 1.0, 0.0, 0.0, 0.0, -b.x * a.x, -b.x * a.y, -b.x],
+                [0.0, 0.0, 0.0, a.x, a.y, 1.0, -b.y * a.x, -b.y * a.y, -b.y],
+            ] {
+                for i in 0..9 {
+                    for j in 0..9 {
+                        normal[(i, j)] += row[i] * row[j];
+                    }
+                }
+            }
+        }
+        let eigen = normal.symmetric_eigen();
+        let mut order: Vec<usize> = (0..9).collect();
+        order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+        // A second solution beside the first: the places are in line.
+        if eigen.eigenvalues[order[1]] < 1e-9 * eigen.eigenvalues[order[8]] {
+            return None;
+        }
+        let h = eigen.eigenvectors.column(order[0]);
+        let scaled = Matrix3::from_fn(|i, j| h[3 * i + j]);
+        Some(Homography(to.try_inverse()? * scaled * from)).filter(|h| h.0.iter().all(|x| x.is_finite()))
+    }
+
+    /// Where a place goes.
+    pub(super) fn at(&self, point: Point) -> Point {
+        let image = self.0 * Vector3::new(point.x, point.y, 1.0);
+        Point::new(image.x / image.z, image.y / image.z)
+    }
+}
+
+/// Brings places to a mean of zero and a mean distance of √2.
+fn scaling(points: impl Iterator<Item = Point> + Clone) -> Option<Matrix3<f64>> {
+    let count = points.clone().count() as f64;
+    let mean = points.clone().map(|p| p.coords).sum::<nalgebra::Vector2<f64>>() / count;
+    let spread = points.map(|p| (p.coords - mean).norm()).sum::<f64>() / count;
+    let scale = std::f64::consts::SQRT_2 / spread;
+    let matrix = Matrix3::new(scale, 0.0, -scale * mean.x, 0.0, scale, -scale * mean.y, 0.0, 0.0, 1.0);
+    scale.is_finite().then_some(matrix)
 }

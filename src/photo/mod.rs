@@ -5,21 +5,15 @@
 
 mod camera;
 mod code;
-mod crossing;
 mod edges;
-mod fit;
 mod markers;
 mod paper;
 mod picture;
-mod plane;
-mod refusal;
 mod sheet;
 mod squares;
 mod strokes;
 
-pub use crossing::{Crossing, crossing};
 pub use paper::Paper;
 pub use picture::Picture;
-pub use refusal::Refusal;
-pub use sheet::{PhotoSheet, read};
-pub use strokes::Stroke;
+pub use sheet::{PhotoSheet, Refusal, read};
+pub use strokes::{Crossing, Stroke, crossing};

@@ -1,22 +1,15 @@
 //! The sheet in a photograph: which it is, and where its places are in the picture.
 
-use super::camera::Camera;
+use super::camera::{Camera, Fitted, fitted};
 use super::code;
-use super::edges;
-use super::fit::{Fitted, Sight, fit};
 use super::markers::{self, Seen};
 use super::paper::Paper;
 use super::picture::Picture;
-use super::refusal::Refusal;
 use super::strokes::{Stroke, strokes};
-use crate::drawing::markers::{CODES, SIDE, SheetCode, code_place};
+use crate::drawing::markers::{SheetCode, code_place};
 use crate::geometry::Point;
 use crate::scene::Page;
 
-/// Longer side of the picture in which markers are looked for, in pixels; their edges are found in the whole one.
-const WORKING: usize = 1700;
-/// Least number of markers.
-const LEAST: usize = 4;
 /// Largest residual of the markers' corners, in mm: a camera over an evenly bent sheet leaves 0.02 to 0.05 mm.
 const UNEVEN: f64 = 0.18;
 /// Spread of edges, as a standard deviation in mm, from which blur moves them by as much.
@@ -32,6 +25,8 @@ const BENT: f64 = 20.0;
 const MARGIN: f64 = 16.0;
 /// Distance of places at which pencil lines are looked for, in mm: a line is one or two of them wide.
 const STEP: f64 = 0.2;
+/// Standard deviations in the widest direction within which 95 % of places in the plane lie.
+const CIRCLE: f64 = 2.45;
 
 /// A sheet found in a photograph.
 #[derive(Clone, Debug)]
@@ -43,24 +38,19 @@ pub struct PhotoSheet {
     fitted: Fitted,
 }
 
-/// Reads the sheet in a photograph. Its code says which it is; where it is too blurred to be read by itself, it is compared with those of the sheets
-/// that are `expected`.
+/// Reads the sheet in a photograph. Its code says which it is; where that is too blurred to be read by itself, it is compared with the codes that are
+/// `expected`, which are asked for only then.
 ///
 /// # Errors
 /// There is none that can be measured on.
-pub fn read(picture: &Picture, expected: &[SheetCode]) -> Result<PhotoSheet, Refusal> {
-    let factor = picture.width().max(picture.height()).div_ceil(WORKING);
-    let mut found = markers::markers(&picture.smaller(factor), factor);
-    // A sheet far away has small markers.
-    if factor > 1 && markers::most_together(&found) < CODES.len() {
-        markers::add(&mut found, markers::markers(&picture.smaller(factor / 2), factor / 2));
-    }
-    let together = markers::sheets(&found, LEAST);
+pub fn read(picture: &Picture, expected: impl FnOnce() -> Vec<SheetCode>) -> Result<PhotoSheet, Refusal> {
+    let found = markers::markers(picture);
+    let together = markers::sheets(&found);
     let mut fitted: Vec<(Seen, Fitted)> =
         together.into_iter().filter_map(|seen| Some((seen.clone(), fitted(picture, &seen)?))).collect();
     fitted.sort_by(|a, b| a.1.residual.total_cmp(&b.1.residual));
     let Some((seen, best)) = fitted.first() else {
-        return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(LEAST - 1) });
+        return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(markers::LEAST - 1) });
     };
     even(best)?;
     let code = code(picture, seen.page, &best.camera, expected).ok_or(Refusal::NoCode)?;
@@ -82,40 +72,16 @@ fn even(fitted: &Fitted) -> Result<(), Refusal> {
     }
 }
 
-/// The camera that explains the markers: from their rough corners first, then from the edges where that camera expects them.
-fn fitted(picture: &Picture, seen: &Seen) -> Option<Fitted> {
-    let (sheet, size) = (seen.page.size_mm(), [picture.width() as f64, picture.height() as f64]);
-    let rough = fit(&sights(picture, seen, None), &seen.plane, sheet, size)?;
-    let mut sights = sights(picture, seen, Some(&rough.camera));
-    let mut fitted = fit(&sights, &seen.plane, sheet, size)?;
-    while let Some((marker, better)) = fitted.without_worst(&sights) {
-        sights.retain(|sight| sight.marker != marker);
-        fitted = better;
-    }
-    (sights.len() >= 3 * LEAST).then_some(fitted)
-}
-
-/// The corners of the markers, looked for where a camera or else their outlines let expect them.
-fn sights(picture: &Picture, seen: &Seen, camera: Option<&Camera>) -> Vec<Sight> {
-    let mut sights = Vec::new();
-    for marker in &seen.markers {
-        let own = markers::corners(seen.page, marker.number);
-        let expected = camera.map_or(marker.corners, |camera| own.map(|paper| camera.pixel(paper)));
-        let middle = nalgebra::center(&own[0], &own[2]);
-        for (paper, corner) in own.into_iter().zip(edges::corners(picture, &expected, SIDE)) {
-            let outwards = (paper - middle) / (0.5 * SIDE);
-            sights.extend(corner.map(|corner| Sight { marker: marker.number, paper, outwards, corner }));
-        }
-    }
-    sights
-}
-
 /// What the code on a page says.
-fn code(picture: &Picture, page: Page, camera: &Camera, expected: &[SheetCode]) -> Option<SheetCode> {
+fn code(
+    picture: &Picture,
+    page: Page,
+    camera: &Camera,
+    expected: impl FnOnce() -> Vec<SheetCode>,
+) -> Option<SheetCode> {
     let place = code_place(page.size_mm());
     let pixel = |u, v| camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v));
-    let expected: Vec<&SheetCode> = expected.iter().filter(|code| code.page == page).collect();
-    code::code(picture, pixel, &expected)
+    code::code(picture, pixel, || expected().into_iter().filter(|code| code.page == page).collect())
 }
 
 impl PhotoSheet {
@@ -166,5 +132,71 @@ impl PhotoSheet {
     }
 }
 
-/// Standard deviations in the widest direction within which 95 % of places in the plane lie.
-const CIRCLE: f64 = 2.45;
+/// Why no sheet is read from a picture, and what to do.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// No sheet is there, or too little of it.
+    #[error("{}", few(*.markers))]
+    FewMarkers {
+        /// How many different markers were found.
+        markers: usize,
+    },
+    /// The markers are not where any camera would see those of a flat or evenly bent sheet.
+    #[error("the sheet is not flat: its markers are {millimetres:.1} mm from where they would be on an even sheet")]
+    NotEven {
+        /// Root of the mean square of their distances, in mm.
+        millimetres: f64,
+    },
+    /// The picture is so blurred that the markers are not where any camera would see them.
+    #[error("the picture is blurred: edges on the sheet are {millimetres:.1} mm wide in it")]
+    Blurred {
+        /// Width of edges, in mm.
+        millimetres: f64,
+    },
+    /// The sheet is rolled too much.
+    #[error("the sheet is bent: its middle is {millimetres:.0} mm above or below its edges")]
+    Bent {
+        /// Height of the bend, in mm.
+        millimetres: f64,
+    },
+    /// The small code cannot be read.
+    #[error("the small code at the lower right corner of the sheet cannot be read")]
+    NoCode,
+    /// The code is of a sheet of another size.
+    #[error(
+        "the small code is of a page that is not that of the markers: the picture shows parts of two sheets, or a sheet that was cut"
+    )]
+    OtherPage,
+}
+
+impl Refusal {
+    /// What to do.
+    #[must_use]
+    pub fn hint(&self) -> &'static str {
+        match self {
+            Refusal::FewMarkers { .. } => {
+                "take the picture from above, with the whole sheet and all eight black squares in it, sharp and without a hand over them"
+            }
+            Refusal::NotEven { .. } | Refusal::Bent { .. } => {
+                "press the sheet flat, under a sheet of glass or with weights on its edges, and take the picture again"
+            }
+            Refusal::Blurred { .. } => {
+                "take the picture nearer, so that the sheet fills it, in more light, and hold the camera still"
+            }
+            Refusal::NoCode => {
+                "take the picture nearer and sharper, with light on the code; nothing may be drawn over it"
+            }
+            Refusal::OtherPage => "photograph one whole sheet as it was printed",
+        }
+    }
+}
+
+/// What is said of that many markers.
+fn few(markers: usize) -> String {
+    match markers {
+        0 => "no sheet with markers is found in the picture".to_owned(),
+        1 => "only one of the sheet's eight markers is found in the picture".to_owned(),
+        few => format!("only {few} of the sheet's eight markers are found together in the picture"),
+    }
+}

@@ -124,14 +124,14 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
         if number.is_multiple_of(4) { None } else { (0..50).find_map(|_| task.plan(&mut random, &skill)) };
     let key = answer_key(&task.solution, 5);
     let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
-    let mut photos: Vec<(PhotoSheet, Vec<Stroke>, Vec<Panel>)> = Vec::new();
+    let mut photos: Vec<(PhotoSheet, Vec<Stroke>)> = Vec::new();
     let mut truth: Vec<(PlanKind, String, [f64; 2])> = Vec::new();
     for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
         let panels = panels(&sheet.0);
         let drawing = drawn(task, planned.as_ref(), skill, number, &panels);
         let picture = decoded(&photographed(sheet, &drawing, &by_lot(sheet, kind, number, edge)).jpeg);
         tally.photographs += 1;
-        let found = match photo::read(&picture, &codes) {
+        let found = match photo::read(&picture, || codes.clone()) {
             Ok(found) => found,
             Err(refusal) => {
                 tally.told.push(format!("{} {number}: {refusal}", task.kind));
@@ -144,16 +144,10 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
             let pole = panels.iter().find(|panel| panel.plan == *plan).expect("its panel").pole;
             truth.push((kind_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
         }
-        photos.push((found, lines, panels));
+        photos.push((found, lines));
     }
-    let bands: Vec<_> = photos.iter().map(|(found, ..)| move |place: [f64; 2]| found.band(place)).collect();
-    let mut plans = Vec::new();
-    for ((_, strokes, panels), band) in photos.iter().zip(&bands) {
-        for panel in panels {
-            let mu = panel.mu.expect("a scale");
-            plans.push(PencilledPlan { kind: kind_of(panel.plan), mu, pole: panel.pole, strokes, band });
-        }
-    }
+    let plans: Vec<PencilledPlan<'_>> =
+        photos.iter().flat_map(|(found, strokes)| PencilledPlan::on(found, strokes)).collect();
     let Ok(proposals) = proposed(&key, &plans) else { return };
     let mut points = compare(&proposals, &truth, task, tally);
     for plan in &plans {

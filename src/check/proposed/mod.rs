@@ -11,62 +11,10 @@ use super::checked::BANDS;
 use super::entry::entries;
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
+use super::photographs::{PencilledPlan, PointVerdict, hundredths};
 use super::sheet::{CheckError, Measured, PointsOf};
 use crate::construction::PlanKind;
-use crate::photo::Stroke;
 use track::{Track, Tracker};
-
-/// A plan on a photographed sheet, with the pencil lines there.
-pub struct PencilledPlan<'a> {
-    /// Which plan.
-    pub kind: PlanKind,
-    /// Its scale, in units of the scene per millimetre.
-    pub mu: f64,
-    /// The place of its pole on the sheet, in mm, y down.
-    pub pole: [f64; 2],
-    /// The pencil lines of the sheet, in mm, y down.
-    pub strokes: &'a [Stroke],
-    /// Radius round a place on the sheet within which what is seen there lies with 95 %, in mm: that of the camera.
-    pub band: &'a dyn Fn([f64; 2]) -> f64,
-}
-
-impl PencilledPlan<'_> {
-    /// A place on the sheet from the pole, in mm, y up.
-    #[must_use]
-    pub fn from_pole(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x - self.pole[0], self.pole[1] - y]
-    }
-
-    /// The place on the sheet of one given from the pole, in mm, y up.
-    #[must_use]
-    pub fn on_sheet(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x + self.pole[0], self.pole[1] - y]
-    }
-}
-
-/// What the place of a point in a photograph tells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PointVerdict {
-    /// It is where an honest hand would have it.
-    Right,
-    /// It is elsewhere.
-    Off,
-    /// The picture cannot tell: the place could be right or off.
-    CannotTell,
-}
-
-impl PointVerdict {
-    /// The verdict on a point that is `distance` from its right place and known within `band`, where an honest hand may be off by `tolerance`; all
-    /// in mm.
-    #[must_use]
-    pub fn of(distance: f64, band: f64, tolerance: f64) -> PointVerdict {
-        match (distance + band <= tolerance, distance - band > tolerance) {
-            (true, _) => PointVerdict::Right,
-            (_, true) => PointVerdict::Off,
-            _ => PointVerdict::CannotTell,
-        }
-    }
-}
 
 /// Where a point seems to be, by the pencil lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,6 +49,26 @@ pub struct Proposals {
     pub points: Vec<Proposal>,
     /// The mistakes with which the lines agree; none where they agree with the right plans.
     pub mistakes: Vec<Candidate>,
+}
+
+impl Proposals {
+    /// The form that they make: by plan the places that were found, with the radii that hold them, to 0.01 mm.
+    #[must_use]
+    pub fn measured(&self, plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
+        let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
+        for plan in plans {
+            measured.mu[plan.kind.sheet() as usize] = Some(plan.mu);
+            let mut points = PointsOf::new(plan.kind);
+            points.put(plan.kind.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
+            for point in self.points.iter().filter(|point| point.kind == plan.kind) {
+                if let Some(found) = point.found {
+                    points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
+                }
+            }
+            measured.points.push(points);
+        }
+        measured
+    }
 }
 
 /// Cost of a mistake, in lines that must agree with it: most sheets have none.
@@ -180,7 +148,7 @@ fn agreed(
         return None;
     }
     let at = [spot.at.x, spot.at.y];
-    let band = libm::hypot(libm::hypot(spot.band, SET), (plan.band)(plan.on_sheet(at)));
+    let band = libm::hypot(libm::hypot(spot.band, SET), plan.sheet.band(plan.on_sheet(at)));
     let distance = libm::hypot(at[0] - point.right[0], at[1] - point.right[1]);
     Some(Found { at, band, verdict: PointVerdict::of(distance, band, point.tolerance) })
 }

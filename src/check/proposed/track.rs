@@ -1,9 +1,9 @@
 //! The construction carried out along the pencil lines, with or without mistakes.
 
-use super::PencilledPlan;
 use super::lines::{Spot, crossing, drawn, end};
 use crate::check::mistakes::Candidate;
 use crate::check::model::{Changes, Edit, Model};
+use crate::check::photographs::PencilledPlan;
 use crate::construction::{Disturbance, LineId, OperationKind, PlaceId, Sheet};
 use crate::geometry::{Point, Vector, cross, unit};
 use crate::photo::Stroke;

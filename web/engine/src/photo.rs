@@ -7,18 +7,16 @@ use crate::photo_answers::{
 };
 use crate::refused::Refused;
 use kinegon::Solution;
-use kinegon::check::{self, BANDS, PencilledPlan, plan_points};
+use kinegon::check::{self, BANDS, PencilledPlan, hundredths, plan_points};
 use kinegon::construction::{Plan, PlanKind, PointRole, Teller, Tolerance};
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::format::html_text;
-use kinegon::geometry::{Point, Vector};
-use kinegon::photo::{self, PhotoSheet, Picture, Refusal, Stroke, crossing};
+use kinegon::geometry::Vector;
+use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
 use kinegon::scene::PanelName;
 
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
-/// Radius that holds a place that a hand has aimed at with 95 %, in mm.
-const AIMED: f64 = 0.5;
 
 /// A photograph of a sheet that has plans of the scene.
 pub struct Photograph {
@@ -125,15 +123,8 @@ pub fn read(
     let picture = Picture::new(size[0], size[1], grey)
         .ok_or_else(|| Refused::whole("the picture has not as many pixels as its width and height say"))?;
     let solution = desk.solution(text)?;
-    let read = photo::read(&picture, &[]).or_else(|why| match why {
-        // A blurred code is compared with those of the scene's own sheets.
-        Refusal::NoCode => {
-            let own: Vec<SheetCode> =
-                solution.drawing_sheets(name).into_iter().filter_map(|sheet| sheet.code).collect();
-            photo::read(&picture, &own)
-        }
-        why => Err(why),
-    });
+    let own = || solution.drawing_sheets(name).into_iter().filter_map(|sheet| sheet.code).collect();
+    let read = photo::read(&picture, own);
     let sheet = match read {
         Ok(sheet) => sheet,
         Err(why) => return Ok((PhotoRead { photo: None, refused: Some(PhotoRefused::of(&why)) }, None)),
@@ -208,11 +199,6 @@ impl PlanInPhoto {
         [self.panel.origin[0] + x, self.panel.origin[1] - y]
     }
 
-    /// A place of the sheet in the plan.
-    fn in_plan(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x - self.panel.origin[0], self.panel.origin[1] - y]
-    }
-
     fn point(&self, name: &str) -> Option<&RightPoint> {
         self.points.iter().find(|point| point.name == name)
     }
@@ -251,7 +237,7 @@ impl Photograph {
         let points = self.found.iter().flat_map(|found| &found.points);
         let proposed = points.filter_map(|(index, proposal)| {
             let (plan, found) = (&self.plans[*index], proposal.found?);
-            let place = self.place(plan, plan.on_sheet(found.at), found.band, true);
+            let place = self.place(found.at, plan.on_sheet(found.at), found.band, true);
             Some(Proposed { plan: plan.key, name: proposal.name.clone(), place })
         });
         Ok(proposed.collect())
@@ -263,15 +249,7 @@ impl Photograph {
             return Ok(());
         }
         let strokes = self.sheet.sheet.strokes(&self.picture);
-        let band = |place: [f64; 2]| self.sheet.band(place);
-        let pencilled = self.plans.iter().map(|plan| PencilledPlan {
-            kind: plan.kind,
-            mu: plan.panel.mu,
-            pole: plan.panel.origin,
-            strokes: &strokes,
-            band: &band,
-        });
-        let pencilled: Vec<PencilledPlan<'_>> = pencilled.collect();
+        let pencilled: Vec<PencilledPlan<'_>> = PencilledPlan::on(&self.sheet.sheet, &strokes).collect();
         let all = check::proposed(&usual_key(desk.solution(&self.text)?), &pencilled)?.points;
         let mut points = Vec::new();
         for proposal in all {
@@ -286,6 +264,13 @@ impl Photograph {
         Ok(())
     }
 
+    /// A plan of this key with the pencil lines that were found.
+    fn plan(&self, key: &str) -> Option<(&PlanInPhoto, PencilledPlan<'_>)> {
+        let plan = self.plans.iter().find(|plan| plan.key == key)?;
+        let mut pencilled = PencilledPlan::on(&self.sheet.sheet, &self.found.as_ref()?.strokes);
+        Some((plan, pencilled.find(|pencilled| pencilled.kind == plan.kind)?))
+    }
+
     /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
     /// place itself.
     pub fn tapped(
@@ -296,19 +281,15 @@ impl Photograph {
         reach: f64,
     ) -> Result<Option<Tapped>, Refused> {
         self.find(desk)?;
-        let plan = self.plans.iter().find(|known| known.key == plan);
-        let (Some(plan), Some(aimed), Some(pencil)) = (plan, self.sheet.paper(pixel), &self.found) else {
-            return Ok(None);
-        };
-        let found = crossing(&pencil.strokes, Point::from(aimed), reach);
-        let (paper, own) = found.map_or((aimed, AIMED), |found| (found.at.into(), found.band));
-        Ok(Some(self.place(plan, paper, hypot(own, self.sheet.band(paper)), found.is_some())))
+        let (Some((_, plan)), Some(paper)) = (self.plan(plan), self.sheet.paper(pixel)) else { return Ok(None) };
+        let aimed = plan.aimed(paper, reach);
+        Ok(Some(self.place(plan.from_pole(aimed.at), aimed.at, aimed.band, aimed.is_crossing)))
     }
 
-    /// A place on the sheet, known within `band` mm.
-    fn place(&self, plan: &PlanInPhoto, paper: [f64; 2], band: f64, is_snapped: bool) -> Tapped {
+    /// A place of a plan and of its sheet, known within `band` mm.
+    fn place(&self, at: [f64; 2], paper: [f64; 2], band: f64, is_snapped: bool) -> Tapped {
         let (pixel, band_pixels) = self.circle(paper, band);
-        Tapped { at: plan.in_plan(paper).map(hundredths), pixel, is_snapped, band: hundredths(band), band_pixels }
+        Tapped { at: at.map(hundredths), pixel, is_snapped, band: hundredths(band), band_pixels }
     }
 
     /// A circle on the sheet: its middle in the picture, and its radius in pixels.
@@ -322,22 +303,20 @@ impl Photograph {
     /// the printed one where the student has none.
     pub fn judged(&mut self, desk: &mut Desk, placed: &[PlacedPoint]) -> Result<Vec<PointVerdict>, Refused> {
         self.find(desk)?;
+        let place = |point: &PlacedPoint| check::PlacedPoint { at: point.at, band: point.band };
         let verdict = |point: &PlacedPoint| {
-            let plan = self.plans.iter().find(|plan| plan.key == point.plan)?;
+            let (plan, pencilled) = self.plan(&point.plan)?;
             let right = plan.point(&point.name)?;
-            let band =
-                |of: &PlacedPoint| of.band.unwrap_or_else(|| hypot(AIMED, self.sheet.band(plan.on_sheet(of.at))));
+            let own = place(point);
             let pole = plan.points.first().filter(|pole| pole.name != point.name);
             let pole = pole.and_then(|pole| placed.iter().find(|p| p.plan == plan.key && p.name == pole.name));
-            let origin = pole.map_or([0.0; 2], |pole| pole.at);
-            let off = hypot(point.at[0] - origin[0] - right.at[0], point.at[1] - origin[1] - right.at[1]);
-            let unsure = hypot(band(point), pole.map_or(0.0, band));
-            let verdict = match check::PointVerdict::of(off, unsure, right.tolerance) {
+            let (off, verdict) = pencilled.judged(&own, pole.map(place).as_ref(), (right.at, right.tolerance));
+            let verdict = match verdict {
                 check::PointVerdict::Right => "right",
                 check::PointVerdict::Off => "off",
                 check::PointVerdict::CannotTell => "open",
             };
-            let (pixel, band_pixels) = self.circle(plan.on_sheet(point.at), band(point));
+            let (pixel, band_pixels) = self.circle(plan.on_sheet(point.at), pencilled.band(&own));
             Some(PointVerdict {
                 plan: plan.key,
                 name: point.name.clone(),
@@ -349,11 +328,6 @@ impl Photograph {
         };
         Ok(placed.iter().filter_map(verdict).collect())
     }
-}
-
-/// A length in mm, to 0.01.
-fn hundredths(mm: f64) -> f64 {
-    (100.0 * mm).round() / 100.0 + 0.0
 }
 
 fn hypot(a: f64, b: f64) -> f64 {
