@@ -4,14 +4,6 @@
 //!
 //! The students of `tests/support/students` draw random exercises of all kinds.
 
-#[expect(dead_code, reason = "tests use more of it")]
-#[path = "../tests/support"]
-mod support {
-    pub mod random;
-    pub mod stages;
-    pub mod students;
-}
-
 use kinegon::exercise::Exercises;
 use support::students::hand::SKILLS;
 use support::students::judge::Class;

@@ -55,8 +55,6 @@ pub mod words;
 mod cores;
 mod error;
 mod solve;
-#[cfg(test)]
-mod ties;
 
 pub use construction::Solution;
 pub use error::Error;

@@ -1,9 +1,9 @@
 //! Error against condition as a picture: positions given on the left, positions from lengths on the right.
 
-use super::lengths::{Lengths, WAYS};
-use super::methods::Method;
-use super::survey::Survey;
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, Rect, RichText, Shape};
+use support::speed_vs_error::lengths::{Lengths, WAYS};
+use support::speed_vs_error::methods::Method;
+use support::speed_vs_error::survey::Survey;
 
 /// Size of the sheet in mm: that of a slide, 16 to 9.
 const SHEET: [f64; 2] = [208.0, 117.0];

@@ -1,41 +1,17 @@
 //! Measures, in one run, how long several methods take for velocities and accelerations of fourth-class groups and how wrong they are.
 //! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg, -condition.svg).
 
-mod assembled;
 mod condition;
-mod differences;
-mod document;
-mod families;
-mod general;
-#[expect(dead_code, reason = "tests use more of it")]
-#[path = "../../tests/support/groups.rs"]
-mod groups;
-mod hand;
-mod joints;
-mod kernel;
-mod lengths;
-#[expect(dead_code, reason = "tests use more of it")]
-mod measure;
-mod methods;
-mod naive;
 mod picture;
-#[expect(dead_code, reason = "tests use more of it")]
-#[path = "../../tests/support/planted.rs"]
-mod planted;
-#[path = "../../tests/support/random.rs"]
-mod random;
-mod single;
-mod survey;
-#[expect(dead_code, reason = "tests use more of it")]
-mod truth;
 
 use kinegon::drawing::Drawing;
 use kinegon::format::{self, Text};
-use lengths::Lengths;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-use survey::{Survey, times};
+use support::speed_vs_error::document;
+use support::speed_vs_error::lengths::Lengths;
+use support::speed_vs_error::survey::{Survey, times};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (survey, lengths) = (Survey::new(), Lengths::new());

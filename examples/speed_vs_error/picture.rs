@@ -1,10 +1,10 @@
 //! The survey as a picture: error against time, a mark for each method and family.
 
-use super::document::duration;
-use super::families::Family;
-use super::methods::Method;
-use super::survey::Survey;
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, Rect, RichText, Shape};
+use support::speed_vs_error::document::duration;
+use support::speed_vs_error::families::Family;
+use support::speed_vs_error::methods::Method;
+use support::speed_vs_error::survey::Survey;
 
 /// Size of the sheet in mm: that of a slide, 16 to 9.
 const SHEET: [f64; 2] = [208.0, 117.0];

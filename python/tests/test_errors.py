@@ -8,16 +8,21 @@ import kinegon
 import pytest
 from conftest import ROOT
 
-BAD = sorted((ROOT / "tests" / "bad_scenes").glob("*.json"))
+# A case begins with `== NAME`; `-- MESSAGE` ends it.
+BAD = (ROOT / "tests" / "bad_scenes.txt").read_text().split("\n== ")[1:]
 
 
-def test_bad_scenes():
+def test_bad_scenes(tmp_path):
     assert len(BAD) > 100
     for case in BAD:
+        name, rest = case.split("\n", 1)
+        text, message = rest.rsplit("-- ", 1)
+        scene = tmp_path / f"{name}.json"
+        scene.write_text(text)
         with pytest.raises(kinegon.SceneError) as refused:
-            kinegon.Scene.read(case)
+            kinegon.Scene.read(scene)
         error = refused.value
-        assert str(error) == case.with_suffix(".txt").read_text().rstrip(), case.name
+        assert str(error) == message.rstrip(), name
         assert isinstance(error, ValueError) and error.message in str(error)
         if error.line is not None:
             assert str(error).startswith(f"{error.line}:{error.column}: ")

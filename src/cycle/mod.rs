@@ -22,7 +22,8 @@ mod position;
 mod pull;
 mod reading;
 mod samples;
-mod segment;
+#[doc(hidden)] // for tests
+pub mod segment;
 mod start;
 mod steps;
 mod survey;

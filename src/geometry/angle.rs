@@ -30,23 +30,3 @@ pub fn degrees_of(v: Vector) -> f64 {
     let degrees = libm::atan2(v.y, v.x).to_degrees();
     if degrees <= -180.0 { 180.0 } else { degrees }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quarter_turns_are_exact() {
-        assert_eq!(direction_of_degrees(90.0), Vector::new(0.0, 1.0));
-        assert_eq!(direction_of_degrees(-180.0), Vector::new(-1.0, 0.0));
-        assert_eq!(direction_of_degrees(630.0), Vector::new(0.0, -1.0));
-    }
-
-    #[test]
-    fn degrees_read_back() {
-        for degrees in [-179.0, -70.0, 0.0, 33.3, 90.0, 180.0] {
-            assert!((degrees_of(direction_of_degrees(degrees)) - degrees).abs() < 1e-13);
-        }
-        assert_eq!(degrees_of(Vector::new(-1.0, -0.0)), 180.0);
-    }
-}

@@ -238,37 +238,3 @@ impl<S: Simd> Number for Register<S> {
         Register { numbers: self.numbers.max(other.numbers), ..self }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::random::Random;
-    use fearless_simd::{Level, dispatch};
-
-    /// The bits of a + b c and a − b c in each register of some numbers.
-    #[inline(always)]
-    fn products<L: Lanes>(lanes: L, [a, b, c]: &[Many; 3]) -> Vec<u64> {
-        let mut made = [Many::splat(0.0); 2];
-        for k in 0..MANY / L::COUNT {
-            let [a, b, c] = [a, b, c].map(|row| lanes.load(row, k));
-            lanes.store(&mut made[0], k, a.plus_product(b, c));
-            lanes.store(&mut made[1], k, a.minus_product(b, c));
-        }
-        made.iter().flat_map(|row| row.0.map(f64::to_bits)).collect()
-    }
-
-    #[test]
-    fn sums_of_products_are_rounded_once_in_all_registers() {
-        let mut random = Random(1);
-        for _ in 0..100 {
-            let rows = [0; 3].map(|_| Many([0; MANY].map(|_: i32| 10.0 * random.within())));
-            let [a, b, c] = &rows;
-            let sums = (0..MANY).map(|k| b[k].mul_add(c[k], a[k]));
-            let expected: Vec<u64> =
-                sums.chain((0..MANY).map(|k| (-b[k]).mul_add(c[k], a[k]))).map(f64::to_bits).collect();
-            for level in [Level::new(), Level::baseline()] {
-                assert_eq!(dispatch!(level, simd => products(Registers(simd), &rows)), expected, "{level:?}");
-            }
-        }
-    }
-}

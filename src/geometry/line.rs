@@ -120,26 +120,3 @@ impl Place {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn crossing_carries_its_sine() {
-        let a = Line::new(Point::new(0.0, 1.0), Vector::new(2.0, 0.0)).expect("a direction");
-        let b = Line::new(Point::new(3.0, 0.0), Vector::new(1.0, 1.0)).expect("a direction");
-        let c = a.crossing(&b);
-        assert!((c.sine() - 0.5_f64.sqrt()).abs() < 1e-15);
-        let p = c.place().finite().expect("they cross");
-        assert!((p - Point::new(4.0, 1.0)).norm() < 1e-14);
-    }
-
-    #[test]
-    fn parallels_meet_at_infinity() {
-        let a = Line::new(Point::new(0.0, 1.0), Vector::new(3.0, 4.0)).expect("a direction");
-        let b = Line::new(Point::new(9.0, 1.0), Vector::new(3.0, 4.0)).expect("a direction");
-        assert!(matches!(a.crossing(&b).place(), Place::AtInfinity(_)));
-        assert!(matches!(a.crossing(&Line::AtInfinity).place(), Place::AtInfinity(_)));
-    }
-}

@@ -73,14 +73,3 @@ pub fn span(points: impl IntoIterator<Item = Point>) -> f64 {
     }
     corners.map_or(0.0, |(low, high)| (high - low).norm())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quarter_turn_is_counter_clockwise() {
-        assert_eq!(quarter_turn(Vector::new(1.0, 0.0)), Vector::new(0.0, 1.0));
-        assert_eq!(cross(Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)), 1.0);
-    }
-}

@@ -211,27 +211,3 @@ impl<T: Copy + Mul<Output = T>> Mul<T> for Pair<T> {
         Pair { x: self.x * scale, y: self.y * scale }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::direction_of_degrees;
-
-    #[test]
-    fn directions_by_polynomials_are_those_of_libm() {
-        let mut worst: f64 = 0.0;
-        for k in -40_000..40_000 {
-            let degrees = f64::from(k) * 0.037;
-            let Pair { x: c, y: s } = direction_near(degrees, quarters_of(degrees));
-            let d = direction_of_degrees(degrees);
-            worst = worst.max((c - d.x).abs()).max((s - d.y).abs());
-        }
-        assert!(worst <= f64::EPSILON, "{worst}");
-        for quarter in -9..9 {
-            let degrees = 90.0 * f64::from(quarter);
-            let d = direction_of_degrees(degrees);
-            let Pair { x, y } = direction_near(degrees, f64::from(quarter));
-            assert_eq!([x + 0.0, y + 0.0], [d.x + 0.0, d.y + 0.0]);
-        }
-    }
-}

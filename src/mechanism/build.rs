@@ -29,7 +29,7 @@ pub(crate) fn mirrored_mechanism(scene: &Scene, links: &[&str]) -> Result<Mechan
 }
 
 /// The mechanism with the joints that `add` adds to the bodies, and the pins, which follow from shared points.
-pub(crate) fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
+pub fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
     built(scene, &[], add)
 }
 

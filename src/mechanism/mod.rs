@@ -12,11 +12,12 @@ mod joint;
 mod loops;
 mod radians;
 mod shape;
-mod structure;
+#[doc(hidden)] // for tests
+pub mod structure;
 
 pub use build::mechanism;
-#[cfg(test)]
-pub(crate) use build::mechanism_with;
+#[doc(hidden)] // for tests
+pub use build::mechanism_with;
 pub(crate) use build::mirrored_mechanism;
 pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};

@@ -39,21 +39,3 @@ fn degrees_meant(angle: f64) -> Option<f64> {
     let is_near = count != 0.0 && (angle - count * step).abs() <= ROUNDED;
     (!is_round && is_near && angle.abs() < TAU + ROUNDED).then_some(15.0 * count)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn radians_are_told_from_degrees() {
-        // π/3, π/2, −π/6, π and 3π/2 as people round them.
-        for (angle, meant) in
-            [("1.0472", 60.0), ("1.5708", 90.0), ("-0.5236", -30.0), ("3.14159", 180.0), ("4.712", 270.0)]
-        {
-            assert_eq!(degrees_meant(angle.parse().expect("a number")), Some(meant), "{angle}");
-        }
-        for angle in [0.0, 1.0, 1.5, 2.25, 5.0, 30.0, 60.0, 0.001, 6.7, 104.72] {
-            assert_eq!(degrees_meant(angle), None, "{angle}");
-        }
-    }
-}

@@ -108,21 +108,3 @@ fn triangle(ab: f64, ac: f64, bc: f64) -> Point {
 pub(super) fn direction(v: Vector) -> Vector {
     unit(v).unwrap_or_else(Vector::x)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn right_triangle() {
-        let p = triangle(4.0, 3.0, 5.0);
-        assert!((p - Point::new(0.0, 3.0)).norm() < 1e-15);
-    }
-
-    #[test]
-    fn straight_link() {
-        assert_eq!(triangle(3.0, 1.0, 2.0).y, 0.0);
-        // 0.5 + 0.2 differs from 0.7 by rounding, of which the height would be the square root.
-        assert_eq!(triangle(0.5, 0.2, 0.7).y, 0.0);
-    }
-}

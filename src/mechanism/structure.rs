@@ -293,6 +293,3 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
     }
     order
 }
-
-#[cfg(test)]
-mod tests;

@@ -7,7 +7,7 @@ use crate::geometry::{Placement, Point, Vector, cross, quarter_turn};
 /// A binary link with two revolute joints keeps a distance; one with one prismatic joint keeps a point of one body on a
 /// line of the other; one with two prismatic joints keeps the relative angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum LegCondition {
+pub enum LegCondition {
     /// Point `a` of body a and point `b` of body b are `length` apart.
     Distance { a: Point, b: Point, length: f64 },
     /// Point `b` of body b lies on the line through `point` along `direction` of body a.
@@ -26,7 +26,7 @@ pub(super) enum LegCondition {
 /// so none is lost. The placements are in the order of the relative rotation, counter-clockwise from 0. Near a double
 /// root they are exact to about half the digits; the caller closes the loops to full accuracy and drops what does not
 /// close.
-pub(super) fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
+pub fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
     if let Some(k) = conditions.iter().position(|c| matches!(c, LegCondition::Turned(_))) {
         let LegCondition::Turned(turn) = conditions[k] else {
             return Vec::new();
@@ -255,27 +255,4 @@ fn translations(rows: &[Row; 2]) -> Vec<Vector> {
     let foot = centre + normal * distance;
     let along = quarter_turn(normal) * half.max(0.0).sqrt();
     vec![foot + along, foot - along]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn planted_placement_is_found() {
-        let turn = crate::geometry::turn_of_degrees(40.0);
-        let planted = Placement::from_parts(Vector::new(3.0, 1.0).into(), turn);
-        let leg = |a: Point, b: Point| LegCondition::Distance { a, b, length: (planted * b - a).norm() };
-        let legs = [
-            leg(Point::new(0.0, 0.0), Point::new(0.5, 0.2)),
-            leg(Point::new(2.0, -1.0), Point::new(1.5, 0.0)),
-            leg(Point::new(1.0, 2.5), Point::new(-0.5, 1.0)),
-        ];
-        let found = placements(legs);
-        assert!(found.iter().any(|p| {
-            (p.translation.vector - planted.translation.vector).norm() < 1e-9
-                && p.rotation.angle_to(&planted.rotation).abs() < 1e-9
-        }));
-        assert!(found.len().is_multiple_of(2) && found.len() <= 6);
-    }
 }

@@ -7,14 +7,16 @@ mod closing;
 mod count;
 mod error;
 mod frames;
-mod legs;
+#[doc(hidden)] // for tests
+pub mod legs;
 mod levers;
 mod listing;
 mod modes;
 mod nearest;
 mod platform;
 mod pose;
-mod roots;
+#[doc(hidden)] // for tests
+pub mod roots;
 mod rough;
 mod search;
 mod sides;

@@ -16,7 +16,7 @@ const RAISED: f64 = 1e-11;
 /// Where two zeros nearly meet, the direction between them comes first: closed from there, a double root is found as one. The others are
 /// no closer to it than rounding tells them apart, because equations to be closed may be singular at the double root itself. The caller
 /// must test the roots.
-pub(super) fn real_roots_of_first_degree(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
+pub fn real_roots_of_first_degree(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     let [right, left, up] = [f(Vector::x()), f(-Vector::x()), f(Vector::y())];
     let constant = 0.5 * (right + left);
     let greatest = Vector::new(0.5 * (right - left), up - constant);
@@ -40,7 +40,7 @@ pub(super) fn real_roots_of_first_degree(f: impl Fn(Vector) -> f64) -> Vec<Vecto
 /// `f` is sampled at 8 angles, which determine it. On each half circle it becomes a polynomial of τ = tan(φ′/2) on [−1,
 /// 1], whose roots are separated by those of its derivative. A double root whose value rounding has raised to [`RAISED`] of
 /// the largest is kept: the caller must test the roots.
-pub(super) fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
+pub fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     let samples: [f64; SAMPLES] = std::array::from_fn(|k| {
         let angle = 2.0 * PI * k as f64 / SAMPLES as f64;
         f(Vector::new(libm::cos(angle), libm::sin(angle)))
@@ -153,53 +153,4 @@ fn bisected(f: &impl Fn(f64) -> f64, mut a: f64, mut b: f64, fa: f64) -> f64 {
         }
     }
     0.5 * (a + b)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Roots planted as Π sin((φ − φ_k)/2) over six angles, a trigonometric polynomial of degree 3.
-    fn planted(angles: &[f64; 6]) -> Vec<f64> {
-        let roots = real_roots(|d| {
-            let angle = libm::atan2(d.y, d.x);
-            angles.iter().map(|a| libm::sin(0.5 * (angle - a))).product()
-        });
-        let angles = roots.iter().map(|d| libm::atan2(d.y, d.x));
-        angles.map(|a| a.rem_euclid(2.0 * PI)).collect()
-    }
-
-    #[test]
-    fn finds_all_planted_roots() {
-        let angles = [0.3, 0.9, 1.0, 3.1, 3.2, 6.0];
-        let found = planted(&angles);
-        assert_eq!(found.len(), 6);
-        for (a, b) in found.iter().zip(&angles) {
-            assert!((a - b).abs() < 1e-12, "{found:?}");
-        }
-    }
-
-    #[test]
-    fn first_degree_has_two_roots_one_or_none() {
-        for (planted, exact) in [([0.3, 6.0], 1e-12), ([2.0, 2.0], 1e-7), ([3.0, 3.0 + 1e-7], 1e-7)] {
-            let found = real_roots_of_first_degree(|d| {
-                let angle = libm::atan2(d.y, d.x);
-                planted.iter().map(|a| libm::sin(0.5 * (angle - a))).product()
-            });
-            let angles: Vec<f64> = found.iter().map(|d| libm::atan2(d.y, d.x).rem_euclid(2.0 * PI)).collect();
-            for planted in planted {
-                assert!(angles.iter().any(|angle| (angle - planted).abs() < exact), "{planted}: {angles:?}");
-            }
-            assert_eq!(angles.len(), if exact < 1e-7 { 2 } else { 3 });
-        }
-        assert!(real_roots_of_first_degree(|d| d.x + 1.001).is_empty());
-        assert!(real_roots_of_first_degree(|_| 0.0).is_empty());
-    }
-
-    #[test]
-    fn keeps_a_double_root() {
-        let found = planted(&[0.3, 0.3, 2.0, 3.5, 4.0, 5.0]);
-        assert!(found.iter().any(|a| (a - 0.3).abs() < 1e-5), "{found:?}");
-        assert!(found.len() == 5 || found.len() == 6);
-    }
 }

@@ -11,7 +11,7 @@ pub struct Language {
 
 /// The declaration of a sentence.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Declared {
+pub struct Declared {
     /// Its key in the catalogues.
     pub key: &'static str,
     /// The names of its blanks, in the order of the arguments that fill them.
@@ -23,7 +23,7 @@ pub(super) struct Declared {
 /// A sentence: the words before its first blank, then the index of each blank in [`Declared::blanks`] and the words
 /// behind it.
 #[derive(Clone, Debug)]
-pub(super) struct Sentence {
+pub struct Sentence {
     start: &'static str,
     rest: Vec<(usize, &'static str)>,
 }
@@ -78,7 +78,6 @@ impl Sentence {
     }
 
     /// The indices of its blanks, each once.
-    #[cfg(test)]
     pub fn blanks(&self) -> std::collections::BTreeSet<usize> {
         self.rest.iter().map(|(blank, _)| *blank).collect()
     }
@@ -94,7 +93,7 @@ fn braced(names: &[&str]) -> String {
 
 /// The sentences of a catalogue in the order of their declarations, `None` where missing or unreadable; and its faults,
 /// a line each.
-pub(super) fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sentence>>, Vec<String>) {
+pub fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sentence>>, Vec<String>) {
     let mut sentences = vec![None; declared.len()];
     let mut faults = Vec::new();
     let lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
@@ -120,46 +119,4 @@ pub(super) fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sen
     let lacking = declared.iter().zip(&sentences).filter(|(_, sentence)| sentence.is_none());
     faults.extend(lacking.map(|(declared, _)| format!("`{}` is missing or cannot be read", declared.key)));
     (sentences, faults)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const DECLARED: [Declared; 3] = [
-        Declared { key: "plan", blanks: &[], needs_all: true },
-        Declared { key: "cross", blanks: &["image", "ray"], needs_all: true },
-        Declared { key: "wrong.done", blanks: &["image", "ray"], needs_all: false },
-    ];
-
-    #[test]
-    fn blanks_are_filled_by_name() {
-        let text = "# Words.\n\nplan = \" plan\"\ncross = on {ray}: {image}, {ray}\nwrong.done = a = {image}";
-        let (sentences, faults) = read(text, &DECLARED);
-        assert_eq!(faults, [""; 0]);
-        let [plan, cross, wrong] = [0, 1, 2].map(|i| sentences[i].as_ref().expect("it is there"));
-        assert_eq!(plan.plain(), " plan");
-        assert_eq!(cross.filled(&["b", "r"]), "on r: b, r");
-        // Braces in the text that fills a blank are no blanks.
-        assert_eq!(wrong.filled(&["{ray}", "r"]), "a = {ray}");
-    }
-
-    #[test]
-    fn a_bad_line_is_named() {
-        for (line, says) in [
-            ("cross on {ray}", "line 2: no = in `cross on {ray}`; a line is: key = sentence"),
-            ("crosses = {image}", "line 2: no sentence is called `crosses`"),
-            ("plan = again", "line 2: `plan` is here for the second time"),
-            ("cross = {image}", "line 2: `cross`: {ray} is missing"),
-            ("cross = {image} {rays}", "line 2: `cross`: there is no {rays} here, only {image}, {ray}"),
-            ("plan = {image}", "line 2: `plan`: there is no {image} here, only words"),
-            ("cross = {image {ray}", "line 2: `cross`: a { without its }"),
-            ("cross = image} {ray}", "line 2: `cross`: a } without its {"),
-            ("cross = {image}} {ray}", "line 2: `cross`: a } without its {"),
-        ] {
-            let text = format!("plan = plan\n{line}\nwrong.done = wrong").leak();
-            let (_, faults) = read(text, &DECLARED);
-            assert_eq!(faults, [says, "`cross` is missing or cannot be read"]);
-        }
-    }
 }

@@ -7,8 +7,10 @@
 //! language has every sentence. A file is read once; then a sentence is found by its index. (Fluent and rust-i18n find
 //! sentences by name at run time, and bring plural forms that two or three sentences would use.)
 
-mod catalogue;
-mod languages;
+#[doc(hidden)] // for tests
+pub mod catalogue;
+#[doc(hidden)] // for tests
+pub mod languages;
 mod mistakes;
 mod notation;
 mod number;

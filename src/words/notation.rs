@@ -50,16 +50,3 @@ pub fn with_prime(name: &str) -> String {
     let (letter, rest) = name.split_at(letters.len());
     format!("{letter}′{rest}")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn primes_stand_by_the_letter() {
-        for (name, primed) in [("b", "b′"), ("s3", "s′3"), ("d_2", "d′_2"), ("s_{24}", "s′_{24}"), ("b'", "b'′")]
-        {
-            assert_eq!(with_prime(name), primed);
-        }
-    }
-}

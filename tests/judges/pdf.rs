@@ -1,11 +1,11 @@
 //! Figures as PDF: true size, letters that are found, fonts that come with the file, the same bytes every time.
 
-use crate::support::stages::solved;
-use crate::support::{files, tools};
 use kinegon::drawing::{Drawing, Pen, PlacedText, Point, RichText, Shape};
 use kinegon::format::PdfError;
 use lopdf::{Dictionary, Document, Object};
 use std::sync::OnceLock;
+use support::stages::solved;
+use support::{files, tools};
 
 /// Every starting scene and example by its name, drawn.
 fn drawings() -> &'static [(String, Drawing)] {

@@ -4,8 +4,6 @@
 //! in the other picture is like it: if they all differ by more than half of black to white in some colour. Edges never are, whatever the
 //! smoothing; a label that has moved by half a millimetre, a subscript or a prime that is missing leave dozens of such pixels, or at least five.
 
-use crate::support::stages::solved;
-use crate::support::{files, tools};
 use kinegon::drawing::{Drawing, ITALIC, Mark, Pen, REGULAR, Shape, Vec2};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::{Database, Source};
@@ -13,6 +11,8 @@ use resvg::usvg::{Options, Tree};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
+use support::stages::solved;
+use support::{files, tools};
 
 /// Dots per inch of all rasters: 0.17 mm a pixel.
 const DPI: f64 = 150.0;

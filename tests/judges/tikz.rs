@@ -1,12 +1,12 @@
 //! Figures as TikZ: every one compiles alone and inside a document, texts are formulas, nothing of a title reaches LaTeX as a command.
 
-use crate::support::stages::solved;
-use crate::support::{files, tools};
 use kinegon::Solution;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{self, Drawing, Pen, PlacedText, Point, RichText, Shape};
 use std::path::PathBuf;
 use std::sync::OnceLock;
+use support::stages::solved;
+use support::{files, tools};
 
 /// Every starting scene and example by its name, drawn; and curves.
 fn drawings() -> &'static [(String, Drawing)] {

@@ -1,21 +1,21 @@
 //! What the library claims of its accuracy, on families of hard fourth-class groups (`examples/speed_vs_error/families.rs`).
 
-use crate::speed_vs_error::families::Family;
-use crate::speed_vs_error::lengths::Lengths;
-use crate::speed_vs_error::methods::{Method, Prepared};
-use crate::speed_vs_error::survey::{Survey, median};
-use crate::speed_vs_error::truth::{Precise, Truth, rounded};
-use crate::speed_vs_error::{assembled, document, joints};
-use crate::support::exact::minus;
-use crate::support::files::{self, scene_text};
-use crate::support::random::Random;
-use crate::support::stages::solved;
-use crate::support::survey::tried;
 use kinegon::Solution;
 use kinegon::mechanism::mechanism;
 use kinegon::position::pose;
 use kinegon::scene::{Along, Scene};
 use serde_json::Value;
+use support::exact::minus;
+use support::files::{self, scene_text};
+use support::random::Random;
+use support::speed_vs_error::families::Family;
+use support::speed_vs_error::lengths::Lengths;
+use support::speed_vs_error::methods::{Method, Prepared};
+use support::speed_vs_error::survey::{Survey, median};
+use support::speed_vs_error::truth::{Precise, Truth, rounded};
+use support::speed_vs_error::{assembled, document, joints};
+use support::stages::solved;
+use support::survey::tried;
 
 /// Half the distance from 1 to the next f64.
 const U: f64 = f64::EPSILON / 2.0;

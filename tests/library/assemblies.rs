@@ -1,13 +1,13 @@
 //! All assemblies of mechanisms of many groups, and the nearest among them. Chains and stars of dyads of links are counted, and their
 //! nearest assembly is found, by circles alone: each joint is a crossing of two circles.
 
-use crate::support::random::Random;
 use indexmap::IndexMap;
 use kinegon::geometry::Point;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::position::{Pose, counted_poses, numbered_pose, pose, poses, with_nearest_sides};
 use kinegon::scene::Scene;
 use serde_json::{Value, json};
+use support::random::Random;
 
 /// Dyads one behind the other: the joint of each is on circles about the joint before it and about a point of the ground.
 struct Chain {

@@ -1,24 +1,24 @@
 //! The camera of `tests/support/camera`, held against mathematics: truth that is wrong would judge readers wrongly.
 
-use crate::support::camera::Photograph;
-use crate::support::camera::chance::{KINDS, Kind};
-use crate::support::camera::desk::{Desk, Surroundings, Top};
-use crate::support::camera::drawn::{Panel, drawn};
-use crate::support::camera::file::{Storage, jpeg};
-use crate::support::camera::lens::{Lens, Pose, View};
-use crate::support::camera::light::Light;
-use crate::support::camera::page::Page;
-use crate::support::camera::sheet::{begun, with_markers};
-use crate::support::camera::surface::{Shape, Surface};
-use crate::support::camera::take::{Exposure, Scene};
-use crate::support::files;
-use crate::support::random::Random;
-use crate::support::students::hand::RIGHT;
-use crate::support::students::script::kinds;
-use crate::support::students::sheet::ends_of;
-use crate::support::students::task::Task;
 use kinegon::quantity::Quantity;
 use resvg::usvg::Options;
+use support::camera::Photograph;
+use support::camera::chance::{KINDS, Kind};
+use support::camera::desk::{Desk, Surroundings, Top};
+use support::camera::drawn::{Panel, drawn};
+use support::camera::file::{Storage, jpeg};
+use support::camera::lens::{Lens, Pose, View};
+use support::camera::light::Light;
+use support::camera::page::Page;
+use support::camera::sheet::{begun, with_markers};
+use support::camera::surface::{Shape, Surface};
+use support::camera::take::{Exposure, Scene};
+use support::files;
+use support::random::Random;
+use support::students::hand::RIGHT;
+use support::students::script::kinds;
+use support::students::sheet::ends_of;
+use support::students::task::Task;
 
 /// A piece of paper as large in its picture as a sheet is in one of 12 megapixels, about 11 pixels per mm.
 const PIECE: [f64; 2] = [80.0, 60.0];
@@ -258,7 +258,7 @@ fn a_picture_shows_its_markers() {
         let [x, y] = shot.truth.pixel(mm).map(|x| x as usize);
         shot.pixels[3 * (y * shot.truth.view.size[0] + x) + 1]
     };
-    let corners = crate::support::camera::sheet::marker_corners(page);
+    let corners = support::camera::sheet::marker_corners(page);
     for [x, y] in corners {
         let (ring, beside) = (grey([x + 0.7, y + 4.0]), grey([x - 1.0, y + 4.0]));
         assert!(u32::from(ring) + 60 < u32::from(beside), "at {x}, {y}: {ring} and {beside}");

@@ -7,8 +7,6 @@
 //! `cargo run --release --example gallery` make them anew; `web/build` makes the workbench.
 
 use crate::examples::gallery;
-use crate::support::files;
-use crate::support::stages::{answer_key, solved};
 use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
@@ -16,6 +14,8 @@ use kinegon::scene::Scene;
 use kinegon::{Solution, drawing, format};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
+use support::files;
+use support::stages::{answer_key, solved};
 
 /// Compares, and leaves what came out beside the test's other products for a look.
 fn same(path: &str, now: &str) {

@@ -1,14 +1,14 @@
 //! Every point of every link has its image in both plans: at the end of its velocity and its acceleration, and so that
 //! the image of a link is similar to the link.
 
-use crate::support::files::{list, read, scenes};
-use crate::support::planted::{Planted, pattern};
-use crate::support::random::Random;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::{Plan, PlanKind, image_name};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::BodyId;
+use support::files::{list, read, scenes};
+use support::planted::{Planted, pattern};
+use support::random::Random;
+use support::stages::solved;
 
 /// Largest error, in parts of the largest vector of the plan.
 const MOST: f64 = 1e-12;
@@ -29,7 +29,7 @@ fn all_scenes() -> Vec<(String, String)> {
     for case in list("tests/worked") {
         for scene in ["scene", "drawn"] {
             let file = format!("tests/worked/{case}/{scene}.json");
-            if crate::support::files::path(&file).exists() {
+            if support::files::path(&file).exists() {
                 all.push((file.clone(), read(&file)));
             }
         }

@@ -1,11 +1,11 @@
 //! Coriolis accelerations in the plans: one notation, with the direction of the result's, and none on a guide that stands still.
 
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::{Action, Added, ArrowKind, Plan, Teller, VectorOf};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{GROUND, SliderId};
+use support::files;
+use support::stages::solved;
 
 /// Scenes with sliders on links that turn, on the ground, and driven ones between moving links, passed either way.
 const SCENES: [&str; 8] = [

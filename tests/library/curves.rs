@@ -1,12 +1,12 @@
 //! Curves over a cycle: the values that they mark are the true ones, the lines are where they should be, and nothing covers a label.
 
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{Curve, Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape, curves};
 use kinegon::scene::Scene;
 use std::f64::consts::PI;
 use std::path::Path as FilePath;
+use support::stages::solved;
 
 /// Most bytes of a figure's SVG file.
 const MOST_BYTES: usize = 60_000;

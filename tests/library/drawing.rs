@@ -2,12 +2,12 @@
 //!
 //! Drawn configurations are in `tests/drawn_scenes.jsonl`, one scene a line; a new case is a new line.
 
-use crate::support::faults::{covers, faults, id};
-use crate::support::files::{self, read};
-use crate::support::stages::solved;
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape};
 use kinegon::format::{Text, svg_with};
 use kinegon::scene::NotationName;
+use support::faults::{covers, faults, id};
+use support::files::{self, read};
+use support::stages::solved;
 
 /// Points by name and where they are.
 type Places = Vec<(String, [f64; 2])>;

@@ -1,12 +1,12 @@
 //! Sliders driven along moving links: rates on the way against the loop equations, and against differences of positions.
 
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::cycle::{Drive, Path, alone};
 use kinegon::geometry::{Point, Vector, span};
 use kinegon::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use kinegon::motion::{Order, motion};
 use kinegon::quantity::State;
+use support::files;
+use support::stages::solved;
 
 /// How far a drive is moved to each side: degrees, or parts of the mechanism's size.
 const TO_EACH_SIDE: [f64; 2] = [8.0, 0.01];

@@ -3,15 +3,15 @@
 //!
 //! `tests/driven_sliders/README.md` says where the true numbers come from. A new case is a new pair of files.
 
-use crate::support::comparison::{Comparison, decimal, entries};
-use crate::support::exact::exceeds;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::{Action, ArrowKind, Plan, PlanKind, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Vector, cross, direction_of_degrees};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use support::comparison::{Comparison, decimal, entries};
+use support::exact::exceeds;
+use support::stages::solved;
 
 /// Errors allowed, in units of the condition number of the velocity equations.
 const BOUND: f64 = 1e-14;

@@ -2,20 +2,20 @@
 //!
 //! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`examples/speed_vs_error`).
 
-use crate::support::survey::{on_all_cores, tried};
+use support::survey::{on_all_cores, tried};
 
-use crate::speed_vs_error::families::Family;
-use crate::speed_vs_error::truth::{ROUNDING, Truth, error};
-use crate::support::files;
-use crate::support::groups::{Base, Group};
-use crate::support::planted::{Planted, pattern};
-use crate::support::random::Random;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
+use support::files;
+use support::groups::{Base, Group};
+use support::planted::{Planted, pattern};
+use support::random::Random;
+use support::speed_vs_error::families::Family;
+use support::speed_vs_error::truth::{ROUNDING, Truth, error};
+use support::stages::solved;
 
 /// Mechanisms of each kind: few enough for every day, or a million in all.
 fn count() -> u64 {

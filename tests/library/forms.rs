@@ -1,11 +1,11 @@
 //! Forms as a page shows and writes them.
 
-use crate::support::files;
-use crate::support::stages::{answer_key, solved};
 use kinegon::check::{
     EmptyForm, FilledForm, Measured, check, faults, form_boxes, further_boxes, plan_points, report, report_parts,
 };
 use serde_json::Value;
+use support::files;
+use support::stages::{answer_key, solved};
 
 #[test]
 fn boxes_are_those_of_the_empty_form() {

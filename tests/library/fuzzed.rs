@@ -1,8 +1,8 @@
 //! Inputs that once broke something, found by the fuzzers and made small: each goes the whole way.
 //! A new one is a new file in `tests/fuzzed`, in the folder of its kind; scenes stand there without one.
 
-use crate::support::files::{list, path};
-use crate::support::{read_back, whole_way};
+use support::files::{list, path};
+use support::{read_back, whole_way};
 
 /// Takes all files of a folder the whole way.
 fn holds(folder: &str, whole_way: impl Fn(&str) + std::panic::RefUnwindSafe) {

@@ -3,9 +3,6 @@
 //!
 //! Styles move nothing, so only what they change is measured in each.
 
-use crate::support::faults::{MOST_BYTES, faults, id};
-use crate::support::files;
-use crate::support::stages::solved;
 use indexmap::IndexMap;
 use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
 use kinegon::cycle::Animation;
@@ -13,6 +10,9 @@ use kinegon::drawing::{Drawing, Shape, Style};
 use kinegon::scene::StyleName;
 use kinegon::text::Untrusted;
 use std::path::PathBuf;
+use support::faults::{MOST_BYTES, faults, id};
+use support::files;
+use support::stages::solved;
 
 /// Positions of each scene: where the crank turns all the way round, every 30°.
 const POSITIONS: usize = 12;

@@ -1,7 +1,6 @@
 //! A link's `angle` in place of the drive's. Every starting scene is solved as it stands, then again from the angle of each of its
 //! links in turn: the drive must come back to where it stood.
 
-use crate::support::files;
 use kinegon::Error;
 use kinegon::format::{modes, structure};
 use kinegon::geometry::degrees_of;
@@ -11,6 +10,7 @@ use kinegon::position::{Pose, pose, poses};
 use kinegon::scene::Scene;
 use kinegon::words::Wording;
 use serde_json::{Value, json};
+use support::files;
 
 /// Error of a recovered angle in degrees or of a place in the mechanism's size, for a position of condition 1; the angle of a link
 /// that hardly turns with the drive says little of it.

@@ -1,15 +1,15 @@
 //! Sheets for a lecture hall and scales of a cycle: letters are large, nothing touches them, all sheets of a scene have one set of scales,
 //! no pole is cut off, and a panel whose content is cut says so.
 
-use crate::support::faults::{faults, id, panels};
-use crate::support::files;
-use crate::support::stages::staged;
-use crate::support::survey::tried;
 use kinegon::construction::Aim;
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Pen, Shape};
 use kinegon::scene::{Figure, Page, PanelName, ScalesFor, StyleName};
 use kinegon::{Scene, Solution};
+use support::faults::{faults, id, panels};
+use support::files;
+use support::stages::staged;
+use support::survey::tried;
 
 fn solved_as(text: &str, asked: impl Fn(&mut Figure)) -> Solution {
     let mut scene = Scene::read(text).expect("a good scene");

@@ -1,10 +1,5 @@
 //! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a platform of bars.
 
-use crate::support::files;
-use crate::support::planted::{KNOWN, Planted};
-use crate::support::random::Random;
-use crate::support::stages::solved;
-use crate::support::survey::tried;
 use kinegon::Solution;
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -12,6 +7,11 @@ use kinegon::motion::{MotionError, Order, motion};
 use kinegon::position::{AssemblyError, Pose, pose, poses};
 use kinegon::scene::Scene;
 use serde_json::{Value, json};
+use support::files;
+use support::planted::{KNOWN, Planted};
+use support::random::Random;
+use support::stages::solved;
+use support::survey::tried;
 
 /// Random groups tried.
 fn groups() -> usize {

@@ -1,13 +1,13 @@
 //! Ways of vectors' tips over a cycle: they are the closed forms, both directions are to one scale, and nothing covers a name.
 
-use crate::support::faults::{faults, id};
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{Drive, Hodograph, Hodographs, Path};
 use kinegon::drawing::{Drawing, Pen, Point, Shape, hodographs};
 use kinegon::scene::Scene;
 use std::f64::consts::PI;
+use support::faults::{faults, id};
+use support::files;
+use support::stages::solved;
 
 /// An in-line slider-crank: crank 50 mm, rod 150 mm, 100 rad/s.
 const SLIDER_CRANK: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" },

@@ -1,11 +1,11 @@
 //! What a check must not say: mistakes of sheets that pass, of forms that tell nothing, or that a written value refutes; and what it must
 //! know of the hand.
 
-use crate::support::files;
-use crate::support::random::Random;
-use crate::support::stages::{answer_key, solved};
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Checked, Given, Measured, Mistake, Student, Verdict, check};
+use support::files;
+use support::random::Random;
+use support::stages::{answer_key, solved};
 
 fn scene(name: &str) -> Solution {
     solved(&files::read(&format!("templates/{name}.json"))).expect("a starting scene is sound")

@@ -3,11 +3,6 @@
 //!
 //! Half of the scenes are hard: near-parallel legs, nearly singular, nearly dead, extreme ratios, large common velocities.
 
-use crate::support::changes::{BOUND, Change, Differences, U, compare, keep_worst, ratio};
-use crate::support::groups::{Base, Group, Names, Pair, add, is_singular, patterns, times};
-use crate::support::images::dissimilarity;
-use crate::support::random::Random;
-use crate::support::stages::solved;
 use kinegon::geometry::{Point, cross};
 use kinegon::mechanism::{LoopEquations, StructureError, mechanism};
 use kinegon::motion::ClosedForm;
@@ -15,6 +10,11 @@ use kinegon::scene::Scene;
 use kinegon::{Error, Solution};
 use nalgebra::DVector;
 use serde_json::Value;
+use support::changes::{BOUND, Change, Differences, U, compare, keep_worst, ratio};
+use support::groups::{Base, Group, Names, Pair, add, is_singular, patterns, times};
+use support::images::dissimilarity;
+use support::random::Random;
+use support::stages::solved;
 
 /// All that the library says of a scene; `None` where the motion is refused as singular.
 fn moved(scene: &Value) -> Option<Solution> {

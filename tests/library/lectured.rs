@@ -1,8 +1,5 @@
 //! Mechanisms as a lecturer writes them (`tests/lecture`): faults that their figures and results have had.
 
-use crate::support::faults::id;
-use crate::support::files::read;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::check::form_names;
 use kinegon::construction::{PlaceId, Sheet};
@@ -10,6 +7,9 @@ use kinegon::cycle::{Event, Happening};
 use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::words::Wording;
 use std::collections::BTreeSet;
+use support::faults::id;
+use support::files::read;
+use support::stages::solved;
 
 fn solution(scene: &str) -> Solution {
     solved(&read(&format!("tests/lecture/{scene}.json"))).unwrap_or_else(|error| panic!("{scene}: {error}"))

@@ -1,9 +1,6 @@
 //! What the library computes, draws and writes, held against mathematics, references and committed files.
 //! `cargo test --test library cycle::` runs one of the modules.
 
-#[path = "../support/mod.rs"]
-mod support;
-
 mod accuracy;
 mod architecture;
 mod assemblies;
@@ -27,6 +24,7 @@ mod hall;
 mod higher_class;
 mod hodographs;
 mod honest_checks;
+mod inside;
 mod invariants;
 mod lectured;
 mod levers;
@@ -49,6 +47,7 @@ mod stage;
 mod step_names;
 mod students;
 mod templates;
+mod ties;
 mod values;
 mod whole_errors;
 mod worked;
@@ -64,26 +63,4 @@ mod examples {
     pub mod published_numbers;
     #[path = "textbook_cases.rs"]
     pub mod textbook_cases;
-}
-
-/// Hard groups of the example `speed_vs_error`, its methods and their truth.
-#[expect(dead_code, reason = "the example draws a picture besides")]
-#[path = "../../examples/speed_vs_error"]
-mod speed_vs_error {
-    use crate::support::{groups, planted, random};
-    pub mod assembled;
-    mod differences;
-    pub mod document;
-    pub mod families;
-    mod general;
-    mod hand;
-    pub mod joints;
-    mod kernel;
-    pub mod lengths;
-    mod measure;
-    pub mod methods;
-    mod naive;
-    mod single;
-    pub mod survey;
-    pub mod truth;
 }

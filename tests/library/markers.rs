@@ -1,13 +1,13 @@
 //! Sheets with markers: nothing stands where the markers and the code are, these are where they are said to be, and the code says what is on
 //! the sheet.
 
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::drawing::markers::{CODE_WHITE, CODES, SheetCode, WHITE, cells, code_place, places};
 use kinegon::drawing::{Drawing, Pen, Point, Rect, Shape, Style};
 use kinegon::exercise::Exercises;
 use kinegon::scene::{Figure, Page, PanelName, StyleName};
 use kinegon::{Scene, Solution};
+use support::files;
+use support::stages::solved;
 
 const PAGES: [&str; 6] = ["a4", "a4-portrait", "a3", "a3-portrait", "letter", "letter-portrait"];
 

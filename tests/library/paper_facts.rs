@@ -6,10 +6,10 @@
 
 #![expect(clippy::excessive_precision, reason = "facts stand here with all digits in which they are known")]
 
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::Plan;
 use kinegon::quantity::Quantity;
+use support::stages::solved;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
   "title": "Quintero et al. (2011), Figure 1",

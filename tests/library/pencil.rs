@@ -1,16 +1,16 @@
 //! The construction replayed act by act: without errors it is a third route to every number, with them it gives the bands of honest
 //! hand drawings, which simulated drawings keep to.
 
-use crate::support::exact::exceeds;
-use crate::support::files;
-use crate::support::random::Random;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::{
     Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind, Sheet,
     SheetScales, Tolerance,
 };
 use kinegon::quantity::{Asked, Band, Quantity, Reading, Sense, Unread, read_by_hand, readable_names, step_names};
+use support::exact::exceeds;
+use support::files;
+use support::random::Random;
+use support::stages::solved;
 
 /// Every starting scene and the examples.
 fn scenes() -> Vec<(String, String)> {

@@ -1,16 +1,16 @@
 //! Photographs of sheets, taken by the camera of `tests/support/camera`, which shares nothing with the reader: where points are on paper, what is refused, which points are proposed.
 
-use crate::support::camera::Photograph;
-use crate::support::camera::chance::{KINDS, Kind};
-use crate::support::camera::drawn::drawn;
-use crate::support::camera::page::Page;
-use crate::support::camera::wrong::WRONGS;
-use crate::support::photographs::{Tally, by_lot, decoded, given, panels, photographed, tally};
-use crate::support::random::Random;
-use crate::support::students::hand::SKILLS;
-use crate::support::survey::{on_all_cores, tried};
 use kinegon::drawing::markers::SheetCode;
 use kinegon::photo::{self, Picture, Refusal};
+use support::camera::Photograph;
+use support::camera::chance::{KINDS, Kind};
+use support::camera::drawn::drawn;
+use support::camera::page::Page;
+use support::camera::wrong::WRONGS;
+use support::photographs::{Tally, by_lot, decoded, given, panels, photographed, tally};
+use support::random::Random;
+use support::students::hand::SKILLS;
+use support::survey::{on_all_cores, tried};
 
 /// What photographs of one kind come to.
 #[derive(Clone, Debug, Default)]

@@ -1,8 +1,8 @@
 //! Mistakes put into drawings of random scenes, as `examples/mistakes.rs` does: the check names them first, and leaves clean drawings alone.
 
 use crate::examples::mistakes::{clean, row};
-use crate::support::survey::tried;
 use kinegon::check::Mistake;
+use support::survey::tried;
 
 /// Drawings of each mistake.
 fn drawings() -> usize {

@@ -6,16 +6,16 @@
 //! are not far enough apart. The Jacobian that says so, and gives the velocities, is made here from the joints of all links, apart from
 //! the library.
 
-use crate::support::survey::tried;
 use std::collections::BTreeMap;
+use support::survey::tried;
 
-use crate::support::planted::{Planted, pattern};
-use crate::support::random::Random;
 use kinegon::construction::{Extent, construct};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
+use support::planted::{Planted, pattern};
+use support::random::Random;
 
 /// Groups of each class.
 fn groups() -> usize {

@@ -1,14 +1,14 @@
 //! Paths of points over a cycle: they are the closed forms, cusps are sharp, double points cross, what is drawn is within 0.05 mm of them, and nothing is cut.
 
-use crate::support::faults::{MOST_BYTES, faults, id};
-use crate::support::files;
-use crate::support::stages::{solved, staged};
 use kinegon::Solution;
 use kinegon::cycle::{Animation, Drive, Path, PointPath, PointPaths, Traces};
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Shape, paths};
 use kinegon::geometry;
 use kinegon::scene::Scene;
 use std::f64::consts::PI;
+use support::faults::{MOST_BYTES, faults, id};
+use support::files;
+use support::stages::{solved, staged};
 
 /// Lengths of a four-bar with a coupler point: ground A D, crank A B, coupler B C, rocker D C.
 const GROUND: f64 = 160.0;

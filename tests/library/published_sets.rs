@@ -2,13 +2,13 @@
 //! blamed is refuted by the other numbers, which are right.
 
 use crate::examples::textbook_cases::cases;
-use crate::support::files;
-use crate::support::stages::{answer_key, solved};
-use crate::support::survey::tried;
 use kinegon::Solution;
 use kinegon::check::{Checked, Given, Measured, Verdict, check};
 use kinegon::quantity::Quantity;
 use serde_json::Value;
+use support::files;
+use support::stages::{answer_key, solved};
+use support::survey::tried;
 
 /// Of 100 sets with a wrong number, so many may blame something else.
 const BLAMED: usize = 1;

@@ -1,13 +1,13 @@
 //! A mechanism pulled by its points: it comes as near as it can, on its branch, with one drive.
 
-use crate::support::files;
-use crate::support::random::Random;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{Happening, Pull, Pulled};
 use kinegon::geometry::{Point, Vector, degrees_of, span};
 use kinegon::mechanism::PointId;
 use kinegon::scene::GivenBy;
+use support::files;
+use support::random::Random;
+use support::stages::solved;
 
 /// Every scene that can be moved, with its name.
 fn movable() -> Vec<(String, Solution)> {

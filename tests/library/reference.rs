@@ -4,10 +4,6 @@
 //! the case; kinds are ω, α, and the components of positions, velocities and accelerations. It is counted in units u·cond:
 //! u = 2^−53, cond the condition number of the velocity equations, at least 1. Differences are taken in exact arithmetic.
 
-use crate::support::comparison::{Comparison, angle_error, decimal, entries, size, slider_name};
-use crate::support::exact::{exceeds, minus};
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::Error;
 use kinegon::format::ResultFile;
 use kinegon::geometry::degrees_of;
@@ -16,6 +12,10 @@ use kinegon::motion::MotionError;
 use kinegon::position::{AssemblyError, pose};
 use kinegon::scene::Scene;
 use serde_json::Value;
+use support::comparison::{Comparison, angle_error, decimal, entries, size, slider_name};
+use support::exact::{exceeds, minus};
+use support::files;
+use support::stages::solved;
 
 const U: f64 = f64::EPSILON / 2.0;
 

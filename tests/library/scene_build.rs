@@ -1,10 +1,10 @@
 //! A scene put together in Rust is the scene that its file says: every key of the format, the same checks, the same messages.
 
-use crate::support::files;
 use kinegon::scene::{
     Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
     NotationName, Page, PageSize, PanelName, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
 };
+use support::files;
 
 /// The scene in a file of the repository.
 fn file(path: &str) -> Scene {

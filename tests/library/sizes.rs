@@ -1,9 +1,9 @@
 //! Large scenes: everything is drawn, names that have no room are told, and time grows hardly faster than the scene.
 
-use crate::support::stages::solved;
 use kinegon::drawing::{Drawing, Pen};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
+use support::stages::solved;
 
 /// A scene as drawn of many four-bar linkages in rows, each with three links.
 fn four_bars(count: usize) -> String {

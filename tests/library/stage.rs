@@ -1,14 +1,14 @@
 //! The stage: one layout for all positions of a mechanism, and the places of its points on the sheet.
 
-use crate::support::faults::faults;
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::cycle::{Animation, OtherModes, Pull};
 use kinegon::drawing::{Drawing, Handle, Mark, Point, Shape, Stage, Steps, Vec2};
 use kinegon::position::counted_poses;
 use kinegon::scene::PanelName;
 use std::collections::BTreeSet;
+use support::faults::faults;
+use support::files;
+use support::stages::solved;
 
 /// Every scene, with its name.
 fn scenes() -> Vec<(String, Solution)> {

@@ -1,13 +1,13 @@
 //! After each step of the construction the names on the sheet are those that the steps so far have made, no other ones: held against the
 //! steps themselves, in both plans and on the scheme.
 
-use crate::support::faults::id;
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::construction::{Action, Plan, PointRole};
 use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::text::Untrusted;
 use kinegon::{Scene, Solution};
+use support::faults::id;
+use support::files;
+use support::stages::solved;
 
 /// The scenes: their names and texts.
 fn scenes() -> Vec<(String, String)> {

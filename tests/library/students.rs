@@ -1,16 +1,16 @@
 //! The students of `tests/support/students`: their exact drawings are right, and the check is right about their mistakes.
 
-use crate::support::files;
-use crate::support::stages::solved;
-use crate::support::students::hand::{Hand, RIGHT};
-use crate::support::students::judge::Class;
-use crate::support::students::scheme::Scheme;
-use crate::support::students::script::{draw, kinds, place_specials};
-use crate::support::students::survey::{Outcome, bins, calibration, classes, honest, survey};
-use crate::support::students::task::Task;
-use crate::support::survey::tried;
 use kinegon::exercise::{Exercise, Exercises};
 use kinegon::quantity::Quantity;
+use support::files;
+use support::stages::solved;
+use support::students::hand::{Hand, RIGHT};
+use support::students::judge::Class;
+use support::students::scheme::Scheme;
+use support::students::script::{draw, kinds, place_specials};
+use support::students::survey::{Outcome, bins, calibration, classes, honest, survey};
+use support::students::task::Task;
+use support::survey::tried;
 
 /// Of 100 sheets with mistakes, so many may be told something false with a probability of ½ or more.
 const WRONG: f64 = 6.0;

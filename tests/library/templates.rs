@@ -4,15 +4,15 @@
 //! `tests/templates/README.md` says where the true numbers come from. An error counts relative to the largest magnitude
 //! of its kind of quantity (angles: to 180°); differences are taken in exact arithmetic.
 
-use crate::support::comparison::entries;
-use crate::support::exact::{Exact, exceeds, minus};
-use crate::support::files::{path, read, templates};
-use crate::support::later::{differences, fastest};
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::format::ResultFile;
 use serde_json::Value;
 use std::collections::BTreeMap;
+use support::comparison::entries;
+use support::exact::{Exact, exceeds, minus};
+use support::files::{path, read, templates};
+use support::later::{differences, fastest};
+use support::stages::solved;
 
 /// Largest error against the truth.
 const MOST: f64 = 1e-12;

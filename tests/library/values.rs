@@ -1,10 +1,10 @@
 //! The layer of values: each number beside a vector or a link is that of the result, in the unit asked for.
 
-use crate::support::faults::{faults, id};
-use crate::support::files::{read, scenes};
 use kinegon::drawing::{Drawing, Shape};
 use kinegon::scene::{LengthUnit, ValuesShown};
 use kinegon::{Scene, Solution, solve};
+use support::faults::{faults, id};
+use support::files::{read, scenes};
 
 /// The scene, drawn with values in this unit.
 fn with_values(text: &str, unit: Option<LengthUnit>) -> Option<(Solution, Drawing)> {

@@ -2,11 +2,11 @@
 //! `textbook_cases` says about the printed answers.
 
 use crate::examples::textbook_cases::{Case, cases, markdown, plain};
-use crate::support::comparison::Comparison;
-use crate::support::exact::exceeds;
-use crate::support::files;
-use crate::support::stages::solved;
 use serde_json::Value;
+use support::comparison::Comparison;
+use support::exact::exceeds;
+use support::files;
+use support::stages::solved;
 
 /// Errors allowed, relative to the largest quantity of a kind.
 const BOUND: f64 = 1e-10;

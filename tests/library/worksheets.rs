@@ -1,11 +1,11 @@
 //! Work sheets: what is printed is the result, millimetres times scale are the value, the ruler is one, and nothing overlaps on any page.
 
-use crate::support::faults::{faults, panels};
-use crate::support::files;
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::drawing::{Drawing, Mark, Shape};
 use kinegon::quantity::{Asked, Quantity, measured_names};
+use support::faults::{faults, panels};
+use support::files;
+use support::stages::solved;
 
 /// Every way to lay a sheet.
 const PAGES: [&str; 6] = ["a4", "a4-portrait", "a3", "a3-portrait", "letter", "letter-portrait"];

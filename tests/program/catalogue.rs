@@ -1,10 +1,10 @@
 //! Sheets of five mechanisms drawn by an independent program, each with one mistake on purpose: the check names it.
 //! `tests/mistakes/sheets.json` has them, `made` says in words what was done there, `told` what the sentence must hold.
 
-use crate::support::files;
-use crate::support::program::with_scene;
 use serde::Deserialize;
 use serde_json::Value;
+use support::files;
+use support::program::with_scene;
 
 #[derive(Deserialize)]
 struct Sheet {

@@ -1,10 +1,10 @@
 //! `kinegon solve --digits`: what is printed is true to one unit of its last digit, and hardly a certain digit is missing.
 
-use crate::support::exact::minus;
-use crate::support::files;
-use crate::support::program::{stderr, with_scene};
 use serde_json::Value;
 use std::collections::BTreeMap;
+use support::exact::minus;
+use support::files;
+use support::program::{stderr, with_scene};
 
 /// A unit of the last digit must not be this many times the error in the middle of all numbers: certain digits would be missing.
 const WASTEFUL: f64 = 1000.0;

@@ -1,8 +1,8 @@
 //! The program from outside: results on stdout, one clear message on stderr, the right exit code, nothing half-written.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr, with_scene};
 use std::path::Path;
+use support::files;
+use support::program::{kinegon, scratch, stderr, with_scene};
 
 const FIGURE_2: &str = include_str!("../../examples/figure-2.json");
 const BOOM: &str = include_str!("../../templates/hydraulic-boom.json");

@@ -1,7 +1,7 @@
 //! `kinegon check` from outside: forms, verdicts, exit codes, and values that nobody can understand.
 
-use crate::support::program::{kinegon, scratch, stderr};
 use std::process::Output;
+use support::program::{kinegon, scratch, stderr};
 
 const SCENE: &str = "examples/figure-2.json";
 

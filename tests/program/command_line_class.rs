@@ -1,12 +1,12 @@
 //! `kinegon check SCENE FOLDER` from outside: the forms of a class, some of them broken, with mistakes put in; marks.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::random::Random;
-use crate::support::stages::{answer_key, solved};
 use kinegon::check::{Measured, Mistake, Student};
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use support::files;
+use support::program::{kinegon, scratch, stderr};
+use support::random::Random;
+use support::stages::{answer_key, solved};
 
 const LEVER: &str = "templates/slotted-lever.json";
 const FOUR_BAR: &str = "templates/four-bar.json";

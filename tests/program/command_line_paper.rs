@@ -1,7 +1,7 @@
 //! Sheets asked for on the command line: size, way and scales in place of the scene's, work sheets, hodographs.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
+use support::files;
+use support::program::{kinegon, scratch, stderr};
 
 const FIGURE_2: &str = "examples/figure-2.json";
 

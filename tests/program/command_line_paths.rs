@@ -1,7 +1,7 @@
 //! Paths of points asked for on the command line: in every format, in the scheme and as charts, and what is refused.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr, with_scene};
+use support::files;
+use support::program::{kinegon, scratch, stderr, with_scene};
 
 const LEG: &str = "tests/lecture/jansen.json";
 

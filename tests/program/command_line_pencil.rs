@@ -1,8 +1,8 @@
 //! Bands of hand drawings from outside: `kinegon steps`, `kinegon solve --pencil`.
 
-use crate::support::files;
-use crate::support::program::{stderr, with_scene};
 use serde_json::Value;
+use support::files;
+use support::program::{stderr, with_scene};
 
 const FIGURE_2: &str = include_str!("../../examples/figure-2.json");
 

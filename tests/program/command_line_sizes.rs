@@ -1,7 +1,7 @@
 //! What is too large for a command is refused at once, with what there is too much of and how much there may be.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr, with_scene};
+use support::files;
+use support::program::{kinegon, scratch, stderr, with_scene};
 
 /// A scene as drawn of a crank with a dyad, and further links without a point of their own: stubs on given points.
 fn scene(links: usize) -> Vec<u8> {

@@ -1,12 +1,12 @@
 //! `kinegon sweep` from outside: tables on stdout or in files, whole or not at all.
 
-use crate::support::program::{kinegon, scratch, stderr};
 use kinegon::cycle::{Drive, Path as Branch, Steps, Sweep};
 use kinegon::{Scene, Solution, format, solve};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
+use support::program::{kinegon, scratch, stderr};
 
 const FIGURE_2: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/figure-2.json");
 

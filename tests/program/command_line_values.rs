@@ -1,7 +1,7 @@
 //! Values asked for on the command line: their unit, those without room, and what is refused.
 
-use crate::support::files;
-use crate::support::program::{kinegon, stderr};
+use support::files;
+use support::program::{kinegon, stderr};
 
 fn run(arguments: &[&str]) -> std::process::Output {
     kinegon().args(arguments).current_dir(files::path(".")).output().expect("the program runs")

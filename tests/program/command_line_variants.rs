@@ -1,10 +1,10 @@
 //! `kinegon check EXERCISES FORMS` from outside: each form against its own exercise; the pages that students get back.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use support::files;
+use support::program::{kinegon, scratch, stderr};
 
 /// The lengths of the couplers of the exercises `four-bar-7-1`, `four-bar-7-2` and `four-bar-7-12`: all else is the
 /// four-bar linkage of the templates.

@@ -1,11 +1,11 @@
 //! Files for learning management systems, read back by the importers' own rules (`tests/courses/read.py`) where Python is installed, and held to
 //! the keys of the same exercises.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::tools::{find, run};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use support::files;
+use support::program::{kinegon, scratch, stderr};
+use support::tools::{find, run};
 
 /// Runs `kinegon exercise`, which must do it.
 fn exercise(kind: &Path, more: &[&str], output: &Path) {

@@ -1,9 +1,9 @@
 //! Sheets to be drawn on, with markers or without.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
 use std::path::Path;
 use std::process::Output;
+use support::files;
+use support::program::{kinegon, scratch, stderr};
 
 fn scene(folder: &Path) -> String {
     let path = folder.join("lever.json");

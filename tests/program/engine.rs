@@ -1,9 +1,9 @@
 //! The engine of the workbench: its files have the bytes that the program writes, and no request makes it panic.
 
-use crate::support::files::{read, scenes};
-use crate::support::program::{scratch, stderr, with_scene};
 use kinegon_web::Engine;
 use serde_json::{Value, json};
+use support::files::read;
+use support::program::{scratch, stderr, with_scene};
 
 /// The starting scenes, by name.
 fn starting_scenes() -> Vec<(String, String)> {
@@ -274,8 +274,8 @@ fn no_request_makes_it_panic() {
         told(engine.check(&text, &read("examples/paper-as-student.json"), &options));
     }
     assert!(refused > 100);
-    for (_, scene) in scenes("tests/bad_scenes") {
-        assert!(is_refusal(&engine.open(&scene).expect_err("a bad scene")));
+    for case in support::files::refused("tests/bad_scenes.txt") {
+        assert!(is_refusal(&engine.open(&case.text).expect_err("a bad scene")));
     }
 }
 

@@ -1,10 +1,5 @@
 //! Exercises: every kind of mechanism gives some; they are the same for the same seed, and can be drawn by hand.
 
-use crate::support::files;
-use crate::support::program::{self, kinegon, scratch, stderr};
-use crate::support::random::Random;
-use crate::support::stages::{answer_key, solved};
-use crate::support::survey::tried;
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Given, Marks, Measured, Student, Verdict, check};
 use kinegon::construction::{Action, PlanKind};
@@ -15,6 +10,11 @@ use kinegon::quantity::Quantity;
 use kinegon::scene::{Figure, LanguageName, Page, PageSize};
 use serde_json::Value;
 use std::path::Path;
+use support::files;
+use support::program::{self, kinegon, scratch, stderr};
+use support::random::Random;
+use support::stages::{answer_key, solved};
+use support::survey::tried;
 
 /// All kinds of `kinegon new` with their scenes.
 fn kinds() -> Vec<(String, String)> {

@@ -16,13 +16,13 @@
 //! asked for its help. `scene.json` and words in capitals stand for any file. Blocks of Rust are doctests of the library, those of
 //! Python are run by `python/tests`.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch};
 use kinegon::check::Mistake;
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
+use support::files;
+use support::program::{kinegon, scratch};
 
 /// README.md and every page of the guide.
 fn pages() -> Vec<String> {

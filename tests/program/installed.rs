@@ -1,10 +1,10 @@
 //! The program as people install it: help that fits a terminal, completions, manual pages, colours, and a package that has what it is built from.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
+use support::files;
+use support::program::{kinegon, scratch, stderr};
 
 /// What the program prints.
 fn printed(arguments: &[&str]) -> String {

@@ -1,9 +1,6 @@
 //! The program `kinegon` from outside: what it prints and writes, its messages and exit codes.
 //! `cargo test --test program styles::` runs one of the modules.
 
-#[path = "../support/mod.rs"]
-mod support;
-
 mod catalogue;
 mod certain_digits;
 mod command_line;

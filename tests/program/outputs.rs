@@ -1,11 +1,11 @@
 //! What is promised of files: the files of a command are there as a whole or not at all, and what was there before stays.
 
-use crate::support::program::{kinegon, scratch, stderr};
 use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use support::program::{kinegon, scratch, stderr};
 
 const FIGURE_2: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/figure-2.json");
 

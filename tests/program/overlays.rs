@@ -1,14 +1,14 @@
 //! A student's drawing over the right figure: nothing covers a name, crosses and lines are where the student has them, and the words tell what went wrong.
 
-use crate::support::faults::{faults, id};
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::{answer_key, solved};
 use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::construction::PlanKind;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::scene::{PageSize, PanelName};
+use support::faults::{faults, id};
+use support::files;
+use support::program::{kinegon, scratch, stderr};
+use support::stages::{answer_key, solved};
 
 fn solution(scene: &str) -> Solution {
     solved(&files::read(scene)).expect("a good scene")

@@ -1,15 +1,15 @@
 //! `kinegon check` with photographs.
 
-use crate::support::camera::chance::Kind;
-use crate::support::camera::drawn::drawn;
-use crate::support::files;
-use crate::support::photographs::{Given, by_lot, given, panels, photographed};
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::random::Random;
-use crate::support::students::hand::SKILLS;
-use crate::support::survey::tried;
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use support::camera::chance::Kind;
+use support::camera::drawn::drawn;
+use support::files;
+use support::photographs::{Given, by_lot, given, panels, photographed};
+use support::program::{kinegon, scratch, stderr};
+use support::random::Random;
+use support::students::hand::SKILLS;
+use support::survey::tried;
 
 /// The folder of an exercise, its scene and photographs of its plans.
 fn photographs(name: &str, number: u64) -> (PathBuf, PathBuf, Vec<PathBuf>, Given) {

@@ -1,12 +1,12 @@
 //! Signals while files are being written: nothing is left, and what was there before stays.
 
 use super::outputs::{assert_same, inputs, tree};
-use crate::support::program::{kinegon, stderr};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
+use support::program::{kinegon, stderr};
 
 /// Longer than any of these commands takes to begin.
 const SOON: Duration = Duration::from_secs(60);

@@ -1,13 +1,13 @@
 //! Sheets step by step: everything keeps its place, each step shows and says something of its own, words keep to their box.
 
-#[cfg(feature = "cli")]
-use crate::support::files::{self, read};
-use crate::support::stages::solved;
 use kinegon::Solution;
 use kinegon::construction::Action;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Pen, Rect, Shape};
 use kinegon::format::{Text, layered_svg};
 use std::collections::BTreeSet;
+#[cfg(feature = "cli")]
+use support::files::{self, read};
+use support::stages::solved;
 
 /// By how much a slanted letter may lean over the next word, in mm.
 const LEAN: f64 = 0.3;
@@ -170,7 +170,7 @@ fn layers_make_up_the_finished_figure() {
 
 #[test]
 fn the_program_writes_them() {
-    use crate::support::program::{kinegon, scratch, stderr};
+    use support::program::{kinegon, scratch, stderr};
     let folder = scratch("step-sheets");
     let run = |arguments: &[&str]| {
         let scene = "examples/figure-2.json";

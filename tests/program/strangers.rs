@@ -1,12 +1,12 @@
 //! Texts of strangers from outside: whatever titles, labels, names of files, students and quantities say, a terminal obeys
 //! none of it, a spreadsheet finds no formula, and every file can be read back.
 
-use crate::support::case::{Case, Outcome, found};
-use crate::support::files;
-use crate::support::outputs;
-use crate::support::program::{kinegon, scratch, stderr, with_scene};
 use serde_json::{Value, json};
 use std::path::Path;
+use support::case::{Case, Outcome, found};
+use support::files;
+use support::outputs;
+use support::program::{kinegon, scratch, stderr, with_scene};
 
 /// What a terminal would obey.
 const ESCAPES: &str = "\u{1b}]0;owned\u{7}\u{1b}[31m\u{9b}2J\u{202e}x\u{2066}\u{2028}\u{85}\u{7f}\nnext";

@@ -1,7 +1,7 @@
 //! The judge of `tests/students` over some of its cases, where Python is installed.
 
-use crate::support::files;
-use crate::support::tools::{find, run};
+use support::files;
+use support::tools::{find, run};
 
 /// Python 3.11 or newer writes nothing beside its programs with this.
 const QUIET: &str = "-B";

@@ -1,9 +1,9 @@
 //! `kinegon study`: its rows against the closed form of the four-bar and against what makes a crank turn, its parts, its messages.
 
-use crate::support::program::{self, scratch, stderr};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
+use support::program::{self, scratch, stderr};
 
 const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/studies/four-bar.json");
 const ON_DASK: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/studies/on_dask.py");

@@ -1,12 +1,12 @@
 //! Styles: the four that come with the program, files of one's own, and what must hold of each whatever its taste: letters that can be read, links that
 //! are told apart with any colour vision, black and grey where it says so.
 
-use crate::support::files;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::stages::solved;
 use kinegon::drawing::{Colour, Drawing, Emphasis, Look, Mark, Pen, Shape, Style};
 use kinegon::scene::StyleName;
 use std::collections::BTreeSet;
+use support::files;
+use support::program::{kinegon, scratch, stderr};
+use support::stages::solved;
 
 fn example(number: u8) -> Drawing {
     let solution = solved(&files::read(&format!("examples/figure-{number}.json")));

@@ -1,8 +1,5 @@
 //! Languages, notations and decimal marks: nothing is left in another language, numbers have their comma, and results stay what they are.
 
-use crate::support::files;
-use crate::support::program::{self, kinegon, stderr};
-use crate::support::stages::solved;
 use kinegon::check::Mistake;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Path};
@@ -12,6 +9,9 @@ use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
 use kinegon::{Solution, format};
 use kinegon_web::Engine;
+use support::files;
+use support::program::{self, kinegon, stderr};
+use support::stages::solved;
 
 /// Scenes of every kind: starting scenes, examples, cylinders, drawn configurations with special points at infinity.
 fn scenes() -> Vec<(String, String)> {

@@ -1,11 +1,11 @@
 //! The workbench as the program writes and opens it: `kinegon app`, and pages of `kinegon draw` with a scene inside.
 
-use crate::support::outputs;
-use crate::support::program::{kinegon, scratch, stderr, with_scene};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use support::outputs;
+use support::program::{kinegon, scratch, stderr, with_scene};
 
 const BUILT: &str = include_str!("../../templates/workbench.html");
 const FIGURE_2: &str = "examples/figure-2.json";

@@ -4,7 +4,21 @@ use std::path::{Path, PathBuf};
 
 /// The path of a file or folder of the repository.
 pub fn path(of: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join(of)
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("this crate lies in tests/support");
+    root.join(of)
+}
+
+/// The folder of a profile, as `target/debug`, that the running test is of.
+pub fn built() -> PathBuf {
+    let test = std::env::current_exe().expect("a test knows its own file");
+    test.ancestors().nth(2).expect("tests lie in `deps`, examples in `examples`").to_owned()
+}
+
+/// The folder for what tests leave: `CARGO_TARGET_TMPDIR`, which cargo tells test programs alone.
+pub fn left() -> PathBuf {
+    let folder = built().with_file_name("tmp");
+    std::fs::create_dir_all(&folder).expect("the tests' folder can be made");
+    folder
 }
 
 /// The text of a file of the repository.
@@ -38,6 +52,25 @@ pub fn scenes(folder: &str) -> Vec<(String, String)> {
     let scenes = scenes.map(with_text);
     // A study may have its scene in it.
     scenes.filter(|(_, text)| text.contains("\"kinegon\":") && !text.contains("\"kinegon_study\":")).collect()
+}
+
+/// A text that must be refused, and the message that does it.
+pub struct Refused {
+    pub name: String,
+    pub text: String,
+    pub message: String,
+}
+
+/// The cases of a table such as `tests/bad_scenes.txt`, whose first line says how it is written.
+pub fn refused(table: &str) -> Vec<Refused> {
+    let whole = read(table);
+    let case = |case: &str| {
+        let (name, rest) = case.split_once('\n').unwrap_or_else(|| panic!("{table}: nothing under {case}"));
+        let (text, message) =
+            rest.split_at(rest.rfind("-- ").unwrap_or_else(|| panic!("{table}: no message of {name}")));
+        Refused { name: name.to_owned(), text: text.to_owned(), message: message[3..].trim_end().to_owned() }
+    };
+    whole.split("\n== ").skip(1).map(case).collect()
 }
 
 /// The text of the scene in a line of `tests/reference`, so that its numbers are read by the library and nobody before it.

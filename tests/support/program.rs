@@ -1,12 +1,18 @@
 //! The program from outside.
 
+use super::files;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
+/// Where cargo has put the program for the tests.
+pub fn path() -> PathBuf {
+    files::built().join(format!("kinegon{}", std::env::consts::EXE_SUFFIX))
+}
+
 /// The program, without anything on its stdin.
 pub fn kinegon() -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_kinegon"));
+    let mut command = Command::new(path());
     command.env_remove("CLICOLOR_FORCE").stdin(Stdio::null());
     command
 }
@@ -29,7 +35,7 @@ pub fn with_scene(arguments: &[&str], scene: &[u8]) -> Output {
 
 /// An empty folder of that name.
 pub fn scratch(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let folder = files::left().join(name);
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("the test's folder can be written");
     folder

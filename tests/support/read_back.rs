@@ -170,7 +170,6 @@ fn pictures(drawing: &Drawing) {
     outputs::svg(&format::svg_with(drawing, Text::Outlines));
     outputs::svg(&format::layered_svg(drawing, Text::Letters));
     outputs::tex(&drawing.tikz());
-    #[cfg(feature = "pdf")]
     outputs::pdf(&drawing.pdf().expect("a sheet has a size"));
 }
 
@@ -180,10 +179,8 @@ fn said(message: &str) {
     outputs::terminal(message.as_bytes());
 }
 
-#[cfg_attr(not(feature = "cli"), expect(unused_variables, reason = "only the program shows the text"))]
 fn refused(text: &str, error: &SceneError) {
     said(&error.to_string());
-    #[cfg(feature = "cli")]
     {
         let shown = kinegon::cli::shown("file\u{1b}[31m.json", text, &kinegon::Error::Scene(error.clone()));
         // The program's own colours are no part of what strangers write.

@@ -1,5 +1,6 @@
 //! Programs that read and draw what we write: judges that need not be installed.
 
+use super::files;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -16,7 +17,7 @@ pub fn find(program: &str) -> Option<PathBuf> {
 
 /// What a program says on stdout.
 pub fn run<A: AsRef<OsStr>>(program: &Path, arguments: impl IntoIterator<Item = A>) -> Vec<u8> {
-    run_in(Path::new(env!("CARGO_TARGET_TMPDIR")), program, arguments)
+    run_in(&files::left(), program, arguments)
 }
 
 /// The same, in a folder of its own.
@@ -35,7 +36,7 @@ pub fn run_in<A: AsRef<OsStr>>(folder: &Path, program: &Path, arguments: impl In
 
 /// A file of that name among the tests' products.
 pub fn leave(name: &str, bytes: &[u8]) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let path = files::left().join(name);
     std::fs::write(&path, bytes).expect("the test's folder can be written");
     path
 }

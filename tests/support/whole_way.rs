@@ -49,7 +49,6 @@ fn can_be_shown(text: &str, error: &Error) {
     assert!(!message.is_empty());
     let control = message.chars().find(|c| c.is_control() && *c != '\n');
     assert_eq!(control, None, "{message:?}");
-    #[cfg(feature = "cli")]
     assert!(!kinegon::cli::shown("scene.json", text, error).is_empty());
 }
 

@@ -1,7 +1,7 @@
 //! Nobody is kept out: what axe-core finds, in all panels, light and dark, on a screen and on a telephone.
 
 use super::bench::Bench;
-use crate::support::files;
+use support::files;
 
 /// Rules of WCAG 2.2, levels A and AA, and best practice: all of them, that of colours alone, or all others.
 const RULES: [&str; 3] =

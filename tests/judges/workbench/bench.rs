@@ -1,12 +1,12 @@
 //! A workbench in a browser.
 
-use crate::support::browser::Browser;
-use crate::support::files;
-use crate::support::program::scratch;
 use kinegon::format::{OpenScene, workbench};
 use serde_json::{Value, json};
 use std::ops::{Deref, DerefMut};
 use std::path::PathBuf;
+use support::browser::Browser;
+use support::files;
+use support::program::scratch;
 
 /// Whether the page stands with its first picture.
 pub const READY: &str = "document.documentElement?.dataset.ready === 'yes'";

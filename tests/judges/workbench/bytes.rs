@@ -1,9 +1,9 @@
 //! What the page saves is what the program writes, to the byte, for every starting scene.
 
 use super::bench::Bench;
-use crate::support::files;
-use crate::support::program::{stderr, with_scene};
 use serde_json::{Value, json};
+use support::files;
+use support::program::{stderr, with_scene};
 
 /// What the program prints for a scene.
 fn printed(arguments: &[&str], scene: &str) -> Vec<u8> {

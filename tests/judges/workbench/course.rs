@@ -1,11 +1,11 @@
 //! A SCORM package in a frame of a course: its management system, which the test plays, hears the score.
 
-use crate::support::browser::Browser;
-use crate::support::program::{kinegon, scratch, stderr};
-use crate::support::tools::{find, run_in};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::Path;
+use support::browser::Browser;
+use support::program::{kinegon, scratch, stderr};
+use support::tools::{find, run_in};
 
 /// A management system that remembers what it hears.
 const SYSTEM: &str = r#"<!DOCTYPE html><link rel="icon" href="data:,"><title>course</title><script>

@@ -1,7 +1,7 @@
 //! Form, text and picture are one scene; nothing is lost.
 
 use super::bench::Bench;
-use crate::support::files;
+use support::files;
 
 const AB: &str = "#panel-mechanism [data-path=\"links.1.lengths.AB\"] input";
 

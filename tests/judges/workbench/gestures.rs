@@ -1,9 +1,9 @@
 //! Whatever hands do, undo leads back.
 
 use super::bench::Bench;
-use crate::support::files;
-use crate::support::survey::tried;
 use serde_json::json;
+use support::files;
+use support::survey::tried;
 
 /// Numbers by lot, always the same.
 struct Lot(u64);

@@ -1,13 +1,13 @@
 //! What others send: broken, huge and foreign links, large scenes, texts that are not whole yet.
 
 use super::bench::Bench;
-use crate::support::files;
 use base64::Engine;
 use base64::prelude::BASE64_URL_SAFE_NO_PAD;
 use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use serde_json::{Value, json};
 use std::io::Write;
+use support::files;
 
 /// The address part of a link with that JSON in it.
 fn packed(version: u32, json: &str) -> String {

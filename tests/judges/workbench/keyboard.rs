@@ -1,8 +1,8 @@
 //! Without a mouse: everything is reached by Tab and arrows, and is seen to be reached.
 
 use super::bench::Bench;
-use crate::support::files;
 use serde_json::json;
+use support::files;
 
 /// Goes on with Tab until an element has the keys; it must be seen that it has them.
 fn tab_to(bench: &mut Bench, selector: &str) {

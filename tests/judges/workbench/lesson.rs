@@ -1,9 +1,9 @@
 //! A teacher in class: the crank in the hand, steps by keys, panels one by one, full screen, dark; limits and other modes.
 
 use super::bench::Bench;
-use crate::support::files;
 use kinegon::format::OpenScene;
 use serde_json::json;
+use support::files;
 
 /// The window onto the sheet, in mm.
 const SIGHT: &str = "document.querySelector('#sheet').viewBox.baseVal.width";

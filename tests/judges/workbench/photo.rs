@@ -1,21 +1,21 @@
 //! A photograph of a drawing: the right plan over it, points that are tapped, what is said of them; pictures that are of no use.
 
 use super::bench::Bench;
-use crate::support::camera::Photograph;
-use crate::support::camera::chance::Kind;
-use crate::support::camera::drawn::{Drawing, Panel, drawn};
-use crate::support::camera::page::Page;
-use crate::support::camera::wrong::Wrong;
-use crate::support::files;
-use crate::support::random::Random;
-use crate::support::students::hand::RIGHT;
-use crate::support::students::task::Task;
 use kinegon::drawing::ITALIC;
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::scene::PanelName;
 use resvg::usvg::Options;
 use serde_json::{Value, json};
 use std::path::PathBuf;
+use support::camera::Photograph;
+use support::camera::chance::Kind;
+use support::camera::drawn::{Drawing, Panel, drawn};
+use support::camera::page::Page;
+use support::camera::wrong::Wrong;
+use support::files;
+use support::random::Random;
+use support::students::hand::RIGHT;
+use support::students::task::Task;
 
 /// Longer side of a picture, in pixels; telephones have 4000.
 const EDGE: usize = 2800;

@@ -1,7 +1,7 @@
 //! A teacher before class: a kind, own lengths, joints pulled into shape, scales and looks; mistakes are told where they are.
 
 use super::bench::Bench;
-use crate::support::files;
+use support::files;
 
 #[test]
 fn a_kind_is_made_ones_own() {

@@ -1,9 +1,9 @@
 //! A teacher after class: links, files, prints.
 
 use super::bench::Bench;
-use crate::support::files;
-use crate::support::program::with_scene;
 use serde_json::json;
+use support::files;
+use support::program::with_scene;
 
 const FIGURE: &str = "examples/figure-2.json";
 

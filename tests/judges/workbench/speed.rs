@@ -1,8 +1,8 @@
 //! How long people wait: opening, dragging. Limits are wide, as tests run beside each other; what was measured is printed.
 
 use super::bench::Bench;
-use crate::support::files;
 use serde_json::json;
+use support::files;
 
 /// Notes when the first picture stands.
 const FIRST: &str = "new MutationObserver((_, watch) => { if (document.querySelector('#sheet path')) { \

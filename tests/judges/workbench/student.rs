@@ -1,8 +1,8 @@
 //! A student: a link, a sheet to print, values typed one by one, what went wrong, the drawing over the right one, undo.
 
 use super::bench::Bench;
-use crate::support::files;
 use serde_json::{Value, json};
+use support::files;
 
 /// The address part of a student's link to an exercise, and the key's values.
 fn exercise(bench: &mut Bench) -> (String, Value) {
@@ -115,8 +115,7 @@ fn an_exercise_is_made_and_given() {
     // The same exercise as the program's.
     let made = bench.scene();
     let folder = bench.folder().join("made");
-    let program =
-        crate::support::program::kinegon().args(["exercise", "four-bar", "--seed", "7", "-o"]).arg(&folder).output();
+    let program = support::program::kinegon().args(["exercise", "four-bar", "--seed", "7", "-o"]).arg(&folder).output();
     assert!(program.expect("it runs").status.success());
     let scene = std::fs::read_to_string(folder.join("four-bar-7-1/scene.json")).expect("a scene");
     assert_eq!(made, scene);

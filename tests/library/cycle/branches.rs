@@ -2,15 +2,15 @@
 //! found anew and know nothing of a path.
 
 use super::{TURN, followed, path, posed, scenes};
-use crate::support::exact::exceeds;
-use crate::support::planted::{Planted, pattern};
-use crate::support::random::Random;
-use crate::support::survey::tried;
 use kinegon::cycle::{Event, Happening, Path};
 use kinegon::geometry::{degrees_of, span};
 use kinegon::mechanism::{Mechanism, Role};
 use kinegon::position::{Pose, poses};
 use kinegon::scene::Near;
+use support::exact::exceeds;
+use support::planted::{Planted, pattern};
+use support::random::Random;
+use support::survey::tried;
 
 /// Mechanisms of each class.
 fn enough() -> usize {

@@ -2,11 +2,11 @@
 //! diagonal never changes its hand.
 
 use super::{TURN, U, path, posed};
-use crate::support::exact::Exact;
-use crate::support::random::Random;
-use crate::support::survey::tried;
 use kinegon::cycle::Happening;
 use kinegon::quantity::State;
+use support::exact::Exact;
+use support::random::Random;
+use support::survey::tried;
 
 /// Four-bars of each kind.
 fn bars() -> usize {

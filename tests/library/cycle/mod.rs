@@ -12,12 +12,12 @@ mod rates;
 mod table;
 mod variants;
 
-use crate::support::files;
 use kinegon::cycle::{Drive, Path};
 use kinegon::geometry::span;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
+use support::files;
 
 /// The unit roundoff of f64.
 const U: f64 = f64::EPSILON / 2.0;

@@ -2,13 +2,13 @@
 //! angles for two drives, all from one path each.
 
 use super::{TURN, U, followed, posed};
-use crate::support::exact::{exceeds, minus};
 use kinegon::cycle::{Happening, Mover, Position};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, Role, SliderId};
 use kinegon::quantity::State;
 use serde_json::Value;
 use std::collections::BTreeMap;
+use support::exact::{exceeds, minus};
 
 const FIGURE_2: &str = include_str!("../../../examples/figure-2.json");
 

@@ -1,13 +1,13 @@
 //! Rates on a path against two judges: the loop equations solved anew at the path's positions, and differences of its positions.
 
 use super::{U, followed, posed, scenes};
-use crate::support::exact::exceeds;
 use kinegon::cycle::{Path, Position};
 use kinegon::geometry::span;
 use kinegon::mechanism::{BodyId, Mechanism, Role, SliderId};
 use kinegon::motion::{Order, motion};
 use kinegon::quantity::State;
 use std::f64::consts::{PI, TAU};
+use support::exact::exceeds;
 
 /// Halving the step of central differences quarters their error, within this part.
 const ORDER_WITHIN: f64 = 0.02;

@@ -1,7 +1,6 @@
 //! Mechanisms of one kind side by side against each of them alone.
 
 use super::{U, posed};
-use crate::support::random::Random;
 use kinegon::cycle::{CycleError, Variants};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Order, motion};
@@ -9,6 +8,7 @@ use kinegon::position::{Pose, pose};
 use kinegon::quantity::State;
 use kinegon::scene::Scene;
 use serde_json::Value;
+use support::random::Random;
 
 const SCENES: [&str; 4] = [
     include_str!("../../../templates/four-bar.json"),

@@ -1,9 +1,9 @@
 use super::{position, size, solvable};
-use crate::support::survey::tried;
 use kinegon::cycle::{Drive, Path};
 use kinegon::editing::{with_mode, with_position};
 use kinegon::position::{Pose, counted_poses};
 use kinegon::scene::GivenBy;
+use support::survey::tried;
 
 /// The largest distance of a point in two positions, in parts of the size.
 fn distance(one: &Pose, other: &Pose) -> f64 {

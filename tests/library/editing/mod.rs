@@ -9,10 +9,10 @@ mod pulled;
 mod renamed;
 mod set;
 
-use crate::support::files::{path, scenes};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::position::{Pose, pose, with_nearest_sides};
 use kinegon::scene::Scene;
+use support::files::{path, scenes};
 
 /// Scenes of all kinds that can be solved, by name.
 pub fn solvable() -> Vec<(String, String)> {

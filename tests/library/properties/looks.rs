@@ -1,7 +1,7 @@
 //! The same mechanism looked at in another way: turned, mirrored, in other units, with other names, in another order.
 
-use crate::support::groups::{Names, Pair};
 use serde_json::{Map, Value, json};
+use support::groups::{Names, Pair};
 
 /// How a mechanism is looked at.
 #[derive(Clone, Copy, Debug)]

@@ -6,12 +6,6 @@
 mod looks;
 mod scenes;
 
-use crate::support::changes::{self, Change, U, compare};
-use crate::support::groups::Names;
-use crate::support::images::dissimilarity;
-use crate::support::later;
-use crate::support::stages::solved;
-use crate::support::survey::tried;
 use kinegon::format::ResultFile;
 use kinegon::mechanism::StructureError;
 use kinegon::{Error, Solution};
@@ -20,6 +14,12 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, RngSeed};
 use scenes::{Scene, scenes, varied};
 use serde_json::Value;
+use support::changes::{self, Change, U, compare};
+use support::groups::Names;
+use support::images::dissimilarity;
+use support::later;
+use support::stages::solved;
+use support::survey::tried;
 
 /// Positions that are less certain than this are left to the tests that know how uncertain.
 const HARDEST: f64 = 1e3;

@@ -1,14 +1,14 @@
 //! Random scenes: the templates with other lengths, places and drives, and random groups.
 
-use crate::support::files::templates;
-use crate::support::groups::{Group, regular_patterns};
-use crate::support::planted::{Planted, pattern};
-use crate::support::random::Random;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 use std::fmt;
 use std::sync::LazyLock;
+use support::files::templates;
+use support::groups::{Group, regular_patterns};
+use support::planted::{Planted, pattern};
+use support::random::Random;
 
 /// A scene, shown as its text.
 #[derive(Clone)]

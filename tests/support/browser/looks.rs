@@ -1,10 +1,10 @@
 //! What is seen of a page: its size and media, pictures of it, paper, saved files.
 
 use super::{Browser, wait};
+use crate::files;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::{Value, json};
-use std::path::PathBuf;
 
 impl Browser {
     /// Shows the page on a screen of that many pixels that is touched with fingers.
@@ -33,7 +33,7 @@ impl Browser {
             return;
         }
         let shot = self.call("Page.captureScreenshot", json!({ "format": "png" }));
-        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("../pictures");
+        let folder = files::built().with_file_name("pictures");
         std::fs::create_dir_all(&folder).expect("the test's folder can be written");
         std::fs::write(folder.join(format!("{name}.png")), bytes(&shot["data"])).expect("written");
     }

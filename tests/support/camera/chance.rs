@@ -7,7 +7,7 @@ use super::file::Storage;
 use super::lens::{Lens, Pose};
 use super::light::{Light, Shadow};
 use super::surface::Shape;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const DEGREE: f64 = PI / 180.0;

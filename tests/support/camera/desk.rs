@@ -1,7 +1,7 @@
 //! What lies under, beside and on the sheet.
 
 use super::noise::Noise;
-use crate::support::random::Random;
+use crate::random::Random;
 
 /// A colour as light that is sent back, from 0 to 1 each of red, green and blue; linear.
 pub type Colour = [f32; 3];

@@ -1,7 +1,7 @@
 //! What a telephone makes of the light: blur, noise, its curve of tones, smoothing and sharpening.
 
 use super::take::{CELL, Exposure};
-use crate::support::random::Random;
+use crate::random::Random;
 
 /// Lens out of focus, shaking hands, sensor and its software; lengths in pixels of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,11 +2,11 @@
 
 use super::pencil::Stroke;
 use super::sketch::{Drawn, Habit, Line, Point, sketch};
-use crate::support::random::Random;
-use crate::support::students::hand::Skill;
-use crate::support::students::plane::{Place, direction, size, unit};
-use crate::support::students::sheet::{Sheet, ends_of};
-use crate::support::students::task::{Planned, Task};
+use crate::random::Random;
+use crate::students::hand::Skill;
+use crate::students::plane::{Place, direction, size, unit};
+use crate::students::sheet::{Sheet, ends_of};
+use crate::students::task::{Planned, Task};
 
 /// The names of a plan's pole.
 const POLES: [&str; 3] = ["", "p", "π"];

@@ -1,7 +1,7 @@
 //! Letters as a hand writes them: a few strokes each.
 
 use super::pencil::Stroke;
-use crate::support::random::Random;
+use crate::random::Random;
 
 /// Letters and their strokes: points as two digits, to the right and up; 2 is the line on which letters stand, 6 the
 /// height of small ones.

@@ -1,6 +1,6 @@
 //! Smooth noise that repeats, for fibres, wood and graphite.
 
-use crate::support::random::Random;
+use crate::random::Random;
 
 /// A square of noise, from 0 to 1, that goes on at its edges.
 pub struct Noise {

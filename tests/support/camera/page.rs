@@ -2,7 +2,7 @@
 
 use super::noise::Noise;
 use super::pencil::{self, Stroke};
-use crate::support::random::Random;
+use crate::random::Random;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 

@@ -1,7 +1,7 @@
 //! Pencil strokes on a page: graphite on the paper's grain.
 
 use super::noise::Noise;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::f64::consts::TAU;
 
 /// A stroke of a pencil.

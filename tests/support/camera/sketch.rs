@@ -2,7 +2,7 @@
 
 use super::letters::written;
 use super::pencil::Stroke;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// A point of a plan, in mm of the page.

@@ -1,7 +1,7 @@
 //! Pages that are no sheets of ours.
 
 use super::sheet::{begun, marker};
-use crate::support::random::Random;
+use crate::random::Random;
 use std::fmt::Write;
 
 /// What lies there instead of a sheet.

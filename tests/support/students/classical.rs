@@ -10,7 +10,7 @@ use super::mistake::{
 use super::parts;
 use super::plane::QUARTER;
 use super::scheme::Scheme;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::f64::consts::PI;
 
 /// Chooses an act and says what becomes of it; none where the sheet has no such act.

@@ -7,7 +7,7 @@ use super::mistake::{
 };
 use super::scheme::Scheme;
 use super::sheet::ends_of;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::f64::consts::PI;
 
 /// A reading that the form asks for.

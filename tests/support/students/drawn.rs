@@ -4,7 +4,7 @@ use super::act::{Act, Doing, Formula, Value};
 use super::mistake::{Mistake, act_by_lot, anywhere, by, from_to, named, one_of, pole, times, turned};
 use super::plane::QUARTER;
 use super::scheme::Scheme;
-use crate::support::random::Random;
+use crate::random::Random;
 
 pub fn ray_turned(random: &mut Random, acts: &[Act], _: &Scheme) -> Option<Mistake> {
     let act = act_by_lot(random, acts, |act| act.doing == Doing::Ray)?;

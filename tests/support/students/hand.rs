@@ -1,7 +1,7 @@
 //! Hands that err: by how much each elementary act is off.
 
 use super::plane::{DEGREE, Place, along, size};
-use crate::support::random::Random;
+use crate::random::Random;
 
 /// Of a vector that lies less than 6° off the link nobody can say in which sense it turns it.
 const ACROSS: f64 = 0.1;

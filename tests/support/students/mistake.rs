@@ -2,7 +2,7 @@
 
 use super::act::{Act, Change, Doing, Formula, Value};
 use super::sheet::Sheet;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::rc::Rc;
 
 /// An id of the check, and words of which its sentence must hold one; no words: any sentence will do.

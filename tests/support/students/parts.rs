@@ -8,7 +8,7 @@ use super::mistake::{
 };
 use super::plane::QUARTER;
 use super::scheme::Scheme;
-use crate::support::random::Random;
+use crate::random::Random;
 use std::f64::consts::PI;
 
 /// The size of a normal part that a ray follows.

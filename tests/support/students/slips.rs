@@ -4,7 +4,7 @@ use super::act::{Act, Doing, Value};
 use super::mistake::{Mistake, act_by_lot, anywhere, by, named, times, turned};
 use super::plane::{DEGREE, Place, unit};
 use super::scheme::Scheme;
-use crate::support::random::Random;
+use crate::random::Random;
 
 /// Between ½ and 2, which a diameter would be, but not nearly 1.
 fn factor(random: &mut Random) -> f64 {

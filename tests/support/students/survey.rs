@@ -3,8 +3,8 @@
 use super::hand::{SKILLS, Skill};
 use super::judge::{CLASSES, Class, Said, Told, class, is_right};
 use super::task::Task;
-use crate::support::random::Random;
-use crate::support::stages::answer_key;
+use crate::random::Random;
+use crate::stages::answer_key;
 use kinegon::check::{check, check_result};
 use std::fmt::Write;
 

@@ -9,7 +9,7 @@ use super::scheme::Scheme;
 use super::script::{draw, joints, place_specials};
 use super::sheet::{Sheet, ends_of};
 use super::slips::slip;
-use crate::support::random::Random;
+use crate::random::Random;
 use kinegon::Solution;
 use kinegon::check::{Given, Measured, Positive};
 use serde_json::{Value, json};

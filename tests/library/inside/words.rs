@@ -1,0 +1,176 @@
+//! Catalogues of sentences, and how numbers are written.
+
+use kinegon::scene::{DecimalMark, LanguageName};
+use kinegon::words::catalogue::{Declared, Sentence, read};
+use kinegon::words::languages::{catalogue, declared};
+use kinegon::words::{Medium, NumberStyle, with_prime};
+
+#[test]
+fn primes_stand_by_the_letter() {
+    for (name, primed) in [("b", "b′"), ("s3", "s′3"), ("d_2", "d′_2"), ("s_{24}", "s′_{24}"), ("b'", "b'′")]
+    {
+        assert_eq!(with_prime(name), primed);
+    }
+}
+
+const FIVE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7);
+
+fn written(style: NumberStyle, x: f64) -> String {
+    style.write(x, DecimalMark::Point)
+}
+
+#[test]
+fn numbers_have_significant_digits() {
+    for (x, text, figure) in [
+        (0.0, "0", "0"),
+        (-0.0, "0", "0"),
+        (f64::NEG_INFINITY, "-inf", "−inf"),
+        (0.25, "0.25000", "0.25000"),
+        (-12.0, "-12.000", "−12.000"),
+        (1234567.8, "1234568", "1234568"),
+        (12345678.0, "1.2346e7", "1.2346·10^{7}"),
+        (0.000123456, "0.00012346", "0.00012346"),
+        (-0.0000123456, "-1.2346e-5", "−1.2346·10^{−5}"),
+        (5e-324, "4.9407e-324", "4.9407·10^{−324}"),
+        (f64::MAX, "1.7977e308", "1.7977·10^{308}"),
+    ] {
+        assert_eq!(written(FIVE, x), text);
+        assert_eq!(written(FIVE.on(Medium::Figure), x), figure);
+    }
+}
+
+#[test]
+fn rounding_may_give_the_next_power_of_ten() {
+    for (x, five, four) in [
+        (9.99996, "10.000", "10"),
+        (-9.99996, "-10.000", "-10"),
+        (9.9999, "9.9999", "10"),
+        (0.0000999999, "0.00010000", "0.0001"),
+        (9999999.0, "1.0000e7", "1e7"),
+        (9.99999e-9, "1.0000e-8", "1e-8"),
+    ] {
+        assert_eq!(written(FIVE, x), five);
+        assert_eq!(written(NumberStyle::significant(4).in_full(-4, 7).trimmed(), x), four);
+    }
+}
+
+#[test]
+fn idle_zeros_are_left_out() {
+    let four = NumberStyle::significant(4).trimmed().on(Medium::Figure);
+    for (x, text) in [
+        (-1.25, "−1.25"),
+        (1234.56, "1235"),
+        (0.000123456, "0.0001235"),
+        (1.5e-7, "1.5·10^{−7}"),
+        (200.0, "200"),
+        (-3e12, "−3·10^{12}"),
+    ] {
+        assert_eq!(written(four, x), text);
+    }
+}
+
+#[test]
+fn decimals_are_counted_from_the_mark() {
+    let two = NumberStyle::decimals(2);
+    assert_eq!([0.0, 12.345, -1e9].map(|x| written(two, x)), ["0.00", "12.35", "-1000000000.00"]);
+    assert_eq!([0.0, -0.5].map(|x| written(two.with_plus().on(Medium::Figure), x)), ["+0.00", "−0.50"]);
+    let scale = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
+    let scales = [0.0, 0.0025, 0.00012345678, 20.0, 2.5e-5, 1e6].map(|x| written(scale, x));
+    assert_eq!(scales, ["0", "0.0025", "0.000123", "20", "2.5e-5", "1e6"]);
+}
+
+#[test]
+fn the_shortest_text_reads_back() {
+    let shortest = NumberStyle::shortest();
+    assert_eq!([0.1, -30.0, 1e-7].map(|x| written(shortest, x)), ["0.1", "-30", "0.0000001"]);
+    assert_eq!([0.1, 1e-7, 1e9].map(|x| written(shortest.in_full(-5, 9), x)), ["0.1", "1e-7", "1e9"]);
+}
+
+#[test]
+fn bounds_are_rounded_up() {
+    for (x, text) in
+        [(0.0, "0"), (3e-17, "3e-17"), (3.0000001e-17, "4e-17"), (9.5e-17, "1e-16"), (9.2e-17, "1e-16"), (-2.1, "-3e0")]
+    {
+        assert_eq!(written(NumberStyle::bound(), x), text);
+    }
+    assert_eq!(written(NumberStyle::bound().on(Medium::Figure), 2.1e-15), "3·10^{−15}");
+}
+
+#[test]
+fn the_decimal_mark_is_that_of_the_wording() {
+    let comma = |style: NumberStyle, x: f64| style.write(x, DecimalMark::Comma);
+    assert_eq!(comma(FIVE, -9.99996), "-10,000");
+    assert_eq!(comma(FIVE.on(Medium::Figure), 1e-9), "1,0000·10^{−9}");
+    assert_eq!(comma(NumberStyle::decimals(2).with_plus(), 0.125), "+0,12");
+    assert_eq!(comma(NumberStyle::shortest(), 30.0), "30");
+}
+
+const DECLARED: [Declared; 3] = [
+    Declared { key: "plan", blanks: &[], needs_all: true },
+    Declared { key: "cross", blanks: &["image", "ray"], needs_all: true },
+    Declared { key: "wrong.done", blanks: &["image", "ray"], needs_all: false },
+];
+
+#[test]
+fn blanks_are_filled_by_name() {
+    let text = "# Words.\n\nplan = \" plan\"\ncross = on {ray}: {image}, {ray}\nwrong.done = a = {image}";
+    let (sentences, faults) = read(text, &DECLARED);
+    assert_eq!(faults, [""; 0]);
+    let [plan, cross, wrong] = [0, 1, 2].map(|i| sentences[i].as_ref().expect("it is there"));
+    assert_eq!(plan.plain(), " plan");
+    assert_eq!(cross.filled(&["b", "r"]), "on r: b, r");
+    // Braces in the text that fills a blank are no blanks.
+    assert_eq!(wrong.filled(&["{ray}", "r"]), "a = {ray}");
+}
+
+#[test]
+fn a_bad_line_is_named() {
+    for (line, says) in [
+        ("cross on {ray}", "line 2: no = in `cross on {ray}`; a line is: key = sentence"),
+        ("crosses = {image}", "line 2: no sentence is called `crosses`"),
+        ("plan = again", "line 2: `plan` is here for the second time"),
+        ("cross = {image}", "line 2: `cross`: {ray} is missing"),
+        ("cross = {image} {rays}", "line 2: `cross`: there is no {rays} here, only {image}, {ray}"),
+        ("plan = {image}", "line 2: `plan`: there is no {image} here, only words"),
+        ("cross = {image {ray}", "line 2: `cross`: a { without its }"),
+        ("cross = image} {ray}", "line 2: `cross`: a } without its {"),
+        ("cross = {image}} {ray}", "line 2: `cross`: a } without its {"),
+    ] {
+        let text = format!("plan = plan\n{line}\nwrong.done = wrong").leak();
+        let (_, faults) = read(text, &DECLARED);
+        assert_eq!(faults, [says, "`cross` is missing or cannot be read"]);
+    }
+}
+
+/// The sentences of a catalogue, which must have no faults.
+fn faultless(name: LanguageName) -> Vec<Sentence> {
+    let (sentences, faults) = read(catalogue(name), &declared());
+    assert!(faults.is_empty(), "the catalogue of `{}`:\n{}", name.as_str(), faults.join("\n"));
+    sentences.into_iter().flatten().collect()
+}
+
+#[test]
+fn every_catalogue_says_everything() {
+    let english = faultless(LanguageName::English);
+    for name in LanguageName::ALL {
+        // Each sentence uses the same blanks as in English, where a sentence of a mistake may leave some out.
+        for ((own, english), declared) in faultless(name).iter().zip(&english).zip(declared()) {
+            let [own, english] = [own, english].map(Sentence::blanks);
+            let different = own.symmetric_difference(&english).map(|blank| declared.blanks[*blank]);
+            let different: Vec<&str> = different.collect();
+            assert!(different.is_empty(), "`{}` in `{}` and in English: {different:?}", declared.key, name.as_str());
+        }
+    }
+}
+
+#[test]
+fn every_blank_of_a_mistake_is_told() {
+    let (declared, english) = (declared(), faultless(LanguageName::English));
+    // Sentences of mistakes, what was done and what should be, are those that may leave blanks out.
+    let of_mistakes: Vec<_> = declared.iter().zip(&english).filter(|(declared, _)| !declared.needs_all).collect();
+    assert!(of_mistakes.len() > 50, "{}", of_mistakes.len());
+    for pair in of_mistakes.chunks(2) {
+        let told = &pair[0].1.blanks() | &pair[1].1.blanks();
+        assert_eq!(told.len(), pair[0].0.blanks.len(), "`{}` does not tell all", pair[0].0.key);
+    }
+}
