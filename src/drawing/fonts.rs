@@ -22,15 +22,15 @@ pub static ITALIC: &[u8] = include_bytes!("fonts/LibertinusSerif-Italic.sub.otf"
 
 /// Width and ink of a stretch of text, in em, y down, from the left end of its baseline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Extent {
+pub(super) struct TextExtent {
     /// Advance of the pen.
     pub(super) advance: f64,
     /// The box around the ink; none for spaces.
     pub(super) ink: Option<Rect>,
 }
 
-/// Extent assumed for a letter that the face lacks: about a capital, so that labels keep off what a viewer may draw.
-const UNKNOWN: Extent = Extent { advance: 0.6, ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)) };
+/// TextExtent assumed for a letter that the face lacks: about a capital, so that labels keep off what a viewer may draw.
+const UNKNOWN: TextExtent = TextExtent { advance: 0.6, ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)) };
 
 /// Letters before this code point (Latin, basic signs) have their glyphs looked up when a face is parsed.
 const COMMON: u32 = 0x80;
@@ -42,7 +42,7 @@ pub(super) struct Face {
     shapes: OutlineGlyphCollection<'static>,
     em: f64,
     /// By glyph: its extent, once measured; reading an outline takes far longer than looking it up.
-    glyphs: Vec<OnceLock<Extent>>,
+    glyphs: Vec<OnceLock<TextExtent>>,
     /// By letter below [`COMMON`]: its glyph, none where the face lacks it.
     indices: Vec<Option<GlyphId>>,
     /// By glyph: its outline, once read.
@@ -71,7 +71,7 @@ struct Ligature {
 
 /// The scripts with kerning rules of their own.
 #[derive(Clone, Copy, PartialEq)]
-enum Script {
+enum Alphabet {
     Latin,
     Greek,
     Cyrillic,
@@ -121,7 +121,7 @@ impl Face {
     }
 
     /// Width and ink of a text, with the font's kerning and ligatures, as renderers set it.
-    pub(super) fn measure(&self, text: &str) -> Extent {
+    pub(super) fn measure(&self, text: &str) -> TextExtent {
         let mut ink: Option<Rect> = None;
         let advance = self.set(text, |glyph, _, pen| {
             if let Some(glyph_ink) = self.extent(glyph).ink {
@@ -129,7 +129,7 @@ impl Face {
                 ink = Some(ink.map_or(glyph_ink, |all| all.union(glyph_ink)));
             }
         });
-        Extent { advance, ink }
+        TextExtent { advance, ink }
     }
 
     /// Calls `show` with the outline of each glyph of a text and its left end, in em, y down, set as
@@ -152,7 +152,7 @@ impl Face {
     fn set(&self, text: &str, mut put: impl FnMut(Option<GlyphId>, Range<usize>, f64)) -> f64 {
         let mut pen = 0.0;
         let mut previous: Option<GlyphId> = None;
-        let mut script = Script::Latin;
+        let mut script = Alphabet::Latin;
         let mut letters = text.chars();
         loop {
             let start = text.len() - letters.as_str().len();
@@ -185,7 +185,7 @@ impl Face {
         }
     }
 
-    fn extent(&self, glyph: Option<GlyphId>) -> Extent {
+    fn extent(&self, glyph: Option<GlyphId>) -> TextExtent {
         let known = glyph.and_then(|glyph| Some((glyph, self.glyphs.get(glyph.to_u32() as usize)?)));
         known.map_or(UNKNOWN, |(glyph, known)| *known.get_or_init(|| self.measure_glyph(glyph)))
     }
@@ -203,12 +203,12 @@ impl Face {
         }
     }
 
-    fn measure_glyph(&self, glyph: GlyphId) -> Extent {
+    fn measure_glyph(&self, glyph: GlyphId) -> TextExtent {
         let advance = f64::from(self.metrics.advance_width(glyph).unwrap_or(0.0)) / self.em;
         let mut pen = EmPen { path: BezPath::new(), em: self.em };
         self.draw(glyph, &mut pen);
         let ink = (!pen.path.is_empty()).then(|| pen.path.control_box());
-        Extent { advance, ink }
+        TextExtent { advance, ink }
     }
 
     /// Draws the outline of a glyph; nothing for one without ink.
@@ -219,7 +219,7 @@ impl Face {
         }
     }
 
-    fn kern(&self, script: Script, left: GlyphId, right: GlyphId) -> f64 {
+    fn kern(&self, script: Alphabet, left: GlyphId, right: GlyphId) -> f64 {
         let moved = |kerning: &Kerning| {
             let row = kerning.moves.get(usize::from((*kerning.left.get(left.to_u32() as usize)?)?))?;
             row.get(usize::from(*kerning.right.get(right.to_u32() as usize)?)).copied()
@@ -284,11 +284,11 @@ impl OutlinePen for EmPen {
     }
 }
 
-fn script_of(letter: char) -> Option<Script> {
+fn script_of(letter: char) -> Option<Alphabet> {
     match letter {
-        'A'..='Z' | 'a'..='z' | '\u{C0}'..='\u{24F}' => Some(Script::Latin),
-        '\u{370}'..='\u{3FF}' | '\u{1F00}'..='\u{1FFF}' => Some(Script::Greek),
-        '\u{400}'..='\u{52F}' => Some(Script::Cyrillic),
+        'A'..='Z' | 'a'..='z' | '\u{C0}'..='\u{24F}' => Some(Alphabet::Latin),
+        '\u{370}'..='\u{3FF}' | '\u{1F00}'..='\u{1FFF}' => Some(Alphabet::Greek),
+        '\u{400}'..='\u{52F}' => Some(Alphabet::Cyrillic),
         _ => None,
     }
 }

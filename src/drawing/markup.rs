@@ -2,7 +2,7 @@
 
 use kurbo::{Point, Rect};
 
-use super::fonts::{self, Extent};
+use super::fonts::{self, TextExtent};
 use crate::text::printable;
 
 // Proportions of scripts, in em of their base; near those of TeX for a serif font of this x-height.
@@ -48,7 +48,7 @@ pub enum Script {
 
 /// How letters are set.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Style {
+pub(super) enum Setting {
     /// Letters slanted, digits and signs upright.
     Math,
     /// All upright.
@@ -57,7 +57,7 @@ pub(super) enum Style {
 
 /// The face of a letter, and whether it must be a run of its own.
 #[derive(Clone, Copy, PartialEq)]
-enum Kind {
+enum LetterKind {
     Italic,
     Upright,
     /// A sign that only some fonts have, in a run of its own: for one missing glyph some viewers replace the font of
@@ -67,14 +67,14 @@ enum Kind {
 
 /// Sets letters one after another; collects runs, pen position and ink.
 pub(super) struct Setter {
-    style: Style,
+    setting: Setting,
     pub(super) runs: Vec<Run>,
     pub(super) ink: Option<Rect>,
     pub(super) pen: Point,
     scale: f64,
     /// The letters of the present run.
     content: String,
-    kind: Kind,
+    kind: LetterKind,
     /// Overhang of the last run beyond the pen, for a slanted letter.
     lean: f64,
     /// The scripts at the pen, from the baseline on.
@@ -85,17 +85,17 @@ pub(super) struct Setter {
 
 impl Setter {
     /// Sets a line of text; without `markup` all letters are literal.
-    pub(super) fn set(source: &str, style: Style, markup: bool) -> Self {
+    pub(super) fn set(source: &str, setting: Setting, markup: bool) -> Self {
         let letters: Vec<char> = source.chars().filter_map(printable).collect();
-        let mut setter = Setter::new(style);
+        let mut setter = Setter::new(setting);
         setter.line(&letters, if markup { DEEPEST } else { 0 });
         setter
     }
 
-    fn new(style: Style) -> Self {
-        let (pen, kind) = (Point::ORIGIN, Kind::Upright);
+    fn new(setting: Setting) -> Self {
+        let (pen, kind) = (Point::ORIGIN, LetterKind::Upright);
         Self {
-            style,
+            setting,
             runs: Vec::new(),
             ink: None,
             pen,
@@ -159,9 +159,9 @@ impl Setter {
         if letter == ' ' {
             return self.space();
         }
-        let letter = match (self.style, letter) {
-            (Style::Math, '\'') => '′',
-            (Style::Math, '-') => '−',
+        let letter = match (self.setting, letter) {
+            (Setting::Math, '\'') => '′',
+            (Setting::Math, '-') => '−',
             _ => letter,
         };
         // Two primes become one double prime.
@@ -171,10 +171,10 @@ impl Setter {
             return;
         }
         let kind = self.kind_of(letter);
-        if kind != self.kind || kind == Kind::Sign {
+        if kind != self.kind || kind == LetterKind::Sign {
             self.end_run();
         }
-        if self.content.is_empty() && kind != Kind::Italic && !matches!(letter, '.' | ',' | ';' | ':') {
+        if self.content.is_empty() && kind != LetterKind::Italic && !matches!(letter, '.' | ',' | ';' | ':') {
             self.pen.x += self.lean;
         }
         self.kind = kind;
@@ -193,15 +193,15 @@ impl Setter {
         }
     }
 
-    fn kind_of(&self, letter: char) -> Kind {
-        let slanted = self.style == Style::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
+    fn kind_of(&self, letter: char) -> LetterKind {
+        let slanted = self.setting == Setting::Math && letter.is_alphabetic() && fonts::face(true).has(letter);
         // Latin, Greek, Cyrillic and Western punctuation are in every serif font.
         let common = matches!(letter, ' '..='~' | '\u{A0}'..='\u{4FF}' | '–' | '—' | '‘' | '’' | '“' | '”' | '…')
             && fonts::face(false).has(letter);
         match (slanted, common) {
-            (true, _) => Kind::Italic,
-            (false, true) => Kind::Upright,
-            (false, false) => Kind::Sign,
+            (true, _) => LetterKind::Italic,
+            (false, true) => LetterKind::Upright,
+            (false, false) => LetterKind::Sign,
         }
     }
 
@@ -212,9 +212,9 @@ impl Setter {
         if letters.is_empty() {
             return;
         }
-        let italic = self.kind == Kind::Italic;
+        let italic = self.kind == LetterKind::Italic;
         let face = fonts::face(italic);
-        let Extent { advance, ink } = face.measure(letters);
+        let TextExtent { advance, ink } = face.measure(letters);
         let spaces = (content.len() - letters.len()) as f64 * fonts::face(false).measure(" ").advance;
         self.runs.push(Run {
             content: letters.to_owned(),

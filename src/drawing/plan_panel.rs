@@ -344,9 +344,8 @@ impl PlanOnPaper<'_> {
             for names in here.chunks(TOGETHER).filter(|names| !self.shown(names).is_empty()) {
                 let (last, _) = self.growth(names);
                 canvas.set_step(last);
-                // The text is joined from renamed names already; the trailing space keeps the id from being renamed again.
-                let joined = format!("{} ", names[0]);
-                let label = canvas.label(&joined, &self.shown(names), anchor, self.dot(role).1 + 0.7, prefer, 2);
+                let clearance = self.dot(role).1 + 0.7;
+                let label = canvas.label_renamed(names[0], &self.shown(names), anchor, clearance, prefer);
                 label.before = self.growing(names, RichText::math);
             }
         }
@@ -372,7 +371,7 @@ impl PlanOnPaper<'_> {
         let mm = self.scheme.words.write(mm, NumberStyle::decimals(0).on(Medium::Figure));
         let words = |names: &str| RichText::plain(&self.scheme.words.language.far_in_plan(names, &mm));
         canvas.set_step(last);
-        let label = canvas.label(&format!("{} ", names[0]), "", tail, 1.0, None, 2);
+        let label = canvas.label_renamed(names[0], "", tail, 1.0, None);
         label.request.text = words(&self.shown(names));
         label.before = self.growing(names, words);
     }

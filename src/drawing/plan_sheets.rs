@@ -104,8 +104,7 @@ fn panel<'a>(scheme: &'a Scheme<'a>, plan: PanelName) -> Option<Panel<'a>> {
     let layer = move |canvas: &mut Canvas<'_>, view: &View| {
         let (center, radius) = (view.at(geometry::Point::origin()), 2.0 * scheme.dims.dot);
         canvas.draw_named(&format!("point-{pole}"), Pen::Pole, Shape::Circle { center, radius });
-        // The text has its own name already; the trailing space keeps it from being renamed again.
-        canvas.label(&format!("{pole} "), &scheme.shown(pole, Some(drawn)), center, radius + 0.7, None, 2);
+        canvas.label_renamed(pole, &scheme.shown(pole, Some(drawn)), center, radius + 0.7, None);
     };
     Some(Panel {
         name: name.to_owned(),

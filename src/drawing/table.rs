@@ -52,7 +52,7 @@ pub(super) struct Cells<const N: usize> {
 }
 
 /// Arrangement of rows: number of columns, rows in each and in the last, size in parts of the usual size.
-struct Grid {
+struct Arrangement {
     columns: usize,
     depth: usize,
     last: usize,
@@ -118,7 +118,7 @@ impl<const N: usize> Table<N> {
     }
 
     /// Arrangement of the rows in an area, at the usual size if they fit; for far more rows than fit it is smaller.
-    fn grid(&self, area: Rect) -> Grid {
+    fn arrangement(&self, area: Rect) -> Arrangement {
         let mut small = 1.0;
         loop {
             let columns = self.columns(area.width() / small);
@@ -133,7 +133,12 @@ impl<const N: usize> Table<N> {
                 // Rows are distributed evenly; the last column has the rest.
                 let even = (self.rows.len() + depth - last).div_ceil(columns);
                 let depth = even.min(depth);
-                return Grid { columns, depth, last: self.rows.len().saturating_sub(depth * (columns - 1)), small };
+                return Arrangement {
+                    columns,
+                    depth,
+                    last: self.rows.len().saturating_sub(depth * (columns - 1)),
+                    small,
+                };
             }
             small *= 0.97;
         }
@@ -141,12 +146,12 @@ impl<const N: usize> Table<N> {
 
     /// Whether its rows fit into an area at their usual size.
     pub(super) fn fits(&self, area: Rect) -> bool {
-        self.column() <= area.width() && self.grid(area).small == 1.0
+        self.column() <= area.width() && self.arrangement(area).small == 1.0
     }
 
     /// The size of its rows in an area, in parts of their usual size.
     pub(super) fn size_in(&self, area: Rect) -> f64 {
-        self.grid(area).small
+        self.arrangement(area).small
     }
 
     /// Number of rows that an area holds at their usual size.
@@ -165,7 +170,7 @@ impl<const N: usize> Table<N> {
     /// Draws the table in an area; returns the lower left corner of the foot.
     pub(super) fn draw_in(&self, drawing: &mut Drawing, area: Rect) -> Point {
         drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
-        let Grid { columns, depth, last, small } = self.grid(area);
+        let Arrangement { columns, depth, last, small } = self.arrangement(area);
         let pitch = area.width() / columns as f64;
         let mut left = self.rows.as_slice();
         for column in 0..columns {

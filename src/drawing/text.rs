@@ -5,7 +5,7 @@ use std::ops::Range;
 use kurbo::{BezPath, Point, Rect, Vec2};
 
 use super::fonts;
-use super::markup::{Run, Setter, Style};
+use super::markup::{Run, Setter, Setting};
 use crate::text::Untrusted;
 
 /// Size of labels, in mm of one em. Lower-case letters of the bundled font are 0.429 em high: 2 mm; scripts are
@@ -14,11 +14,11 @@ pub(super) const LABEL: f64 = 4.7;
 /// Size of captions, in mm of one em; no words of a figure are smaller.
 pub(super) const CAPTION: f64 = 4.7;
 
-/// Most texts of a style that are remembered.
+/// Most texts of a setting that are remembered.
 const MOST_SET: usize = 4096;
 
 thread_local! {
-    /// Texts by their source, for each style with and without markup.
+    /// Texts by their source, for each setting with and without markup.
     static SET: RefCell<[BTreeMap<String, RichText>; 4]> = RefCell::default();
 }
 
@@ -42,17 +42,17 @@ impl RichText {
     /// A mathematical label: Latin and Greek letters slanted, digits, brackets and signs upright;
     /// `'` becomes a prime and `-` a minus.
     pub fn math(source: &str) -> Self {
-        Self::set(source, Style::Math, true)
+        Self::set(source, Setting::Math, true)
     }
 
     /// Upright text with the same markup.
     pub fn plain(source: &str) -> Self {
-        Self::set(source, Style::Plain, true)
+        Self::set(source, Setting::Plain, true)
     }
 
     /// Upright text taken letter by letter, without markup: for titles and names from outside.
     pub fn verbatim(source: impl Into<Untrusted>) -> Self {
-        Self::set(&source.into().for_setting(), Style::Plain, false)
+        Self::set(&source.into().for_setting(), Setting::Plain, false)
     }
 
     /// Lines of [`plain`](Self::plain) text, broken at spaces, each at most `width` mm wide at a size, unless a single
@@ -94,13 +94,13 @@ impl RichText {
     }
 
     /// A text that has been set before is not set again: sheets of one scene, and frames of a page, share most texts.
-    fn set(source: &str, style: Style, markup: bool) -> Self {
+    fn set(source: &str, setting: Setting, markup: bool) -> Self {
         SET.with_borrow_mut(|known| {
-            let known = &mut known[usize::from(style == Style::Math) + 2 * usize::from(markup)];
+            let known = &mut known[usize::from(setting == Setting::Math) + 2 * usize::from(markup)];
             if let Some(text) = known.get(source) {
                 return text.clone();
             }
-            let setter = Setter::set(source, style, markup);
+            let setter = Setter::set(source, setting, markup);
             let text = Self { runs: setter.runs, advance: setter.pen.x, ink: setter.ink.unwrap_or(Rect::ZERO) };
             if known.len() >= MOST_SET {
                 known.clear();

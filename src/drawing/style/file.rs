@@ -135,31 +135,31 @@ impl PenFile {
 }
 
 impl StyleFile {
-    /// The table of a style, with the values of this file in place of its own.
-    pub(super) fn over(self, mut table: Table) -> Table {
-        table.background = self.background.unwrap_or(table.background);
-        table.ink = self.ink.unwrap_or(table.ink);
-        table.accent = self.accent.unwrap_or(table.accent);
-        table.links = self.links.unwrap_or(table.links);
-        table.tints = self.tints.unwrap_or(table.tints);
-        table.curves = self.curves.unwrap_or(table.curves);
+    /// The values of a style, with those of this file in place of its own.
+    pub(super) fn over(self, mut all: StyleValues) -> StyleValues {
+        all.background = self.background.unwrap_or(all.background);
+        all.ink = self.ink.unwrap_or(all.ink);
+        all.accent = self.accent.unwrap_or(all.accent);
+        all.links = self.links.unwrap_or(all.links);
+        all.tints = self.tints.unwrap_or(all.tints);
+        all.curves = self.curves.unwrap_or(all.curves);
         if let Some(dashes) = self.curve_dashes {
-            table.curve_dashes = dashes.into_iter().map(|DashList(dash)| dash).collect();
+            all.curve_dashes = dashes.into_iter().map(|DashList(dash)| dash).collect();
         }
-        table.sizes = self.sizes.over(table.sizes);
-        table.values = self.values.unwrap_or(table.values);
-        table.pens.resize(Pen::COUNT, PenFile::default());
+        all.sizes = self.sizes.over(all.sizes);
+        all.values = self.values.unwrap_or(all.values);
+        all.pens.resize(Pen::COUNT, PenFile::default());
         for (PenName(pen), own) in self.pens {
-            let place = &mut table.pens[pen as usize];
+            let place = &mut all.pens[pen as usize];
             *place = own.or(std::mem::take(place));
         }
-        table
+        all
     }
 }
 
 /// All values of a style, from its file and those on which it is based.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Table {
+pub(super) struct StyleValues {
     pub background: Colour,
     pub ink: Colour,
     pub accent: Colour,

@@ -8,7 +8,7 @@ mod paint;
 use super::look::{Colour, Dash, Look};
 use super::pen::Pen;
 use crate::scene::{FileKind, SceneError, Sizes, StyleName, read_as, schema_of};
-use file::{StyleFile, Table};
+use file::{StyleFile, StyleValues};
 use paint::{Dashes, Paint};
 use std::sync::{Arc, LazyLock};
 
@@ -17,9 +17,9 @@ const PALE: f64 = 0.6;
 
 const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
 
-/// The looks of a drawing's marks. Copies share one table.
+/// The looks of a drawing's marks. Copies share one set of values.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Style(Arc<Table>);
+pub struct Style(Arc<StyleValues>);
 
 impl Default for Style {
     /// The style `paper`.
@@ -128,7 +128,7 @@ impl Style {
     }
 
     fn colour(&self, paint: Paint, number: Option<usize>) -> Option<Colour> {
-        let table = &self.0;
+        let all = &self.0;
         let of = |list: &[Colour]| {
             let number = number.filter(|_| !list.is_empty())?;
             Some(list[number % list.len()])
@@ -136,12 +136,12 @@ impl Style {
         match paint {
             Paint::None => None,
             Paint::Of(colour) => Some(colour),
-            Paint::Ink => Some(table.ink),
-            Paint::Background => Some(table.background),
-            Paint::Link => of(&table.links).or(Some(table.ink)),
-            Paint::Tint => of(&table.tints),
-            Paint::Pale => Some(of(&table.links).unwrap_or(table.ink).towards(table.background, PALE)),
-            Paint::Curve => of(&table.curves).or(Some(table.ink)),
+            Paint::Ink => Some(all.ink),
+            Paint::Background => Some(all.background),
+            Paint::Link => of(&all.links).or(Some(all.ink)),
+            Paint::Tint => of(&all.tints),
+            Paint::Pale => Some(of(&all.links).unwrap_or(all.ink).towards(all.background, PALE)),
+            Paint::Curve => of(&all.curves).or(Some(all.ink)),
         }
     }
 
@@ -158,7 +158,7 @@ impl Style {
 
 /// The style on which all others are based.
 fn base_style(text: &str) -> Style {
-    Style(Arc::new(bundled_file(text).over(Table::default())))
+    Style(Arc::new(bundled_file(text).over(StyleValues::default())))
 }
 
 /// A style that is based on another.
