@@ -1,3 +1,4 @@
+use crate::Problem;
 use crate::cycle::CycleError;
 use crate::drawing::CurvesError;
 use crate::mechanism::StructureError;
@@ -32,6 +33,31 @@ pub enum Error {
     /// Curves do not fit on the sheet.
     #[error(transparent)]
     Curves(#[from] CurvesError),
+}
+
+impl Error {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            Error::Scene(error) => error.problem(),
+            Error::Structure(error) => error.problem(),
+            Error::Assembly(error) => error.problem(),
+            Error::Motion(error) => error.problem(),
+            Error::Cycle(error) => error.problem(),
+            Error::Quantity(error) => error.problem(),
+            Error::Curves(error) => error.problem(),
+        }
+    }
+
+    /// The error of the scene's own, which has a place in its text; `None` for what only a later stage finds.
+    #[must_use]
+    pub fn in_scene(&self) -> Option<&SceneError> {
+        match self {
+            Error::Scene(error) | Error::Structure(StructureError::Scene(error)) => Some(error),
+            _ => None,
+        }
+    }
 }
 
 impl From<StudyError> for Error {

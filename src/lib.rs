@@ -54,10 +54,12 @@ pub mod words;
 
 mod cores;
 mod error;
+mod problem;
 mod solve;
 
 pub use construction::Solution;
 pub use error::Error;
+pub use problem::Problem;
 pub use scene::Scene;
 pub use solve::{order_of_figure, order_of_result, posed, solve};
 

@@ -1,6 +1,5 @@
 //! Why something cannot be done, on its way to an exception of `kinegon._errors`.
 
-use kinegon::Error;
 use kinegon::check::CheckError;
 use kinegon::cycle::CycleError;
 use kinegon::exercise::ExerciseError;
@@ -9,6 +8,7 @@ use kinegon::motion::MotionError;
 use kinegon::position::AssemblyError;
 use kinegon::quantity::QuantityError;
 use kinegon::scene::SceneError;
+use kinegon::{Error, Problem};
 use pyo3::PyErr;
 use pyo3::prelude::*;
 
@@ -40,12 +40,8 @@ impl Refused {
         if is_seen { self } else { self.without_place() }
     }
 
-    fn told(class: &'static str, text: &str) -> Refused {
-        // Some messages say on a second line what to try.
-        match text.split_once("\n  try: ") {
-            Some((message, hint)) => Refused::new(class, message, Some(hint)),
-            None => Refused::new(class, text, None),
-        }
+    fn told(class: &'static str, problem: &Problem) -> Refused {
+        Refused::new(class, problem.message.as_str(), problem.hint.as_deref())
     }
 }
 
@@ -71,15 +67,17 @@ impl From<ExerciseError> for Refused {
     fn from(error: ExerciseError) -> Refused {
         match error {
             ExerciseError::Scene(error) => error.into(),
-            other => Refused::told("ExerciseError", &other.to_string()),
+            other => Refused::new("ExerciseError", other.to_string(), None),
         }
     }
 }
 
 impl From<Error> for Refused {
     fn from(error: Error) -> Refused {
+        if let Some(error) = error.in_scene() {
+            return error.clone().into();
+        }
         let class = match error {
-            Error::Scene(error) | Error::Structure(StructureError::Scene(error)) => return error.into(),
             Error::Structure(_) => "StructureError",
             Error::Assembly(_) => "AssemblyError",
             Error::Motion(_) => "MotionError",
@@ -87,7 +85,7 @@ impl From<Error> for Refused {
             Error::Quantity(_) => "QuantityError",
             _ => "KinegonError",
         };
-        Refused::told(class, &error.to_string())
+        Refused::told(class, &error.problem())
     }
 }
 

@@ -273,11 +273,10 @@ impl Reader<'_> {
     /// The quantity that a name stands for, its exact value, its sheet and the number of its step.
     pub fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
         let solution = self.key.solution;
-        let wrong = |error: QuantityError| {
-            let message = error.to_string();
-            let (message, own) = match message.split_once("; did you mean") {
-                Some((message, rest)) => (message.to_owned(), Some(format!("did you mean{rest}"))),
-                None => (message, None),
+        let wrong = |mut error: QuantityError| {
+            let own = match &mut error {
+                QuantityError::Unknown { nearest, .. } => nearest.take().map(|near| format!("did you mean `{near}`?")),
+                _ => None,
             };
             let all = "`kinegon check SCENE --template` lists the names";
             let names = self.names.order.keys().map(String::as_str);
@@ -286,7 +285,7 @@ impl Reader<'_> {
                     format!("`{}` is no quantity of this scene", text::shown(name)),
                     crate::scene::nearest(name, names),
                 ),
-                _ => (message, None),
+                error => (error.problem().message, None),
             };
             let near = near.map(|n| format!("the nearest name is `{n}`; {all}"));
             let hint = own.or(near).unwrap_or_else(|| all.to_owned());

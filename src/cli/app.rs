@@ -1,6 +1,7 @@
 use super::files;
 use super::message::{Failure, note};
 use super::output::FileSet;
+use crate::Problem;
 use crate::format::{OpenScene, workbench};
 use crate::scene::Scene;
 use clap::Args;
@@ -90,10 +91,10 @@ fn show(path: &Path) -> Result<(), Failure> {
             note(&format!("the workbench is open in the browser: {shown}"));
             Ok(())
         }
-        Err(error) => Err(Failure::Outside(format!(
-            "no browser can be started: {error}; the workbench is in {shown}\n  \
-             try: open that file in a browser, or copy it to a machine that has one"
-        ))),
+        Err(error) => Err(Failure::Outside(
+            Problem::new(format!("no browser can be started: {error}; the workbench is in {shown}"))
+                .hint("open that file in a browser, or copy it to a machine that has one"),
+        )),
     }
 }
 

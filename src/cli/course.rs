@@ -53,7 +53,7 @@ impl Lms {
             Lms::Canvas => canvas(&questions),
             Lms::Scorm => scorm(name, &questions),
         };
-        let bytes = written.map_err(|error: CourseError| Failure::Outside(error.to_string()))?;
+        let bytes = written.map_err(|error: CourseError| Failure::Outside(error.to_string().into()))?;
         if path == Path::new("-") {
             return files::print(&bytes);
         }

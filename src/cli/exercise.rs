@@ -124,7 +124,7 @@ impl ExerciseCommand {
 
 /// Why there is no further exercise.
 pub(super) fn failed(source: &str, error: &ExerciseError) -> Failure {
-    Failure::Outside(format!("{source}: {error}"))
+    Failure::Outside(format!("{source}: {error}").into())
 }
 
 /// The files of an exercise, by their paths.

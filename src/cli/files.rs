@@ -85,7 +85,7 @@ pub(super) fn try_print(bytes: &[u8]) -> Result<bool, Failure> {
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(Failure::Outside(format!("stdout cannot be written: {error}"))),
+        Err(error) => Err(Failure::Outside(format!("stdout cannot be written: {error}").into())),
     }
 }
 
@@ -112,5 +112,5 @@ pub(super) fn is_folder(path: &Path) -> bool {
 
 /// The failure to write an output.
 pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
-    Failure::Outside(format!("{} cannot be written: {error}", place.display()))
+    Failure::Outside(format!("{} cannot be written: {error}", place.display()).into())
 }

@@ -29,7 +29,7 @@ pub(super) struct Man {
 impl Man {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let whole = help::command();
-        let failed = |error: io::Error| Failure::Outside(format!("the manual page cannot be made: {error}"));
+        let failed = |error: io::Error| Failure::Outside(format!("the manual page cannot be made: {error}").into());
         match (&self.output, &self.command) {
             (Some(folder), _) => write_all(&whole, folder),
             (None, None) => files::print(&page(&whole).map_err(failed)?),

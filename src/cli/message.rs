@@ -1,9 +1,9 @@
 use super::files::{self, Source};
-use crate::Error;
 use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
 use crate::scene::SceneError;
 use crate::text;
+use crate::{Error, Problem};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::Write;
 
@@ -15,9 +15,9 @@ pub(super) enum Failure {
     /// A command or a file that is not understood: message and hint.
     Misuse(String, Option<String>),
     /// A cause outside the program, such as a full disk.
-    Outside(String),
+    Outside(Problem),
     /// A result that covers only a part of what was asked for: why.
-    Partly(String),
+    Partly(Problem),
     /// A check that is not passed; the report says why.
     NotPassed,
     /// A class with files that are not understood; the report says which.
@@ -48,7 +48,7 @@ impl Failure {
         let (message, hint) = match self {
             Failure::Scene(_, error) => (error.to_string(), None),
             Failure::Misuse(message, hint) => (message.clone(), hint.as_deref()),
-            Failure::Outside(message) | Failure::Partly(message) => (message.clone(), None),
+            Failure::Outside(problem) | Failure::Partly(problem) => (problem.to_string(), None),
             Failure::NotPassed | Failure::NotUnderstood => return String::new(),
         };
         let message = message.strip_prefix(place).unwrap_or(&message);
@@ -68,7 +68,9 @@ pub(super) fn show(failure: &Failure) {
         Failure::NotPassed | Failure::NotUnderstood => return,
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
         Failure::Misuse(message, hint) => without_place(message, hint.as_deref()),
-        Failure::Outside(message) | Failure::Partly(message) => without_place(message, None),
+        Failure::Outside(Problem { message, hint }) | Failure::Partly(Problem { message, hint }) => {
+            without_place(message, hint.as_deref())
+        }
     };
     say(&report);
 }
@@ -96,9 +98,10 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
 /// that are meant, in the colours of a terminal.
 #[must_use]
 pub fn shown(name: &str, text: &str, error: &Error) -> String {
-    match error {
-        Error::Scene(finding) | Error::Structure(StructureError::Scene(finding)) => with_place(name, text, finding),
-        other => without_place(&format!("{name}: {other}"), None),
+    let problem = error.problem();
+    match error.in_scene() {
+        Some(finding) => with_place(name, text, finding),
+        None => without_place(&format!("{name}: {}", problem.message), problem.hint.as_deref()),
     }
 }
 
@@ -115,13 +118,8 @@ pub(super) fn warn(text: &str) {
 }
 
 fn without_place(message: &str, hint: Option<&str>) -> String {
-    // A message of the library may end in its hint.
-    let (message, inner_hint) = match message.split_once("\n  try: ") {
-        Some((message, hint)) => (message, Some(hint)),
-        None => (message, None),
-    };
     let mut group = Group::with_title(Level::ERROR.primary_title(text::message(message)));
-    if let Some(hint) = hint.or(inner_hint) {
+    if let Some(hint) = hint {
         group = group.element(Level::HELP.message(text::message(hint)));
     }
     Renderer::styled().render(&[group])

@@ -39,7 +39,7 @@ impl Parts {
                 ));
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => put(&name, own.as_bytes())?,
-            Err(error) => return Err(Failure::Outside(format!("{} cannot be read: {error}", name.display()))),
+            Err(error) => return Err(Failure::Outside(format!("{} cannot be read: {error}", name.display()).into())),
         }
         Ok(Parts { folder, width })
     }
@@ -77,11 +77,11 @@ impl Parts {
     /// The numbers of a block.
     pub(super) fn read(&self, block: &Range<u64>) -> Result<Vec<f64>, Failure> {
         let path = self.path(block);
-        let bytes =
-            fs::read(&path).map_err(|error| Failure::Outside(format!("{} cannot be read: {error}", path.display())))?;
+        let bytes = fs::read(&path)
+            .map_err(|error| Failure::Outside(format!("{} cannot be read: {error}", path.display()).into()))?;
         if bytes.len() as u64 != self.bytes(block) {
             let message = format!("{} is not complete; remove it and start again", path.display());
-            return Err(Failure::Outside(message));
+            return Err(Failure::Outside(message.into()));
         }
         let (numbers, _) = bytes.as_chunks::<8>();
         Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())

@@ -134,7 +134,7 @@ impl PhotoResult {
         for (path, backdrop, drawing) in &self.sheets {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let made = pictures(backdrop, drawing);
-            let made = made.map_err(|error| Failure::Outside(format!("{}: {error}", path.display())))?;
+            let made = made.map_err(|error| Failure::Outside(format!("{}: {error}", path.display()).into()))?;
             for (ending, bytes) in made {
                 let picture = folder.join(format!("{stem}-check.{ending}"));
                 files::refuse_overwriting("photograph", path, &picture)?;

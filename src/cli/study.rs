@@ -289,7 +289,7 @@ impl Table<'_> {
     fn unwritable(&self, error: format::ColumnsError) -> Failure {
         match error {
             format::ColumnsError::Io(error) => files::unwritable(self.place, &error),
-            other => Failure::Outside(format!("{} cannot be written: {other}", self.place.display())),
+            other => Failure::Outside(format!("{} cannot be written: {other}", self.place.display()).into()),
         }
     }
 }

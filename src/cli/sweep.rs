@@ -2,6 +2,7 @@ use super::files::{self, Source};
 use super::message::{Failure, note, warn};
 use super::table::{self, TableFormat};
 use super::work::{Mode, start};
+use crate::Problem;
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -124,11 +125,14 @@ impl Range {
         let ends = |words: &Wording| branch.limits(self.is_given().then_some(range), words);
         if self.is_given() && range.into_iter().any(beyond) {
             let [from, to] = range.map(|v| branch.drive.amount(v));
-            return Err(Failure::Partly(format!(
-                "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {}{}",
-                ends(&Wording::default()).join("; "),
-                other_way_round(branch, range).unwrap_or_default()
-            )));
+            let stops = ends(&Wording::default()).join("; ");
+            let message = format!(
+                "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {stops}"
+            );
+            return Err(Failure::Partly(match other_way_round(branch, range) {
+                Some(Problem { message: detour, hint }) => Problem { message: format!("{message}; {detour}"), hint },
+                None => message.into(),
+            }));
         }
         ends(words).iter().for_each(|end| note(end));
         Ok(())
@@ -136,17 +140,14 @@ impl Range {
 }
 
 /// What of a range beyond a limit can be reached the other way round, and what to type for it.
-fn other_way_round(branch: &Branch, range: [f64; 2]) -> Option<String> {
+fn other_way_round(branch: &Branch, range: [f64; 2]) -> Option<Problem> {
     let detour = branch.other_way_round(range)?;
     let named = |ends: [f64; 2]| ends.map(|v| branch.drive.amount(v)).join(" to ");
     // Whole degrees inside the limits.
     let [low, high] = [detour.both[0].ceil() + 0.0, detour.both[1].floor() + 0.0];
-    Some(format!(
-        "; from {} the drive gets the other way round, as {}\n  \
-         try: --from {low} --to {high}, or neither of them for the whole way between the limits",
-        named(detour.asked),
-        named(detour.part),
-    ))
+    let way = format!("from {} the drive gets the other way round, as {}", named(detour.asked), named(detour.part));
+    let hint = format!("--from {low} --to {high}, or neither of them for the whole way between the limits");
+    Some(Problem::new(way).hint(hint))
 }
 
 impl DrivenScene {

@@ -77,7 +77,7 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
     if matches!(format, TableFormat::Arrow | TableFormat::Parquet) {
         let unwritable = |error: format::ColumnsError| match error {
             format::ColumnsError::Io(error) => files::unwritable(place, &error),
-            other => Failure::Outside(format!("{} cannot be written: {other}", place.display())),
+            other => Failure::Outside(format!("{} cannot be written: {other}", place.display()).into()),
         };
         let columns = match format {
             TableFormat::Parquet => format::Columns::parquet(sweep, out),

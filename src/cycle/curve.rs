@@ -4,6 +4,7 @@ use super::reading::Reading;
 use super::samples::{hull, pieces, samples};
 use super::survey::{CurveSurvey, PARTS};
 use super::{CycleError, Event, Happening, Path};
+use crate::Problem;
 use crate::mechanism::BodyId;
 use crate::quantity::{Asked, Kind, QuantityError};
 
@@ -116,8 +117,7 @@ impl<'a> Curves<'a> {
         let path = self.path;
         let asked = Asked::new(name, &path.mechanism)?;
         if asked.is_on_paper() {
-            let why = "a length on paper belongs to the figure of one position\n  try: the name without `/mu`";
-            return Err(QuantityError::NoValue(name.to_owned(), why).into());
+            return Err(QuantityError::OnPaper(name.to_owned()).into());
         }
         let column = Column { asked: asked.clone() };
         // The scene's own position is not singular.
@@ -189,7 +189,8 @@ impl Shown {
         if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
             let [from, to] = [low, high].map(|v| path.drive.amount(v));
             let hint = "a range with more room between --from and --to";
-            return Err(CycleError::Range(format!("from {from} to {to} there is no room for a curve\n  try: {hint}")));
+            let problem = Problem::new(format!("from {from} to {to} there is no room for a curve"));
+            return Err(CycleError::Range(problem.hint(hint)));
         }
         // The path stops just before its limits; the range includes them.
         if low == path.low() {

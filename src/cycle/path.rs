@@ -4,6 +4,7 @@ use super::start::{ratios, stands, start};
 use super::trace::{Traced, fastest, trace};
 use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
+use crate::Problem;
 use crate::geometry::{Lanes, Many, OneByOne, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{Mechanism, Role};
@@ -183,8 +184,8 @@ impl<'a> Path<'a> {
             } else {
                 "the range reaches further than a hundred times the mechanism's size"
             };
-            let text = format!("{text}\n  try: values between {low} and {high}");
-            return Err(CycleError::Range(text));
+            let hint = format!("values between {low} and {high}");
+            return Err(CycleError::Range(Problem::new(text).hint(hint)));
         }
         range.iter().for_each(|v| self.follow_to(*v));
         let (low, high) = (range[0].min(range[1]), range[0].max(range[1]));
@@ -226,7 +227,7 @@ impl<'a> Path<'a> {
     fn no_range(&self) -> CycleError {
         let quantity = self.drive.quantity();
         let hint = "both --from and --to: this slider has no full turn and no two ends";
-        CycleError::Range(format!("the range of {quantity} is not given\n  try: {hint}"))
+        CycleError::Range(Problem::new(format!("the range of {quantity} is not given")).hint(hint))
     }
 
     /// A path of the same drives through another position, not followed to either side yet.

@@ -1,4 +1,5 @@
 use super::CycleError;
+use crate::Problem;
 
 /// Most values that a table may have.
 const MOST: f64 = 1e12;
@@ -23,18 +24,19 @@ impl Steps {
     /// [`CycleError::Range`] where a number is not finite, the step is zero or leads away from `to`, or there are too
     /// many values.
     pub fn new(from: f64, to: f64, step: f64) -> Result<Steps, CycleError> {
-        let refuse = |text: String| Err(CycleError::Range(text));
+        let refuse = |problem| Err(CycleError::Range(problem));
         let wide = to - from;
         if !wide.is_finite() {
             return refuse("the ends of the range must be finite numbers".into());
         }
         if step == 0.0 || !step.is_finite() {
             let hint = "the distance from one row to the next, as 1";
-            return refuse(format!("the step cannot be {step}\n  try: {hint}"));
+            return refuse(Problem::new(format!("the step cannot be {step}")).hint(hint));
         }
         if step < 0.0 && wide > 0.0 {
             let hint = "a positive step; its sign follows from the range";
-            return refuse(format!("a step of {step} leads away from the end of the range\n  try: {hint}"));
+            let message = format!("a step of {step} leads away from the end of the range");
+            return refuse(Problem::new(message).hint(hint));
         }
         let step = step.abs().copysign(wide);
         let farthest = from.abs().max(to.abs());
@@ -46,9 +48,8 @@ impl Steps {
         let rounding = 4.0 * f64::EPSILON * (farthest * scale / by).abs();
         let intervals = ((to * scale - first) / by + rounding).floor();
         if intervals >= MOST {
-            return refuse(format!(
-                "there are more than {MOST:e} steps of {step} from {from} to {to}\n  try: a larger step"
-            ));
+            let message = format!("there are more than {MOST:e} steps of {step} from {from} to {to}");
+            return refuse(Problem::new(message).hint("a larger step"));
         }
         Ok(Steps { from: first, step: by, scale, count: intervals as usize + 1 })
     }

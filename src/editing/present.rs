@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use serde_json::{Map, Value as Json};
 
 use super::document::Document;
+use crate::Problem;
 use crate::geometry::{Placement, Point, Vector, span, unit};
 use crate::mechanism::{BodyId, Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
@@ -59,20 +60,18 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Mechanism, SceneError> {
     match mechanism(scene) {
         Ok(mechanism) => Ok(with_nearest_sides(scene, mechanism)),
         Err(StructureError::Scene(error)) => Err(error),
-        Err(error) => Err(refused(scene, &["links"], &error.to_string())),
+        Err(error) => Err(refused(scene, error.problem())),
     }
 }
 
 /// The error that a scene cannot be assembled.
 pub(super) fn not_assembled(scene: &Scene, error: &AssemblyError) -> SceneError {
-    refused(scene, &["links"], &error.to_string())
+    refused(scene, error.problem())
 }
 
-/// An error of a stage as one of the scene; its hint stands on a line of its own.
-fn refused(scene: &Scene, path: &[&str], message: &str) -> SceneError {
-    let (message, hint) =
-        message.split_once("\n  try: ").map_or((message, None), |(message, hint)| (message, Some(hint)));
-    scene.error_at(path, message, hint.map(str::to_owned))
+/// A problem of a stage as one of the scene's links.
+fn refused(scene: &Scene, Problem { message, hint }: Problem) -> SceneError {
+    scene.error_at(&["links"], message, hint)
 }
 
 /// What is known of the places of points: all, if the scene can be solved; else those that the text gives.

@@ -1,4 +1,5 @@
 use super::{BodyId, Mechanism};
+use crate::Problem;
 use crate::scene::{Scene, SceneError};
 
 /// Why a scene is no mechanism, or one that cannot be solved.
@@ -9,10 +10,7 @@ pub enum StructureError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// A group whose prismatic joints leave it without a definite motion in every position.
-    #[error(
-        "links {links} have no definite motion in any position: a group of class {class} with its prismatic joints as in {pattern} \
-         is singular by its structure\n  try: make one of the prismatic joints revolute"
-    )]
+    #[error("{}", self.problem())]
     Singular {
         /// Names of the group's links.
         links: String,
@@ -24,6 +22,19 @@ pub enum StructureError {
 }
 
 impl StructureError {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            StructureError::Scene(error) => error.problem(),
+            StructureError::Singular { links, class, pattern } => Problem::new(format!(
+                "links {links} have no definite motion in any position: a group of class {class} with its prismatic joints as in {pattern} \
+                 is singular by its structure"
+            ))
+            .hint("make one of the prismatic joints revolute"),
+        }
+    }
+
     pub(super) fn nothing_to_solve(scene: &Scene) -> Self {
         let message = "nothing to solve: every link's motion is given";
         let hint = "add links between the driven links, the known points and the ground";

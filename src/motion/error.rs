@@ -1,9 +1,11 @@
+use crate::Problem;
+
 /// Reasons why the motion at a pose is not defined.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.problem())]
 #[non_exhaustive]
 pub enum MotionError {
     /// The group is in a singular position.
-    #[error("links {links} are in a singular position: {reason} ({})\n  try: {hint}", how_singular(*condition))]
     Singular {
         /// The group's links.
         links: String,
@@ -11,18 +13,30 @@ pub enum MotionError {
         reason: String,
         /// Condition number of the loop equations; infinite where a pivot vanishes.
         condition: f64,
-        /// A way out, in words.
-        hint: String,
     },
     /// A number exceeds the range of f64.
-    #[error(
-        "links {links}: a distance, a velocity or an acceleration is too large to be represented\n  \
-         try: larger units of length, or slower drives"
-    )]
     Overflow {
         /// The group's links.
         links: String,
     },
+}
+
+impl MotionError {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            MotionError::Singular { links, reason, condition } => {
+                let how = how_singular(*condition);
+                Problem::new(format!("links {links} are in a singular position: {reason} ({how})"))
+                    .hint("another crank angle, or move one of these joints off the common line or point")
+            }
+            MotionError::Overflow { links } => Problem::new(format!(
+                "links {links}: a distance, a velocity or an acceleration is too large to be represented"
+            ))
+            .hint("larger units of length, or slower drives"),
+        }
+    }
 }
 
 /// How nearly singular a group is, in words.

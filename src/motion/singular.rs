@@ -16,12 +16,7 @@ pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condit
         (_, true) => format!("the lines {} are parallel", names.join(", ")),
         (_, false) => format!("the lines {} meet in one point", names.join(", ")),
     };
-    MotionError::Singular {
-        links: group.link_names(mechanism),
-        reason,
-        condition,
-        hint: "another crank angle, or move one of these joints off the common line or point".into(),
-    }
+    MotionError::Singular { links: group.link_names(mechanism), reason, condition }
 }
 
 /// The joints on the critical lines. Class II: from either outer joint to the inner one. Class III: along each leg.

@@ -1,5 +1,6 @@
 //! Names of quantities, and the quantities they name.
 
+use crate::Problem;
 use crate::construction::PlanKind;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
 use crate::text::shown;
@@ -16,7 +17,7 @@ pub enum QuantityError {
     )]
     Form(String),
     /// The name contains a link, slider or point that this scene does not have.
-    #[error("`{quantity}`: there is no {what} `{name}` here{hint}")]
+    #[error("`{quantity}`: there is no {what} `{name}` here{}", nearest.iter().map(|k| format!("; did you mean `{k}`?")).collect::<String>())]
     Unknown {
         /// The whole name.
         quantity: String,
@@ -24,12 +25,29 @@ pub enum QuantityError {
         what: &'static str,
         /// Its name.
         name: String,
-        /// A similar name, in words; empty if there is none.
-        hint: String,
+        /// A similar name, if there is one.
+        nearest: Option<String>,
     },
     /// The quantity lies at infinity, has no zero to count from, or needs what was not computed.
     #[error("`{0}` has no value here: {1}")]
     NoValue(String, &'static str),
+    /// A length on paper has no curve.
+    #[error("{}", self.problem())]
+    OnPaper(String),
+}
+
+impl QuantityError {
+    /// What is wrong, and what to try. A similar name stands in the message, as it belongs to one of its names.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            QuantityError::OnPaper(name) => Problem::new(format!(
+                "`{name}` has no value here: a length on paper belongs to the figure of one position"
+            ))
+            .hint("the name without `/mu`"),
+            other => Problem::new(other.to_string()),
+        }
+    }
 }
 
 /// Whether the quantity of that name needs accelerations.
@@ -199,12 +217,7 @@ pub(super) fn unknown<'n>(
     known: impl Iterator<Item = &'n str>,
 ) -> QuantityError {
     let nearest = crate::scene::nearest_within(name, known, 2);
-    QuantityError::Unknown {
-        quantity: shown(quantity),
-        what,
-        name: shown(name),
-        hint: nearest.map_or_else(String::new, |k| format!("; did you mean `{k}`?")),
-    }
+    QuantityError::Unknown { quantity: shown(quantity), what, name: shown(name), nearest: nearest.map(str::to_owned) }
 }
 
 /// Looks up the parts of a quantity's name in a mechanism.

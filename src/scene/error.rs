@@ -3,6 +3,8 @@
 use std::fmt;
 use std::ops::Range;
 
+use crate::Problem;
+
 /// The first error of a scene, or of a file that is read as strictly (a drawing style).
 ///
 /// Displayed as `line:column: path: message; hint: what to try`, without the parts that are not known.
@@ -27,6 +29,14 @@ pub struct Place {
     pub column: usize,
     /// The bytes of the text.
     pub span: Range<usize>,
+}
+
+impl SceneError {
+    /// What is wrong, and what to try, without the place.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        Problem { message: self.message.clone(), hint: self.hint.clone() }
+    }
 }
 
 impl fmt::Display for SceneError {

@@ -7,6 +7,7 @@ use super::number::{Named, numbers};
 use super::rows::{Column, Content, Status};
 use super::together;
 use super::vary::{Values, Varied};
+use crate::Problem;
 use crate::cores::on_all_cores;
 use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
 use crate::geometry::MANY;
@@ -120,7 +121,7 @@ impl Study {
         let mut wanted = Vec::new();
         for (name, figures) in file.want() {
             let asked =
-                Asked::new(name, &mechanism).map_err(|error| refused(file, &["want", name], &error.to_string()))?;
+                Asked::new(name, &mechanism).map_err(|error| refused(file, &["want", name], &error.problem()))?;
             if asked.is_on_paper() {
                 return Err(file.error(&["want", name], "a study has no paper", Some("the name without `/mu`")).into());
             }
@@ -245,22 +246,18 @@ impl Study {
     }
 }
 
-/// An error at a place of the study; the message may end in a hint.
-fn refused(file: &StudyFile, path: &[&str], message: &str) -> StudyError {
-    match message.split_once("\n  try: ") {
-        Some((message, hint)) => file.error(path, message, Some(hint)).into(),
-        None => file.error(path, message, None).into(),
-    }
+/// A problem at a place of the study.
+fn refused(file: &StudyFile, path: &[&str], problem: &Problem) -> StudyError {
+    file.error(path, problem.message.as_str(), problem.hint.as_deref()).into()
 }
 
 /// The motion that the study asks for.
 fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
     let cycle = file.cycle();
     let path: &[&str] = if cycle.drive.is_some() { &["cycle", "drive"] } else { &["cycle"] };
-    let drive =
-        Drive::new(mechanism, cycle.drive.as_deref()).map_err(|error| refused(file, path, &error.to_string()))?;
+    let drive = Drive::new(mechanism, cycle.drive.as_deref()).map_err(|error| refused(file, path, &error.problem()))?;
     let steps = Steps::new(cycle.from, cycle.to, cycle.step);
-    let steps = steps.map_err(|error| refused(file, &["cycle", "step"], &error.to_string()))?;
+    let steps = steps.map_err(|error| refused(file, &["cycle", "step"], &error.problem()))?;
     if steps.count() < 3 || steps.count() > MOST_STEPS {
         let message = format!("a cycle has 3 to {MOST_STEPS} positions, and here are {}", steps.count());
         return Err(file.error(&["cycle", "step"], message, None).into());

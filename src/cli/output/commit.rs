@@ -73,7 +73,9 @@ pub(super) fn commit(mut stages: Vec<Stage>, units: &[Unit]) -> Result<(), Failu
         false => unwritable(&path, &error),
     };
     match (lost.is_empty(), failure) {
-        (false, Failure::Outside(message)) => Err(Failure::Outside(format!("{message}; {}", lost.join("; ")))),
+        (false, Failure::Outside(problem)) => {
+            Err(Failure::Outside(format!("{}; {}", problem.message, lost.join("; ")).into()))
+        }
         (_, failure) => Err(failure),
     }
 }

@@ -190,7 +190,7 @@ fn nothing_fits(path: &Path, folder: &Path, error: &io::Error) -> Failure {
     let (path, folder, error) = (path.display(), folder.display(), error.to_string());
     // The name of a staging folder says nothing.
     let error = error.split(" at path ").next().unwrap_or_default();
-    Failure::Outside(format!("{path} cannot be written: nothing can be put into the folder {folder}: {error}"))
+    Failure::Outside(format!("{path} cannot be written: nothing can be put into the folder {folder}: {error}").into())
 }
 
 /// Whether a path for output is a pipe or a device, as `/dev/stdout`.

@@ -1,4 +1,5 @@
 use super::axis::significant;
+use crate::Problem;
 use crate::cycle::{Event, Happening, Path};
 use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
 use crate::drawing::dims::{Dims, MARGIN};
@@ -17,13 +18,10 @@ pub(super) const MOST_CURVES: usize = 12;
 
 /// Reasons why curves do not fit on a sheet.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.problem())]
 #[non_exhaustive]
 pub enum CurvesError {
     /// More panels than the sheet holds.
-    #[error(
-        "{wanted} kinds of quantities need {wanted} panels, and the sheet has room for {room}\n  \
-         try: fewer quantities at a time, or another `page` in the scene's figure, as \"a4-portrait\""
-    )]
     Panels {
         /// Number of panels needed.
         wanted: usize,
@@ -31,14 +29,27 @@ pub enum CurvesError {
         room: usize,
     },
     /// More curves in a panel than can be distinguished.
-    #[error(
-        "{wanted} curves in one panel are more than can be told apart, which is {MOST_CURVES}\n  \
-         try: fewer quantities at a time"
-    )]
     Crowd {
         /// Number of curves in the panel.
         wanted: usize,
     },
+}
+
+impl CurvesError {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            CurvesError::Panels { wanted, room } => Problem::new(format!(
+                "{wanted} kinds of quantities need {wanted} panels, and the sheet has room for {room}"
+            ))
+            .hint(r#"fewer quantities at a time, or another `page` in the scene's figure, as "a4-portrait""#),
+            CurvesError::Crowd { wanted } => Problem::new(format!(
+                "{wanted} curves in one panel are more than can be told apart, which is {MOST_CURVES}"
+            ))
+            .hint("fewer quantities at a time"),
+        }
+    }
 }
 
 /// What the sheets of curves ask: a range of a motion with its events, the words for them, and the sheet.

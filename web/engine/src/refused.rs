@@ -1,6 +1,5 @@
-use kinegon::Error;
-use kinegon::mechanism::StructureError;
 use kinegon::scene::SceneError;
+use kinegon::{Error, Problem};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -25,22 +24,15 @@ pub struct Refused {
 
 impl Refused {
     /// About the text as a whole.
-    pub fn whole(message: impl Into<String>) -> Refused {
-        let text = message.into();
-        // Some messages say on a second line what to try.
-        let (message, hint) = match text.split_once("\n  try: ") {
-            Some((message, hint)) => (message.to_owned(), Some(hint.to_owned())),
-            None => (text, None),
-        };
+    pub fn whole(problem: impl Into<Problem>) -> Refused {
+        let Problem { message, hint } = problem.into();
         Refused { message, hint, path: String::new(), from: None, to: None, line: None, column: None }
     }
 
     /// Why a scene with this text gives no result.
     pub fn of(text: &str, error: impl Into<Error>) -> Refused {
-        match error.into() {
-            Error::Scene(error) | Error::Structure(StructureError::Scene(error)) => Refused::at(text, error),
-            other => Refused::whole(other.to_string()),
-        }
+        let error = error.into();
+        error.in_scene().map_or_else(|| Refused::whole(error.problem()), |error| Refused::at(text, error.clone()))
     }
 
     fn at(text: &str, error: SceneError) -> Refused {
