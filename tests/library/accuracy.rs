@@ -15,7 +15,7 @@ use support::speed_vs_error::survey::{Survey, median};
 use support::speed_vs_error::truth::{Precise, Truth, rounded};
 use support::speed_vs_error::{assembled, document, joints};
 use support::stages::solved;
-use support::survey::tried;
+use support::survey::HARD_GROUPS;
 
 /// Half the distance from 1 to the next f64.
 const U: f64 = f64::EPSILON / 2.0;
@@ -28,7 +28,7 @@ const ROUNDINGS: f64 = 4.0;
 
 /// Groups for each family and parameter.
 fn groups() -> usize {
-    tried(20, 1000)
+    HARD_GROUPS.now()
 }
 
 /// Which error of the paper's procedure, in units u·condition, is more than six digits lost.

@@ -2,7 +2,7 @@
 //!
 //! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`examples/speed_vs_error`).
 
-use support::survey::{on_all_cores, tried};
+use support::survey::{BOUNDED, on_all_cores};
 
 use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
@@ -19,7 +19,7 @@ use support::stages::solved;
 
 /// Mechanisms of each kind: few enough for every day, or a million in all.
 fn count() -> u64 {
-    tried(2000, 250_000)
+    BOUNDED.now()
 }
 
 /// Stated bounds must stay below this many times the error, in the middle of all numbers.

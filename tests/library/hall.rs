@@ -9,7 +9,7 @@ use kinegon::{Scene, Solution};
 use support::faults::{faults, id, panels};
 use support::files;
 use support::stages::staged;
-use support::survey::tried;
+use support::survey::HALL;
 
 fn solved_as(text: &str, asked: impl Fn(&mut Figure)) -> Solution {
     let mut scene = Scene::read(text).expect("a good scene");
@@ -127,7 +127,7 @@ fn no_plan_of_a_cycle_is_cut_without_a_word() {
     );
     for (name, text) in scenes {
         let solution = solved_as(&text, |_| ());
-        let animation = Animation::new(&solution, None, tried(18, 36)).expect("it moves");
+        let animation = Animation::new(&solution, None, HALL.now()).expect("it moves");
         let page = staged(&animation.positions, animation.own);
         let scales = solution.scales();
         for (value, (frame, position)) in animation.values.iter().zip(page.iter().zip(&animation.positions)) {

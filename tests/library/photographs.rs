@@ -10,7 +10,9 @@ use support::camera::wrong::WRONGS;
 use support::photographs::{Tally, by_lot, decoded, given, panels, photographed, tally};
 use support::random::Random;
 use support::students::hand::SKILLS;
-use support::survey::{on_all_cores, tried};
+use support::survey::{
+    ANY_PIXELS, OTHER_THINGS, PLACES, PROPOSED, TAPPED_LESS, UNEVEN, WITHIN_BANDS, WRONGLY_PROPOSED, on_all_cores,
+};
 
 /// What photographs of one kind come to.
 #[derive(Clone, Debug, Default)]
@@ -92,7 +94,7 @@ fn allowed(kind: Kind) -> Option<[f64; 2]> {
 
 #[test]
 fn places_on_paper_are_found() {
-    let (count, edge) = tried((1, 1600), (130, 4032));
+    let (count, edge) = PLACES.now();
     let mut all = Found::default();
     for kind in KINDS {
         let mut own = Found::default();
@@ -113,7 +115,7 @@ fn places_on_paper_are_found() {
         );
         if let Some([rms, most]) = allowed(kind) {
             assert!(own.rms() <= rms && own.part(0.95) <= most, "{kind:?}: {:.3} {:.3}", own.rms(), own.part(0.95));
-            assert!(covered >= tried(0.9, 0.95), "{kind:?}: only {covered:.3} are within their bands");
+            assert!(covered >= WITHIN_BANDS.now(), "{kind:?}: only {covered:.3} are within their bands");
         }
         all.whole += own.whole;
         all.found += own.found;
@@ -128,7 +130,7 @@ const EVEN: f64 = 0.18;
 
 #[test]
 fn uneven_and_blurred_sheets_are_refused() {
-    let (count, edge) = tried((4, 1200), (100, 2400));
+    let (count, edge) = UNEVEN.now();
     let (mut read, mut uneven, mut blurred, mut worst) = (0, 0, 0, 0.0_f64);
     for number in 1..=count {
         let Some(given) = given(number) else { continue };
@@ -161,7 +163,7 @@ fn uneven_and_blurred_sheets_are_refused() {
 
 #[test]
 fn no_sheet_is_seen_in_other_things() {
-    for number in 0..tried(3, 200) {
+    for number in 0..OTHER_THINGS.now() {
         let wrong = WRONGS[number as usize % WRONGS.len()];
         let mm = [297.0, 210.0];
         let page =
@@ -175,7 +177,7 @@ fn no_sheet_is_seen_in_other_things() {
 #[test]
 fn any_pixels_are_refused_or_read() {
     let mut random = Random(77);
-    for number in 0..tried(30, 3000) {
+    for number in 0..ANY_PIXELS.now() {
         let (width, height) = (random.below(400), random.below(400));
         let is_noise = number % 2 == 0;
         let shade = random.below(256) as u8;
@@ -187,7 +189,7 @@ fn any_pixels_are_refused_or_read() {
 
 #[test]
 fn points_are_proposed_where_they_are() {
-    let (count, edge) = tried((4, 1600), (300, 2400));
+    let (count, edge) = PROPOSED.now();
     let mut all = Tally::default();
     for seen in on_all_cores(count, |number, seen| tally(number + 1, Kind::Flat, edge, seen)) {
         all.join(seen);
@@ -209,9 +211,9 @@ fn points_are_proposed_where_they_are() {
         "of {} sheets with mistakes in the drawing all are told from the typed form of {typed}, from proposed points of {proposed}, with the others tapped of {tapped}",
         all.planted
     );
-    assert!(all.wrong as f64 <= tried(0.03, 0.01) * points, "{:?}", all.told);
+    assert!(all.wrong as f64 <= WRONGLY_PROPOSED.now() * points, "{:?}", all.told);
     assert!(all.right as f64 >= 0.4 * points, "only {} of {points} points are proposed", all.right);
     assert!(all.misjudged as f64 <= 0.01 * points);
     // As often as from the typed form, within five of a hundred.
-    assert!(tapped as f64 >= typed as f64 - tried(0.2, 0.05) * all.planted as f64);
+    assert!(tapped as f64 >= typed as f64 - TAPPED_LESS.now() * all.planted as f64);
 }

@@ -2,11 +2,11 @@
 
 use crate::examples::mistakes::{clean, row};
 use kinegon::check::Mistake;
-use support::survey::tried;
+use support::survey::{CLEAN, PLANTED_MISTAKES};
 
 /// Drawings of each mistake.
 fn drawings() -> usize {
-    tried(1, 40)
+    PLANTED_MISTAKES.now()
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn pencil_drawings_mostly_show_their_mistake() {
 
 #[test]
 fn clean_drawings_pass_and_are_told_of_no_mistake() {
-    let count = tried(20, 400);
+    let count = CLEAN.now();
     let [off, named] = clean(count, [0.3; 2], 13);
     assert!(100 * off <= count, "{off} of {count} not passed");
     assert!(100 * named <= count, "{named} of {count} told of a mistake");

@@ -7,7 +7,7 @@
 //! the library.
 
 use std::collections::BTreeMap;
-use support::survey::tried;
+use support::survey::PLANTED_GROUPS;
 
 use kinegon::construction::{Extent, construct};
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -19,7 +19,7 @@ use support::random::Random;
 
 /// Groups of each class.
 fn groups() -> usize {
-    tried(800, 4000)
+    PLANTED_GROUPS.now()
 }
 
 /// The largest condition number of a planted position.

@@ -10,7 +10,7 @@ use support::students::scheme::Scheme;
 use support::students::script::{draw, kinds, place_specials};
 use support::students::survey::{Outcome, bins, calibration, classes, honest, survey};
 use support::students::task::Task;
-use support::survey::tried;
+use support::survey::{RIGHT_EXERCISES, SHEETS, WRONG_EXERCISES};
 
 /// Of 100 sheets with mistakes, so many may be told something false with a probability of ½ or more.
 const WRONG: f64 = 6.0;
@@ -32,7 +32,9 @@ fn exercises(kind: &str, seed: u64, count: usize) -> Vec<Exercise> {
 }
 
 fn tasks() -> Vec<Task> {
-    let of = |kind| exercises(kind, 7, tried(1, 4)).into_iter().map(move |exercise| Task::new(kind, &exercise.text));
+    let of = |kind| {
+        exercises(kind, 7, WRONG_EXERCISES.now()).into_iter().map(move |exercise| Task::new(kind, &exercise.text))
+    };
     kinds().flat_map(of).map(|task| task.expect("a scene")).collect()
 }
 
@@ -42,7 +44,7 @@ fn exact_drawings_agree_with_the_solution() {
     let mut failures = Vec::new();
     let mut drawn = 0;
     for kind in kinds() {
-        for exercise in exercises(kind, 3, tried(1, 12)) {
+        for exercise in exercises(kind, 3, RIGHT_EXERCISES.now()) {
             let (mut scheme, solution) = Scheme::new(&exercise.text).expect("a scene");
             place_specials(kind, &mut scheme);
             let mut sheet = draw(kind, &scheme, Hand::new(RIGHT, 1), &[]);
@@ -70,7 +72,7 @@ fn spread(share: f64, of: usize) -> f64 {
 
 #[test]
 fn mistakes_are_rarely_told_falsely_and_never_too_surely() {
-    let outcomes = survey(&tasks(), tried(30, 1500), false, 11);
+    let outcomes = survey(&tasks(), SHEETS.now(), false, 11);
     println!("{}\n{}", calibration(&outcomes), classes(&outcomes));
     let wrong = outcomes.iter().filter(|outcome| outcome.class == Some(Class::Wrong)).count();
     let share = WRONG / 100.0;
@@ -86,7 +88,7 @@ fn mistakes_are_rarely_told_falsely_and_never_too_surely() {
 
 #[test]
 fn honest_sheets_are_rarely_accused() {
-    let outcomes = survey(&tasks(), tried(30, 1500), true, 12);
+    let outcomes = survey(&tasks(), SHEETS.now(), true, 12);
     println!("{}", honest(&outcomes));
     let is_accused = |outcome: &&Outcome| !outcome.told.is_empty();
     let accused: Vec<&Outcome> = outcomes.iter().filter(is_accused).collect();

@@ -13,13 +13,13 @@ use std::thread;
 use support::files;
 use support::random::Random;
 use support::stages::solved;
-use support::survey::tried;
+use support::survey::{WHOLE, WHOLE_POSITIONS};
 use support::whole_errors::grow::Grown;
 use support::whole_errors::truth::{self, Pair, Reading, Real, Truth, cross, error, exactly, minus, plus, rounded};
 
 /// Mechanisms, each from lengths and as drawn.
 fn count() -> u64 {
-    tried(1000, 20_000)
+    WHOLE.now()
 }
 
 /// The stated bound is at most this many errors, in the middle of all numbers.
@@ -182,7 +182,7 @@ fn of_starting_scenes_and_driven_sliders() {
         if scene.get("points").is_some() {
             continue;
         }
-        for turn in 0..tried(2, 60) {
+        for turn in 0..WHOLE_POSITIONS.now() {
             let mut scene = scene.clone();
             scene.as_object_mut().expect("an object").shift_remove("want");
             for link in scene["links"].as_object_mut().expect("links").values_mut() {

@@ -9,7 +9,7 @@ use support::photographs::{Given, by_lot, given, panels, photographed};
 use support::program::{kinegon, scratch, stderr};
 use support::random::Random;
 use support::students::hand::SKILLS;
-use support::survey::tried;
+use support::survey::BROKEN_BYTES;
 
 /// The folder of an exercise, its scene and photographs of its plans.
 fn photographs(name: &str, number: u64) -> (PathBuf, PathBuf, Vec<PathBuf>, Given) {
@@ -117,7 +117,7 @@ fn files_that_are_no_pictures_get_one_message() {
         (at..at + 60).for_each(|byte| turned[byte] ^= 0x55);
         files.push(("exif".into(), turned));
     }
-    for number in 0..tried(6, 400) {
+    for number in 0..BROKEN_BYTES.now() {
         let mut broken = good.clone();
         for _ in 0..1 + random.below(30) {
             let at = random.below(broken.len());

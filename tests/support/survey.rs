@@ -1,15 +1,134 @@
-//! How much is tried: a sample in every `cargo test`, all of it where the environment says `KINEGON_SURVEY=full` (CONTRIBUTING.md has the command).
+//! How much is tried: little in every `cargo test`, more before a change is taken, all of it in a survey (CONTRIBUTING.md has the
+//! commands). Cases are the same at every size; a larger one has more of them.
 
 use std::thread;
 
-/// `sample`, or `all` in a full survey.
-pub fn tried<T>(sample: T, all: T) -> T {
-    match std::env::var("KINEGON_SURVEY") {
-        Err(_) => sample,
-        Ok(asked) if asked == "full" => all,
-        Ok(asked) => panic!("KINEGON_SURVEY is {asked:?}; `full` asks for all that can be tried"),
+/// How much is tried.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Size {
+    /// `cargo test`: enough to fail if the code is broken.
+    Quick,
+    /// `.ci/run`: enough to see a share of failures change. The environment says `KINEGON_SURVEY=usual`.
+    Usual,
+    /// All that can be tried, for hours. The environment says `KINEGON_SURVEY=full`.
+    Full,
+}
+
+impl Size {
+    /// The size that the environment asks for.
+    pub fn asked() -> Size {
+        match std::env::var("KINEGON_SURVEY").as_deref() {
+            Err(_) => Size::Quick,
+            Ok("usual") => Size::Usual,
+            Ok("full") => Size::Full,
+            Ok(asked) => panic!("KINEGON_SURVEY is {asked:?}; `usual` and `full` ask for more than a quick try"),
+        }
+    }
+
+    /// Whether something is tried that is left out of quick runs; where it is left out stderr says so.
+    pub fn is_usual(what: &str) -> bool {
+        let is_usual = Size::asked() >= Size::Usual;
+        if !is_usual {
+            eprintln!("left out: {what}; KINEGON_SURVEY=usual has it");
+        }
+        is_usual
     }
 }
+
+/// A number of cases, or a bound that hangs on it, by size: quick, usual, full.
+pub struct By<T>(T, T, T);
+
+impl<T: Copy> By<T> {
+    /// That of the size that is asked for.
+    pub fn now(&self) -> T {
+        match Size::asked() {
+            Size::Quick => self.0,
+            Size::Usual => self.1,
+            Size::Full => self.2,
+        }
+    }
+}
+
+// How much each test tries. Of what is told in shares, as of students, the usual size is the least that shows anything.
+
+// Numbers and their errors.
+
+/// Groups for each family and parameter of `accuracy`.
+pub const HARD_GROUPS: By<usize> = By(20, 20, 1000);
+/// Mechanisms of each kind of `error_bounds`.
+pub const BOUNDED: By<u64> = By(200, 2000, 250_000);
+/// Mechanisms of `whole_errors`, each from lengths and as drawn.
+pub const WHOLE: By<u64> = By(100, 1000, 20_000);
+/// Positions of each starting scene in `whole_errors`.
+pub const WHOLE_POSITIONS: By<u32> = By(1, 2, 60);
+
+// Positions and cycles.
+
+/// Groups of each class of `planted_modes`.
+pub const PLANTED_GROUPS: By<usize> = By(100, 800, 4000);
+/// Random groups of `higher_class`.
+pub const HIGHER_CLASS: By<usize> = By(3, 6, 120);
+/// Four-bars of each kind of `cycle::four_bars`.
+pub const FOUR_BARS: By<usize> = By(5, 10, 50);
+/// Positions on the path of each of them.
+pub const FOUR_BAR_POSITIONS: By<u32> = By(100, 300, 3000);
+/// Mechanisms of each class of `cycle::branches`.
+pub const BRANCHES: By<usize> = By(20, 60, 400);
+/// The drive's step there, in turns or sizes of the mechanism.
+pub const BRANCH_STEP: By<f64> = By(1.0 / 360.0, 1.0 / 360.0, 0.5 / 360.0);
+/// Positions of each drive in `editing::driven`.
+pub const DRIVEN_POSITIONS: By<u32> = By(8, 24, 72);
+/// Scenes of each of the `properties`; PROPTEST_CASES asks for another number.
+pub const PROPERTIES: By<u32> = By(12, 48, 256);
+/// Pictures of each animation in `hall`.
+pub const HALL: By<usize> = By(18, 18, 36);
+
+// Students.
+
+/// Exercises of each kind that are drawn rightly.
+pub const RIGHT_EXERCISES: By<usize> = By(1, 1, 12);
+/// Exercises of each kind in which mistakes are made.
+pub const WRONG_EXERCISES: By<usize> = By(1, 1, 4);
+/// Sheets with mistakes, and honest ones.
+pub const SHEETS: By<usize> = By(30, 30, 1500);
+/// Drawings of each mistake of `planted_mistakes`.
+pub const PLANTED_MISTAKES: By<usize> = By(1, 1, 40);
+/// Drawings without a mistake there.
+pub const CLEAN: By<usize> = By(20, 20, 400);
+/// Of each published set every number, or this many.
+pub const PUBLISHED_NUMBERS: By<usize> = By(1, 2, usize::MAX);
+/// Of the changes of a published number every so many-th.
+pub const PUBLISHED_CHANGES: By<usize> = By(3, 3, 1);
+/// Sets with a wrong number, at least.
+pub const PUBLISHED_TRIES: By<usize> = By(15, 30, 500);
+/// Keys of each kind of exercise that must not be cut.
+pub const KEYS: By<u64> = By(1, 2, 16);
+
+// Photographs.
+
+/// Sheets of each kind, and pixels of the longer edge.
+pub const PLACES: By<(u64, usize)> = By((1, 1600), (1, 1600), (130, 4032));
+/// The share of places that lie within their bands.
+pub const WITHIN_BANDS: By<f64> = By(0.9, 0.9, 0.95);
+/// Uneven and blurred sheets.
+pub const UNEVEN: By<(u64, usize)> = By((4, 1200), (4, 1200), (100, 2400));
+/// Pictures of other things.
+pub const OTHER_THINGS: By<u64> = By(3, 3, 200);
+/// Pictures of any pixels.
+pub const ANY_PIXELS: By<u64> = By(30, 30, 3000);
+/// Drawings of which points are proposed.
+pub const PROPOSED: By<(u64, usize)> = By((4, 1600), (4, 1600), (300, 2400));
+/// The share of points that may be proposed elsewhere.
+pub const WRONGLY_PROPOSED: By<f64> = By(0.03, 0.03, 0.01);
+/// By how much fewer sheets with a mistake are told of all than from the typed form.
+pub const TAPPED_LESS: By<f64> = By(0.2, 0.2, 0.05);
+/// Photographs with broken bytes.
+pub const BROKEN_BYTES: By<usize> = By(6, 6, 400);
+
+// The page.
+
+/// Series of random gestures.
+pub const GESTURES: By<u64> = By(1, 1, 20);
 
 /// Cases by number on all cores: what each core has seen, in no order that means anything.
 pub fn on_all_cores<T: Default + Send>(count: u64, case: impl Fn(u64, &mut T) + Sync) -> Vec<T> {

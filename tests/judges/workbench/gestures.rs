@@ -3,7 +3,7 @@
 use super::bench::Bench;
 use serde_json::json;
 use support::files;
-use support::survey::tried;
+use support::survey::GESTURES;
 
 /// Numbers by lot, always the same.
 struct Lot(u64);
@@ -80,7 +80,7 @@ fn any_way_leads_back() {
     let start = files::read("templates/four-bar.json");
     let Some(mut bench) = Bench::of("walk", &start) else { return };
     let first = bench.marks();
-    for seed in 1..=tried(1, 20) {
+    for seed in 1..=GESTURES.now() {
         let mut lot = Lot(seed);
         let mut done = Vec::new();
         for _ in 0..12 {

@@ -10,11 +10,11 @@ use kinegon::scene::Near;
 use support::exact::exceeds;
 use support::planted::{Planted, pattern};
 use support::random::Random;
-use support::survey::tried;
+use support::survey::{BRANCH_STEP, BRANCHES};
 
 /// Mechanisms of each class.
 fn enough() -> usize {
-    tried(60, 400)
+    BRANCHES.now()
 }
 
 /// The largest condition number of a planted position.
@@ -22,7 +22,7 @@ const CONDITION: f64 = 1e3;
 
 /// The drive's step in turns, or sizes of the mechanism.
 fn step() -> f64 {
-    tried(1.0, 0.5) / 360.0
+    BRANCH_STEP.now()
 }
 
 /// The nearest mode counts as the next position where the next but one is this many times as far.

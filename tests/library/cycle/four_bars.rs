@@ -6,16 +6,16 @@ use kinegon::cycle::Happening;
 use kinegon::quantity::State;
 use support::exact::Exact;
 use support::random::Random;
-use support::survey::tried;
+use support::survey::{FOUR_BAR_POSITIONS, FOUR_BARS};
 
 /// Four-bars of each kind.
 fn bars() -> usize {
-    tried(10, 50)
+    FOUR_BARS.now()
 }
 
 /// Positions on a path that are compared.
 fn positions() -> u32 {
-    tried(300, 3000)
+    FOUR_BAR_POSITIONS.now()
 }
 
 /// The largest error of a position in units of rounding over the sine of the transmission angle; the worst seen is 4.3.

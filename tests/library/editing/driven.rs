@@ -3,7 +3,7 @@ use kinegon::cycle::{Drive, Path};
 use kinegon::editing::{with_mode, with_position};
 use kinegon::position::{Pose, counted_poses};
 use kinegon::scene::GivenBy;
-use support::survey::tried;
+use support::survey::DRIVEN_POSITIONS;
 
 /// The largest distance of a point in two positions, in parts of the size.
 fn distance(one: &Pose, other: &Pose) -> f64 {
@@ -46,7 +46,7 @@ fn a_drive_put_into_the_text_stays_on_its_branch() {
             let Ok(mut path) = Path::new(&mechanism, &pose, of_path) else { continue };
             let Ok([from, to]) = path.cover(None, None) else { continue };
             let mut walker = path.walker();
-            let steps = tried(24, 72);
+            let steps = DRIVEN_POSITIONS.now();
             for step in 0..steps {
                 let value = from + (to - from) * (f64::from(step) + 0.37) / f64::from(steps);
                 let Some(now) = walker.position(value).map(|position| position.pose()) else { continue };

@@ -19,7 +19,7 @@ use support::groups::Names;
 use support::images::dissimilarity;
 use support::later;
 use support::stages::solved;
-use support::survey::tried;
+use support::survey::PROPERTIES;
 
 /// Positions that are less certain than this are left to the tests that know how uncertain.
 const HARDEST: f64 = 1e3;
@@ -32,7 +32,7 @@ fn config() -> ProptestConfig {
         rng_algorithm: RngAlgorithm::ChaCha,
         rng_seed: RngSeed::Fixed(60),
         failure_persistence: None,
-        ..ProptestConfig::with_cases(tried(48, 256))
+        ..ProptestConfig::with_cases(PROPERTIES.now())
     }
 }
 
