@@ -1,6 +1,7 @@
 //! Draws every starting scene of `kinegon new` and every kind of picture, and writes docs/gallery.md with the pictures in docs/gallery.
 //! Run with `cargo run --release --example gallery`.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, LATITUDE, Measured, check, redrawn};
 use kinegon::construction::Tolerance;
@@ -9,8 +10,8 @@ use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{
-    DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, PanelName, ScalesFor, Scene,
-    StyleName, ValuesShown,
+    DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor, Scene, StyleName,
+    ValuesShown,
 };
 use std::error::Error;
 use std::fmt::Write;
@@ -151,7 +152,7 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
         "draw scene.json --style lecture --page 16x9 --focus velocity",
         "One large plan at a time, with the scheme beside it.",
         Kind::Figure(|figure| {
-            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(Sheet::Velocity));
         }),
     ),
     (
@@ -160,7 +161,7 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
         "draw scene.json --style lecture --page 16x9 --focus velocity --steps coarse",
         "A coarse step: both rays and their crossing on one sheet.",
         Kind::Passage(2, |figure| {
-            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(PanelName::Velocity));
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(Sheet::Velocity));
         }),
     ),
     (

@@ -1,10 +1,10 @@
 use crate::Error;
 use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
-use crate::motion::Order;
 use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
 use crate::quantity::is_acceleration;
-use crate::scene::{PanelName, Scene, SizeLimit};
+use crate::scene::{Scene, SizeLimit};
+use crate::sheet::Sheet;
 
 /// Solves a scene: position, velocities, accelerations and both plans.
 ///
@@ -20,7 +20,7 @@ use crate::scene::{PanelName, Scene, SizeLimit};
 /// It is no mechanism, cannot be assembled, or is in a singular position.
 pub fn solve(scene: &Scene) -> Result<Solution, Error> {
     let (mechanism, pose) = posed(scene, SizeLimit::NUMBERS, None)?;
-    Ok(Solution::new(scene.clone(), mechanism, pose, Order::Acceleration)?)
+    Ok(Solution::new(scene.clone(), mechanism, pose, Sheet::Acceleration)?)
 }
 
 /// The mechanism of a scene in its position: in the assembly mode of that number, else in the one that `near` picks.
@@ -39,15 +39,15 @@ pub fn posed(scene: &Scene, limit: SizeLimit, mode: Option<usize>) -> Result<(Me
 
 /// The order of the motion that a scene's result needs: accelerations unless `want` names only quantities without them.
 #[must_use]
-pub fn order_of_result(scene: &Scene) -> Order {
+pub fn order_of_result(scene: &Scene) -> Sheet {
     match &scene.want {
-        Some(want) if !want.iter().any(|name| is_acceleration(name)) => Order::Velocity,
-        _ => Order::Acceleration,
+        Some(want) if !want.iter().any(|name| is_acceleration(name)) => Sheet::Velocity,
+        _ => Sheet::Acceleration,
     }
 }
 
 /// The order of the motion that a scene's figure needs: accelerations only if it shows them.
 #[must_use]
-pub fn order_of_figure(scene: &Scene) -> Order {
-    if scene.figure.shown_panels().contains(&PanelName::Acceleration) { Order::Acceleration } else { Order::Velocity }
+pub fn order_of_figure(scene: &Scene) -> Sheet {
+    if scene.figure.shown_panels().contains(&Sheet::Acceleration) { Sheet::Acceleration } else { Sheet::Velocity }
 }

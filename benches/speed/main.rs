@@ -4,12 +4,13 @@ mod by_hand;
 
 use by_hand::ByHand;
 use divan::{Bencher, black_box};
+use kinegon::Sheet;
 use kinegon::check::{AnswerKey, LATITUDE, Measured, check};
 use kinegon::construction::{Extent, SheetScales, Tolerance, construct};
 use kinegon::cycle::{Drive, Mover, Path, Steps, Sweep, Walker};
 use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::Mechanism;
-use kinegon::motion::{Order, motion};
+use kinegon::motion::motion;
 use kinegon::position::{Pose, pose};
 use kinegon::quantity::{Asked, pencil, read_by_hand, readable_names};
 use kinegon::scene::Scene;
@@ -192,7 +193,7 @@ fn position(bencher: Bencher) {
 #[divan::bench]
 fn motion_with_bounds(bencher: Bencher) {
     let Solution { mechanism, pose, .. } = solved(FIGURE_2);
-    bencher.bench(|| motion(&mechanism, black_box(&pose), Order::Acceleration));
+    bencher.bench(|| motion(&mechanism, black_box(&pose), Sheet::Acceleration));
 }
 
 #[divan::bench]

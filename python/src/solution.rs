@@ -6,14 +6,14 @@ use crate::sheet::Form;
 use crate::sweep::{Extremes, extremes_of, table_of};
 use crate::table::Table;
 use crate::wanted::Wanted;
+use kinegon::Sheet;
 use kinegon::accuracy::bounds;
-use kinegon::construction::{Action, NumberedStep, PlanKind, Teller, Tolerance, shown_text};
+use kinegon::construction::{Action, NumberedStep, Teller, Tolerance, shown_text};
 use kinegon::cycle::Traces;
 use kinegon::drawing::{Drawing, Style};
 use kinegon::editing::with_mode;
 use kinegon::format::{OpenScene, json_line, workbench};
 use kinegon::mechanism::Mechanism;
-use kinegon::motion::Order;
 use kinegon::position::Pose;
 use kinegon::quantity::{Asked, Quantity, step_pencil};
 use kinegon::scene::SizeLimit;
@@ -48,8 +48,8 @@ impl Solution {
     }
 
     /// The scene solved for this order of motion.
-    pub fn solved(&self, order: Order) -> Result<&kinegon::Solution, Refused> {
-        let kept = &self.solved[usize::from(order == Order::Acceleration)];
+    pub fn solved(&self, order: Sheet) -> Result<&kinegon::Solution, Refused> {
+        let kept = &self.solved[usize::from(order == Sheet::Acceleration)];
         if let Some(solution) = kept.get() {
             return Ok(solution);
         }
@@ -62,7 +62,7 @@ impl Solution {
     /// Solved for what is drawn by hand.
     pub fn by_hand(&self) -> Result<&kinegon::Solution, Refused> {
         self.allow(SizeLimit::HAND)?;
-        self.solved(Order::Acceleration)
+        self.solved(Sheet::Acceleration)
     }
 
     fn allow(&self, limit: SizeLimit) -> Result<(), Refused> {
@@ -70,7 +70,7 @@ impl Solution {
     }
 
     fn value(&self, name: &str) -> Result<ValueOf, Refused> {
-        let solution = self.solved(Order::Acceleration)?;
+        let solution = self.solved(Sheet::Acceleration)?;
         let asked = Asked::new(name, &solution.mechanism)?;
         let scales = asked.is_on_paper().then(|| solution.scales());
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref())?;
@@ -142,7 +142,7 @@ fn steps(solution: &kinegon::Solution) -> Vec<Value> {
     let teller = Teller::new(solution, &words);
     let equation = |step: &NumberedStep<'_>| match &step.step.action {
         Action::Solve { equations, .. } => {
-            let kind = step.plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+            let kind = step.plan.map_or(Sheet::Velocity, |plan| plan.kind);
             let told: Vec<String> = equations.iter().map(|equation| teller.equation(kind, equation)).collect();
             told.join("; ")
         }
@@ -153,7 +153,7 @@ fn steps(solution: &kinegon::Solution) -> Vec<Value> {
             "number": step.number,
             "caption": shown_text(&teller.caption(&step), step.plan, &words),
             "equation": shown_text(&equation(&step), step.plan, &words),
-            "panel": step.sheet().panel().as_str(),
+            "panel": step.sheet().as_str(),
         })
     };
     solution.construction.numbered_steps().map(step).collect()

@@ -2,9 +2,10 @@ use super::enclosure::Enclosure;
 use crate::construction::Special;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::motion::{Motion, Order};
+use crate::motion::Motion;
 use crate::position::Pose;
 use crate::scene::Scene;
+use crate::sheet::Sheet;
 
 /// Bounds of the whole error of every number of a pose and its motion, in the scene's units, angles in degrees: of
 /// places, rates, velocities and accelerations. Infinite where none can be given.
@@ -131,7 +132,7 @@ impl Bounds<'_> {
     /// Whether accelerations have been computed.
     #[must_use]
     pub fn has_accelerations(&self) -> bool {
-        self.motion.order == Order::Acceleration
+        self.motion.order == Sheet::Acceleration
     }
 }
 

@@ -3,9 +3,10 @@ use super::placed::{Placed, relative};
 use crate::construction::{Course, CutLine, Special};
 use crate::geometry::{self, Ball, Pair, Point};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::motion::{Order, Places, State, bounded_motion};
+use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
 use crate::scene::Scene;
+use crate::sheet::Sheet;
 
 /// The true position and motion of a scene's mechanism near a pose, each number with a bound of its error.
 ///
@@ -28,7 +29,7 @@ impl Enclosure {
     /// singular one, or numbers leave the range of f64. In a chain bounds about double from group to group: they do not
     /// know that errors with one cause cancel. `None` where a drive has no position.
     #[must_use]
-    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order) -> Option<Enclosure> {
+    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Option<Enclosure> {
         let placed = Placed::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
         let points = relative(&placed.points);
         let guides: Vec<geometry::Vector> = placed.guides.iter().map(|guide| guide.rounded()).collect();

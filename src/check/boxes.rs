@@ -5,9 +5,10 @@ use super::entry::{Names, Reader};
 use super::sheet::Measured;
 use super::shown::ShownNames;
 use super::template::FormNames;
-use crate::construction::{Plan, Sheet, Solution};
+use crate::construction::{Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
 use crate::quantity::{Asked, What};
+use crate::sheet::Sheet;
 use indexmap::IndexSet;
 
 /// A box for a value.

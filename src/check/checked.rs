@@ -11,7 +11,8 @@ use super::search::{Search, hand};
 use super::sheet::{CheckError, Measured};
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
-use crate::construction::{PlanKind, Tolerance};
+use crate::construction::Tolerance;
+use crate::sheet::Sheet;
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
@@ -24,7 +25,7 @@ pub struct Checked {
     /// How accurate the drawing is, as the scatter of its values shows; `None` where too few are drawn.
     pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
-    pub mirrored: Vec<PlanKind>,
+    pub mirrored: Vec<Sheet>,
 }
 
 impl Checked {
@@ -184,7 +185,7 @@ fn with_usual_points(measured: &Measured, key: &AnswerKey<'_>) -> Measured {
     let shown = ShownNames::of(key.solution);
     let mut measured = measured.clone();
     for points in &mut measured.points {
-        let sheet = points.kind.sheet();
+        let sheet = points.kind;
         points.places = points.places.iter().map(|(name, at)| (shown.usual_point(sheet, name), *at)).collect();
         points.bands = points.bands.iter().map(|(name, band)| (shown.usual_point(sheet, name), *band)).collect();
     }

@@ -1,7 +1,6 @@
 //! Values as they are compared with predictions, and what an unlikely one costs.
 
-use crate::construction::Sheet;
-
+use crate::sheet::Sheet;
 /// A value of the form as it is compared with a prediction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Datum {

@@ -4,8 +4,9 @@ use super::sheet::{CheckError, Given, Measured, Positive};
 use super::shown::ShownNames;
 use super::template::{FormNames, UNDER_SLIDER};
 use super::unit;
-use crate::construction::{Sheet, image_name};
+use crate::construction::image_name;
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
+use crate::sheet::Sheet;
 use crate::text;
 use indexmap::IndexMap;
 

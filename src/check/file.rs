@@ -2,8 +2,8 @@
 
 use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
 use super::table::with_point;
-use crate::construction::PlanKind;
 use crate::scene::{FileKind, SceneError, read_as};
+use crate::sheet::Sheet;
 use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
 use serde::de::{Error, MapAccess, Visitor};
@@ -149,7 +149,7 @@ impl Measured {
             unit: value.unit,
             name,
         });
-        let kinds = [PlanKind::Velocity, PlanKind::Acceleration];
+        let kinds = [Sheet::Velocity, Sheet::Acceleration];
         let points = file.points.map(|p| [p.velocity, p.acceleration]);
         let points = kinds.into_iter().zip(points.into_iter().flatten());
         Ok(Measured {

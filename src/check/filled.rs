@@ -5,7 +5,6 @@ use super::entry::{Names, Reader};
 use super::sheet::{Given, Measured, PointsOf, Positive};
 use super::shown::ShownNames;
 use super::template::quoted;
-use crate::construction::PlanKind;
 use crate::text::{Untrusted, cell};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -63,7 +62,7 @@ impl<'a> FilledForm<'a> {
     pub fn json(&self) -> String {
         let measured = self.measured;
         let [mu_l, mu_v, mu_a] = measured.mu;
-        let points = measured.points.iter().map(|plan| (plan_name(plan.kind), places(plan).collect()));
+        let points = measured.points.iter().map(|plan| (plan.kind.as_str(), places(plan).collect()));
         crate::format::json(&FilledFile {
             kinegon_measured: 1,
             name: measured.name.clone().unwrap_or_default(),
@@ -98,7 +97,7 @@ impl<'a> FilledForm<'a> {
         for plan in &measured.points {
             let written = |place: Vec<f64>| place.iter().map(|x| format!(",{x}")).collect::<String>();
             let line =
-                |(name, place)| format!("{}{}", quoted(&format!("{}:{name}", plan_name(plan.kind))), written(place));
+                |(name, place)| format!("{}{}", quoted(&format!("{}:{name}", plan.kind.as_str())), written(place));
             lines.extend(places(plan).map(line));
         }
         lines.join("\n") + "\n"
@@ -148,11 +147,4 @@ fn places(points: &PointsOf) -> impl Iterator<Item = (&str, Vec<f64>)> {
         let band = points.bands.get(name);
         (name.as_str(), at.iter().chain(band).copied().collect())
     })
-}
-
-fn plan_name(kind: PlanKind) -> &'static str {
-    match kind {
-        PlanKind::Velocity => "velocity",
-        PlanKind::Acceleration => "acceleration",
-    }
 }

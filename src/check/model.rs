@@ -6,10 +6,11 @@ use super::sheet::CheckError;
 use super::together::ways_together;
 use crate::construction::{
     Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, PlaceId, Product, Reference,
-    Sheet, SheetScales, Solution, Tolerance, Values,
+    SheetScales, Solution, Tolerance, Values,
 };
 use crate::mechanism::Mechanism;
 use crate::quantity::{Asked, Band, Reading, Unread, read_by_hand};
+use crate::sheet::Sheet;
 use smallvec::SmallVec;
 
 /// Number of kinds of errors; a hand has a size for each. The kinds: joints plotted, the rest of the scheme, the

@@ -1,9 +1,8 @@
 //! The plans of a student's photographed sheets: what is tapped on them, and how points stand there.
 
-use crate::construction::PlanKind;
 use crate::geometry::Point;
 use crate::photo::{PhotoSheet, Stroke, crossing};
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 
 /// Radius that holds a place at which a hand has aimed with 95 %, in mm.
 const AIMED: f64 = 0.5;
@@ -12,7 +11,7 @@ const AIMED: f64 = 0.5;
 #[derive(Clone, Copy)]
 pub struct PencilledPlan<'a> {
     /// Which plan.
-    pub kind: PlanKind,
+    pub kind: Sheet,
     /// Its scale, in units of the scene per millimetre.
     pub mu: f64,
     /// The place of its pole on the sheet, in mm, y down.
@@ -70,14 +69,8 @@ impl PointVerdict {
 impl<'a> PencilledPlan<'a> {
     /// The plans that a photographed sheet says are on it.
     pub fn on(sheet: &'a PhotoSheet, strokes: &'a [Stroke]) -> impl Iterator<Item = PencilledPlan<'a>> {
-        sheet.code.panels.iter().filter_map(move |panel| {
-            let kind = match panel.panel {
-                PanelName::Scheme => return None,
-                PanelName::Velocity => PlanKind::Velocity,
-                PanelName::Acceleration => PlanKind::Acceleration,
-            };
-            Some(PencilledPlan { kind, mu: panel.mu, pole: panel.origin, strokes, sheet })
-        })
+        let plans = sheet.code.panels.iter().filter(|panel| panel.panel.is_plan());
+        plans.map(move |plan| PencilledPlan { kind: plan.panel, mu: plan.mu, pole: plan.origin, strokes, sheet })
     }
 
     /// A place on the sheet from the pole, in mm, y up.

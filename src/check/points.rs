@@ -3,8 +3,9 @@
 use super::entry::{Entry, Reader};
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
-use crate::construction::{Plan, PlanKind};
+use crate::construction::Plan;
 use crate::geometry::Vector;
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
 impl Reader<'_> {
@@ -12,7 +13,7 @@ impl Reader<'_> {
     /// name. A distance that is written already keeps its value.
     pub fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
         for points in &self.measured.points {
-            let sheet = points.kind.sheet();
+            let sheet = points.kind;
             let what = points.kind.segment_name("", "");
             let at = |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
             let Some(mu) = self.measured.mu[sheet as usize] else {
@@ -70,7 +71,7 @@ impl Reader<'_> {
     }
 
     /// The segments between given places: from the pole to each point, and those between points that a step names.
-    fn pairs<'p>(&self, plan: PlanKind, places: &'p IndexMap<String, [f64; 2]>) -> Vec<(&'p str, &'p str)> {
+    fn pairs<'p>(&self, plan: Sheet, places: &'p IndexMap<String, [f64; 2]>) -> Vec<(&'p str, &'p str)> {
         let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
         let from_pole = points().map(|name| (plan.pole(), name));
         let between = points().flat_map(|a| points().map(move |b| (a, b)));

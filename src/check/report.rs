@@ -7,7 +7,7 @@ use super::mistakes::{Candidate, Mistake};
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Teller;
-use crate::construction::{PlanKind, shown_text};
+use crate::construction::shown_text;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 
 /// The report for the student: verdicts in the order of the construction, then the mistakes that were probably made.
@@ -245,13 +245,7 @@ impl ReportText<'_> {
     /// The sentences about mirrored plans.
     pub(super) fn mirrored(&self) -> impl Iterator<Item = String> {
         let language = self.words.language;
-        self.checked.mirrored.iter().map(|kind| {
-            let plan = match kind {
-                PlanKind::Velocity => language.velocity_plan(),
-                PlanKind::Acceleration => language.acceleration_plan(),
-            };
-            self.own.check_mirrored(&plan.to_lowercase())
-        })
+        self.checked.mirrored.iter().map(|plan| self.own.check_mirrored(&language.sheet(*plan).to_lowercase()))
     }
 
     /// The sentence about the unexplained values, if there are any.

@@ -6,7 +6,6 @@ use super::explanation::{Explanation, Finding};
 use super::marks::Awarded;
 use super::report::sentences;
 use super::verdict::Verdict;
-use crate::construction::PlanKind;
 use crate::text::Untrusted;
 use crate::words::Wording;
 use schemars::JsonSchema;
@@ -165,10 +164,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
         probability: explanation.probability,
         indistinguishable: explanation.is_alike,
     };
-    let mirrored = checked.mirrored.iter().map(|kind| match kind {
-        PlanKind::Velocity => "velocity",
-        PlanKind::Acceleration => "acceleration",
-    });
+    let mirrored = checked.mirrored.iter().map(|plan| plan.as_str());
     let diagnosis = &checked.diagnosis;
     CheckResult {
         kinegon_check: 1,

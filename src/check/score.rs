@@ -14,8 +14,9 @@ use super::hand::Hand;
 use super::mistakes::{Candidate, Free};
 use super::model::{Changes, Edit, GROUPS, Model, TOGETHER};
 use super::walk::{Compared, Metric};
-use crate::construction::{Change, Disturbance, Sheet, Tolerance};
+use crate::construction::{Change, Disturbance, Tolerance};
 use crate::quantity::{Kind, Sense};
+use crate::sheet::Sheet;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 

@@ -1,5 +1,5 @@
-use crate::construction::PlanKind;
 use crate::scene::Figure;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 
@@ -52,7 +52,7 @@ pub struct Given {
 #[derive(Clone, Debug)]
 pub struct PointsOf {
     /// Which plan.
-    pub kind: PlanKind,
+    pub kind: Sheet,
     /// The places by the points' names, the pole's among them.
     pub places: IndexMap<String, [f64; 2]>,
     /// Radii round places within which the points are with 95 %, in mm: of places read from a photograph. A place without
@@ -66,7 +66,7 @@ pub(super) const WIDEST: f64 = 100.0;
 impl PointsOf {
     /// A plan without places.
     #[must_use]
-    pub fn new(kind: PlanKind) -> PointsOf {
+    pub fn new(kind: Sheet) -> PointsOf {
         PointsOf { kind, places: IndexMap::new(), bands: IndexMap::new() }
     }
 

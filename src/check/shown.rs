@@ -4,8 +4,9 @@
 //! form may have either name, and the usual ones of poles in all notations.
 
 use super::template::FormNames;
-use crate::construction::{Plan, Sheet, Solution};
+use crate::construction::{Plan, Solution};
 use crate::quantity::{Asked, Spot, What};
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::{Notation, Wording, with_prime};
 
@@ -58,7 +59,7 @@ impl<'a> ShownNames<'a> {
             format!("{from} {to}")
         };
         match asked.what() {
-            What::Segment { kind, from, to, .. } => between(kind.sheet(), from, to),
+            What::Segment { kind, from, to, .. } => between(*kind, from, to),
             What::Length(Spot::Point(..) | Spot::Special(_), _) => {
                 let Some(Parts { ends, .. }) = Parts::of(asked.name()) else { return asked.name().to_owned() };
                 between(Sheet::Scheme, ends.first().unwrap_or(&""), ends.get(1).unwrap_or(&""))
@@ -140,13 +141,13 @@ impl<'a> ShownNames<'a> {
 
     /// The plan point with that name in some other notation.
     fn other_notation(&self, plan: &Plan, name: &str) -> Option<String> {
-        let is_pole = |notation: &&Notation| plain(plan.kind.pole_in(notation)).replace('′', "'") == name;
-        if Notation::ALL.iter().any(is_pole) || (plan.kind.sheet() == Sheet::Acceleration && name == "pi") {
+        let is_pole = |notation: &&Notation| plain(notation.pole(plan.kind)).replace('′', "'") == name;
+        if Notation::ALL.iter().any(is_pole) || (plan.kind == Sheet::Acceleration && name == "pi") {
             return Some(plan.kind.pole().to_owned());
         }
         // Images in an acceleration plan may bear a prime.
         let primed = plan.points.keys().find(|point| with_prime(point).replace('′', "'") == name);
-        primed.filter(|_| plan.kind.sheet() == Sheet::Acceleration).cloned()
+        primed.filter(|_| plan.kind == Sheet::Acceleration).cloned()
     }
 
     /// A point as a sheet shows it, without markup; `None` where its label has been taken away or is no plain name.

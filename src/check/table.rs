@@ -1,7 +1,7 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
 use super::sheet::{CheckError, Given, Measured, PointsOf, Positive, WIDEST};
-use crate::construction::PlanKind;
+use crate::sheet::Sheet;
 use crate::text::shown;
 
 impl Measured {
@@ -60,7 +60,7 @@ impl Measured {
     }
 
     /// Adds the place of a plan point on paper, in millimetres, with its radius.
-    fn add_place(&mut self, kind: PlanKind, point: &str, at: [f64; 2], band: Option<f64>) {
+    fn add_place(&mut self, kind: Sheet, point: &str, at: [f64; 2], band: Option<f64>) {
         let plan = self.points.iter().position(|p| p.kind == kind).unwrap_or_else(|| {
             self.points.push(PointsOf::new(kind));
             self.points.len() - 1
@@ -112,14 +112,10 @@ impl Measured {
 }
 
 /// The plan and the point that the name of a place means, as `velocity:b`; `None` for other names.
-fn plan_point(name: &str) -> Option<(PlanKind, &str)> {
+fn plan_point(name: &str) -> Option<(Sheet, &str)> {
     let (plan, point) = name.split_once(':')?;
-    let kind = match plan.trim() {
-        "velocity" => PlanKind::Velocity,
-        "acceleration" => PlanKind::Acceleration,
-        _ => return None,
-    };
-    Some((kind, point.trim()))
+    let plan = Sheet::from_word(plan.trim()).filter(|sheet| sheet.is_plan())?;
+    Some((plan, point.trim()))
 }
 
 /// What separates the cells of a table: what its first line with text has, a semicolon, a tab, or else a comma.

@@ -1,8 +1,9 @@
 //! Empty forms: every quantity of the steps, in the order of the construction.
 
 use super::shown::ShownNames;
-use crate::construction::{Construction, PlaceId, Sheet, Solution};
+use crate::construction::{Construction, PlaceId, Solution};
 use crate::quantity::Scales;
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use serde::Serialize;
 

@@ -16,8 +16,8 @@ use crate::check::{
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
-use crate::motion::Order;
 use crate::scene::{Figure, SizeLimit};
+use crate::sheet::Sheet;
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::collections::BTreeSet;
@@ -131,7 +131,7 @@ impl Check {
 
     pub(super) fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
+        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Sheet::Acceleration)
     }
 
     /// Refuses `-o` for one form.

@@ -12,7 +12,8 @@ use crate::drawing::Drawing;
 use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
 use crate::order_of_figure;
-use crate::scene::{Figure, LengthUnit, PanelName, Scene, SizeLimit, StyleName, ValuesShown};
+use crate::scene::{Figure, LengthUnit, Scene, SizeLimit, StyleName, ValuesShown};
+use crate::sheet::Sheet;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -89,8 +90,8 @@ pub(super) struct Draw {
     #[arg(long, value_name = "UNIT", num_args = 0..=1, require_equals = true, default_missing_value = "own", value_parser = values())]
     values: Option<ValuesShown>,
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
-    #[arg(long, value_name = "PANEL", value_parser = one_of(PanelName::ALL, PanelName::as_str))]
-    focus: Option<PanelName>,
+    #[arg(long, value_name = "PANEL", value_parser = one_of(Sheet::ALL, Sheet::as_str))]
+    focus: Option<Sheet>,
     // A page was once a film of so many positions of one drive; it now moves all drives to any position.
     #[arg(long, value_name = "N", hide = true)]
     positions: Option<String>,
@@ -349,8 +350,7 @@ fn note_limits(traces: &Traces, figure: &Figure) {
 fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
     let construction = &solution.construction;
     let panels = solution.scene.figure.shown_panels();
-    let is_shown =
-        |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet().panel());
+    let is_shown = |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet());
     match steps {
         Some(Steps::Coarse) => {
             let passages = construction.passages();

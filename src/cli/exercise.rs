@@ -9,8 +9,8 @@ use super::work::solve;
 use crate::drawing::Drawing;
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
-use crate::motion::Order;
 use crate::scene::{Figure, Kind, SizeLimit};
+use crate::sheet::Sheet;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -75,7 +75,7 @@ impl ExerciseCommand {
             self.markers.put_into(figure);
             style.put_into(figure);
         };
-        let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
+        let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Sheet::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let failed = |error: ExerciseError| failed(&source.name, &error);
         let page = self.paper.is_given().then_some(figure.page);

@@ -101,12 +101,7 @@ impl PhotoResult {
         for (index, (photo, plan)) in all.iter().enumerate() {
             if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.kind == plan.kind) {
                 return Err(Failure::Misuse(
-                    format!(
-                        "{} and {} both show the {}",
-                        other.path.display(),
-                        photo.path.display(),
-                        plan.kind.sheet().name()
-                    ),
+                    format!("{} and {} both show the {}", other.path.display(), photo.path.display(), plan.kind.name()),
                     Some("give one photograph of each sheet".into()),
                 ));
             }
@@ -210,7 +205,7 @@ fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
     own.filter_map(|point| {
         let found = point.found?;
         Some(SeenPoint {
-            panel: plan.kind.sheet().panel(),
+            panel: plan.kind,
             name: point.name.clone(),
             at: plan.on_sheet(found.at),
             band: found.band,

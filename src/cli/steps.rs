@@ -4,9 +4,9 @@ use super::paper::{GivenScales, Paper};
 use super::pencil::Hand;
 use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
-use crate::motion::Order;
 use crate::quantity::step_pencil;
 use crate::scene::{Figure, SizeLimit};
+use crate::sheet::Sheet;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -43,7 +43,7 @@ impl Steps {
             self.paper.put_into(figure);
             self.scales.put_into(figure);
         };
-        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Order::Acceleration)?;
+        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Sheet::Acceleration)?;
         let pencil = step_pencil(&solution, self.hand.tolerance()).map_err(|error| source.fail(error))?;
         let text = solution.steps(&pencil);
         show_warnings(&solution);

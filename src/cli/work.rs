@@ -2,10 +2,10 @@ use super::files::{self, Source};
 use super::message::{Failure, warn};
 use crate::construction::Solution;
 use crate::mechanism::Mechanism;
-use crate::motion::Order;
 use crate::posed;
 use crate::position::Pose;
 use crate::scene::{Figure, Scene, SizeLimit};
+use crate::sheet::Sheet;
 use clap::Args;
 use std::path::Path;
 
@@ -32,7 +32,7 @@ pub(super) fn solve(
     most: SizeLimit,
     mode: Option<usize>,
     override_figure: impl Fn(&mut Figure),
-    order: impl Fn(&Scene) -> Order,
+    order: impl Fn(&Scene) -> Sheet,
 ) -> Result<Solution, Failure> {
     let stages = || -> Result<Solution, crate::Error> {
         let (mut scene, mechanism, pose) = read(source, most, mode)?;

@@ -3,11 +3,12 @@
 
 use super::images::LaidOff;
 use super::name::{coriolis_name, point_on, slide_name};
-use super::operation::{Along, NumberKind, PlaceId, Product, ProductKind, Rate, Sheet};
+use super::operation::{Along, NumberKind, PlaceId, Product, ProductKind, Rate};
 use super::step::{Action, Added, Arrow, PointRole, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, DrivenSlide, JointId, PointId, Role, SliderId};
+use crate::sheet::Sheet;
 
 /// The joint by which the motion of a body follows from that of a neighbour.
 #[derive(Clone, Copy, Debug)]

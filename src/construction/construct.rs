@@ -1,13 +1,14 @@
 use super::agreement::Agreement;
 use super::cut::{Special, SpecialId};
-use super::operation::{End, NumberId, NumberKind, Operation, PlaceId, Sheet, StepId};
+use super::operation::{End, NumberId, NumberKind, Operation, PlaceId, StepId};
 use super::run::{Disturbance, SheetScales, Values};
-use super::step::{Action, Plan, PlanKind, Step};
+use super::step::{Action, Plan, Step};
 use super::writer::Writer;
 use crate::geometry::Point;
 use crate::mechanism::Mechanism;
-use crate::motion::{Motion, Order};
+use crate::motion::Motion;
 use crate::position::Pose;
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
 /// Everything that is drawn for a mechanism: the special points, the plans step by step, and the manual operations
@@ -96,15 +97,15 @@ pub(crate) fn construction_writer<'a>(
 }
 
 impl Construction {
-    pub(super) fn empty(mechanism: &Mechanism, order: Order, origin: Point, extent: Extent) -> Self {
+    pub(super) fn empty(mechanism: &Mechanism, order: Sheet, origin: Point, extent: Extent) -> Self {
         let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new(), largest: 0.0 };
         Self {
             extent,
             special: Vec::new(),
             agreement: Vec::new(),
             scheme: Vec::new(),
-            velocity: plan(PlanKind::Velocity),
-            acceleration: (order == Order::Acceleration).then(|| plan(PlanKind::Acceleration)),
+            velocity: plan(Sheet::Velocity),
+            acceleration: (order == Sheet::Acceleration).then(|| plan(Sheet::Acceleration)),
             operations: Vec::new(),
             origin,
             numbers: Vec::new(),
@@ -150,7 +151,7 @@ impl Construction {
         for plan in self.plans() {
             for (index, step) in plan.steps.iter().enumerate() {
                 if let Some(name) = step.action.image() {
-                    made_by.entry((plan.kind.sheet(), name.to_owned())).or_insert(index);
+                    made_by.entry((plan.kind, name.to_owned())).or_insert(index);
                 }
             }
         }
@@ -171,7 +172,7 @@ impl Construction {
     /// The plan on a sheet; none of the scheme.
     #[must_use]
     pub fn plan_on(&self, sheet: Sheet) -> Option<&Plan> {
-        self.plans().find(|plan| plan.kind.sheet() == sheet)
+        self.plans().find(|plan| plan.kind == sheet)
     }
 
     /// The groups without a construction: for each the names of its special points at infinity; empty where these are
@@ -332,7 +333,7 @@ impl NumberedStep<'_> {
     /// The sheet on which it is drawn.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
-        self.plan.map_or(Sheet::Scheme, |plan| plan.kind.sheet())
+        self.plan.map_or(Sheet::Scheme, |plan| plan.kind)
     }
 
     /// Names of the quantities that the step yields.

@@ -6,11 +6,12 @@ use super::construct::Extent;
 use super::cut::{CutLine, Special, SpecialId, special_points};
 use super::leg::Drawn;
 use super::name::{coincident_name, image_name, point_on};
-use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Rate, Sheet};
+use super::operation::{LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Rate};
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{AngularRate, BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
+use crate::sheet::Sheet;
 use core::cmp::Reverse;
 
 /// The ray of a leg.

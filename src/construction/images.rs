@@ -2,11 +2,12 @@
 //! turned and scaled; Mehmke 1883, Burmester 1888) from two images of the link, else by the motion relative to one.
 
 use super::name::{coriolis_name, image_name, normal_name, point_on, slide_name};
-use super::operation::{Along, LineId, Part, PlaceId, Sheet};
+use super::operation::{Along, LineId, Part, PlaceId};
 use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, Vector, cross};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
+use crate::sheet::Sheet;
 
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
 const LEAST_SINE: f64 = 0.3;

@@ -3,12 +3,13 @@
 
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::operation::{
-    Along, End, Equation, LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Product, ProductKind, Sheet,
+    Along, End, Equation, LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Product, ProductKind,
 };
 use super::step::{Action, Added, Arrow, PointRole, VectorOf};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, AngularTerms, BodyId, LoopEquations, PointId, SliderId};
+use crate::sheet::Sheet;
 
 /// Directions of a leg on the sheets.
 #[derive(Clone, Copy)]

@@ -34,14 +34,14 @@ pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use name::{coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name};
 pub use operation::{
     Along, End, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId,
-    Product, ProductKind, Rate, Reference, Sheet, StepId,
+    Product, ProductKind, Rate, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
 pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
 pub use solution::Solution;
 pub use step::{
-    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanKind, PlanPoint, PointRole, Ray, RayOf, Relation,
+    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation,
     RelativePart, Step, VectorOf,
 };
 pub use vectors::PlanVector;

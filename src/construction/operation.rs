@@ -1,7 +1,7 @@
 use super::cut::SpecialId;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use smallvec::SmallVec;
 
 /// Index of a place marked on a sheet: a joint of the scheme, a point of a plan.
@@ -15,17 +15,6 @@ pub struct LineId(pub usize);
 /// Index of a number: given, measured or computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NumberId(pub usize);
-
-/// A sheet; each has its own scale.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Sheet {
-    /// The mechanism to scale.
-    Scheme,
-    /// The velocity plan.
-    Velocity,
-    /// The acceleration plan.
-    Acceleration,
-}
 
 /// A step of the construction, by its sheet and its index there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -300,37 +289,6 @@ pub enum ErrorUnit {
     Length,
     /// Degrees.
     Direction,
-}
-
-impl Sheet {
-    /// All sheets, in the order in which they are drawn.
-    pub const ALL: [Sheet; 3] = [Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration];
-
-    /// The panel on which it is drawn.
-    #[must_use]
-    pub fn panel(self) -> PanelName {
-        match self {
-            Sheet::Scheme => PanelName::Scheme,
-            Sheet::Velocity => PanelName::Velocity,
-            Sheet::Acceleration => PanelName::Acceleration,
-        }
-    }
-
-    /// Its English name.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Sheet::Scheme => "scheme",
-            Sheet::Velocity => "velocity plan",
-            Sheet::Acceleration => "acceleration plan",
-        }
-    }
-
-    /// 0 for scheme and velocities, 1 for accelerations: the index of a rate and its derivative.
-    #[must_use]
-    pub fn order(self) -> usize {
-        usize::from(self == Sheet::Acceleration)
-    }
 }
 
 impl Rate {

@@ -1,9 +1,9 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
 use super::construct::{Construction, NumberedStep};
-use super::operation::Sheet;
 use super::sentence::{Teller, marked, rate_symbol};
 use super::step::{Action, Arrow, PointRole, RayOf, Relation, VectorOf};
+use crate::sheet::Sheet;
 use crate::words::Language;
 
 /// What a passage reaches.

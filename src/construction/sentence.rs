@@ -5,10 +5,11 @@ use super::cut::{CutLine, Special, Term};
 use super::formula::{Formula, Known, NamedPart};
 use super::name::{image_name, point_on};
 use super::solution::Solution;
-use super::step::{Action, Added, Arrow, LegEquation, Plan, PlanKind, Ray, RayOf, Relation, RelativePart, VectorOf};
+use super::step::{Action, Added, Arrow, LegEquation, Plan, Ray, RayOf, Relation, RelativePart, VectorOf};
 use crate::geometry::{Place, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
+use crate::sheet::Sheet;
 use crate::words::{Language, NumberStyle, Wording};
 
 /// A point's name, marked for a caption.
@@ -101,10 +102,10 @@ impl<'a> Teller<'a> {
     pub fn caption(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> String {
         let language = self.words.language;
         match &step.action {
-            Action::Pole { images } => self.pole(plan.map_or(PlanKind::Velocity, |plan| plan.kind), images),
+            Action::Pole { images } => self.pole(plan.map_or(Sheet::Velocity, |plan| plan.kind), images),
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
             Action::MeasureLength { from, to, .. } => language.measure_length(&marked(from), &marked(to)),
-            Action::LayOff(arrow) => self.lay_off(plan.map_or(PlanKind::Velocity, |plan| plan.kind), arrow).1,
+            Action::LayOff(arrow) => self.lay_off(plan.map_or(Sheet::Velocity, |plan| plan.kind), arrow).1,
             Action::Ray(ray) => {
                 let sentence = match ray.relation {
                     Relation::Perpendicular => Language::ray_normal,
@@ -134,7 +135,7 @@ impl<'a> Teller<'a> {
     /// The equation that belongs to a step, as `v_{S3} = v_B + v_{S3B}`; empty where there is none.
     #[must_use]
     pub fn formula(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> Formula {
-        let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+        let kind = plan.map_or(Sheet::Velocity, |plan| plan.kind);
         match &step.action {
             Action::MeasureLength { from, to, .. } => format!("L{}", subscript(&[from, to])).into(),
             Action::LayOff(arrow) => self.lay_off(kind, arrow).0,
@@ -172,8 +173,8 @@ impl<'a> Teller<'a> {
         }
     }
 
-    fn pole(&self, kind: PlanKind, images: &[String]) -> String {
-        let (pole, scale) = (kind.pole_in(self.words.notation), kind.scale_name());
+    fn pole(&self, kind: Sheet, images: &[String]) -> String {
+        let (pole, scale) = (self.words.notation.pole(kind), kind.scale_symbol());
         if images.is_empty() {
             return self.words.language.choose_pole(pole, scale);
         }
@@ -195,7 +196,7 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of a vector that is laid off.
-    pub(super) fn lay_off(&self, kind: PlanKind, arrow: &Arrow) -> (Formula, String) {
+    pub(super) fn lay_off(&self, kind: Sheet, arrow: &Arrow) -> (Formula, String) {
         let Arrow { from, to, of } = arrow;
         match of {
             VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
@@ -235,15 +236,12 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of the known velocity or acceleration of body `base` at a point.
-    fn known_vector(&self, base: BodyId, point: PointId, kind: PlanKind) -> (Formula, String) {
+    fn known_vector(&self, base: BodyId, point: PointId, kind: Sheet) -> (Formula, String) {
         let (mechanism, language, notation) = (self.mechanism, self.words.language, self.words.notation);
         let body = mechanism.body(base);
         let under = mechanism.point_name(point);
         let name = &point_on(mechanism, base, point);
-        let letter = match kind {
-            PlanKind::Velocity => "v",
-            PlanKind::Acceleration => "a",
-        };
+        let letter = kind.vector();
         match &body.role {
             Role::Driver { pivot, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
@@ -251,20 +249,20 @@ impl<'a> Teller<'a> {
                 let (end, pair) = (subscript(&[name]), subscript(&[name, k]));
                 let (n, t) = (notation.normal, notation.tangential);
                 match kind {
-                    PlanKind::Velocity => (
-                        format!("v{end} = ω_{link} {arm}").into(),
-                        language.lay_off_velocity(name, &line, link),
-                    ),
-                    PlanKind::Acceleration if *alpha == 0.0 => (
+                    Sheet::Acceleration if *alpha == 0.0 => (
                         format!("a{end} = a^{n}{pair} = ω_{link}^2 {arm}").into(),
                         language.lay_off_normal_acceleration(name, k, link),
                     ),
-                    PlanKind::Acceleration => (
+                    Sheet::Acceleration => (
                         format!(
                             "a{end} = a^{n}{pair} + a^{t}{pair}, a^{n}{pair} = ω_{link}^2 {arm}, a^{t}{pair} = α_{link} {arm}"
                         )
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),
+                    ),
+                    _ => (
+                        format!("v{end} = ω_{link} {arm}").into(),
+                        language.lay_off_velocity(name, &line, link),
                     ),
                 }
             }
@@ -289,7 +287,7 @@ impl<'a> Teller<'a> {
     }
 
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
-    pub(super) fn ray_equation(&self, kind: PlanKind, ray: &Ray) -> Formula {
+    pub(super) fn ray_equation(&self, kind: Sheet, ray: &Ray) -> Formula {
         let (special, side) = match ray.of {
             RayOf::Leg(special, side) => (self.construction.special(special), side),
             RayOf::Arm { link, from, to, .. } => return self.arm_equation(kind, link, [from, to]),
@@ -297,8 +295,8 @@ impl<'a> Teller<'a> {
         let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
         let mut formula = match kind {
-            PlanKind::Velocity => self.leg_velocity(special, cut, &start),
-            PlanKind::Acceleration => self.relative_acceleration(special, cut, &start),
+            Sheet::Acceleration => self.relative_acceleration(special, cut, &start),
+            _ => self.leg_velocity(special, cut, &start),
         };
         // A point of the ground under a slider is at rest: it is left out, with a plus behind it.
         let ground = self.mechanism.body(GROUND);
@@ -311,11 +309,11 @@ impl<'a> Teller<'a> {
     }
 
     /// The vector equation behind a ray for the image of a further point of a link.
-    fn arm_equation(&self, kind: PlanKind, link: BodyId, ends: [PointId; 2]) -> Formula {
+    fn arm_equation(&self, kind: Sheet, link: BodyId, ends: [PointId; 2]) -> Formula {
         let [from, to] = ends.map(|point| point_on(self.mechanism, link, point));
         match kind {
-            PlanKind::Velocity => self.relative_velocity(&to, &from),
-            PlanKind::Acceleration => Formula::default(),
+            Sheet::Acceleration => Formula::default(),
+            _ => self.relative_velocity(&to, &from),
         }
     }
 
@@ -463,11 +461,8 @@ impl<'a> Teller<'a> {
     ///
     /// Each term has the sign of its component along the segment from its start to the special point's image.
     #[must_use]
-    pub fn equation(&self, kind: PlanKind, LegEquation { special, side, from, segment }: &LegEquation) -> String {
-        let (rate, slide) = match kind {
-            PlanKind::Velocity => ("ω", "v"),
-            PlanKind::Acceleration => ("α", "a"),
-        };
+    pub fn equation(&self, kind: Sheet, LegEquation { special, side, from, segment }: &LegEquation) -> String {
+        let (rate, slide) = (kind.rate(), kind.vector());
         let mechanism = self.mechanism;
         let point = self.construction.special(*special);
         let cut = &point.cuts[*side];
@@ -537,6 +532,6 @@ fn plus_or_minus(slide: &DrivenSlide) -> char {
 }
 
 /// A plan segment times its scale, as written in an equation.
-fn measured(kind: PlanKind, from: &str, to: &str) -> String {
-    format!("{} ({} {})", kind.scale_name(), marked(from), marked(to))
+fn measured(kind: Sheet, from: &str, to: &str) -> String {
+    format!("{} ({} {})", kind.scale_symbol(), marked(from), marked(to))
 }

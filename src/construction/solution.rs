@@ -1,9 +1,10 @@
 use super::construct::{Construction, Extent, construct};
 use super::sentence::{no_construction, plain_text};
 use crate::mechanism::Mechanism;
-use crate::motion::{Motion, MotionError, Order, motion};
+use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
 use crate::scene::{ConstructionShown, Scene};
+use crate::sheet::Sheet;
 use crate::words::Wording;
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
@@ -24,7 +25,7 @@ pub struct Solution {
 
 impl Solution {
     /// Motion and plans of a mechanism at a pose.
-    pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Order) -> Result<Self, MotionError> {
+    pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Sheet) -> Result<Self, MotionError> {
         let motion = motion(&mechanism, &pose, order)?;
         let extent = match scene.figure.construction {
             ConstructionShown::Paper => Extent::Rates,

@@ -1,72 +1,15 @@
 use super::cut::SpecialId;
-use super::operation::Sheet;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
+use crate::sheet::Sheet;
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
-
-/// Velocity or acceleration plan.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PlanKind {
-    /// Of velocities, from the pole p.
-    Velocity,
-    /// Of accelerations, from the pole π.
-    Acceleration,
-}
-
-impl PlanKind {
-    /// The name of the pole.
-    #[must_use]
-    pub fn pole(self) -> &'static str {
-        match self {
-            PlanKind::Velocity => "p",
-            PlanKind::Acceleration => "π",
-        }
-    }
-
-    /// The pole's symbol in a notation, in markup.
-    #[must_use]
-    pub fn pole_in(self, notation: &Notation) -> &'static str {
-        match self {
-            PlanKind::Velocity => notation.velocity_pole,
-            PlanKind::Acceleration => notation.acceleration_pole,
-        }
-    }
-
-    /// The quantity name of a segment of the plan, as in `vplan(b,s3)`.
-    #[must_use]
-    pub fn segment_name(self, from: &str, to: &str) -> String {
-        let head = match self {
-            PlanKind::Velocity => "vplan",
-            PlanKind::Acceleration => "aplan",
-        };
-        format!("{head}({from},{to})")
-    }
-
-    /// The sheet on which it is drawn.
-    #[must_use]
-    pub fn sheet(self) -> Sheet {
-        match self {
-            PlanKind::Velocity => Sheet::Velocity,
-            PlanKind::Acceleration => Sheet::Acceleration,
-        }
-    }
-
-    /// Name of the scale factor, as written.
-    #[must_use]
-    pub fn scale_name(self) -> &'static str {
-        match self {
-            PlanKind::Velocity => "μ_v",
-            PlanKind::Acceleration => "μ_a",
-        }
-    }
-}
 
 /// A velocity or acceleration plan: its points and the steps by which it is drawn.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// Velocity or acceleration plan.
-    pub kind: PlanKind,
+    pub kind: Sheet,
     /// Its points by name, in order of construction; vectors from the pole, in units of the plan.
     pub points: IndexMap<String, PlanPoint>,
     /// The steps by which it is drawn, in order.
@@ -417,7 +360,7 @@ impl Plan {
     #[must_use]
     pub fn shown(&self, name: &str, written: String, notation: &Notation) -> String {
         use PointRole::{Image, Known, Pole, Special};
-        let pole = self.kind.pole_in(notation);
+        let pole = notation.pole(self.kind);
         let Some(point) = self.points.get(name) else {
             return written;
         };
@@ -426,7 +369,7 @@ impl Plan {
         if name == self.kind.pole() || is_under {
             return pole.to_owned();
         }
-        let primes = notation.primes && self.kind == PlanKind::Acceleration;
+        let primes = notation.primes && self.kind == Sheet::Acceleration;
         let shown = match point.role {
             Pole | Known | Special | Image if primes => with_prime(&written),
             _ => written,

@@ -4,7 +4,7 @@
 use super::formula::{Known, NamedPart};
 use super::name::{coincident_name, image_name};
 use super::sentence::Teller;
-use super::step::{Action, ArrowKind, Plan, PlanKind, PointRole, RayOf, VectorOf};
+use super::step::{Action, ArrowKind, Plan, PointRole, RayOf, VectorOf};
 use crate::mechanism::{BodyId, Mechanism};
 
 /// A vector between two plan points.
@@ -78,10 +78,7 @@ impl Teller<'_> {
 
     /// The velocities or accelerations of all points with images, and of the points under sliders.
     fn whole_vectors(&self, plan: &Plan) -> Vec<PlanVector> {
-        let letter = match plan.kind {
-            PlanKind::Velocity => 'v',
-            PlanKind::Acceleration => 'a',
-        };
+        let letter = plan.kind.vector();
         let is_image = |name: &str| {
             let role = plan.points.get(name).map(|point| point.role);
             matches!(role, Some(PointRole::Image | PointRole::Known))

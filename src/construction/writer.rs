@@ -6,14 +6,15 @@ use super::images::LaidOff;
 use super::name::image_name;
 use super::operation::{
     Along, End, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId, Product, Rate,
-    Sheet, StepId,
+    StepId,
 };
 use super::run::Values;
 use super::step::{Action, Plan, PlanPoint, PointRole, Step};
 use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
-use crate::motion::{Motion, Order};
+use crate::motion::Motion;
 use crate::position::Pose;
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
 /// Number of roundings in a guide's unit direction, computed from the scene's direction.
@@ -107,10 +108,7 @@ impl<'a> Writer<'a> {
 
     /// The plans that are drawn.
     pub(super) fn plans(&self) -> &'static [Sheet] {
-        match self.motion.order {
-            Order::Velocity => &[Sheet::Velocity],
-            Order::Acceleration => &[Sheet::Velocity, Sheet::Acceleration],
-        }
+        self.motion.order.plans_up_to()
     }
 
     /// The plan of a sheet; never called for the scheme.

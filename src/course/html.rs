@@ -1,7 +1,7 @@
 //! What questions show, as HTML.
 
 use super::question::{Field, Question};
-use crate::construction::Sheet;
+use crate::sheet::Sheet;
 use crate::text::xml;
 
 /// A number in digits that every importer reads: nine significant ones, with a point, without an exponent.
@@ -52,11 +52,7 @@ pub(super) fn tables(question: &Question, cell: &dyn Fn(&Field) -> String) -> St
 /// The name of a sheet.
 pub(super) fn caption(question: &Question, sheet: Sheet) -> String {
     let language = question.words.language;
-    xml(match sheet {
-        Sheet::Scheme => language.scheme(),
-        Sheet::Velocity => language.velocity_plan(),
-        Sheet::Acceleration => language.acceleration_plan(),
-    })
+    xml(language.sheet(sheet))
 }
 
 impl Question {

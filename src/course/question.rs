@@ -1,10 +1,11 @@
 use super::answers::{Answer, Wrong, answers};
 use super::error::CourseError;
 use crate::check::{AnswerKey, Mistake, Student};
-use crate::construction::{Sheet, Tolerance};
+use crate::construction::Tolerance;
 use crate::drawing::{Drawing, RichText, SheetLabels};
 use crate::exercise::Exercise;
 use crate::format::{Text, html_text, panels_svg};
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::Wording;
 

@@ -2,9 +2,10 @@ use super::{Path, Position};
 use crate::accuracy::{bounds, is_bounded};
 use crate::construction::{Construction, Extent, construct};
 use crate::geometry::Row;
-use crate::motion::{Order, motion};
+use crate::motion::motion;
 use crate::quantity::{Asked, Quantity, QuantityError, Snapshot};
 use crate::scene::Scene;
+use crate::sheet::Sheet;
 
 /// A quantity that is asked for at every position of a sweep: a number or a vector.
 #[derive(Clone, Debug)]
@@ -93,7 +94,7 @@ impl<'a> Columns<'a> {
         let mechanism = &path.mechanism_at(value);
         let moved = position.and_then(|position| {
             let pose = position.pose();
-            let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
+            let motion = motion(mechanism, &pose, Sheet::Acceleration).ok()?;
             let built = self.constructs.then(|| construct(mechanism, &pose, &motion, Extent::Points));
             Some((pose, motion, built))
         });
@@ -111,7 +112,7 @@ impl<'a> Columns<'a> {
     /// The construction at a position; `None` where it is singular.
     fn construct<R: Row>(&self, position: &Position<R>) -> Option<Construction> {
         let (mechanism, pose) = (&self.path.mechanism, position.pose());
-        let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
+        let motion = motion(mechanism, &pose, Sheet::Acceleration).ok()?;
         Some(construct(mechanism, &pose, &motion, Extent::Points))
     }
 

@@ -14,7 +14,8 @@ use super::style::Style;
 use super::table::Table;
 use super::text::{PlacedText, RichText};
 use crate::quantity::Kind;
-use crate::scene::{PanelName, Scene};
+use crate::scene::Scene;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
@@ -72,9 +73,9 @@ impl Composition<'_> {
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &[Option<f64>]) -> Layout {
         let mu = |kind: Kind| match kind {
-            Kind::Velocity => scales[PanelName::Velocity as usize],
-            Kind::Acceleration => scales[PanelName::Acceleration as usize],
-            _ => scales[PanelName::Scheme as usize],
+            Kind::Velocity => scales[Sheet::Velocity as usize],
+            Kind::Acceleration => scales[Sheet::Acceleration as usize],
+            _ => scales[Sheet::Scheme as usize],
         };
         let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())

@@ -12,7 +12,8 @@ use super::sheet::Drawing;
 use super::style::Style;
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::scene::{Figure, PanelName};
+use crate::scene::Figure;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::Wording;
 
@@ -73,7 +74,7 @@ pub fn overlay_words(figure: &Figure, title: &Untrusted, overlay: &Overlay) -> V
 fn sheet<'a>(
     scheme: &'a Scheme<'a>,
     overlay: &'a Overlay,
-    extents: &[(PanelName, Extent)],
+    extents: &[(Sheet, Extent)],
     notes: Notes<'a>,
 ) -> Composition<'a> {
     let student_layer = |panel| Box::new(OwnLayer { overlay, scheme, panel });
@@ -90,11 +91,11 @@ fn sheet<'a>(
 fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'a> {
     let page = scheme.dims.page;
     let notes = |place| Notes { overlay, words: scheme.words, page, place };
-    let division = |extents: &[(PanelName, Extent)], place: WordsPlace| {
+    let division = |extents: &[(Sheet, Extent)], place: WordsPlace| {
         let sheet = sheet(scheme, overlay, extents, notes(place));
         Division { place, layout: sheet.layout(), sheet }
     };
-    let divisions_for = |extents: &[(PanelName, Extent)]| {
+    let divisions_for = |extents: &[(Sheet, Extent)]| {
         let mut words = division(extents, WordsPlace::Below);
         for part in BESIDE {
             let beside = division(extents, WordsPlace::Beside(part * page[0]));

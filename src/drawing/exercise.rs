@@ -2,7 +2,7 @@
 //! results; the teacher's key.
 
 use super::compose::{Composition, further_sheets};
-use super::figure::{composition, content, extents, kind, panels};
+use super::figure::{composition, content, extents, panels};
 use super::key_table::{KeyRow, KeyTable};
 use super::layout::{Item, Layout};
 use super::lines::Lines;
@@ -14,8 +14,9 @@ use super::sheet_notes::Fields;
 use super::text::RichText;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
-use crate::quantity::{Asked, Scales};
-use crate::scene::{ConstructionShown, Page, PageSize, PanelName, ValuesShown};
+use crate::quantity::{Asked, Kind, Scales};
+use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
+use crate::sheet::Sheet;
 use kurbo::Rect;
 
 /// Smallest size of a table beside the scheme with markers, in parts of its usual size.
@@ -122,11 +123,11 @@ pub fn key_scales(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String]
     let sheet = key(&scheme, rows, sentences);
     let layout = sheet.layout();
     let fit = sheet.panels.iter().zip(&layout.panels).all(|(panel, placed)| placed.holds(&panel.needs.extent));
-    let mu = |panel: PanelName| layout.mu(kind(panel));
+    let mu = |panel: Sheet| layout.mu(Kind::drawn_on(panel));
     fit.then(|| Scales {
-        length: mu(PanelName::Scheme),
-        velocity: mu(PanelName::Velocity),
-        acceleration: mu(PanelName::Acceleration),
+        length: mu(Sheet::Scheme),
+        velocity: mu(Sheet::Velocity),
+        acceleration: mu(Sheet::Acceleration),
     })
 }
 
@@ -164,7 +165,7 @@ impl<'a> Table<'a> {
 
 /// The student's sheet, with the scheme as its only panel.
 fn student_sheet<'a>(scheme: &'a Scheme<'a>, sentences: &[String], table: &Table<'_>) -> Composition<'a> {
-    let alone = [(PanelName::Scheme, scheme.extent())];
+    let alone = [(Sheet::Scheme, scheme.extent())];
     let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
     let (fields, own_line) = match Fields::new(scheme, &scheme.title()) {
         Ok(fields) => (Some(Box::new(fields) as Box<dyn Item>), None),

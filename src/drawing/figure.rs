@@ -16,9 +16,9 @@ use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
 use crate::quantity::{Kind, Scales};
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
-use crate::words::{Language, Wording};
+use crate::words::Wording;
 use kurbo::Rect;
 
 /// Weight of the size of a panel beside that in focus.
@@ -29,7 +29,7 @@ const TRIED: usize = 120;
 
 /// What a sheet has besides the panels.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Sheet {
+pub(super) struct Contents {
     /// The steps for whose words it has room.
     pub steps: Option<Steps>,
     /// The table of measured lengths, on a work sheet.
@@ -91,12 +91,8 @@ impl Solution {
     pub fn scales(&self) -> Scales {
         let scheme = Scheme::scaled(self).on_sheet();
         let layout = scheme.laid_out(None).layout;
-        let of = |panel: PanelName| self.scene.figure.mu(panel).or(layout.mu(kind(panel)));
-        Scales {
-            length: of(PanelName::Scheme),
-            velocity: of(PanelName::Velocity),
-            acceleration: of(PanelName::Acceleration),
-        }
+        let of = |panel: Sheet| self.scene.figure.mu(panel).or(layout.mu(Kind::drawn_on(panel)));
+        Scales { length: of(Sheet::Scheme), velocity: of(Sheet::Velocity), acceleration: of(Sheet::Acceleration) }
     }
 
     /// A warning for each panel whose content is cut off at a scale that the scene gives, with a scale that fits, if there is one.
@@ -139,14 +135,9 @@ fn fits_into(extent: Extent, placed: &Placed, area: Rect) -> bool {
 }
 
 /// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
-fn overflow_warning(panel: PanelName, given: f64, fitting: Option<f64>) -> String {
-    let key = match panel {
-        PanelName::Scheme => "mu_l",
-        PanelName::Velocity => "mu_v",
-        PanelName::Acceleration => "mu_a",
-    };
-    let words = Wording::default();
-    let panel = name(words.language, panel).to_lowercase();
+fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
+    let (key, words) = (panel.scale_key(), Wording::default());
+    let panel = words.language.sheet(panel).to_lowercase();
     let written = |mu| words.write(mu, legend::SCALE);
     let fitting = fitting.map_or_else(|| "none".to_owned(), written);
     let given = written(given);
@@ -156,9 +147,9 @@ fn overflow_warning(panel: PanelName, given: f64, fitting: Option<f64>) -> Strin
 }
 
 /// By position: the extent of the joints or of their images in a panel.
-pub(super) fn extents_of_images<'a>(schemes: &'a [Scheme<'_>], panel: PanelName) -> impl Iterator<Item = Extent> + 'a {
+pub(super) fn extents_of_images<'a>(schemes: &'a [Scheme<'_>], panel: Sheet) -> impl Iterator<Item = Extent> + 'a {
     schemes.iter().filter_map(move |scheme| match panel {
-        PanelName::Scheme => Some(scheme.extent_of_joints()),
+        Sheet::Scheme => Some(scheme.extent_of_joints()),
         plan => scheme.plan(plan).map(plan_panel::extent_of_images),
     })
 }
@@ -175,7 +166,7 @@ impl Scheme<'_> {
         let mut scheme = self.with_scales();
         if scheme.figure.shown_panels().iter().any(|&panel| scheme.mu[panel as usize].is_none()) {
             let layout = scheme.laid_out(steps).layout;
-            scheme.mu = PanelName::ALL.map(|panel| scheme.mu[panel as usize].or(layout.mu(kind(panel))));
+            scheme.mu = Sheet::ALL.map(|panel| scheme.mu[panel as usize].or(layout.mu(Kind::drawn_on(panel))));
         }
         scheme
     }
@@ -207,7 +198,7 @@ impl Scheme<'_> {
     fn laid_out(&self, steps: Option<Steps>) -> LaidOut<'_> {
         let extents = extents(self);
         let laid_out = |table: Option<TablePlace>| {
-            let mut sheet = described(self, composed(self, &extents, Sheet { steps, table }));
+            let mut sheet = described(self, composed(self, &extents, Contents { steps, table }));
             sheet.signs = self.dims.free.has_markers().then(|| self.signs(1, self.title().for_comparing()));
             LaidOut { layout: sheet.layout(), sheet }
         };
@@ -226,8 +217,8 @@ impl Scheme<'_> {
 }
 
 /// A sheet of the scene with panels of these extents.
-pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(PanelName, Extent)], sheet: Sheet) -> Composition<'a> {
-    let Sheet { steps, table } = sheet;
+pub(super) fn composed<'a>(scheme: &'a Scheme<'a>, extents: &[(Sheet, Extent)], sheet: Contents) -> Composition<'a> {
+    let Contents { steps, table } = sheet;
     let panels = panels(scheme, extents, |panel| match steps {
         Some(_) => vec![hints(scheme, panel), content(scheme, panel)],
         None => vec![content(scheme, panel)],
@@ -296,9 +287,9 @@ pub(super) fn described<'a>(scheme: &Scheme<'_>, mut sheet: Composition<'a>) -> 
 }
 
 /// The panels with content, and its extents.
-pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
-    let extent = |&panel: &PanelName| match panel {
-        PanelName::Scheme => Some((panel, scheme.extent())),
+pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(Sheet, Extent)> {
+    let extent = |&panel: &Sheet| match panel {
+        Sheet::Scheme => Some((panel, scheme.extent())),
         plan => scheme.plan(plan).map(|plan| (panel, plan_panel::extent(plan, scheme.figure.construction))),
     };
     scheme.figure.shown_panels().iter().filter_map(extent).collect()
@@ -307,11 +298,11 @@ pub(super) fn extents(scheme: &Scheme<'_>) -> Vec<(PanelName, Extent)> {
 /// Panels of these extents, with layers from `layers`.
 pub(super) fn panels<'a>(
     scheme: &Scheme<'a>,
-    extents: &[(PanelName, Extent)],
-    layers: impl Fn(PanelName) -> Layers<'a>,
+    extents: &[(Sheet, Extent)],
+    layers: impl Fn(Sheet) -> Layers<'a>,
 ) -> Vec<Panel<'a>> {
-    let panel = |(index, &(panel, extent)): (usize, &(PanelName, Extent))| {
-        let name = name(scheme.words.language, panel);
+    let panel = |(index, &(panel, extent)): (usize, &(Sheet, Extent))| {
+        let name = scheme.words.language.sheet(panel);
         let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
         let frame = |index| Frame { short: Some(line(name)), ..Frame::new(line(&numbered(index, name)), Pen::Heading) };
         let lowest: Box<dyn Layer> = Box::new(frame(index));
@@ -320,8 +311,8 @@ pub(super) fn panels<'a>(
             prefix: panel.as_str().to_owned(),
             // The width of the first panel's heading: it must not depend on the panel's letter.
             needs: Needs {
-                above: if panel == PanelName::Scheme { scheme.above() } else { 0.0 },
-                kind: kind(panel),
+                above: if panel == Sheet::Scheme { scheme.above() } else { 0.0 },
+                kind: Kind::drawn_on(panel),
                 extent,
                 heading: frame(0).width(),
                 mu: scheme.mu[panel as usize],
@@ -338,38 +329,21 @@ pub(super) fn panels<'a>(
 }
 
 /// The layer with the scheme or a plan.
-pub(super) fn content<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Layer + 'a> {
+pub(super) fn content<'a>(scheme: &'a Scheme<'a>, panel: Sheet) -> Box<dyn Layer + 'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (panel, scheme.plan(panel)) {
-        (PanelName::Scheme, _) => scheme.draw(canvas, view),
+        (Sheet::Scheme, _) => scheme.draw(canvas, view),
         (_, Some(plan)) => plan_panel::draw(canvas, view, scheme, plan),
         (_, None) => {}
     })
 }
 
 /// The layer with the hints at the subject of each step.
-pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: PanelName) -> Box<dyn Layer + 'a> {
+pub(super) fn hints<'a>(scheme: &'a Scheme<'a>, panel: Sheet) -> Box<dyn Layer + 'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (panel, scheme.plan(panel)) {
-        (PanelName::Scheme, _) => scheme.hints(canvas, view),
+        (Sheet::Scheme, _) => scheme.hints(canvas, view),
         (_, Some(plan)) => plan_panel::hints(canvas, view, scheme, plan),
         (_, None) => {}
     })
-}
-
-/// The kind of quantity that a panel shows to scale.
-pub(super) fn kind(panel: PanelName) -> Kind {
-    match panel {
-        PanelName::Scheme => Kind::Length,
-        PanelName::Velocity => Kind::Velocity,
-        PanelName::Acceleration => Kind::Acceleration,
-    }
-}
-
-pub(super) fn name(language: &Language, panel: PanelName) -> &str {
-    match panel {
-        PanelName::Scheme => language.scheme(),
-        PanelName::Velocity => language.velocity_plan(),
-        PanelName::Acceleration => language.acceleration_plan(),
-    }
 }
 
 /// One sentence about the figure, for readers who cannot see it.

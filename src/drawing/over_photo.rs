@@ -1,6 +1,6 @@
 //! The right plans over a photographed sheet, straightened out.
 
-use super::figure::{content, kind, panels};
+use super::figure::{content, panels};
 use super::layout::Placed;
 use super::markers::SheetCode;
 use super::plan_panel;
@@ -10,7 +10,9 @@ use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::scene::{PanelName, StyleName};
+use crate::quantity::Kind;
+use crate::scene::StyleName;
+use crate::sheet::Sheet;
 use kurbo::{Affine, Point, Rect, Vec2};
 
 /// White round a plan, in which names have room, in mm.
@@ -22,7 +24,7 @@ const CROSS: f64 = 1.2;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeenPoint {
     /// On which plan.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// Its name, as in `b`.
     pub name: String,
     /// Its place on the sheet, in mm, y down.
@@ -46,9 +48,9 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     figure.panels = code.panels.iter().map(|panel| panel.panel).collect();
     for panel in &code.panels {
         match panel.panel {
-            PanelName::Scheme => figure.mu_l = Some(panel.mu),
-            PanelName::Velocity => figure.mu_v = Some(panel.mu),
-            PanelName::Acceleration => figure.mu_a = Some(panel.mu),
+            Sheet::Scheme => figure.mu_l = Some(panel.mu),
+            Sheet::Velocity => figure.mu_v = Some(panel.mu),
+            Sheet::Acceleration => figure.mu_a = Some(panel.mu),
         }
     }
     let scheme = Scheme::new(&solution).for_pencil().without_values();
@@ -66,8 +68,13 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
             // Without the frame, which the sheet has.
             panel.layers.remove(0);
             let area = Affine::scale(1.0 / unit).transform_rect_bbox(area(&extent, placed.origin, placed.mu));
-            let place =
-                Placed { kind: kind(placed.panel), frame: area.inflate(AROUND, AROUND), area, mu: placed.mu, unit };
+            let place = Placed {
+                kind: Kind::drawn_on(placed.panel),
+                frame: area.inflate(AROUND, AROUND),
+                area,
+                mu: placed.mu,
+                unit,
+            };
             panel.content = None;
             panel.draw(&mut drawing, &place, &solution.scene.figure.labels, &scheme.dims, None);
         }

@@ -12,7 +12,7 @@ use super::text::CAPTION;
 use super::view::{Extent, View};
 use crate::geometry;
 use crate::quantity::Kind;
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::{Rect, Vec2};
@@ -106,9 +106,9 @@ impl<'a> Panel<'a> {
     pub(super) fn on_paper(&self, placed: &Placed) -> PlacedPanel {
         let origin = placed.view(&self.needs.extent, self.content).at(geometry::Point::origin());
         let panel = match placed.kind {
-            Kind::Velocity => PanelName::Velocity,
-            Kind::Acceleration => PanelName::Acceleration,
-            _ => PanelName::Scheme,
+            Kind::Velocity => Sheet::Velocity,
+            Kind::Acceleration => Sheet::Acceleration,
+            _ => Sheet::Scheme,
         };
         PlacedPanel { panel, mu: placed.mu, origin: [origin.x, origin.y].map(|place| place * placed.unit) }
     }

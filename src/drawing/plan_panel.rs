@@ -9,12 +9,12 @@ use super::text::RichText;
 use super::values::ValueOf;
 use super::view::{Extent, View, on_sheet, towards};
 use crate::construction::{
-    Action, Arrow, ArrowKind, Plan, PlanKind, PlanVector, PointRole, Relation, VectorOf, coincident_name, image_name,
+    Action, Arrow, ArrowKind, Plan, PlanVector, PointRole, Relation, VectorOf, coincident_name, image_name,
 };
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
-use crate::quantity::Kind;
-use crate::scene::{ConstructionShown, Figure, PanelName};
+use crate::scene::{ConstructionShown, Figure};
+use crate::sheet::Sheet;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
@@ -28,23 +28,6 @@ const TOGETHER: usize = 5;
 const SHORT: f64 = 4.0;
 /// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
-
-/// The kind of quantity that a plan shows to scale; length for the scheme.
-pub(super) fn kind(plan: Option<PlanKind>) -> Kind {
-    match plan {
-        None => Kind::Length,
-        Some(PlanKind::Velocity) => Kind::Velocity,
-        Some(PlanKind::Acceleration) => Kind::Acceleration,
-    }
-}
-
-/// The panel of a plan.
-pub(super) fn panel(plan: PlanKind) -> PanelName {
-    match plan {
-        PlanKind::Velocity => PanelName::Velocity,
-        PlanKind::Acceleration => PanelName::Acceleration,
-    }
-}
 
 /// Largest size of a plan with a point that only leads to others over that without it; a more distant one is not drawn
 /// at its place, but where its line leaves the panel.
@@ -84,8 +67,8 @@ pub(super) fn extent_of_images(plan: &Plan) -> Extent {
 pub(super) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
     let role = plan.points.get(name).map(|p| p.role);
     let on_the_way = match plan.kind {
-        PlanKind::Velocity => matches!(role, Some(PointRole::Special)),
-        PlanKind::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
+        Sheet::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
+        _ => matches!(role, Some(PointRole::Special)),
     };
     on_the_way && !figure.special_points
 }
@@ -190,8 +173,8 @@ impl PlanOnPaper<'_> {
     fn vectors(&self, canvas: &mut Canvas<'_>) {
         let plan = self.plan;
         let whole = match plan.kind {
-            PlanKind::Velocity => Pen::Velocity,
-            PlanKind::Acceleration => Pen::Acceleration,
+            Sheet::Acceleration => Pen::Acceleration,
+            _ => Pen::Velocity,
         };
         let pole = plan.kind.pole();
         // In the source paper's plans no vector goes to a point that a relative motion leads to.
@@ -221,7 +204,7 @@ impl PlanOnPaper<'_> {
             let pen = match laid.kind() {
                 ArrowKind::Whole => whole,
                 ArrowKind::Normal => Pen::Normal,
-                ArrowKind::Relative if plan.kind == PlanKind::Acceleration => Pen::Tangential,
+                ArrowKind::Relative if plan.kind == Sheet::Acceleration => Pen::Tangential,
                 ArrowKind::Relative => Pen::Image,
                 ArrowKind::Sliding => Pen::Vector,
                 ArrowKind::Coriolis => Pen::Coriolis,
@@ -258,12 +241,12 @@ impl PlanOnPaper<'_> {
 
     /// Draws the heads of relative vectors that rays carry, in a figure with values.
     fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
-        for value in self.scheme.values_of(panel(self.plan.kind)) {
+        for value in self.scheme.values_of(self.plan.kind) {
             let ValueOf::Vector(PlanVector { ends: [from, to], on_ray: true, link, .. }) = &value.of else { continue };
             canvas.set_step(value.since);
             let pen = match self.plan.kind {
-                PlanKind::Velocity => Pen::Image,
-                PlanKind::Acceleration => Pen::Tangential,
+                Sheet::Acceleration => Pen::Tangential,
+                _ => Pen::Image,
             };
             let number = link.and_then(|link| self.scheme.number(link));
             if let Some(mark) = self.arrow(canvas, from, to, pen) {
@@ -276,7 +259,7 @@ impl PlanOnPaper<'_> {
     fn values(&self, canvas: &mut Canvas<'_>) {
         let extent = extent(self.plan, self.scheme.figure.construction);
         let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
-        for value in self.scheme.values_of(panel(self.plan.kind)) {
+        for value in self.scheme.values_of(self.plan.kind) {
             let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
             let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
             let along = to - from;

@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
-use super::figure::{composition, kind, name};
+use super::figure::composition;
 use super::layout::{Item, Needs, Placed};
 use super::lines::{Line, Lines};
 use super::panel::{Frame, Layer, Panel};
@@ -16,8 +16,9 @@ use super::view::{Extent, View};
 use super::worksheet::Ruler;
 use crate::construction::Solution;
 use crate::geometry;
-use crate::quantity::Scales;
-use crate::scene::{ConstructionShown, Page, PageSize, PanelName};
+use crate::quantity::{Kind, Scales};
+use crate::scene::{ConstructionShown, Page, PageSize};
+use crate::sheet::Sheet;
 use kurbo::Point;
 
 /// White in a panel around the right plan, in mm: a wrong one is larger.
@@ -29,12 +30,12 @@ pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, firs
     let own = solution.scene.figure.page;
     let shown = solution.scene.figure.shown_panels();
     let mu = [None, scales.velocity, scales.acceleration];
-    let is_wanted = |panel: &PanelName| {
-        let has_plan = solution.construction.plans().any(|plan| plan_panel::panel(plan.kind) == *panel);
+    let is_wanted = |panel: &Sheet| {
+        let has_plan = solution.construction.plans().any(|plan| plan.kind == *panel);
         shown.contains(panel) && has_plan && mu[*panel as usize].is_some()
     };
-    let plans: Vec<PanelName> = [PanelName::Velocity, PanelName::Acceleration].into_iter().filter(is_wanted).collect();
-    let sheet = |page: Page, plans: &[PanelName], number: u16| {
+    let plans: Vec<Sheet> = [Sheet::Velocity, Sheet::Acceleration].into_iter().filter(is_wanted).collect();
+    let sheet = |page: Page, plans: &[Sheet], number: u16| {
         let mut solution = solution.clone();
         solution.scene.figure.page = page;
         let scheme = Scheme { mu, ..Scheme::new(&solution).for_pencil().without_values() };
@@ -49,7 +50,7 @@ pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, firs
     let turned = |page: Page| Page { landscape: !page.landscape, ..page };
     let large = Page { size: PageSize::A3, ..own };
     let pages = [own, turned(own), large, turned(large)];
-    let alone = |(plan, number): (&PanelName, u16)| {
+    let alone = |(plan, number): (&Sheet, u16)| {
         let drawn = pages.map(|page| sheet(page, &[*plan], number));
         let fitting = drawn.iter().position(|(_, fits)| *fits).unwrap_or(2);
         drawn.into_iter().nth(fitting).map(|(sheet, _)| sheet)
@@ -58,7 +59,7 @@ pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, firs
 }
 
 /// A sheet for some plans, and whether it has room for them.
-fn drawn(scheme: &Scheme<'_>, plans: &[PanelName], number: u16, name: &str) -> (Drawing, bool) {
+fn drawn(scheme: &Scheme<'_>, plans: &[Sheet], number: u16, name: &str) -> (Drawing, bool) {
     let mut sheet = composed(scheme, plans);
     sheet.signs = scheme.figure.has_markers().then(|| scheme.signs(number, name));
     let layout = sheet.layout();
@@ -72,7 +73,7 @@ fn drawn(scheme: &Scheme<'_>, plans: &[PanelName], number: u16, name: &str) -> (
 }
 
 /// The sheet without a layout.
-fn composed<'a>(scheme: &'a Scheme<'a>, plans: &[PanelName]) -> Composition<'a> {
+fn composed<'a>(scheme: &'a Scheme<'a>, plans: &[Sheet]) -> Composition<'a> {
     let panels = plans.iter().filter_map(|plan| panel(scheme, *plan)).collect();
     let title = scheme.title();
     let (fields, own_line) = match Fields::new(scheme, &title) {
@@ -87,12 +88,12 @@ fn composed<'a>(scheme: &'a Scheme<'a>, plans: &[PanelName]) -> Composition<'a> 
 }
 
 /// The empty panel of a plan.
-fn panel<'a>(scheme: &'a Scheme<'a>, plan: PanelName) -> Option<Panel<'a>> {
+fn panel<'a>(scheme: &'a Scheme<'a>, plan: Sheet) -> Option<Panel<'a>> {
     let drawn = scheme.plan(plan)?;
-    let name = name(scheme.words.language, plan);
+    let name = scheme.words.language.sheet(plan);
     let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading);
     let needs = Needs {
-        kind: kind(plan),
+        kind: Kind::drawn_on(plan),
         extent: plan_panel::extent(drawn, ConstructionShown::Whole),
         heading: frame.width(),
         above: 0.0,

@@ -1,12 +1,13 @@
 //! The scales of a scene's sheets, chosen once for all of them: the figure, its steps, its work sheet and its page.
 
-use super::figure::{COMPANION, Sheet, Steps, composed, extents, extents_of_images};
+use super::figure::{COMPANION, Contents, Steps, composed, extents, extents_of_images};
 use super::layout::Layout;
 use super::scheme::Scheme;
 use super::view::{Extent, next_scale};
 use crate::construction::Solution;
 use crate::cycle::Animation;
-use crate::scene::{PanelName, ScalesFor};
+use crate::scene::ScalesFor;
+use crate::sheet::Sheet;
 
 /// The sheets that have the same scales. A work sheet has them, too, but its table stands where there is room.
 const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None];
@@ -19,7 +20,7 @@ const SCHEME: f64 = 1.1;
 const POSITIONS: usize = 72;
 
 /// Scales by panel, in units per mm of paper.
-type Scales = [Option<f64>; PanelName::ALL.len()];
+type Scales = [Option<f64>; Sheet::ALL.len()];
 
 impl<'a> Scheme<'a> {
     /// The scheme of a solved scene, with the scales of all its sheets.
@@ -41,7 +42,7 @@ impl<'a> Scheme<'a> {
             return self.mu;
         }
         let extents = self.extents_to_fit();
-        let sheets = SHEETS.map(|steps| composed(self, &extents, Sheet { steps, table: None }));
+        let sheets = SHEETS.map(|steps| composed(self, &extents, Contents { steps, table: None }));
         let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
         let fits = |scales: &Scales| {
             sheets.iter().all(|sheet| {
@@ -55,15 +56,15 @@ impl<'a> Scheme<'a> {
             (panel, scales_between(own))
         });
         let mut sets = combined(self.mu, &choices.collect::<Vec<_>>());
-        let weight = |panel: PanelName| match panel {
-            PanelName::Scheme if figure.focus.is_some() => COMPANION,
-            PanelName::Scheme => SCHEME,
+        let weight = |panel: Sheet| match panel {
+            Sheet::Scheme if figure.focus.is_some() => COMPANION,
+            Sheet::Scheme => SCHEME,
             _ => 1.0,
         };
         // The sum of the logarithms of the scales: the set with the largest contents comes first.
         let coarseness = |scales: &Scales| {
             let all =
-                PanelName::ALL.into_iter().filter_map(|panel| Some(weight(panel) * libm::log(scales[panel as usize]?)));
+                Sheet::ALL.into_iter().filter_map(|panel| Some(weight(panel) * libm::log(scales[panel as usize]?)));
             all.sum::<f64>()
         };
         sets.sort_by(|a, b| coarseness(a).total_cmp(&coarseness(b)));
@@ -73,7 +74,7 @@ impl<'a> Scheme<'a> {
 
     /// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the
     /// first drive.
-    pub(super) fn extents_to_fit(&self) -> Vec<(PanelName, Extent)> {
+    pub(super) fn extents_to_fit(&self) -> Vec<(Sheet, Extent)> {
         let own = extents(self);
         if self.figure.scales != ScalesFor::Cycle {
             return own;
@@ -104,7 +105,7 @@ fn scales_between(own: impl Iterator<Item = f64>) -> Vec<f64> {
 }
 
 /// All sets with a scale of each panel.
-fn combined(given: Scales, choices: &[(PanelName, Vec<f64>)]) -> Vec<Scales> {
+fn combined(given: Scales, choices: &[(Sheet, Vec<f64>)]) -> Vec<Scales> {
     choices.iter().fold(vec![given], |sets, (panel, scales)| {
         let with = |set: Scales| {
             scales.iter().map(move |&mu| {

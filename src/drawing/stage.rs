@@ -1,7 +1,7 @@
 //! A sheet whose panels and scales are held while its mechanism moves, for a hand on the picture.
 
 use super::compose::Composition;
-use super::figure::{Sheet, Steps, composed, described, extents, extents_of_images};
+use super::figure::{Contents, Steps, composed, described, extents, extents_of_images};
 use super::held::Held;
 use super::layout::{Layout, Placed};
 use super::plan_panel;
@@ -12,7 +12,8 @@ use crate::construction::{Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
-use crate::scene::{PanelName, ScalesFor};
+use crate::scene::ScalesFor;
+use crate::sheet::Sheet;
 use kurbo::{Affine, Point, Rect};
 use std::sync::Arc;
 
@@ -48,9 +49,9 @@ const TRIED: usize = 6;
 pub struct Stage {
     layout: Layout,
     /// The scales that were chosen, by panel.
-    mu: [Option<f64>; PanelName::ALL.len()],
+    mu: [Option<f64>; Sheet::ALL.len()],
     /// By panel: the extent of all positions.
-    extents: Vec<(PanelName, Extent)>,
+    extents: Vec<(Sheet, Extent)>,
     /// The extent of the scheme in the own position, which is held in sight.
     scheme: Option<Extent>,
     steps: Option<Steps>,
@@ -64,7 +65,7 @@ pub struct Stage {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handle {
     /// The panel in which it is.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// The name of a point of the mechanism, or of one of a plan.
     pub name: String,
     /// Its place on the sheet.
@@ -79,7 +80,7 @@ pub struct StagePanel {
     /// Its name in the figure's language.
     pub name: String,
     /// Which panel it is.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// Its place on the sheet.
     pub frame: Rect,
     /// Whether its content is cut at the edge.
@@ -100,18 +101,18 @@ impl Stage {
             .map(|solution| Scheme { mu: own_scheme.mu, ..Scheme::with(solution, Arc::clone(&traces)) })
             .collect();
         let own_extents = extents(&own_scheme);
-        let extents: Vec<(PanelName, Extent)> = match own.scene.figure.scales {
+        let extents: Vec<(Sheet, Extent)> = match own.scene.figure.scales {
             ScalesFor::Cycle => own_scheme.extents_to_fit(),
             _ => {
                 let own = own_extents.iter();
                 own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
             }
         };
-        let sheet = Sheet { steps, table: None };
+        let sheet = Contents { steps, table: None };
         let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
         let below = heights.fold(composed(&own_scheme, &extents, sheet).height_below(), f64::max);
         let (layout, extents) = laid_out(&mut own_scheme, &own_extents, extents, sheet, below);
-        let scheme = own_extents.iter().find(|(panel, _)| *panel == PanelName::Scheme).map(|(_, extent)| *extent);
+        let scheme = own_extents.iter().find(|(panel, _)| *panel == Sheet::Scheme).map(|(_, extent)| *extent);
         let (mu, mechanism) = (own_scheme.mu, own.mechanism.clone());
         Stage { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
     }
@@ -160,14 +161,14 @@ impl Stage {
 
     /// The scale of a panel, in units per mm of paper.
     #[must_use]
-    pub fn mu(&self, panel: PanelName) -> Option<f64> {
+    pub fn mu(&self, panel: Sheet) -> Option<f64> {
         Some(self.placed(panel)?.1.mu)
     }
 
     /// The panels of one of the stage's drawings.
     #[must_use]
     pub fn panels(&self, drawing: &Drawing) -> Vec<StagePanel> {
-        let panel = |((panel, _), (name, frame)): (&(PanelName, Extent), &(String, Rect))| {
+        let panel = |((panel, _), (name, frame)): (&(Sheet, Extent), &(String, Rect))| {
             let says = format!("{}-cut", panel.as_str());
             let is_cut = drawing.marks.iter().any(|mark| mark.id.as_ref() == Some(&says));
             StagePanel { name: name.clone(), panel: *panel, frame: *frame, is_cut }
@@ -181,7 +182,7 @@ impl Stage {
         let Some(view) = self.scheme_view() else { return Vec::new() };
         let mechanism = &solution.mechanism;
         let handle = |point| Handle {
-            panel: PanelName::Scheme,
+            panel: Sheet::Scheme,
             name: mechanism.point_name(point).to_owned(),
             at: self.enlarged() * view.at(solution.pose.point(point)),
             is_fixed: mechanism.body(GROUND).has(point),
@@ -214,7 +215,7 @@ impl Stage {
 
     /// A place of the sheet in the plan of a panel: in mm of paper from the pole, x right, y up; none without that panel.
     #[must_use]
-    pub fn plan_place(&self, solution: &Solution, panel: PanelName, at: Point) -> Option<geometry::Vector> {
+    pub fn plan_place(&self, solution: &Solution, panel: Sheet, at: Point) -> Option<geometry::Vector> {
         let (_, _, view) = self.plan_views(solution).into_iter().find(|(own, ..)| *own == panel)?;
         let off = at - self.enlarged() * view.at(geometry::Point::origin());
         Some(geometry::Vector::new(off.x, -off.y))
@@ -230,11 +231,11 @@ impl Stage {
     }
 
     fn composed<'a>(&self, scheme: &'a Scheme<'a>) -> Composition<'a> {
-        let sheet = Sheet { steps: self.steps, table: None };
+        let sheet = Contents { steps: self.steps, table: None };
         let mut composition = composed(scheme, &self.extents, sheet);
         for (panel, (name, _)) in composition.panels.iter_mut().zip(&self.extents) {
             // The frame stands still, where the scene's own position is in sight.
-            if *name == PanelName::Scheme {
+            if *name == Sheet::Scheme {
                 panel.content = self.scheme;
             }
         }
@@ -242,16 +243,16 @@ impl Stage {
     }
 
     fn scheme_view(&self) -> Option<View> {
-        let (extent, placed) = self.placed(PanelName::Scheme)?;
+        let (extent, placed) = self.placed(Sheet::Scheme)?;
         Some(placed.view(&extent, self.scheme))
     }
 
     /// The plans that are shown, with their views.
-    fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(PanelName, &'a crate::construction::Plan, View)> {
+    fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a crate::construction::Plan, View)> {
         let construction = &solution.construction;
         let plans = [
-            (PanelName::Velocity, Some(&construction.velocity)),
-            (PanelName::Acceleration, construction.acceleration.as_ref()),
+            (Sheet::Velocity, Some(&construction.velocity)),
+            (Sheet::Acceleration, construction.acceleration.as_ref()),
         ];
         let shown = plans.into_iter().filter_map(|(panel, plan)| {
             let (plan, (extent, placed)) = (plan?, self.placed(panel)?);
@@ -261,7 +262,7 @@ impl Stage {
         shown.collect()
     }
 
-    fn placed(&self, panel: PanelName) -> Option<(Extent, &Placed)> {
+    fn placed(&self, panel: Sheet) -> Option<(Extent, &Placed)> {
         let index = self.extents.iter().position(|(own, _)| *own == panel)?;
         Some((self.extents[index].1, self.layout.panels.get(index)?))
     }
@@ -278,18 +279,17 @@ impl Stage {
 /// it has room for.
 fn laid_out(
     own: &mut Scheme<'_>,
-    own_extents: &[(PanelName, Extent)],
-    all: Vec<(PanelName, Extent)>,
-    sheet: Sheet,
+    own_extents: &[(Sheet, Extent)],
+    all: Vec<(Sheet, Extent)>,
+    sheet: Contents,
     below: f64,
-) -> (Layout, Vec<(PanelName, Extent)>) {
-    const SCHEME: usize = PanelName::Scheme as usize;
-    let joints =
-        |(all, own): (&(PanelName, Extent), &(PanelName, Extent))| if own.0 == PanelName::Scheme { *all } else { *own };
-    let least: Vec<(PanelName, Extent)> = all.iter().zip(own_extents).map(joints).collect();
+) -> (Layout, Vec<(Sheet, Extent)>) {
+    const SCHEME: usize = Sheet::Scheme as usize;
+    let joints = |(all, own): (&(Sheet, Extent), &(Sheet, Extent))| if own.0 == Sheet::Scheme { *all } else { *own };
+    let least: Vec<(Sheet, Extent)> = all.iter().zip(own_extents).map(joints).collect();
     let scale = own.mu[SCHEME];
     let tried =
-        if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == PanelName::Scheme) { TRIED } else { 1 };
+        if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme) { TRIED } else { 1 };
     let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
     for mu in std::iter::successors(Some(scale), coarser).take(tried) {
         own.mu[SCHEME] = mu;

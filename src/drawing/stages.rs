@@ -1,4 +1,5 @@
-use crate::construction::{Action, Construction, Plan, PlanKind};
+use crate::construction::{Action, Construction, Plan};
+use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
 
 /// For points, rays and vectors the step of the construction that makes them. Steps count from 1, through the scheme,
@@ -8,8 +9,7 @@ pub(super) struct Stages {
     special: IndexMap<String, u16>,
     /// Solved rates, by the names of their quantities.
     rates: IndexMap<String, u16>,
-    velocity: PlanStages,
-    acceleration: PlanStages,
+    plans: PerSheet<PlanStages>,
 }
 
 /// The steps that make a plan's points, rays and vectors.
@@ -40,12 +40,7 @@ impl Stages {
             _ => None,
         });
         let rates = solved.flat_map(|(number, unknowns)| unknowns.iter().map(move |(name, _)| (name.clone(), number)));
-        Self {
-            rates: rates.collect(),
-            special,
-            velocity: plan(Some(&construction.velocity)),
-            acceleration: plan(construction.acceleration.as_ref()),
-        }
+        Self { rates: rates.collect(), special, plans: PerSheet::from_fn(|sheet| plan(construction.plan_on(sheet))) }
     }
 
     /// The step that finds a special point.
@@ -54,15 +49,12 @@ impl Stages {
     }
 
     /// The step that solves for a rate; the last of the plan for one that no step solves for.
-    pub(super) fn rate(&self, plan: PlanKind, name: &str) -> u16 {
+    pub(super) fn rate(&self, plan: Sheet, name: &str) -> u16 {
         self.rates.get(name).copied().unwrap_or(self.plan(plan).last)
     }
 
-    pub(super) fn plan(&self, kind: PlanKind) -> &PlanStages {
-        match kind {
-            PlanKind::Velocity => &self.velocity,
-            PlanKind::Acceleration => &self.acceleration,
-        }
+    pub(super) fn plan(&self, sheet: Sheet) -> &PlanStages {
+        &self.plans[sheet]
     }
 }
 

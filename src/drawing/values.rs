@@ -11,11 +11,12 @@ use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::style::Style;
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
-use crate::construction::{ArrowKind, NOTHING, PlanKind, PlanVector, Solution, plain_text, rate_symbol};
+use crate::construction::{ArrowKind, NOTHING, PlanVector, Solution, plain_text, rate_symbol};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::Kind;
-use crate::scene::{PanelName, Shape as Given, Units, ValuesShown};
+use crate::scene::{Shape as Given, Units, ValuesShown};
+use crate::sheet::Sheet;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
@@ -36,7 +37,7 @@ const BETWEEN: f64 = 6.0;
 #[derive(Clone, Debug)]
 pub(super) struct Value {
     /// Where its label belongs.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// Its label's id without the panel.
     pub name: String,
     /// Its symbol in markup; several with signs of equality where they have the same value.
@@ -102,8 +103,8 @@ pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
     let own = scheme.scene.units;
     let length = unit.unwrap_or(own.length);
     let list = List { scheme, units: Units { length, ..own }, factor: own.length.metres() / length.metres() };
-    let of_panel = |&panel: &PanelName| match panel {
-        PanelName::Scheme => list.of_scheme(),
+    let of_panel = |&panel: &Sheet| match panel {
+        Sheet::Scheme => list.of_scheme(),
         plan => list.of_plan(plan),
     };
     figure.shown_panels().iter().flat_map(of_panel).collect()
@@ -119,7 +120,7 @@ struct List<'a> {
 }
 
 impl List<'_> {
-    fn value(&self, panel: PanelName, symbol: String, number: f64, kind: Kind, since: u16, of: ValueOf) -> Value {
+    fn value(&self, panel: Sheet, symbol: String, number: f64, kind: Kind, since: u16, of: ValueOf) -> Value {
         let words = &self.scheme.words;
         let (written, unit) = match kind {
             Kind::Length => (words.write(number, GIVEN), kind.unit(self.scheme.scene.units)),
@@ -132,11 +133,11 @@ impl List<'_> {
 
     /// Rates of links and given lengths.
     fn of_scheme(&self) -> Vec<Value> {
-        let mut values = self.rates(PlanKind::Velocity);
+        let mut values = self.rates(Sheet::Velocity);
         // Angular accelerations belong to the acceleration plan.
-        let has_plan = self.scheme.figure.shown_panels().contains(&PanelName::Acceleration);
+        let has_plan = self.scheme.figure.shown_panels().contains(&Sheet::Acceleration);
         if has_plan && self.scheme.construction.acceleration.is_some() {
-            values.extend(self.rates(PlanKind::Acceleration));
+            values.extend(self.rates(Sheet::Acceleration));
         }
         let mechanism = self.scheme.mechanism;
         for (_, body) in mechanism.links() {
@@ -147,7 +148,7 @@ impl List<'_> {
                 if let (Some(a), Some(b)) = (mechanism.point(&length.from), mechanism.point(&length.to)) {
                     let symbol = length.key.replace('-', " ");
                     let of = ValueOf::Length([a, b]);
-                    values.push(self.value(PanelName::Scheme, symbol, length.value, Kind::Length, 0, of));
+                    values.push(self.value(Sheet::Scheme, symbol, length.value, Kind::Length, 0, of));
                 }
             }
         }
@@ -155,12 +156,12 @@ impl List<'_> {
     }
 
     /// Angular velocities or accelerations of the links; links that turn together share a value.
-    fn rates(&self, plan: PlanKind) -> Vec<Value> {
+    fn rates(&self, plan: Sheet) -> Vec<Value> {
         let Scheme { mechanism, solution, .. } = self.scheme;
         type Rate = (&'static str, Kind, fn(&BodyMotion) -> f64);
         let (name, kind, rate): Rate = match plan {
-            PlanKind::Velocity => ("omega", Kind::AngularVelocity, |motion| motion.omega),
-            PlanKind::Acceleration => ("alpha", Kind::AngularAcceleration, |motion| motion.alpha),
+            Sheet::Acceleration => ("alpha", Kind::AngularAcceleration, |motion| motion.alpha),
+            _ => ("omega", Kind::AngularVelocity, |motion| motion.omega),
         };
         let all = || mechanism.links().map(|(link, body)| (link, body, rate(solution.motion.body(link))));
         let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
@@ -174,17 +175,17 @@ impl List<'_> {
             }
             let since = self.scheme.stages.rate(plan, &format!("{name}({})", body.name));
             let since = if mechanism.is_known(link) { 0 } else { since };
-            values.push(self.value(PanelName::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
+            values.push(self.value(Sheet::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
         }
         values
     }
 
     /// Sizes of a plan's vectors; equal vectors share a value.
-    fn of_plan(&self, panel: PanelName) -> Vec<Value> {
+    fn of_plan(&self, panel: Sheet) -> Vec<Value> {
         let Some(plan) = self.scheme.plan(panel) else {
             return Vec::new();
         };
-        let kind = plan_panel::kind(Some(plan.kind));
+        let kind = Kind::drawn_on(plan.kind);
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
         let stages = self.scheme.stages.plan(plan.kind);
         let is_hidden = |name: &String| plan_panel::is_hidden(self.scheme.figure, plan, name);
@@ -239,7 +240,7 @@ impl Solution {
 
 impl Scheme<'_> {
     /// The values of a panel.
-    pub(super) fn values_of(&self, panel: PanelName) -> impl Iterator<Item = &Value> {
+    pub(super) fn values_of(&self, panel: Sheet) -> impl Iterator<Item = &Value> {
         self.values.iter().filter(move |value| value.panel == panel)
     }
 

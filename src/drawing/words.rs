@@ -1,22 +1,21 @@
 //! Words about each step below the panels: caption, equation, results.
 
 use super::dims::MARGIN;
-use super::figure::{Steps, extents, kind};
+use super::figure::{Steps, extents};
 use super::layout::{Item, Layout, Placed};
 use super::legend::SCALE;
 use super::lines::PAD;
-use super::plan_panel;
 use super::scheme::Scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, fitting_scale};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, PlanKind, Ray, Relation, rate_symbol,
+    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, Ray, Relation, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use crate::words::{Medium, NumberStyle};
 use indexmap::IndexMap;
 use kurbo::{Point, Rect};
@@ -69,8 +68,8 @@ impl<'a> StepWords<'a> {
         let [width, height] = scheme.dims.page;
         // Scales of plans of a usual size: they are part of the words.
         let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
-        let mu = |(panel, extent): (PanelName, Extent)| Placed {
-            kind: kind(panel),
+        let mu = |(panel, extent): (Sheet, Extent)| Placed {
+            kind: Kind::drawn_on(panel),
             frame: usual,
             area: usual,
             mu: scheme.mu[panel as usize].unwrap_or_else(|| fitting_scale(&extent, usual)),
@@ -283,7 +282,7 @@ impl Writer<'_> {
 
     /// The equations of the step, at least two in a line, and their solution.
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let kind = plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+        let kind = plan.map_or(Sheet::Velocity, |plan| plan.kind);
         let set =
             |equation: &LegEquation| self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
         let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
@@ -374,8 +373,8 @@ impl Writer<'_> {
     }
 
     /// A size in a plan or on the mechanism, with its length on paper.
-    pub(super) fn size(&self, value: f64, kind: Option<PlanKind>) -> String {
-        let kind = plan_panel::kind(kind);
+    pub(super) fn size(&self, value: f64, kind: Option<Sheet>) -> String {
+        let kind = Kind::drawn_on(kind.unwrap_or(Sheet::Scheme));
         let unit = kind.unit(self.scheme.scene.units);
         let words = &self.scheme.words;
         let on_paper = self.layout.mu(kind).and_then(|mu| {
@@ -387,7 +386,7 @@ impl Writer<'_> {
     }
 
     /// Size and direction of a vector, with its length on paper.
-    fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
+    fn vector(&self, vector: Vector, kind: Option<Sheet>) -> String {
         let size = self.size(vector.norm(), kind);
         if vector == Vector::zeros() {
             return size;

@@ -15,6 +15,7 @@ use super::text::{CAPTION, RichText};
 use super::words::{HUNDREDTHS, VALUE};
 use crate::construction::{Action, Plan};
 use crate::quantity::Kind;
+use crate::sheet::Sheet;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
 
@@ -58,7 +59,7 @@ impl Worksheet {
         let mut lengths = Vec::new();
         let mut rows = Vec::new();
         for (step, plan, [from, to], value) in measured(scheme) {
-            let kind = plan_panel::kind(plan.map(|plan| plan.kind));
+            let kind = Kind::drawn_on(plan.map_or(Sheet::Scheme, |plan| plan.kind));
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };

@@ -5,7 +5,8 @@ use super::vary::{OnGuide, length_step, varied};
 use crate::construction::Construction;
 use crate::geometry::Random;
 use crate::quantity::Quantity;
-use crate::scene::{ConstructionShown, Figure, Page, PageSize, PanelName, SceneError};
+use crate::scene::{ConstructionShown, Figure, Page, PageSize, SceneError};
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -77,7 +78,7 @@ impl Exercises {
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
-            panels: vec![PanelName::Scheme, PanelName::Velocity, PanelName::Acceleration],
+            panels: vec![Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration],
             step: None,
             special_points: true,
             construction: ConstructionShown::Whole,

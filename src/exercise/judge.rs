@@ -8,10 +8,10 @@ use crate::drawing::{
     Drawing, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales, shows_special_points,
 };
 use crate::mechanism::mechanism;
-use crate::motion::Order;
 use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
+use crate::sheet::Sheet;
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -92,7 +92,7 @@ impl Exercise {
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let mechanism = with_nearest_sides(&scene, mechanism);
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
-        let mut solution = Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
+        let mut solution = Solution::new(scene, mechanism, pose, Sheet::Acceleration).map_err(|_| Refusal::Singular)?;
         let conditions = solution.motion.groups.iter().map(|group| group.condition);
         if conditions.fold(1.0, f64::max) > CONDITION {
             return Err(Refusal::Singular);

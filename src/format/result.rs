@@ -4,9 +4,9 @@ use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Place, Point, Vector, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
-use crate::motion::Order;
 use crate::quantity::{Asked, Quantity, measured_names};
 use crate::scene::SceneError;
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -196,7 +196,7 @@ impl Solution {
     #[must_use]
     pub fn result(&self) -> ResultFile {
         let Solution { scene, mechanism, pose, motion, construction } = self;
-        let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
+        let second = |value: f64| (motion.order == Sheet::Acceleration).then_some(value);
         let bounds = &bounds(scene, mechanism, pose, motion);
         let links = mechanism.links().filter(|(_, body)| body.role != Role::Unsolved).map(|(id, body)| {
             let (rates, at_position) = (motion.body(id), motion.errors[id.0]);
@@ -298,7 +298,7 @@ impl Solution {
 fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointResult> {
     let Solution { mechanism, pose, motion, construction, .. } = solution;
     let mut points = IndexMap::new();
-    let has_accelerations = motion.order == Order::Acceleration;
+    let has_accelerations = motion.order == Sheet::Acceleration;
     let moving = |body: BodyId, place: Point, on: Option<BodyId>, errors: [f64; 3]| PointResult {
         position: Some([place.x, place.y]),
         position_error: Some(errors[0]),

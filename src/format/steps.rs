@@ -1,9 +1,8 @@
-use crate::construction::{
-    Action, NOTHING, NumberedStep, Plan, PlanKind, Sheet, Solution, Teller, Tolerance, plain_text, shown_text,
-};
+use crate::construction::{Action, NOTHING, NumberedStep, Plan, Solution, Teller, Tolerance, plain_text, shown_text};
 use crate::geometry::{Vector, degrees_of};
-use crate::quantity::{Pencil, Unread};
+use crate::quantity::{Kind, Pencil, Unread};
 use crate::scene::Units;
+use crate::sheet::Sheet;
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
 
@@ -33,11 +32,8 @@ impl Solution {
             list.step(&step);
         }
         for plan in construction.plans() {
-            list.heading(match plan.kind {
-                PlanKind::Velocity => language.velocity_plan(),
-                PlanKind::Acceleration => language.acceleration_plan(),
-            });
-            while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind.sheet()) {
+            list.heading(language.sheet(plan.kind));
+            while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind) {
                 list.step(&step);
             }
         }
@@ -69,30 +65,20 @@ impl StepList<'_> {
         self.line(line);
     }
 
-    fn unit(&self, kind: Option<PlanKind>) -> String {
-        let (length, time) = (self.units.length.as_str(), self.units.time.as_str());
-        match kind {
-            None => length.to_owned(),
-            Some(PlanKind::Velocity) => format!("{length}/{time}"),
-            Some(PlanKind::Acceleration) => format!("{length}/{time}²"),
-        }
+    fn unit(&self, kind: Option<Sheet>) -> String {
+        Kind::drawn_on(kind.unwrap_or(Sheet::Scheme)).unit(self.units)
     }
 
-    fn mu(&self, kind: Option<PlanKind>) -> Option<f64> {
-        match kind {
-            None => self.pencil.scales.length,
-            Some(PlanKind::Velocity) => self.pencil.scales.velocity,
-            Some(PlanKind::Acceleration) => self.pencil.scales.acceleration,
-        }
+    fn mu(&self, kind: Option<Sheet>) -> Option<f64> {
+        self.pencil.scales.of(kind.unwrap_or(Sheet::Scheme))
     }
 
     fn scales_line(&mut self) {
-        let kinds = [None, Some(PlanKind::Velocity), Some(PlanKind::Acceleration)];
-        let scale = |(kind, name)| {
-            let mu = self.words.write(self.mu(kind)?, NumberStyle::shortest());
-            Some(self.words.language.scale_per_mm(name, &mu, &self.unit(kind)))
+        let scale = |sheet: Sheet| {
+            let mu = self.words.write(self.mu(Some(sheet))?, NumberStyle::shortest());
+            Some(self.words.language.scale_per_mm(sheet.scale_symbol(), &mu, &self.unit(Some(sheet))))
         };
-        let scales: Vec<String> = kinds.into_iter().zip(["μ_l", "μ_v", "μ_a"]).filter_map(scale).collect();
+        let scales: Vec<String> = Sheet::ALL.into_iter().filter_map(scale).collect();
         let line = self.words.language.scales(&scales.join(", "));
         self.line(&line);
     }
@@ -112,16 +98,12 @@ impl StepList<'_> {
             }
         }
         for why in reasons {
-            let sheet = match why {
-                Unread::NoSheet(Sheet::Scheme) => language.scheme(),
-                Unread::NoSheet(Sheet::Velocity) => language.velocity_plan(),
-                Unread::NoSheet(Sheet::Acceleration) => language.acceleration_plan(),
-                _ => {
-                    self.line(language.no_band_no_construction());
-                    continue;
+            match why {
+                Unread::NoSheet(sheet) => {
+                    self.line(&language.no_band_no_sheet(&language.sheet(*sheet).to_lowercase()));
                 }
-            };
-            self.line(&language.no_band_no_sheet(&sheet.to_lowercase()));
+                _ => self.line(language.no_band_no_construction()),
+            }
         }
     }
 
@@ -144,13 +126,13 @@ impl StepList<'_> {
     }
 
     /// The band of a plan's segment.
-    fn segment_band(&self, kind: Option<PlanKind>, from: &str, to: &str) -> String {
+    fn segment_band(&self, kind: Option<Sheet>, from: &str, to: &str) -> String {
         let name = kind.map(|kind| kind.segment_name(from, to));
         self.band(&name.unwrap_or_default(), &self.unit(kind), self.mu(kind))
     }
 
     /// A value with its unit and its length on paper.
-    fn measure(&self, value: f64, kind: Option<PlanKind>) -> String {
+    fn measure(&self, value: f64, kind: Option<Sheet>) -> String {
         let on_paper = self.mu(kind).and_then(|mu| {
             let mm = self.words.on_paper(value, mu, HUNDREDTHS)?;
             Some(format!(" ({})", self.words.language.on_paper(&mm)))
@@ -187,7 +169,7 @@ impl StepList<'_> {
     }
 
     /// A vector's size with its length on paper, and its direction.
-    fn vector(&self, vector: Vector, kind: Option<PlanKind>) -> String {
+    fn vector(&self, vector: Vector, kind: Option<Sheet>) -> String {
         let size = self.measure(vector.norm(), kind);
         if vector == Vector::zeros() {
             return size;
@@ -249,7 +231,7 @@ impl StepList<'_> {
                 vec![segment(from, to, self.measure(value, kind))]
             }
             Action::Solve { equations, unknowns } => {
-                let of = kind.unwrap_or(PlanKind::Velocity);
+                let of = kind.unwrap_or(Sheet::Velocity);
                 let mut lines: Vec<String> =
                     equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan)).collect();
                 let time = self.units.time.as_str();

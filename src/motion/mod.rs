@@ -27,15 +27,7 @@ pub(crate) use solve::bounded_motion;
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};
 use crate::position::Pose;
-
-/// The highest derivative that is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Order {
-    /// Velocities only.
-    Velocity,
-    /// Velocities and accelerations.
-    Acceleration,
-}
+use crate::sheet::Sheet;
 
 /// The motion of a rigid body: its rotation, and the motion of a reference point, in the fixed frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,11 +36,11 @@ pub struct BodyMotion {
     pub at: Point,
     /// Velocity of the body's point at `at`.
     pub velocity: Vector,
-    /// Acceleration of the body's point at `at`; zero for [`Order::Velocity`].
+    /// Acceleration of the body's point at `at`; zero for [`Sheet::Velocity`].
     pub acceleration: Vector,
     /// Angular velocity, counter-clockwise positive, rad per unit of time.
     pub omega: f64,
-    /// Angular acceleration, rad per unit of time squared; zero for [`Order::Velocity`].
+    /// Angular acceleration, rad per unit of time squared; zero for [`Sheet::Velocity`].
     pub alpha: f64,
 }
 
@@ -110,7 +102,7 @@ pub struct GroupAccuracy {
 #[non_exhaustive]
 pub struct Motion {
     /// The highest derivative computed.
-    pub order: Order,
+    pub order: Sheet,
     /// By body. For an unsolved link or a carrier only the motion of the carried point has a meaning.
     pub bodies: Vec<BodyMotion>,
     /// By body: bounds on its errors.

@@ -1,6 +1,7 @@
-use super::{BodyMotion, GroupAccuracy, Motion, MotionErrors, Order, SlideMotion};
+use super::{BodyMotion, GroupAccuracy, Motion, MotionErrors, SlideMotion};
 use crate::geometry::{Ball, Pair, Point};
 use crate::mechanism::{BodyId, SliderId};
+use crate::sheet::Sheet;
 
 /// A [`BodyMotion`] before rounding, with bounds of its errors.
 #[derive(Clone, Copy, Debug, Default)]
@@ -94,9 +95,9 @@ impl State {
         &self.slides[id.0]
     }
 
-    /// All motions rounded to f64; with [`Order::Velocity`] accelerations are zero.
-    pub fn rounded(mut self, order: Order, groups: Vec<GroupAccuracy>, warnings: Vec<String>) -> Motion {
-        if order == Order::Velocity {
+    /// All motions rounded to f64; with [`Sheet::Velocity`] accelerations are zero.
+    pub fn rounded(mut self, order: Sheet, groups: Vec<GroupAccuracy>, warnings: Vec<String>) -> Motion {
+        if order == Sheet::Velocity {
             for body in &mut self.bodies {
                 (body.acceleration, body.alpha) = Default::default();
             }

@@ -3,7 +3,8 @@
 use super::name::Asked;
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use super::value::Scales;
-use crate::construction::{Change, Construction, Disturbance, Sheet, SheetScales, Solution, Tolerance, Values};
+use crate::construction::{Change, Construction, Disturbance, SheetScales, Solution, Tolerance, Values};
+use crate::sheet::Sheet;
 
 /// The value that a hand drawing gives for a quantity, and its scatter; in the quantity's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::band::{Pencil, pencil};
 use super::name::{Asked, QuantityError, is_acceleration};
 use crate::construction::{Action, Construction, Solution, Tolerance, coincident_name};
 use crate::mechanism::Role;
-use crate::motion::Order;
+use crate::sheet::Sheet;
 
 /// Names of the quantities that results and steps give and that may be read from a hand drawing: measured lengths and
 /// segments, rates, vectors by size and angle, angles of links, positions of sliders.
@@ -32,7 +32,7 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
             names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
         }
     }
-    if motion.order == Order::Velocity {
+    if motion.order == Sheet::Velocity {
         names.retain(|name| !is_acceleration(name));
     }
     names

@@ -1,8 +1,8 @@
 //! Names of quantities, and the quantities they name.
 
 use crate::Problem;
-use crate::construction::PlanKind;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::sheet::Sheet;
 use crate::text::shown;
 
 /// Why a quantity has no value.
@@ -105,7 +105,7 @@ pub enum What {
     /// A segment of a plan.
     Segment {
         /// The plan.
-        kind: PlanKind,
+        kind: Sheet,
         /// The plan point where it begins.
         from: String,
         /// The plan point where it ends.
@@ -276,8 +276,8 @@ impl Finder<'_> {
             }
             "vplan" | "aplan" => {
                 let kind = match head {
-                    "vplan" => PlanKind::Velocity,
-                    _ => PlanKind::Acceleration,
+                    "vplan" => Sheet::Velocity,
+                    _ => Sheet::Acceleration,
                 };
                 let (from, to) = pair(',')?;
                 let (from, to) = (from.to_owned(), to.to_owned());

@@ -2,10 +2,11 @@
 
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
-    Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, PlanKind, Product,
-    ProductKind, Sheet, Solution, SpecialId, StepId, Writer, construction_writer, image_name, normal_name,
+    Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Product, ProductKind,
+    Solution, SpecialId, StepId, Writer, construction_writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
 /// How a quantity is read: a number of the construction, and the meaning of its sign.
@@ -271,8 +272,8 @@ impl Reader<'_> {
     }
 
     /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
-    fn segment(&mut self, kind: PlanKind, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
-        let sheet = kind.sheet();
+    fn segment(&mut self, kind: Sheet, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
+        let sheet = kind;
         let construction = &self.writer.construction;
         let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name).to_owned());
         let [from, to] = [from.as_str(), to.as_str()];

@@ -1,7 +1,8 @@
 use crate::geometry::{Point, Vector};
 use crate::mechanism::{BodyId, PointId, SliderId};
-use crate::motion::{Motion, Order};
+use crate::motion::Motion;
 use crate::position::Pose;
+use crate::sheet::Sheet;
 
 /// A position with its rates, as far as quantities are evaluated from it; in the fixed frame and in the scene's units.
 pub trait State {
@@ -34,7 +35,7 @@ pub struct Snapshot<'a> {
 
 impl State for Snapshot<'_> {
     fn has_accelerations(&self) -> bool {
-        self.motion.order == Order::Acceleration
+        self.motion.order == Sheet::Acceleration
     }
 
     fn place(&self, point: PointId) -> Point {

@@ -1,7 +1,7 @@
 use super::name::{Asked, Component, Normality, Spot, What};
-use crate::construction::{PlanKind, Sheet};
 use crate::mechanism::Mechanism;
 use crate::scene::Units;
+use crate::sheet::Sheet;
 use crate::words::Notation;
 
 /// The kind of a quantity: quantities of one kind may share an axis.
@@ -25,6 +25,16 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// What is drawn to scale on a sheet.
+    #[must_use]
+    pub fn drawn_on(sheet: Sheet) -> Kind {
+        match sheet {
+            Sheet::Scheme => Kind::Length,
+            Sheet::Velocity => Kind::Velocity,
+            Sheet::Acceleration => Kind::Acceleration,
+        }
+    }
+
     /// Its unit, as in `rad/s²`.
     #[must_use]
     pub fn unit(self, units: Units) -> String {
@@ -71,10 +81,7 @@ impl Asked {
             What::SlideAcceleration(_) | What::Coriolis(..) | What::Acceleration(..) | What::Part(..) => {
                 Kind::Acceleration
             }
-            What::Segment { kind, .. } => match kind {
-                PlanKind::Velocity => Kind::Velocity,
-                PlanKind::Acceleration => Kind::Acceleration,
-            },
+            What::Segment { kind, .. } => Kind::drawn_on(*kind),
         }
     }
 
@@ -202,9 +209,10 @@ impl Asked {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Segment { kind, from, to, .. } => {
-                Symbol { after: format!(" ({} {})", shown(from), shown(to)), ..plain(kind.scale_name(), String::new()) }
-            }
+            What::Segment { kind, from, to, .. } => Symbol {
+                after: format!(" ({} {})", shown(from), shown(to)),
+                ..plain(kind.scale_symbol(), String::new())
+            },
         };
         let axis = match self.component {
             Some(Component::X) => ",x",

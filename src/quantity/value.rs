@@ -2,9 +2,10 @@
 
 use super::name::{Asked, Component, Normality, QuantityError, Spot, What, unknown};
 use super::state::{Snapshot, State};
-use crate::construction::{Construction, PlanKind, Sheet, Solution, image_name, normal_name};
+use crate::construction::{Construction, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::BodyId;
+use crate::sheet::Sheet;
 
 /// The value of a quantity, in the scene's units; angles in degrees, rates in rad per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -186,7 +187,7 @@ impl<S: State> Reader<'_, S> {
     /// The length of a plan segment, in the plan's units; in millimetres of paper if `scales` are given.
     fn segment(
         &self,
-        kind: PlanKind,
+        kind: Sheet,
         from: &str,
         to: &str,
         scales: Option<Option<&Scales>>,
@@ -195,7 +196,7 @@ impl<S: State> Reader<'_, S> {
         let mut plans = construction.plans();
         let plan = plans.find(|plan| plan.kind == kind);
         let plan = plan.ok_or_else(|| self.none("there is no such plan"))?;
-        let [from, to] = [from, to].map(|name| construction.plan_name(kind.sheet(), name));
+        let [from, to] = [from, to].map(|name| construction.plan_name(kind, name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
                 let known = plan.points.keys().map(String::as_str);
@@ -206,7 +207,7 @@ impl<S: State> Reader<'_, S> {
         let Some(scales) = scales else {
             return Ok(length);
         };
-        let mu = scales.and_then(|scales| scales.of(kind.sheet()));
+        let mu = scales.and_then(|scales| scales.of(kind));
         let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
         let mm = length / mu;
         if mm.is_finite() { Ok(mm) } else { Err(self.none("the scale is too small for it")) }

@@ -1,5 +1,6 @@
 //! The figure that a scene asks for.
 
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::de::{Error, Unexpected, Visitor};
@@ -26,7 +27,7 @@ use crate::text::Untrusted;
 pub struct Figure {
     /// The panels, in order; left out: all three.
     #[schemars(length(min = 1), extend("uniqueItems" = true))]
-    pub panels: Vec<PanelName>,
+    pub panels: Vec<Sheet>,
     /// Scale of the scheme: units of length per millimetre of paper.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub mu_l: Option<f64>,
@@ -40,7 +41,7 @@ pub struct Figure {
     #[schemars(with = "Option<ScalesFor>")]
     pub scales: ScalesFor,
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion. Left out: the panels share the sheet.
-    pub focus: Option<PanelName>,
+    pub focus: Option<Sheet>,
     /// The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4".
     #[schemars(with = "Option<String>", extend("enum" = Page::NAMES))]
     pub page: Page,
@@ -106,7 +107,7 @@ impl Default for Figure {
     /// All three panels with everything on them, on A4 landscape, at scales that fit.
     fn default() -> Self {
         Figure {
-            panels: PanelName::ALL.to_vec(),
+            panels: Sheet::ALL.to_vec(),
             mu_l: None,
             mu_v: None,
             mu_a: None,
@@ -142,21 +143,21 @@ impl Figure {
 
     /// The panels that are drawn, in order: with a focus the scheme and the plan in focus.
     #[must_use]
-    pub fn shown_panels(&self) -> Vec<PanelName> {
+    pub fn shown_panels(&self) -> Vec<Sheet> {
         match self.focus {
             None => self.panels.clone(),
-            Some(PanelName::Scheme) => vec![PanelName::Scheme],
-            Some(plan) => vec![PanelName::Scheme, plan],
+            Some(Sheet::Scheme) => vec![Sheet::Scheme],
+            Some(plan) => vec![Sheet::Scheme, plan],
         }
     }
 
     /// The given scale of a panel, in units per millimetre of paper; `None` if the panel is to fit.
     #[must_use]
-    pub fn mu(&self, panel: PanelName) -> Option<f64> {
+    pub fn mu(&self, panel: Sheet) -> Option<f64> {
         match panel {
-            PanelName::Scheme => self.mu_l,
-            PanelName::Velocity => self.mu_v,
-            PanelName::Acceleration => self.mu_a,
+            Sheet::Scheme => self.mu_l,
+            Sheet::Velocity => self.mu_v,
+            Sheet::Acceleration => self.mu_a,
         }
     }
 
@@ -206,18 +207,7 @@ impl Figure {
     }
 }
 
-choice! {
-    /// A part of the figure.
-    #[schemars(rename = "Panel")]
-    PanelName {
-        /// The mechanism itself.
-        Scheme = "scheme",
-        /// The velocity plan.
-        Velocity = "velocity",
-        /// The acceleration plan.
-        Acceleration = "acceleration",
-    }
-}
+write_forms! { Sheet { word => word.as_str() } }
 
 choice! {
     /// The plans for which scales are chosen that the scene does not give.

@@ -64,7 +64,7 @@ pub use build_parts::{Guide, NewLink, Push, Turn};
 pub use drive::{Drive, SliderDrive};
 pub use error::{Place, SceneError};
 pub use figure::{
-    ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, PanelName, ScalesFor, StyleName,
+    ConstructionShown, DecimalMark, Figure, LanguageName, NotationName, Page, PageSize, ScalesFor, StyleName,
 };
 pub use given_by::GivenBy;
 pub use kinds::Kind;

@@ -1,10 +1,10 @@
+use crate::sheet::Sheet;
+
 /// How a school writes poles, images of points and parts of accelerations; in markup, where `_{…}` is an index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Notation {
-    /// The pole of the velocity plan.
-    pub velocity_pole: &'static str,
-    /// The pole of the acceleration plan.
-    pub acceleration_pole: &'static str,
+    /// The poles that are not written as in results.
+    poles: &'static [(Sheet, &'static str)],
     /// Whether images of points bear a prime in the acceleration plan: `b′` beside `b` of the velocity plan.
     pub primes: bool,
     /// Index of the normal part of an acceleration.
@@ -20,27 +20,28 @@ pub struct Notation {
 impl Notation {
     /// All notations.
     pub const ALL: [&'static Notation; 4] = [&PAPER, &ENGLISH, &RUSSIAN, &GERMAN];
+
+    /// The symbol of a plan's pole, in markup.
+    #[must_use]
+    pub fn pole(&self, plan: Sheet) -> &'static str {
+        self.poles.iter().find(|(sheet, _)| *sheet == plan).map_or(plan.pole(), |(_, pole)| pole)
+    }
 }
 
 /// H. Quintero, G. Calle, A. Díaz, E. Henao, Rev. Fac. Ing. Univ. Antioquia 60 (2011) 81–91.
-pub(super) const PAPER: Notation = Notation {
-    velocity_pole: "p",
-    acceleration_pole: "π",
-    primes: false,
-    normal: "n",
-    tangential: "t",
-    coriolis: "c",
-    relative: "r",
-};
+pub(super) const PAPER: Notation =
+    Notation { poles: &[], primes: false, normal: "n", tangential: "t", coriolis: "c", relative: "r" };
 
 /// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.
-pub(super) const ENGLISH: Notation = Notation { velocity_pole: "o", acceleration_pole: "o′", primes: true, ..PAPER };
+pub(super) const ENGLISH: Notation =
+    Notation { poles: &[(Sheet::Velocity, "o"), (Sheet::Acceleration, "o′")], primes: true, ..PAPER };
 
 /// K. V. Frolov (ed.), *Теория механизмов и машин*, Высшая школа, Moscow 1987.
 pub(super) const RUSSIAN: Notation = Notation { tangential: "τ", coriolis: "k", ..PAPER };
 
 /// H. Kerle, B. Corves, M. Hüsing, *Getriebetechnik*, 5th ed., Springer Vieweg 2015.
-pub(super) const GERMAN: Notation = Notation { velocity_pole: "P_{v}", acceleration_pole: "P_{a}", ..PAPER };
+pub(super) const GERMAN: Notation =
+    Notation { poles: &[(Sheet::Velocity, "P_{v}"), (Sheet::Acceleration, "P_{a}")], ..PAPER };
 
 /// A name with a prime after its letter: `b′`, `d′_2`, `s′3`.
 #[must_use]

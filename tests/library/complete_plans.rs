@@ -1,8 +1,9 @@
 //! Every point of every link has its image in both plans: at the end of its velocity and its acceleration, and so that
 //! the image of a link is similar to the link.
 
+use kinegon::Sheet;
 use kinegon::Solution;
-use kinegon::construction::{Plan, PlanKind, image_name};
+use kinegon::construction::{Plan, image_name};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::BodyId;
 use support::files::{list, read, scenes};
@@ -76,8 +77,8 @@ fn image(solution: &Solution, plan: &Plan, link: BodyId) -> Image {
         };
         let rates = motion.body(link);
         let truth = match plan.kind {
-            PlanKind::Velocity => rates.velocity_at(place),
-            PlanKind::Acceleration => rates.acceleration_at(place),
+            Sheet::Velocity => rates.velocity_at(place),
+            _ => rates.acceleration_at(place),
         };
         let error = (drawn.vector - truth).norm();
         image.worst = image.worst.max(if size > 0.0 { error / size } else { error });

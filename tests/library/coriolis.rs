@@ -79,9 +79,7 @@ fn one_symbol_stands_for_it() {
         let words = solution.wording();
         let teller = Teller::new(&solution, &words);
         let (mut laid, mut rays) = (Vec::new(), Vec::new());
-        for step in
-            solution.construction.numbered_steps().filter(|s| s.sheet() == kinegon::construction::Sheet::Acceleration)
-        {
+        for step in solution.construction.numbered_steps().filter(|s| s.sheet() == kinegon::Sheet::Acceleration) {
             match &step.step.action {
                 Action::LayOff(arrow) if arrow.kind() == ArrowKind::Coriolis => {
                     laid.push(teller.formula(&step).markup());

@@ -3,8 +3,9 @@
 //!
 //! `tests/driven_sliders/README.md` says where the true numbers come from. A new case is a new pair of files.
 
+use kinegon::Sheet;
 use kinegon::Solution;
-use kinegon::construction::{Action, ArrowKind, Plan, PlanKind, image_name};
+use kinegon::construction::{Action, ArrowKind, Plan, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Vector, cross, direction_of_degrees};
 use serde_json::{Value, json};
@@ -219,8 +220,8 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
         for (body, _) in bodies.enumerate().filter(|(_, b)| holds(b)) {
             let (motion, at) = (&solution.motion.bodies[body], solution.pose.points[index]);
             let truth = match plan.kind {
-                PlanKind::Velocity => motion.velocity_at(at),
-                PlanKind::Acceleration => motion.acceleration_at(at),
+                Sheet::Velocity => motion.velocity_at(at),
+                _ => motion.acceleration_at(at),
             };
             let off = (image.vector - truth).norm();
             assert!(!exceeds(off, bound), "{name}: the image of {point} is {off:e} off");
@@ -256,8 +257,8 @@ fn plans_close_and_show_what_drives_add() {
                 };
                 let rate = |key: &str| drive[key].as_f64().unwrap_or(0.0).abs();
                 match plan.kind {
-                    PlanKind::Velocity => has(ArrowKind::Sliding, rate("speed")),
-                    PlanKind::Acceleration => {
+                    Sheet::Velocity => has(ArrowKind::Sliding, rate("speed")),
+                    _ => {
                         has(ArrowKind::Sliding, rate("acceleration"));
                         let key = ["link", "on"].map(|key| slider[key].as_str().expect("a name"));
                         let truth = &case.expect["sliders"][key.join("/")];

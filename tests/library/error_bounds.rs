@@ -4,9 +4,10 @@
 
 use support::survey::{BOUNDED, on_all_cores};
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
-use kinegon::motion::{Order, motion};
+use kinegon::motion::motion;
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 use support::files;
@@ -41,7 +42,7 @@ struct Seen {
 impl Seen {
     /// Compares a mechanism's motion with the truth; `guides` are directions by slider of any length.
     fn see(&mut self, name: &str, mechanism: &Mechanism, pose: &Pose, guides: &[[f64; 2]]) {
-        let Ok(motion) = motion(mechanism, pose, Order::Acceleration) else {
+        let Ok(motion) = motion(mechanism, pose, Sheet::Acceleration) else {
             self.refused += 1;
             return;
         };

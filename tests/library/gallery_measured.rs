@@ -4,7 +4,8 @@
 //! Styles move nothing, so only what they change is measured in each.
 
 use indexmap::IndexMap;
-use kinegon::construction::{Construction, Plan, PlanKind, PointRole};
+use kinegon::Sheet;
+use kinegon::construction::{Construction, Plan, PointRole};
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Shape, Style};
 use kinegon::scene::StyleName;
@@ -73,8 +74,8 @@ fn figures_are_readable_in_every_position() {
         wrong.extend(faults(drawing).iter().map(|fault| format!("{name}: {fault}")));
         for plan in construction.plans() {
             let panel = match plan.kind {
-                PlanKind::Velocity => "velocity",
-                PlanKind::Acceleration => "acceleration",
+                Sheet::Velocity => "velocity",
+                _ => "acceleration",
             };
             let (shown, wanted) = (names_in(drawing, panel), names_of(plan, labels));
             if shown != wanted {

@@ -2,10 +2,11 @@
 //! links in turn: the drive must come back to where it stood.
 
 use kinegon::Error;
+use kinegon::Sheet;
 use kinegon::format::{modes, structure};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Order, motion};
+use kinegon::motion::motion;
 use kinegon::position::{Pose, pose, poses};
 use kinegon::scene::Scene;
 use kinegon::words::Wording;
@@ -58,7 +59,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
     for (name, scene) in templates() {
         let Some(open) = opened(&scene) else { continue };
         let (_, plain, truth) = solved(&scene).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let rates = motion(&plain, &truth, Order::Velocity).expect("it moves");
+        let rates = motion(&plain, &truth, Sheet::Velocity).expect("it moves");
         let places = || (0..plain.points.len()).map(|p| (p, truth.points[p]));
         let size = places().fold(0.0, |m: f64, (_, p)| m.max(p.coords.norm()));
         for (id, body) in plain.links().filter(|(id, _)| plain.is_sought(*id)) {
@@ -87,7 +88,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
                     let same = all[number - 1].points == pose.points;
                     assert!(same, "{what}: mode {number} is another");
                     assert!(modes(&scene, &again, &all).contains(&format!("{number:3}. ")));
-                    let moved = motion(&again, &pose, Order::Acceleration).expect("it moves");
+                    let moved = motion(&again, &pose, Sheet::Acceleration).expect("it moves");
                     let error = (moved.body(id).omega - rates.body(id).omega).abs() / fastest;
                     assert!(error <= 100.0 * bound, "{what}: rate wrong by {error:.1e}");
                 }

@@ -1,10 +1,11 @@
 //! Sheets for a lecture hall and scales of a cycle: letters are large, nothing touches them, all sheets of a scene have one set of scales,
 //! no pole is cut off, and a panel whose content is cut says so.
 
+use kinegon::Sheet;
 use kinegon::construction::Aim;
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Pen, Shape};
-use kinegon::scene::{Figure, Page, PanelName, ScalesFor, StyleName};
+use kinegon::scene::{Figure, Page, ScalesFor, StyleName};
 use kinegon::{Scene, Solution};
 use support::faults::{faults, id, panels};
 use support::files;
@@ -37,7 +38,7 @@ fn letters_in_a_hall_are_large_and_free() {
     let mut wrong = Vec::new();
     for (name, text) in files::templates() {
         for sheet in ["16x9", "a4"] {
-            for focus in [None, Some(PanelName::Velocity), Some(PanelName::Acceleration), Some(PanelName::Scheme)] {
+            for focus in [None, Some(Sheet::Velocity), Some(Sheet::Acceleration), Some(Sheet::Scheme)] {
                 let solution = solved_as(&text, |figure| {
                     (figure.style, figure.page, figure.focus) = (StyleName::Lecture, page(sheet), focus);
                 });
@@ -167,7 +168,7 @@ fn scales_of_a_cycle_hold_all_its_plans() {
 #[test]
 fn a_panel_in_focus_takes_most_of_the_sheet() {
     for (name, text) in files::templates() {
-        for focus in [PanelName::Velocity, PanelName::Acceleration] {
+        for focus in [Sheet::Velocity, Sheet::Acceleration] {
             let drawing = solved_as(&text, |figure| {
                 (figure.page, figure.style, figure.focus) = (page("16x9"), StyleName::Lecture, Some(focus));
             })

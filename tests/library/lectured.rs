@@ -1,8 +1,9 @@
 //! Mechanisms as a lecturer writes them (`tests/lecture`): faults that their figures and results have had.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::form_names;
-use kinegon::construction::{PlaceId, Sheet};
+use kinegon::construction::PlaceId;
 use kinegon::cycle::{Event, Happening};
 use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::words::Wording;

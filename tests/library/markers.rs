@@ -1,10 +1,11 @@
 //! Sheets with markers: nothing stands where the markers and the code are, these are where they are said to be, and the code says what is on
 //! the sheet.
 
+use kinegon::Sheet;
 use kinegon::drawing::markers::{CODE_WHITE, CODES, SheetCode, WHITE, cells, code_place, places};
 use kinegon::drawing::{Drawing, Pen, Point, Rect, Shape, Style};
 use kinegon::exercise::Exercises;
-use kinegon::scene::{Figure, Page, PanelName, StyleName};
+use kinegon::scene::{Figure, Page, StyleName};
 use kinegon::{Scene, Solution};
 use support::files;
 use support::stages::solved;
@@ -106,7 +107,7 @@ fn exercises_have_sheets_for_their_plans() {
                 assert_holds(&name, &exercise.solution, sheet, panel);
             }
         }
-        assert_eq!(shown, PanelName::ALL, "{name}");
+        assert_eq!(shown, Sheet::ALL, "{name}");
     }
 }
 
@@ -115,7 +116,7 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
     let index =
         sheet.code.iter().flat_map(|code| &code.panels).position(|p| p.panel == panel.panel).expect("it is one");
     let (_, frame) = sheet.panels[index];
-    if panel.panel == PanelName::Scheme {
+    if panel.panel == Sheet::Scheme {
         // The joints are where the code says.
         let joints: Vec<Point> =
             sheet.marks.iter().filter(|m| m.pen == Pen::Joint).map(|m| m.shape.bounds().center()).collect();
@@ -135,8 +136,7 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
     let plan = solution.construction.plans().find(|plan| {
         matches!(
             (plan.kind, panel.panel),
-            (kinegon::construction::PlanKind::Velocity, PanelName::Velocity)
-                | (kinegon::construction::PlanKind::Acceleration, PanelName::Acceleration)
+            (kinegon::Sheet::Velocity, Sheet::Velocity) | (kinegon::Sheet::Acceleration, Sheet::Acceleration)
         )
     });
     for (point, at) in &plan.expect("a plan").points {

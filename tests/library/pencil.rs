@@ -1,9 +1,10 @@
 //! The construction replayed act by act: without errors it is a third route to every number, with them it gives the bands of honest
 //! hand drawings, which simulated drawings keep to.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::construction::{
-    Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind, Sheet,
+    Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind,
     SheetScales, Tolerance,
 };
 use kinegon::quantity::{Asked, Band, Quantity, Reading, Sense, Unread, read_by_hand, readable_names, step_names};
@@ -156,7 +157,7 @@ fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -
     for plan in sheets.solution.construction.plans() {
         let size = plan.points.values().map(|p| p.vector.norm());
         let size = size.fold(0.0, f64::max);
-        let sheet = plan.kind.sheet();
+        let sheet = plan.kind;
         for (name, point) in &plan.points {
             let Some(place) = sheets.drawn.place(sheet, name) else {
                 wrong.push(format!("{scene}: no {name} in the {}", sheet.name()));

@@ -1,8 +1,9 @@
 //! A scene put together in Rust is the scene that its file says: every key of the format, the same checks, the same messages.
 
+use kinegon::Sheet;
 use kinegon::scene::{
     Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
-    NotationName, Page, PageSize, PanelName, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
+    NotationName, Page, PageSize, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
 };
 use support::files;
 
@@ -217,7 +218,7 @@ fn every_other_key() {
         .near("E", [1.0, 2.0])
         .near_angle("2", 12.5)
         .figure(Figure {
-            panels: vec![PanelName::Velocity, PanelName::Scheme],
+            panels: vec![Sheet::Velocity, Sheet::Scheme],
             mu_l: Some(1.0),
             mu_v: Some(2.5),
             mu_a: Some(0.1),

@@ -1,8 +1,8 @@
 //! What a scene says is what the `Scene` holds.
 
+use kinegon::Sheet;
 use kinegon::scene::{
-    Along, At, GivenBy, LengthUnit, MAX_BYTES, On, Page, PageSize, PanelName, Scene, SceneError, Shape, SliderDrive,
-    TimeUnit,
+    Along, At, GivenBy, LengthUnit, MAX_BYTES, On, Page, PageSize, Scene, SceneError, Shape, SliderDrive, TimeUnit,
 };
 
 const FIGURE_2: &str = r#"{ "$schema": "scene.schema.json", "kinegon": 1, "note": "from the paper",
@@ -50,7 +50,7 @@ fn the_lengths_form_is_read_in_file_order() {
     assert_eq!(slider.along, Along::Points("B".into(), "E".into()));
     assert_eq!(scene.near.points.keys().collect::<Vec<_>>(), ["D", "E", "F"]);
     assert_eq!(scene.near.angles_deg["2"], 42.0);
-    assert_eq!(scene.figure.panels, [PanelName::Velocity, PanelName::Scheme]);
+    assert_eq!(scene.figure.panels, [Sheet::Velocity, Sheet::Scheme]);
     assert_eq!(scene.figure.page, Page { size: PageSize::A3, landscape: false });
     assert_eq!((scene.figure.mu_l, scene.figure.mu_v), (None, Some(2.5)));
     assert_eq!(

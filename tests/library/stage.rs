@@ -1,10 +1,10 @@
 //! The stage: one layout for all positions of a mechanism, and the places of its points on the sheet.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::cycle::{Animation, OtherModes, Pull};
 use kinegon::drawing::{Drawing, Handle, Mark, Point, Shape, Stage, Steps, Vec2};
 use kinegon::position::counted_poses;
-use kinegon::scene::PanelName;
 use std::collections::BTreeSet;
 use support::faults::faults;
 use support::files;
@@ -107,7 +107,7 @@ fn handles_are_where_points_are_drawn() {
             for handle in stage.plan_handles(&moved) {
                 same(&handle);
                 let plan = match handle.panel {
-                    PanelName::Velocity => Some(&moved.construction.velocity),
+                    Sheet::Velocity => Some(&moved.construction.velocity),
                     _ => moved.construction.acceleration.as_ref(),
                 };
                 let plan = plan.expect("the plan of a panel");
@@ -210,7 +210,7 @@ fn joints_stay_in_sight_all_round_the_cycle() {
         for steps in [None, Some(Steps::Fine)] {
             let stage = Stage::new(&own, steps, None);
             let drawing = stage.draw(&own, None);
-            let Some(frame) = stage.panels(&drawing).into_iter().find(|panel| panel.panel == PanelName::Scheme) else {
+            let Some(frame) = stage.panels(&drawing).into_iter().find(|panel| panel.panel == Sheet::Scheme) else {
                 continue;
             };
             let outside = |solution: &Solution| {
@@ -223,7 +223,7 @@ fn joints_stay_in_sight_all_round_the_cycle() {
             let outside: BTreeSet<String> = animation.positions.iter().flat_map(outside).collect();
             println!(
                 "{name} {steps:?}: mu {:?}, frame {:.0} x {:.0}, own cut: {:?}",
-                stage.mu(PanelName::Scheme),
+                stage.mu(Sheet::Scheme),
                 frame.frame.width(),
                 frame.frame.height(),
                 stage.panels(&drawing).iter().filter(|p| p.is_cut).map(|p| p.panel).collect::<Vec<_>>()

@@ -1,12 +1,12 @@
 //! Relations between angles that are no part of a slider, through all stages: wheels that mesh, against closed forms and
 //! differences.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::accuracy::bounds;
 use kinegon::cycle::{Drive, Path};
 use kinegon::geometry::{Point, Vector, turn_of_degrees};
 use kinegon::mechanism::{AngularConstraint, GROUND, Joint, Mechanism, mechanism_with};
-use kinegon::motion::Order;
 use kinegon::position::{pose, poses};
 use kinegon::scene::Scene;
 
@@ -62,7 +62,7 @@ fn derivatives(f: impl Fn(f64) -> Vector) -> [Vector; 2] {
 
 fn solved(scene: &Scene, mechanism: Mechanism) -> Solution {
     let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
-    Solution::new(scene.clone(), mechanism, pose, Order::Acceleration).expect("it is not singular")
+    Solution::new(scene.clone(), mechanism, pose, Sheet::Acceleration).expect("it is not singular")
 }
 
 fn number(solution: &Solution, name: &str) -> f64 {

@@ -1,8 +1,9 @@
 //! Exercises: every kind of mechanism gives some; they are the same for the same seed, and can be drawn by hand.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, Given, Marks, Measured, Student, Verdict, check};
-use kinegon::construction::{Action, PlanKind};
+use kinegon::construction::Action;
 use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::exercise::{Exercise, ExerciseError, Exercises, Refusal};
 use kinegon::geometry::{Point, Vector};
@@ -114,8 +115,8 @@ fn segments_are_long(kind: &str, solution: &Solution) {
     let figure = &solution.scene.figure;
     for plan in solution.construction.plans() {
         let mu = match plan.kind {
-            PlanKind::Velocity => figure.mu_v,
-            PlanKind::Acceleration => figure.mu_a,
+            Sheet::Velocity => figure.mu_v,
+            _ => figure.mu_a,
         };
         for step in &plan.steps {
             if let Action::Measure { from, to, .. } = &step.action {

@@ -1,10 +1,10 @@
 //! A student's drawing over the right figure: nothing covers a name, crosses and lines are where the student has them, and the words tell what went wrong.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
-use kinegon::construction::PlanKind;
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
-use kinegon::scene::{PageSize, PanelName};
+use kinegon::scene::PageSize;
 use support::faults::{faults, id};
 use support::files;
 use support::program::{kinegon, scratch, stderr};
@@ -73,7 +73,7 @@ fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
         let places = names.map(|name| {
             let v = plan.points[name].vector / mu.expect("a panel");
             let mut at = [v.x, v.y];
-            if name == "c" && plan.kind == PlanKind::Velocity {
+            if name == "c" && plan.kind == Sheet::Velocity {
                 at = [at[0] + moved[0], at[1] + moved[1]];
             }
             let [x, y] = at;
@@ -148,7 +148,7 @@ fn a_turned_ray_ends_where_geometry_says() {
     let mu = answer_key(&solution, 1).scales.velocity.expect("a panel");
     let Drawings { sheets, own, .. } = drawn(solution, &measured, 1);
     let mut found = own.points.iter();
-    let found = found.find(|p| p.panel == PanelName::Velocity && p.name == "c");
+    let found = found.find(|p| p.panel == Sheet::Velocity && p.name == "c");
     let at = found.expect("c is elsewhere").at;
     let apart = libm::hypot(at.x - want[0], at.y - want[1]);
     assert!(apart < 1e-6, "{at:?} for {want:?}");
@@ -193,7 +193,7 @@ fn text(drawing: &Drawing, name: &str) -> String {
 
 #[test]
 fn points_from_paper_lie_over_the_right_ones() {
-    let right = |solution: &Solution, kind: PlanKind, name: &str| {
+    let right = |solution: &Solution, kind: Sheet, name: &str| {
         let mut plans = solution.construction.plans();
         plans.find(|p| p.kind == kind).expect("a plan").points[name].vector
     };
@@ -202,8 +202,8 @@ fn points_from_paper_lie_over_the_right_ones() {
     assert_eq!(exact.own.points.len(), 6);
     for point in &exact.own.points {
         let kind = match point.panel {
-            PanelName::Velocity => PlanKind::Velocity,
-            _ => PlanKind::Acceleration,
+            Sheet::Velocity => Sheet::Velocity,
+            _ => Sheet::Acceleration,
         };
         let apart = (point.at.coords - right(&base, kind, &point.name)).norm();
         assert!(apart < 1e-9 * point.at.coords.norm().max(1.0), "{point:?}");
@@ -219,8 +219,8 @@ fn points_from_paper_lie_over_the_right_ones() {
     let measured = points(&base, moved);
     let mu = measured.mu[1].expect("a scale");
     let wrong = drawn(solution(FOUR_BAR), &measured, 1);
-    for point in wrong.own.points.iter().filter(|p| p.panel == PanelName::Velocity) {
-        let apart = (point.at.coords - right(&base, PlanKind::Velocity, &point.name)) / mu;
+    for point in wrong.own.points.iter().filter(|p| p.panel == Sheet::Velocity) {
+        let apart = (point.at.coords - right(&base, Sheet::Velocity, &point.name)) / mu;
         let is_c = point.name == "c";
         assert_eq!(point.is_named, is_c, "{point:?}");
         let want = if is_c { moved } else { [0.0, 0.0] };
@@ -246,7 +246,7 @@ fn a_measured_component_is_drawn_and_slips_of_writing_are_not() {
     assert!((from - b).norm() < 1e-9 && to.y == from.y);
     assert!((to.x - s3.x).abs() < 1e-9);
     assert_eq!(line.label.as_deref(), Some("248.1 mm"));
-    assert_eq!(line.panel, PanelName::Scheme);
+    assert_eq!(line.panel, Sheet::Scheme);
     assert!(own.points.is_empty());
     // On paper: its length to scale, its right counterpart under it, the words of all four steps.
     let Shape::Line(p, q) = mark(&sheets[0], "scheme-student-line-1").shape else {

@@ -2,8 +2,9 @@
 //! α over −ω² and √(α² + ω⁴) times as large in the acceleration plan (Mehmke's theorem).
 
 use super::changes::{ACCELERATION_BOUND, BOUND, Sizes, U};
+use kinegon::Sheet;
 use kinegon::Solution;
-use kinegon::construction::{Plan, PlanKind, coincident_name, image_name};
+use kinegon::construction::{Plan, coincident_name, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Point, Vector, quarter_turn};
 use kinegon::mechanism::BodyId;
@@ -62,10 +63,10 @@ pub fn dissimilarity(solution: &Solution, result: &ResultFile, condition: f64) -
                     let is_special = [p, q].iter().any(|x| x.name.starts_with('S'));
                     let blur = sizes.length * if is_special { far * far } else { 0.0 };
                     let (expected, size, error, bound) = match plan.kind {
-                        PlanKind::Velocity => {
+                        Sheet::Velocity => {
                             (quarter_turn(side) * omega, sizes.velocity + 2.0 * sizes.omega * blur, omega_error, BOUND)
                         }
-                        PlanKind::Acceleration => (
+                        _ => (
                             quarter_turn(side) * alpha - side * (omega * omega),
                             sizes.acceleration + 2.0 * (sizes.alpha + sizes.omega * sizes.omega) * blur,
                             alpha_error + 2.0 * omega.abs() * omega_error,

@@ -13,14 +13,13 @@ use super::students::script;
 use super::students::sheet::ends_of;
 use super::students::task::{Planned, Task};
 use image::{DynamicImage, ImageDecoder, ImageReader};
+use kinegon::Sheet;
 use kinegon::check::{
     AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposals, check, check_result, proposed,
 };
-use kinegon::construction::PlanKind;
 use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
-use kinegon::scene::PanelName;
 use std::io::Cursor;
 
 /// A grey, upright picture from a file's bytes.
@@ -59,7 +58,7 @@ pub fn given(number: u64) -> Option<Given> {
 
 /// The plans of a sheet as panels of the tests' hand.
 pub fn panels(code: &SheetCode) -> Vec<Panel> {
-    let plans = code.panels.iter().filter(|panel| panel.panel != PanelName::Scheme);
+    let plans = code.panels.iter().filter(|panel| panel.panel != Sheet::Scheme);
     plans.map(|p| Panel { plan: p.panel as usize, pole: p.origin, mu: Some(p.mu), has_pole: true }).collect()
 }
 
@@ -125,7 +124,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     let key = answer_key(&task.solution, 5);
     let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
     let mut photos: Vec<(PhotoSheet, Vec<Stroke>)> = Vec::new();
-    let mut truth: Vec<(PlanKind, String, [f64; 2])> = Vec::new();
+    let mut truth: Vec<(Sheet, String, [f64; 2])> = Vec::new();
     for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
         let panels = panels(&sheet.0);
         let drawing = drawn(task, planned.as_ref(), skill, number, &panels);
@@ -165,10 +164,10 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     typed.values.retain(|value| !(value.name.starts_with("vplan") || value.name.starts_with("aplan")));
     typed.points = points;
     for plan in &plans {
-        typed.mu[plan.kind.sheet() as usize] = Some(plan.mu);
+        typed.mu[plan.kind as usize] = Some(plan.mu);
     }
     tally.named[1] += usize::from(told(&typed) == Class::Named);
-    let left: Vec<(PlanKind, String)> = proposals
+    let left: Vec<(Sheet, String)> = proposals
         .points
         .iter()
         .filter(|point| point.found.is_none())
@@ -195,13 +194,13 @@ fn are_drawn(task: &Task, planned: &Planned) -> bool {
 fn tap(
     points: &mut [PointsOf],
     plans: &[PencilledPlan<'_>],
-    left: &[(PlanKind, String)],
-    truth: &[(PlanKind, String, [f64; 2])],
+    left: &[(Sheet, String)],
+    truth: &[(Sheet, String, [f64; 2])],
     task: &Task,
     random: &mut Random,
 ) {
     for (kind, name) in left {
-        let own = |(other, same, _): &&(PlanKind, String, [f64; 2])| kind == other && is_same(task, *kind, name, same);
+        let own = |(other, same, _): &&(Sheet, String, [f64; 2])| kind == other && is_same(task, *kind, name, same);
         let Some((_, _, at)) = truth.iter().find(own) else { continue };
         let Some(plan) = plans.iter().find(|plan| plan.kind == *kind) else { continue };
         let Some(own) = points.iter_mut().find(|points| points.kind == *kind) else { continue };
@@ -215,9 +214,9 @@ fn tap(
 }
 
 /// Whether two names mean one point of a plan.
-fn is_same(task: &Task, kind: PlanKind, one: &str, other: &str) -> bool {
+fn is_same(task: &Task, kind: Sheet, one: &str, other: &str) -> bool {
     let construction = &task.solution.construction;
-    let place = |name: &str| construction.place(kind.sheet(), construction.plan_name(kind.sheet(), name));
+    let place = |name: &str| construction.place(kind, construction.plan_name(kind, name));
     place(one) == place(other)
 }
 
@@ -227,20 +226,20 @@ fn class_of(form: &Measured, key: &AnswerKey<'_>, planned: &Planned) -> Class {
     class(&Said::new(&check_result(&checked, key, &key.solution.wording(), None)), planned)
 }
 
-fn kind_of(plan: usize) -> PlanKind {
-    if plan == 1 { PlanKind::Velocity } else { PlanKind::Acceleration }
+fn kind_of(plan: usize) -> Sheet {
+    if plan == 1 { Sheet::Velocity } else { Sheet::Acceleration }
 }
 
 /// Compares proposals with the truth; the places of the points that were proposed.
 fn compare(
     proposals: &Proposals,
-    truth: &[(PlanKind, String, [f64; 2])],
+    truth: &[(Sheet, String, [f64; 2])],
     task: &Task,
     tally: &mut Tally,
 ) -> Vec<PointsOf> {
     let mut found: Vec<PointsOf> = Vec::new();
     for point in &proposals.points {
-        let own = |(kind, name, _): &&(PlanKind, String, [f64; 2])| {
+        let own = |(kind, name, _): &&(Sheet, String, [f64; 2])| {
             *kind == point.kind && is_same(task, *kind, name, &point.name)
         };
         let Some((_, _, at)) = truth.iter().find(own) else { continue };

@@ -5,8 +5,9 @@ use super::mistake::Mistake;
 use super::site::Site;
 use super::vectors::{products, terms, velocities};
 use crate::check::model::Edit;
-use crate::construction::{Action, NumberId, NumberKind, OperationKind, Product, ProductKind, Rate, RayOf, Sheet};
+use crate::construction::{Action, NumberId, NumberKind, OperationKind, Product, ProductKind, Rate, RayOf};
 use crate::mechanism::{GROUND, SliderId};
+use crate::sheet::Sheet;
 
 pub(super) fn forgotten(site: &Site<'_>) -> Vec<Candidate> {
     products(site, Mistake::CoriolisForgotten, ProductKind::Coriolis, |_| None)

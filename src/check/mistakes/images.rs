@@ -4,8 +4,9 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Action, Along, LineId, NumberId, OperationKind, Part, PlaceId, RayOf, Reference, Sheet};
+use crate::construction::{Action, Along, LineId, NumberId, OperationKind, Part, PlaceId, RayOf, Reference};
 use crate::geometry::Vector;
+use crate::sheet::Sheet;
 
 pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = mirrored_vectors(site);

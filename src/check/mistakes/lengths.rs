@@ -4,7 +4,8 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId, Sheet};
+use crate::construction::{Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId};
+use crate::sheet::Sheet;
 
 /// The candidate, with the right sign of the number measured: people take the sign from the sheets, not from the
 /// measurement.

@@ -6,9 +6,10 @@ use super::mistake::Mistake;
 use super::site::{Laid, Site};
 use super::vectors::{Term, terms};
 use crate::check::model::Edit;
-use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate, Sheet};
+use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{Kind, What};
 use crate::scene::{LengthUnit, TimeUnit};
+use crate::sheet::Sheet;
 
 /// Rates that are solved for or given: the operation that gives each, its number, which rate it is.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {

@@ -4,7 +4,8 @@ use super::candidate::Candidate;
 use super::mistake::Mistake;
 use super::site::Site;
 use crate::check::model::Edit;
-use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, Part, Sheet};
+use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, Part};
+use crate::sheet::Sheet;
 
 /// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
 fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {

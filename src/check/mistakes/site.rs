@@ -3,10 +3,9 @@ use super::mistake::Mistake;
 use crate::check::answer_key::AnswerKey;
 use crate::check::entry::Entry;
 use crate::check::model::{Edit, Model};
-use crate::construction::{
-    Along, NumberId, NumberKind, Operation, OperationKind, PlaceId, Product, ProductKind, Sheet,
-};
+use crate::construction::{Along, NumberId, NumberKind, Operation, OperationKind, PlaceId, Product, ProductKind};
 use crate::geometry::{Vector, unit};
+use crate::sheet::Sheet;
 
 /// A construction in which mistakes are looked for.
 pub(in crate::check) struct Site<'a> {

@@ -3,7 +3,8 @@
 use super::candidate::{Amount, Candidate, Free};
 use super::mistake::Mistake;
 use super::site::Site;
-use crate::construction::{NumberId, Operation, OperationKind, Sheet};
+use crate::construction::{NumberId, Operation, OperationKind};
+use crate::sheet::Sheet;
 use smallvec::{SmallVec, smallvec};
 
 /// Range of the angles by which lines and vectors are wrong, in degrees.

@@ -5,9 +5,10 @@ use super::mistake::Mistake;
 use super::site::{Laid, Site};
 use crate::check::model::Edit;
 use crate::construction::{
-    Along, NumberId, NumberKind, OperationKind, PlaceId, Plan, Product, ProductKind, Rate, Sheet, image_name,
+    Along, NumberId, NumberKind, OperationKind, PlaceId, Plan, Product, ProductKind, Rate, image_name,
 };
 use crate::geometry::quarter_turn;
+use crate::sheet::Sheet;
 
 /// The reversed vectors that have no name of their own: a normal part alone is laid off outward, a Coriolis
 /// acceleration alone is turned the wrong way, and the velocity of a crank has the wrong sense of its ω.

@@ -13,7 +13,7 @@ use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
 use super::sheet::{CheckError, Measured, PointsOf};
-use crate::construction::PlanKind;
+use crate::sheet::Sheet;
 use track::{Track, Tracker};
 
 /// Where a point seems to be, by the pencil lines.
@@ -31,7 +31,7 @@ pub struct Found {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal {
     /// Of which plan.
-    pub kind: PlanKind,
+    pub kind: Sheet,
     /// Its name, as in `b` or `n_b3`.
     pub name: String,
     /// Its right place from the pole, in mm, y up.
@@ -57,7 +57,7 @@ impl Proposals {
     pub fn measured(&self, plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
         let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
         for plan in plans {
-            measured.mu[plan.kind.sheet() as usize] = Some(plan.mu);
+            measured.mu[plan.kind as usize] = Some(plan.mu);
             let mut points = PointsOf::new(plan.kind);
             points.put(plan.kind.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
             for point in self.points.iter().filter(|point| point.kind == plan.kind) {
@@ -92,7 +92,7 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
     let mut points = right_points(key, plans)?;
     let mut mu = key.scales.all();
     for plan in plans {
-        mu[plan.kind.sheet() as usize] = Some(plan.mu);
+        mu[plan.kind as usize] = Some(plan.mu);
     }
     let model = Model::new(key, key.solution, mu, &[])?;
     let tracker = Tracker::new(&model, plans);
@@ -138,7 +138,7 @@ fn agreed(
     plans: &[PencilledPlan<'_>],
     point: &Proposal,
 ) -> Option<Found> {
-    let sheet = point.kind.sheet();
+    let sheet = point.kind;
     let place = model.construction.place(sheet, model.construction.plan_name(sheet, &point.name))?;
     let plan = plans.iter().find(|plan| plan.kind == point.kind)?;
     let spot = rivals.first()?.2.spot(place)?;
@@ -175,7 +175,7 @@ fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
         let mut shown = key.solution.construction.plans();
         let Some(plan) = shown.find(|plan| plan.kind == pencilled.kind) else { continue };
         let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
-        measured.mu[pencilled.kind.sheet() as usize] = Some(pencilled.mu);
+        measured.mu[pencilled.kind as usize] = Some(pencilled.mu);
         let mut own = PointsOf::new(plan.kind);
         let right = |vector: crate::geometry::Vector| [vector.x / pencilled.mu, vector.y / pencilled.mu];
         own.put(plan.kind.pole(), [0.0; 2], None);

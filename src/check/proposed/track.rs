@@ -4,9 +4,10 @@ use super::lines::{Spot, crossing, drawn, end};
 use crate::check::mistakes::Candidate;
 use crate::check::model::{Changes, Edit, Model};
 use crate::check::photographs::PencilledPlan;
-use crate::construction::{Disturbance, LineId, OperationKind, PlaceId, Sheet};
+use crate::construction::{Disturbance, LineId, OperationKind, PlaceId};
 use crate::geometry::{Point, Vector, cross, unit};
 use crate::photo::Stroke;
+use crate::sheet::Sheet;
 use std::collections::HashSet;
 
 /// What speaks for a crossing of two lines that are there, and for a vector.
@@ -53,7 +54,7 @@ impl Track {
 impl<'a> Tracker<'a> {
     pub(super) fn new(model: &'a Model, plans: &[PencilledPlan<'_>]) -> Tracker<'a> {
         let strokes = Sheet::ALL.map(|sheet| {
-            let plan = plans.iter().find(|plan| plan.kind.sheet() == sheet)?;
+            let plan = plans.iter().find(|plan| plan.kind == sheet)?;
             let turned = |at: Point| Point::from(plan.from_pole([at.x, at.y]));
             Some(plan.strokes.iter().map(|stroke| Stroke { ends: stroke.ends.map(turned), ..*stroke }).collect())
         });

@@ -11,10 +11,10 @@ use super::report::{ReportText, sentences};
 use super::search::other_modes;
 use super::sheet::{CheckError, Measured};
 use super::verdict::Verdict;
-use crate::construction::{Action, Sheet};
+use crate::construction::Action;
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::quantity::{Asked, What};
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use sheets::Sheets;
 
@@ -146,7 +146,7 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         };
         wrong.push(WrongStep {
             step: step.number,
-            panel: if solves { PanelName::Scheme } else { step.sheet().panel() },
+            panel: if solves { Sheet::Scheme } else { step.sheet() },
             label: language.check_step(&step.number.to_string()),
             link: solves.then(|| link.to_owned()),
         });

@@ -6,10 +6,11 @@ use super::super::model::{Changes, Edit, Model};
 use super::super::report::significant;
 use super::super::sheet::Measured;
 use super::super::verdict::Judged;
-use crate::construction::{Change, Disturbance, LineId, MeasuredAs, OperationKind, PlaceId, Sheet, Values};
+use crate::construction::{Change, Disturbance, LineId, MeasuredAs, OperationKind, PlaceId, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
 use crate::quantity::Kind;
+use crate::sheet::Sheet;
 use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
 
@@ -87,7 +88,7 @@ impl<'a> Sheets<'a> {
     pub(super) fn lay_points(&mut self, measured: &Measured) -> Vec<(Sheet, f64)> {
         let mut turns = Vec::new();
         for points in &measured.points {
-            let sheet = points.kind.sheet();
+            let sheet = points.kind;
             let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet as usize]) else {
                 continue;
             };
@@ -339,12 +340,7 @@ impl<'a> Sheets<'a> {
 
     fn point(&mut self, sheet: Sheet, name: &str, at: Vector, is_named: bool) {
         if at.norm().is_finite() {
-            self.points.push(OwnPoint {
-                panel: sheet.panel(),
-                name: name.to_owned(),
-                at: self.on_figure(sheet, at),
-                is_named,
-            });
+            self.points.push(OwnPoint { panel: sheet, name: name.to_owned(), at: self.on_figure(sheet, at), is_named });
         }
     }
 
@@ -352,7 +348,7 @@ impl<'a> Sheets<'a> {
         let is_drawable = ends.iter().all(|end| end.norm().is_finite()) && ends[0] != ends[1];
         if is_drawable && let Some(name) = self.name(sheet, leads_to) {
             self.lines.push(OwnLine {
-                panel: sheet.panel(),
+                panel: sheet,
                 leads_to: name.to_owned(),
                 ends: ends.map(|end| self.on_figure(sheet, end)),
                 kind,

@@ -270,10 +270,11 @@ impl Locus<'_> {
         let at = |v: geometry::Vector| view.at(geometry::Point::from(v));
         let pole = at(nalgebra::zero());
         let notation = self.context.words.notation;
-        let (own_pen, pole_name) = match one.asked.kind() {
-            Kind::Acceleration => (Pen::Acceleration, notation.acceleration_pole),
-            _ => (Pen::Velocity, notation.velocity_pole),
+        let own_pen = match one.asked.kind() {
+            Kind::Acceleration => Pen::Acceleration,
+            _ => Pen::Velocity,
         };
+        let pole_name = notation.pole(one.asked.sheet());
         // Lines end above the scale.
         let room = Rect { y1: canvas.frame().y1 - SCALE, ..canvas.room() };
         for (a, b) in [

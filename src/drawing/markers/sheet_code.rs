@@ -1,6 +1,7 @@
 //! What the small code of a sheet says, as a text and as the black and white squares of a QR code.
 
-use crate::scene::{Page, PageSize, PanelName};
+use crate::scene::{Page, PageSize};
+use crate::sheet::Sheet;
 use qrcodegen::{Mask, QrCode, QrCodeEcc, QrSegment, Version};
 
 /// The first sign of every text: kind and version.
@@ -19,8 +20,7 @@ const ROBUST: u8 = 6;
 /// Pages and their signs.
 const PAGES: [(PageSize, &str); 3] = [(PageSize::A4, "A4"), (PageSize::A3, "A3"), (PageSize::Letter, "LT")];
 /// Panels and their signs.
-const PANELS: [(PanelName, char); 3] =
-    [(PanelName::Scheme, 'L'), (PanelName::Velocity, 'V'), (PanelName::Acceleration, 'A')];
+const PANELS: [(Sheet, char); 3] = [(Sheet::Scheme, 'L'), (Sheet::Velocity, 'V'), (Sheet::Acceleration, 'A')];
 
 /// What the code on a sheet says: which sheet of which scene it is, and where its panels stand at which scales.
 ///
@@ -51,7 +51,7 @@ pub struct SheetCode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedPanel {
     /// Scheme or plan.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// Its scale, in units per millimetre of paper.
     pub mu: f64,
     /// Where its origin is, in mm from the sheet's upper left corner, y down: a plan's pole; of a scheme the scene's point
@@ -195,10 +195,7 @@ mod tests {
             page: Page { size: PageSize::A4, landscape: true },
             number: 2,
             scene: "8K3MNQ4T".into(),
-            panels: vec![
-                plan(PanelName::Velocity, 0.05, [148.0, 105.0]),
-                plan(PanelName::Acceleration, 0.5, [60.0, 90.25]),
-            ],
+            panels: vec![plan(Sheet::Velocity, 0.05, [148.0, 105.0]), plan(Sheet::Acceleration, 0.5, [60.0, 90.25])],
             name: "FOUR-BAR-7-2".into(),
         }
     }
@@ -212,7 +209,7 @@ mod tests {
             for landscape in [true, false] {
                 for mu in [1e-9, 2.5e-7, 0.1, 25.0, 5e30] {
                     let page = Page { size, landscape };
-                    let panels = vec![PlacedPanel { panel: PanelName::Scheme, mu, origin: [-12_345.67, -0.5] }];
+                    let panels = vec![PlacedPanel { panel: Sheet::Scheme, mu, origin: [-12_345.67, -0.5] }];
                     let code = SheetCode { page, panels, number: 65535, ..code.clone() };
                     assert_eq!(SheetCode::read(&code.text()), Some(code));
                 }
@@ -293,12 +290,9 @@ mod tests {
         // The finder pattern: a black ring of seven modules.
         assert!((0..7).all(|k| modules[0][k] && modules[k][0] && modules[6][k]) && !modules[1][1]);
         // A long one gives up correction: version 6 holds 154 letters with medium, 195 with low correction.
-        let far = PlacedPanel { panel: PanelName::Scheme, mu: 1.234_567_890_123_4, origin: [-12_345_678.25; 2] };
-        let panels = vec![
-            far,
-            PlacedPanel { panel: PanelName::Velocity, ..far },
-            PlacedPanel { panel: PanelName::Acceleration, ..far },
-        ];
+        let far = PlacedPanel { panel: Sheet::Scheme, mu: 1.234_567_890_123_4, origin: [-12_345_678.25; 2] };
+        let panels =
+            vec![far, PlacedPanel { panel: Sheet::Velocity, ..far }, PlacedPanel { panel: Sheet::Acceleration, ..far }];
         let long = SheetCode { panels, name: "N".repeat(24), ..code() };
         assert!((155..=195).contains(&long.text().len()), "{}", long.text());
         assert_eq!(long.modules().expect("a code").len(), 41);

@@ -10,7 +10,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::view::{View, towards};
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use crate::words::NumberStyle;
 use kurbo::{Point, Vec2};
 
@@ -23,7 +23,7 @@ const CROSS: f64 = 1.1;
 pub(in crate::drawing) struct OwnLayer<'a> {
     pub overlay: &'a Overlay,
     pub scheme: &'a Scheme<'a>,
-    pub panel: PanelName,
+    pub panel: Sheet,
 }
 
 impl Layer for OwnLayer<'_> {

@@ -2,7 +2,7 @@
 
 use crate::drawing::view::Extent;
 use crate::geometry;
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 
 /// Largest size of a panel with the student's points over that of its own content: where the scale follows the size,
@@ -32,7 +32,7 @@ pub struct Overlay {
 #[derive(Clone, Debug)]
 pub struct OwnPoint {
     /// Its panel.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// The name of the right point that it stands for.
     pub name: String,
     /// Its place, in units of the panel.
@@ -45,7 +45,7 @@ pub struct OwnPoint {
 #[derive(Clone, Debug)]
 pub struct OwnLine {
     /// Its panel.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// The point to which it leads.
     pub leads_to: String,
     /// Its ends, in units of the panel.
@@ -73,7 +73,7 @@ pub struct WrongStep {
     /// Its number, from 1.
     pub step: usize,
     /// The panel of its label.
-    pub panel: PanelName,
+    pub panel: Sheet,
     /// Its label.
     pub label: String,
     /// Of a step that solves for several rates the link with the wrong rate; an empty name for a slide rate, which has
@@ -99,7 +99,7 @@ impl Overlay {
 
     /// A panel's extent with those of the student's points that do not enlarge it too much; `is_given` where the scene
     /// gives the panel's scale.
-    pub(in crate::drawing) fn extended(&self, panel: PanelName, content: Extent, is_given: bool) -> Extent {
+    pub(in crate::drawing) fn extended(&self, panel: Sheet, content: Extent, is_given: bool) -> Extent {
         let reach = REACH[usize::from(is_given)];
         let points = self.points.iter().filter(|p| p.panel == panel);
         let ends = self.lines.iter().filter(|l| l.panel == panel).flat_map(|l| l.ends);

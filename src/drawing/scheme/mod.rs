@@ -28,7 +28,8 @@ use crate::cycle::{OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::scene::{Figure, PageSize, PanelName, Scene};
+use crate::scene::{Figure, PageSize, Scene};
+use crate::sheet::Sheet;
 use crate::words::Wording;
 use kurbo::Point;
 use std::cell::RefCell;
@@ -57,7 +58,7 @@ pub(super) struct Scheme<'a> {
     pub words: Wording,
     pub dims: Dims,
     /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
-    pub mu: [Option<f64>; PanelName::ALL.len()],
+    pub mu: [Option<f64>; Sheet::ALL.len()],
     /// The layer of values; empty in a figure without it.
     pub values: Vec<Value>,
     /// Whether the sheet is one that a student measures.
@@ -92,7 +93,7 @@ impl<'a> Scheme<'a> {
             only_step: None,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
-            mu: PanelName::ALL.map(|panel| scene.figure.mu(panel)),
+            mu: Sheet::ALL.map(|panel| scene.figure.mu(panel)),
             values: Vec::new(),
             is_for_pencil: false,
             shows_senses: false,
@@ -262,11 +263,11 @@ impl<'a> Scheme<'a> {
     }
 
     /// The plan that a panel shows; none for the scheme.
-    pub(super) fn plan(&self, panel: PanelName) -> Option<&Plan> {
+    pub(super) fn plan(&self, panel: Sheet) -> Option<&Plan> {
         match panel {
-            PanelName::Scheme => None,
-            PanelName::Velocity => Some(&self.construction.velocity),
-            PanelName::Acceleration => self.construction.acceleration.as_ref(),
+            Sheet::Scheme => None,
+            Sheet::Velocity => Some(&self.construction.velocity),
+            Sheet::Acceleration => self.construction.acceleration.as_ref(),
         }
     }
 

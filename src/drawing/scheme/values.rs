@@ -9,7 +9,7 @@ use super::Scheme;
 use super::drives::RATE_RADIUS;
 use crate::mechanism::{BodyId, PointId};
 use crate::quantity::Kind;
-use crate::scene::PanelName;
+use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
 
 /// Radius of the arrow of an angular acceleration, around that of the angular velocity, in mm.
@@ -19,12 +19,12 @@ impl Scheme<'_> {
     /// Draws the arrows of rates and requests the labels of all values.
     pub(super) fn values(&self, canvas: &mut Canvas<'_>, view: &View) {
         let mut taken: Vec<Point> = Vec::new();
-        for value in self.values_of(PanelName::Scheme) {
+        for value in self.values_of(Sheet::Scheme) {
             if let ValueOf::Rate(link) = value.of {
                 self.arrow_of_rate(canvas, view, value, link, &mut taken);
             }
         }
-        for value in self.values_of(PanelName::Scheme) {
+        for value in self.values_of(Sheet::Scheme) {
             match value.of {
                 ValueOf::Rate(link) => self.label_rate(canvas, view, value, link),
                 ValueOf::Length(ends) => self.label_length(canvas, view, value, ends),

@@ -1,5 +1,7 @@
 //! Sentences of figures and curves.
 
+use crate::sheet::Sheet;
+
 sentences! {
     Group::Figure =>
 
@@ -110,4 +112,16 @@ sentences! {
     no_least;
     /// Alternative text: no greatest value.
     no_greatest;
+}
+
+impl Language {
+    /// Heading of a sheet.
+    #[must_use]
+    pub fn sheet(&self, sheet: Sheet) -> &str {
+        match sheet {
+            Sheet::Scheme => self.scheme(),
+            Sheet::Velocity => self.velocity_plan(),
+            Sheet::Acceleration => self.acceleration_plan(),
+        }
+    }
 }

@@ -1,9 +1,9 @@
 //! A photograph of a drawing: the right plan over it, points that are tapped, what is said of them; pictures that are of no use.
 
 use super::bench::Bench;
+use kinegon::Sheet;
 use kinegon::drawing::ITALIC;
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
-use kinegon::scene::PanelName;
 use resvg::usvg::Options;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -39,7 +39,7 @@ fn taken(bench: &Bench, kind: &'static str, name: &str) -> Taken {
     let sheets = task.solution.drawing_sheets(name);
     let sheet = sheets.iter().find(|sheet| is_of_plans(sheet.code.as_ref())).expect("a sheet for plans");
     let code = sheet.code.clone().expect("it has a code");
-    let plan = |panel: PanelName| if panel == PanelName::Velocity { 1 } else { 2 };
+    let plan = |panel: Sheet| if panel == Sheet::Velocity { 1 } else { 2 };
     let panel = |p: &PlacedPanel| Panel { plan: plan(p.panel), pole: p.origin, mu: Some(p.mu), has_pole: true };
     let panels: Vec<Panel> = code.panels.iter().map(panel).collect();
     let drawing = drawn(&task, None, RIGHT, 1, &panels);
@@ -61,14 +61,14 @@ fn taken(bench: &Bench, kind: &'static str, name: &str) -> Taken {
 }
 
 fn is_of_plans(code: Option<&SheetCode>) -> bool {
-    code.is_some_and(|code| code.panels.iter().any(|panel| panel.panel == PanelName::Velocity))
+    code.is_some_and(|code| code.panels.iter().any(|panel| panel.panel == Sheet::Velocity))
 }
 
 impl Taken {
     /// Where a point of a plan is: on the screen, and in mm from the pole with y up.
     fn place(&self, bench: &mut Bench, plan: usize, name: &str) -> ([f64; 2], [f64; 2]) {
         let mm = self.drawing.place(plan, name).unwrap_or_else(|| panic!("no {name}"));
-        let panel = if plan == 1 { PanelName::Velocity } else { PanelName::Acceleration };
+        let panel = if plan == 1 { Sheet::Velocity } else { Sheet::Acceleration };
         let pole = self.code.panels.iter().find(|p| p.panel == panel).expect("the plan").origin;
         let [x, y] = self.photograph.truth().pixel(mm);
         let on_screen = bench.value(&format!(

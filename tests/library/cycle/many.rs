@@ -1,9 +1,10 @@
 //! Positions computed together against the same one by one.
 
 use super::{U, followed, posed, scenes};
+use kinegon::Sheet;
 use kinegon::geometry::{MANY, Vector};
 use kinegon::kernel::vector;
-use kinegon::motion::{Order, motion};
+use kinegon::motion::motion;
 
 /// Angles, slides, places and all rates are those of one position but for rounding; without places, those of links to the last bit.
 #[test]
@@ -31,7 +32,7 @@ fn together_is_as_one_by_one() {
             };
             for lane in [0, count - 1] {
                 let position = one.position(rest[lane]).expect("as together");
-                let solved = motion(&mechanism, &position.pose(), Order::Acceleration);
+                let solved = motion(&mechanism, &position.pose(), Sheet::Acceleration);
                 let groups = solved.expect("regular").groups;
                 let condition = groups.iter().fold(1.0, |most: f64, g| most.max(g.condition));
                 let single = one.motions(&[rest[lane]]).expect("as before").clone();

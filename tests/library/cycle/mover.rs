@@ -1,10 +1,11 @@
 //! A mechanism that goes from where it is to wherever its drives go, against its path and against the loop equations at its pose.
 
 use super::{U, followed, posed, scenes};
+use kinegon::Sheet;
 use kinegon::cycle::{Happening, Mover, Path, Position};
 use kinegon::geometry::Random;
 use kinegon::mechanism::{Mechanism, SliderId};
-use kinegon::motion::{Order, motion};
+use kinegon::motion::motion;
 use kinegon::quantity::State;
 
 /// Directions, places and rates of all links and sliders, with the power of the condition with which each kind errs.
@@ -21,7 +22,7 @@ fn numbers(position: &Position, mechanism: &Mechanism) -> Vec<(i32, Vec<f64>)> {
 }
 
 fn condition(position: &Position, mechanism: &Mechanism) -> f64 {
-    let solved = motion(mechanism, &position.pose(), Order::Acceleration).expect("regular");
+    let solved = motion(mechanism, &position.pose(), Sheet::Acceleration).expect("regular");
     solved.groups.iter().fold(1.0, |most: f64, group| most.max(group.condition))
 }
 
@@ -85,7 +86,7 @@ fn several_drives_move_together() {
                     assert!((found - length).abs() <= 1e-12 * length.max(1.0), "{name} {found} {length}");
                 }
             }
-            let solved = motion(&mechanism, &moved, Order::Acceleration).expect("regular");
+            let solved = motion(&mechanism, &moved, Sheet::Acceleration).expect("regular");
             for (id, _) in mechanism.links() {
                 let rates = solved.body(id);
                 for (got, want) in position.spin(id).into_iter().zip([rates.omega, rates.alpha]) {

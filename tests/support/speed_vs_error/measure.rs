@@ -2,8 +2,9 @@
 
 use super::groups::Group;
 use super::truth::{Precise, Truth, error, error_of_pair, rounded, without_rounding};
+use kinegon::Sheet;
 use kinegon::mechanism::{Mechanism, mechanism};
-use kinegon::motion::{Motion, Order, motion};
+use kinegon::motion::{Motion, motion};
 use kinegon::position::{Pose, pose};
 use kinegon::scene::Scene;
 
@@ -131,7 +132,7 @@ impl Case {
         let rates = rates.map(without_rounding);
         Some(Case {
             sizes: Sizes::new(&pins, &rates),
-            condition: motion(&mechanism, &pose, Order::Velocity).ok().map(|motion| motion.groups[0].condition),
+            condition: motion(&mechanism, &pose, Sheet::Velocity).ok().map(|motion| motion.groups[0].condition),
             truth: rates,
             pins,
             mechanism,

@@ -1,13 +1,13 @@
 use crate::answers::{Drive, View};
 use crate::gesture::Gesture;
 use crate::refused::Refused;
+use kinegon::Sheet;
 use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::{Stage, Steps};
 use kinegon::mechanism::Mechanism;
-use kinegon::motion::Order;
 use kinegon::position::Pose;
 use kinegon::quantity::{Asked, Quantity};
-use kinegon::scene::{PanelName, SizeLimit};
+use kinegon::scene::SizeLimit;
 use kinegon::{Scene, Solution, order_of_figure, posed};
 
 /// The last scene, solved as far as was asked for, and what is being pulled.
@@ -50,7 +50,7 @@ impl Desk {
     pub fn solution(&mut self, text: &str) -> Result<&Solution, Refused> {
         let kept = self.kept(text)?;
         kept.check(SizeLimit::HAND)?;
-        kept.solution(Order::Acceleration)
+        kept.solution(Sheet::Acceleration)
     }
 }
 
@@ -72,8 +72,8 @@ impl Kept {
     }
 
     /// The scene solved for this order of motion.
-    pub fn solution(&mut self, order: Order) -> Result<&Solution, Refused> {
-        let index = usize::from(order == Order::Acceleration);
+    pub fn solution(&mut self, order: Sheet) -> Result<&Solution, Refused> {
+        let index = usize::from(order == Sheet::Acceleration);
         let solution = match self.solved[index].take() {
             Some(solution) => solution,
             None => Solution::new(self.scene.clone(), self.mechanism.clone(), self.pose.clone(), order)
@@ -109,8 +109,8 @@ impl Kept {
             None => {
                 let mut own = self.figure()?.clone();
                 if let Some(panels) = &view.panels {
-                    let is_asked = |panel: &PanelName| panels.iter().any(|name| name == panel.as_str());
-                    own.scene.figure.panels = PanelName::ALL.into_iter().filter(is_asked).collect();
+                    let is_asked = |panel: &Sheet| panels.iter().any(|name| name == panel.as_str());
+                    own.scene.figure.panels = Sheet::ALL.into_iter().filter(is_asked).collect();
                     own.scene.figure.focus = None;
                 }
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };

@@ -1,10 +1,11 @@
 use crate::desk::Desk;
 use crate::refused::Refused;
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{
     AnswerKey, DEPTH, EmptyForm, FilledForm, FormBox, LATITUDE, Measured, form_boxes, further_boxes, plan_points,
 };
-use kinegon::construction::{Sheet, Tolerance};
+use kinegon::construction::Tolerance;
 use kinegon::format::html_text;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -149,6 +150,6 @@ fn panel(sheet: Sheet) -> &'static str {
     match sheet {
         Sheet::Scheme => "scheme",
         Sheet::Velocity => "velocity",
-        Sheet::Acceleration => "acceleration",
+        _ => "acceleration",
     }
 }

@@ -1,7 +1,8 @@
 use crate::answers::{Mode, Opened, Place, Step, ValueRow};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
-use kinegon::construction::{Action, NumberedStep, PlanKind, Teller, shown_text};
+use kinegon::Sheet;
+use kinegon::construction::{Action, NumberedStep, Teller, shown_text};
 use kinegon::cycle::every_name;
 use kinegon::drawing::{RichText, SheetLabels};
 use kinegon::editing;
@@ -100,7 +101,7 @@ fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
     let teller = Teller::new(solution, words);
     let equations = |step: &NumberedStep<'_>| match &step.step.action {
         Action::Solve { equations, .. } => {
-            let kind = step.plan.map_or(PlanKind::Velocity, |plan| plan.kind);
+            let kind = step.plan.map_or(Sheet::Velocity, |plan| plan.kind);
             equations.iter().map(|equation| teller.equation(kind, equation)).collect()
         }
         _ => vec![teller.formula(step).markup()],
@@ -109,7 +110,7 @@ fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
         number: step.number,
         caption: shown_text(&teller.caption(&step), step.plan, words),
         equation: shown_text(&equations(&step).join("; "), step.plan, words),
-        panel: step.sheet().panel().as_str(),
+        panel: step.sheet().as_str(),
     };
     solution.construction.numbered_steps().map(step).collect()
 }

@@ -6,14 +6,14 @@ use crate::photo_answers::{
     Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused, PlacedPoint, PointVerdict, Proposed, Tapped,
 };
 use crate::refused::Refused;
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{self, BANDS, PencilledPlan, hundredths, plan_points};
-use kinegon::construction::{Plan, PlanKind, PointRole, Teller, Tolerance};
+use kinegon::construction::{Plan, PointRole, Teller, Tolerance};
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::format::html_text;
 use kinegon::geometry::Vector;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
-use kinegon::scene::PanelName;
 
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
@@ -95,7 +95,7 @@ fn turned([x, y]: [f64; 2], [width, height]: [f64; 2], quarters: u8) -> [f64; 2]
 /// A plan on the sheet.
 struct PlanInPhoto {
     key: &'static str,
-    kind: PlanKind,
+    kind: Sheet,
     panel: PlacedPanel,
     points: Vec<RightPoint>,
     /// Its vectors and rays by their ends, in mm from the pole with y up.
@@ -153,12 +153,8 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
     let construction = &solution.construction;
     let mut labels = plan_points(solution);
     let found = code.panels.iter().filter_map(|panel| {
-        let (key, index, kind) = match panel.panel {
-            PanelName::Velocity => ("velocity", 0, kinegon::construction::Sheet::Velocity),
-            PanelName::Acceleration => ("acceleration", 1, kinegon::construction::Sheet::Acceleration),
-            _ => return None,
-        };
-        let plan = construction.plan_on(kind)?;
+        let index = Sheet::PLANS.into_iter().position(|plan| plan == panel.panel)?;
+        let (key, plan) = (panel.panel.as_str(), construction.plan_on(panel.panel)?);
         let named = std::mem::take(&mut labels[index]);
         // Images of points at rest are the pole itself.
         let is_asked =

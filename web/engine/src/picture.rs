@@ -1,10 +1,11 @@
 use crate::answers::{Drive, Handle, Panel, Picture, View};
 use crate::desk::{Desk, Staged};
 use crate::refused::Refused;
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::cycle::OtherModes;
 use kinegon::drawing::{self, Drawing};
-use kinegon::scene::{PanelName, SizeLimit};
+use kinegon::scene::SizeLimit;
 
 impl Desk {
     /// The picture of a scene in its own position.
@@ -61,7 +62,7 @@ fn handle(handle: drawing::Handle) -> Handle {
 fn still(solution: &Solution, drives: Vec<Drive>) -> Picture {
     let drawing = solution.figure();
     let names = solution.scene.figure.shown_panels();
-    let panel = |((name, frame), key): (&(String, drawing::Rect), &PanelName)| Panel {
+    let panel = |((name, frame), key): (&(String, drawing::Rect), &Sheet)| Panel {
         name: name.clone(),
         key: key.as_str(),
         area: [frame.x0, frame.y0, frame.width(), frame.height()],

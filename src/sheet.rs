@@ -1,0 +1,211 @@
+//! The sheets on which a mechanism is drawn: what each of them is, said here and nowhere else.
+//!
+//! A further sheet is a variant of [`Sheet`] and a line of [`Sheet::facts`]. What is kept for every sheet stands in a
+//! [`PerSheet`], so it has a place for the new one at once. Only code with something of its own to say of a sheet
+//! matches on [`Sheet`], and the compiler names it.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::ops::{Index, IndexMut};
+
+/// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
+///
+/// Sheets are ordered as they are drawn, and each needs those before it: motion that is computed up to
+/// [`Sheet::Velocity`] has no accelerations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize, JsonSchema)]
+#[schemars(rename = "Panel", description = "A part of the figure.")]
+#[serde(rename_all = "lowercase")]
+#[non_exhaustive]
+pub enum Sheet {
+    /// The mechanism itself.
+    Scheme,
+    /// The velocity plan.
+    Velocity,
+    /// The acceleration plan.
+    Acceleration,
+}
+
+/// What there is to say of a sheet.
+struct Facts {
+    /// The word for it in files and on the page.
+    word: &'static str,
+    /// Its English name.
+    name: &'static str,
+    /// The letter for it in the code of a printed sheet.
+    letter: char,
+    /// The key of its scale in scenes and forms.
+    scale_key: &'static str,
+    /// Its scale in sentences.
+    scale_symbol: &'static str,
+    /// What is only said of plans.
+    plan: Option<PlanFacts>,
+}
+
+/// What there is to say of a plan beyond what is said of any sheet.
+struct PlanFacts {
+    /// The name of its pole.
+    pole: &'static str,
+    /// How the names of its segments begin, as in `vplan(b,s3)`.
+    segment: &'static str,
+    /// The letter of its vectors.
+    vector: &'static str,
+    /// The letter of the rates of links that are computed from it.
+    rate: &'static str,
+}
+
+impl Sheet {
+    /// All sheets, in the order in which they are drawn.
+    pub const ALL: [Sheet; 3] = [Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration];
+
+    /// The sheets that are drawn from a pole.
+    pub const PLANS: [Sheet; 2] = [Sheet::Velocity, Sheet::Acceleration];
+
+    const fn facts(self) -> Facts {
+        match self {
+            Sheet::Scheme => Facts {
+                word: "scheme",
+                name: "scheme",
+                letter: 'L',
+                scale_key: "mu_l",
+                scale_symbol: "μ_l",
+                plan: None,
+            },
+            Sheet::Velocity => Facts {
+                word: "velocity",
+                name: "velocity plan",
+                letter: 'V',
+                scale_key: "mu_v",
+                scale_symbol: "μ_v",
+                plan: Some(PlanFacts { pole: "p", segment: "vplan", vector: "v", rate: "ω" }),
+            },
+            Sheet::Acceleration => Facts {
+                word: "acceleration",
+                name: "acceleration plan",
+                letter: 'A',
+                scale_key: "mu_a",
+                scale_symbol: "μ_a",
+                plan: Some(PlanFacts { pole: "π", segment: "aplan", vector: "a", rate: "α" }),
+            },
+        }
+    }
+
+    /// The word for it in files, as `velocity`.
+    #[must_use]
+    pub fn as_str(self) -> &'static str {
+        self.facts().word
+    }
+
+    /// The sheet of this word.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<Sheet> {
+        Sheet::ALL.into_iter().find(|sheet| sheet.as_str() == word)
+    }
+
+    /// Its English name, as `velocity plan`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.facts().name
+    }
+
+    /// The letter for it in the code of a printed sheet.
+    #[must_use]
+    pub fn letter(self) -> char {
+        self.facts().letter
+    }
+
+    /// The key of its scale in scenes and forms, as `mu_v`.
+    #[must_use]
+    pub fn scale_key(self) -> &'static str {
+        self.facts().scale_key
+    }
+
+    /// Its scale in sentences, as `μ_v`.
+    #[must_use]
+    pub fn scale_symbol(self) -> &'static str {
+        self.facts().scale_symbol
+    }
+
+    /// Whether it is drawn from a pole.
+    #[must_use]
+    pub fn is_plan(self) -> bool {
+        self.facts().plan.is_some()
+    }
+
+    /// The name of its pole in results, in every notation; empty for the scheme, which has none.
+    #[must_use]
+    pub fn pole(self) -> &'static str {
+        self.facts().plan.map_or("", |plan| plan.pole)
+    }
+
+    /// Which of a rate and its derivative it shows: 0 for velocities, 1 for accelerations.
+    #[must_use]
+    pub fn order(self) -> usize {
+        usize::from(self == Sheet::Acceleration)
+    }
+
+    /// The letter of its vectors, as `v`; empty for the scheme.
+    #[must_use]
+    pub fn vector(self) -> &'static str {
+        self.facts().plan.map_or("", |plan| plan.vector)
+    }
+
+    /// The letter of the rates of links that are computed from it, as `ω`; empty for the scheme.
+    #[must_use]
+    pub fn rate(self) -> &'static str {
+        self.facts().plan.map_or("", |plan| plan.rate)
+    }
+
+    /// The plans up to this sheet, in the order in which they are drawn.
+    #[must_use]
+    pub fn plans_up_to(self) -> &'static [Sheet] {
+        const PLANS: &[Sheet] = &Sheet::PLANS;
+        &PLANS[..PLANS.partition_point(|plan| *plan <= self)]
+    }
+
+    /// The name of a segment of the plan, as `vplan(b,s3)`; of the scheme that of a length, as `L(B,S3)`.
+    #[must_use]
+    pub fn segment_name(self, from: &str, to: &str) -> String {
+        let head = self.facts().plan.map_or("L", |plan| plan.segment);
+        format!("{head}({from},{to})")
+    }
+}
+
+/// One value for each sheet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct PerSheet<T>([T; Sheet::ALL.len()]);
+
+impl<T> PerSheet<T> {
+    /// The values that a function gives for the sheets.
+    pub fn from_fn(of: impl FnMut(Sheet) -> T) -> PerSheet<T> {
+        PerSheet(Sheet::ALL.map(of))
+    }
+
+    /// The sheets with their values, in the order in which sheets are drawn.
+    pub fn iter(&self) -> impl Iterator<Item = (Sheet, &T)> {
+        Sheet::ALL.into_iter().zip(&self.0)
+    }
+
+    /// The sheets with their values, which may be changed.
+    pub fn iter_mut(&mut self) -> impl Iterator<Item = (Sheet, &mut T)> {
+        Sheet::ALL.into_iter().zip(&mut self.0)
+    }
+
+    /// What a function makes of each value.
+    pub fn map<U>(self, of: impl FnMut(T) -> U) -> PerSheet<U> {
+        PerSheet(self.0.map(of))
+    }
+}
+
+impl<T> Index<Sheet> for PerSheet<T> {
+    type Output = T;
+
+    fn index(&self, sheet: Sheet) -> &T {
+        &self.0[sheet as usize]
+    }
+}
+
+impl<T> IndexMut<Sheet> for PerSheet<T> {
+    fn index_mut(&mut self, sheet: Sheet) -> &mut T {
+        &mut self.0[sheet as usize]
+    }
+}
