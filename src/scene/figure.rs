@@ -11,10 +11,9 @@ use super::choice::choice;
 use super::schema::without_defaults;
 use super::sizes::Sizes;
 use super::text::LARGEST;
-use super::typed::HINT;
 use super::value::several_forms;
 use super::values::ValuesShown;
-use super::words::{number, shortened, suggestion};
+use super::words::{number, shortened};
 use super::write::{write_forms, write_keys};
 use super::wrong::Wrong;
 use crate::text::Untrusted;
@@ -420,9 +419,6 @@ write_forms! { Page { page => page.name() } }
 impl<'de> Deserialize<'de> for Page {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Page, D::Error> {
         let name = String::deserialize(deserializer)?;
-        Page::from_name(&name).ok_or_else(|| {
-            let hint = suggestion(&name, Page::NAMES, "write one of").unwrap_or_default();
-            D::Error::custom(format!("there is no page \"{}\"{HINT}{hint}", shortened(&name)))
-        })
+        Page::from_name(&name).ok_or_else(|| D::Error::custom(format!("there is no page \"{}\"", shortened(&name))))
     }
 }

@@ -2,6 +2,10 @@
 
 use serde_json::Value as Json;
 
+use super::figure::Page;
+use super::units::LengthUnit;
+use super::words::suggestion;
+
 /// Keys of what moves otherwise than by pins and straight sliders.
 const OTHER_JOINTS: [&str; 17] = [
     "gear", "gears", "gearing", "teeth", "pinion", "rack", "racks", "belt", "belts", "pulley", "pulleys", "chain",
@@ -36,6 +40,15 @@ pub(super) fn type_hint(path: &[&str], expected: &str, found: &Json) -> Option<S
         Json::Number(number) if expected.contains("text") || expected.contains("name") => {
             Some(format!("write \"{number}\" in double quotes"))
         }
+        _ => None,
+    }
+}
+
+/// The hint for a word that its type refuses in words of its own.
+pub(super) fn word_hint(path: &[&str], word: &str) -> Option<String> {
+    match path.last().copied()? {
+        "page" => suggestion(word, Page::NAMES, "write one of"),
+        "values" => suggestion(word, LengthUnit::ALL.map(LengthUnit::as_str), "write true, false or one of"),
         _ => None,
     }
 }

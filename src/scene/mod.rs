@@ -18,6 +18,7 @@ mod words;
 mod wrong;
 
 mod place;
+mod reader;
 mod schema;
 mod text;
 mod typed;

@@ -40,7 +40,8 @@ pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>,
     serde_json::from_str::<serde::de::IgnoredAny>(body).map_err(|error| {
         let start = offset_of(body, error.line(), error.column());
         let whole = error.to_string();
-        let what = whole.split(" at line ").next().unwrap_or(&whole);
+        let place = format!(" at line {} column {}", error.line(), error.column());
+        let what = whole.strip_suffix(&place).unwrap_or(&whole);
         Wrong::bytes(start..start, format!("this is not JSON: {what}"))
     })?;
     Ok(tree.expect("a text that is not blank has a value"))

@@ -2,12 +2,12 @@
 
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
-use serde_path_to_error::Segment;
 
 use super::error::SceneError;
-use super::hint::{out_of_scope, type_hint};
+use super::hint::{out_of_scope, type_hint, word_hint};
 use super::kind::FileKind;
 use super::place::Source;
+use super::reader::{Reader, Refusal, Why};
 use super::text;
 use super::words::{nearest, shortened, suggestion};
 use super::wrong::Wrong;
@@ -54,21 +54,11 @@ fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
 
 /// The JSON as typed values.
 fn typed<T: DeserializeOwned>(json: &Json) -> Result<T, Wrong> {
-    let mut track = serde_path_to_error::Track::new();
-    T::deserialize(serde_path_to_error::Deserializer::new(json, &mut track)).map_err(|error| {
-        let parts = track.path().iter().filter_map(part).collect::<Vec<_>>();
-        let path: Vec<&str> = parts.iter().map(String::as_str).collect();
-        in_plain_words(&error.to_string(), &path, at(json, &path))
+    T::deserialize(Reader(json)).map_err(|Refusal { mut path, why }| {
+        path.reverse();
+        let path: Vec<&str> = path.iter().map(String::as_str).collect();
+        why.in_plain_words(&path, at(json, &path))
     })
-}
-
-/// A step of a path as text.
-fn part(segment: &Segment) -> Option<String> {
-    match segment {
-        Segment::Seq { index } => Some(index.to_string()),
-        Segment::Map { key } => Some(key.clone()),
-        Segment::Enum { .. } | Segment::Unknown => None,
-    }
 }
 
 /// The value at a path.
@@ -93,61 +83,32 @@ fn describe(value: &Json) -> String {
     }
 }
 
-/// A message of serde about the value `found` at the end of `path`, in plain words.
-fn in_plain_words(message: &str, path: &[&str], found: Option<&Json>) -> Wrong {
-    if let Some((word, names)) = unknown(message, "unknown field `") {
-        return unknown_key(path, word, &names);
-    }
-    if let Some((word, names)) = unknown(message, "unknown variant `") {
-        // In an object whose keys are chosen from a list, the word is a key.
-        if found.is_some_and(Json::is_object) {
-            return unknown_key(path, word, &names);
+impl Why {
+    /// The error about the value `found` at the end of `path`.
+    fn in_plain_words(self, path: &[&str], found: Option<&Json>) -> Wrong {
+        match self {
+            Why::UnknownKey(names) => {
+                let word = path.last().copied().unwrap_or_default();
+                let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
+                let hint = out_of_scope(word).or_else(|| suggestion(word, names, "the keys here are"));
+                Wrong::key(path, format!("unknown key `{}`", shortened(word))).maybe_hint(hint)
+            }
+            Why::UnknownWord(word, names) => {
+                let hint = suggestion(&word, names.iter().copied(), "write one of");
+                Wrong::value(path, format!("unknown word \"{}\"", shortened(&word))).maybe_hint(hint)
+            }
+            Why::Missing(key) => Wrong::value(path, format!("`{key}` is missing")).maybe_hint(missing_hint(path, key)),
+            Why::Type(expected) => {
+                let hint = found.and_then(|found| type_hint(path, &expected, found));
+                let found = found.map_or_else(String::new, describe);
+                Wrong::value(path, format!("expected {expected}, found {found}")).maybe_hint(hint)
+            }
+            Why::Said(message) => {
+                let word = found.and_then(Json::as_str);
+                Wrong::value(path, message).maybe_hint(word.and_then(|word| word_hint(path, word)))
+            }
         }
-        let hint = suggestion(word, names.iter().copied(), "write one of");
-        return Wrong::value(path, format!("unknown word \"{}\"", shortened(word))).maybe_hint(hint);
     }
-    if let Some(rest) = message.strip_prefix("missing field `") {
-        let key = rest.trim_end_matches('`');
-        return Wrong::value(path, format!("`{key}` is missing")).maybe_hint(missing_hint(path, key));
-    }
-    let typed = message.starts_with("invalid type") || message.starts_with("invalid value");
-    match (message.rsplit_once(", expected "), found) {
-        (Some((_, expected)), Some(found)) if typed => {
-            let expected = match expected {
-                "f64" => "a number",
-                "u16" => "a whole number from 1 to 65535",
-                "a string" | "string or map" => "a text in double quotes",
-                "a sequence" => "a list [ … ]",
-                "a map" => "an object { … }",
-                "a boolean" => "true or false",
-                other => other,
-            };
-            let message = format!("expected {expected}, found {}", describe(found));
-            Wrong::value(path, message).maybe_hint(type_hint(path, expected, found))
-        }
-        _ => match message.rsplit_once(HINT) {
-            Some((message, hint)) => Wrong::value(path, message).hint(hint),
-            None => Wrong::value(path, message),
-        },
-    }
-}
-
-/// Separates message and hint in the errors of types that read themselves.
-pub(super) const HINT: &str = "; hint: ";
-
-/// The word and the allowed names of a message like ``unknown field `x`, expected one of `a`, `b` ``.
-fn unknown<'a>(message: &'a str, start: &str) -> Option<(&'a str, Vec<&'a str>)> {
-    let rest = message.strip_prefix(start)?;
-    let (word, rest) = rest.split_once("`, expected ").or_else(|| rest.split_once("`, there are "))?;
-    Some((word, rest.split('`').skip(1).step_by(2).collect()))
-}
-
-/// The error of an unknown key, which is in the object at `path` or the last part of it.
-fn unknown_key(path: &[&str], word: &str, names: &[&str]) -> Wrong {
-    let key = if path.last() == Some(&word) { &[][..] } else { &[word] };
-    let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
-    let hint = out_of_scope(word).or_else(|| suggestion(word, names, "the keys here are"));
-    Wrong::key(&[path, key].concat(), format!("unknown key `{}`", shortened(word))).maybe_hint(hint)
 }
 
 fn missing_hint(path: &[&str], key: &str) -> Option<String> {

@@ -1,9 +1,8 @@
 //! The layer of values of a figure.
 
-use super::typed::HINT;
 use super::units::LengthUnit;
 use super::value::several_forms;
-use super::words::{shortened, suggestion};
+use super::words::shortened;
 use super::write::write_forms;
 use serde::de::{Error, Visitor};
 use std::fmt;
@@ -44,9 +43,7 @@ impl Visitor<'_> for Shown {
 
     fn visit_str<E: Error>(self, name: &str) -> Result<ValuesShown, E> {
         let unit = LengthUnit::ALL.into_iter().find(|unit| unit.as_str() == name);
-        unit.map(|unit| ValuesShown::Shown(Some(unit))).ok_or_else(|| {
-            let hint = suggestion(name, LengthUnit::ALL.map(LengthUnit::as_str), "write true, false or one of");
-            E::custom(format!("there is no unit of length \"{}\"{HINT}{}", shortened(name), hint.unwrap_or_default()))
-        })
+        unit.map(|unit| ValuesShown::Shown(Some(unit)))
+            .ok_or_else(|| E::custom(format!("there is no unit of length \"{}\"", shortened(name))))
     }
 }
