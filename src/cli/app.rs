@@ -70,9 +70,9 @@ impl App {
 /// Where the page lies that is opened: always the same place, as browsers keep what was last done on it by its address.
 fn place() -> Result<PathBuf, Failure> {
     let folders = etcetera::choose_base_strategy().map_err(|error| {
-        Failure::Misuse(
+        Failure::misuse(
             format!("there is no place for the page: {error}"),
-            Some(format!("write it with -o {NAME}, and open that file in a browser")),
+            format!("write it with -o {NAME}, and open that file in a browser"),
         )
     })?;
     Ok(folders.cache_dir().join("kinegon").join(NAME))

@@ -1,18 +1,15 @@
 use super::caught::caught;
-use super::class::{Class, Form, ReportFormat, Subject, measured, shown};
+use super::class::{Class, Form, ReportFormat, Subject};
 use super::correction::Correction;
 use super::exercises::{ExerciseFiles, ExerciseFolder};
 use super::feedback::FeedbackOptions;
-use super::files::{self, Source};
-use super::forms::{forms_below, forms_in};
-use super::message::{Failure, print, warn};
+use super::files;
+use super::forms::{forms_below, forms_in, measured, read, shown};
+use super::message::{Failure, Source, warn};
+use super::options::{Hand, Words};
 use super::output::FileSet;
-use super::pencil::Hand;
-use super::wording::Words;
 use super::work::{Mode, show_warnings, solve};
-use crate::check::{
-    self, AnswerKey, CheckError, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared,
-};
+use crate::check::{self, AnswerKey, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
@@ -138,9 +135,9 @@ impl Check {
     fn refuse_table(&self) -> Result<(), Failure> {
         match self.output {
             None => Ok(()),
-            Some(_) => Err(Failure::Misuse(
-                "-o takes the table of a folder; here is one form".into(),
-                Some("leave out -o: the report is printed".into()),
+            Some(_) => Err(Failure::misuse(
+                "-o takes the table of a folder; here is one form",
+                "leave out -o: the report is printed",
             )),
         }
     }
@@ -159,7 +156,7 @@ impl Check {
         let scheme = marks.map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
         let pages =
             self.feedback.pages([shown(Path::new(path.file_name().unwrap_or_default()), path).for_comparing()])?;
-        let checked = check::check(measured, &key).map_err(|error| misuse(text, &error))?;
+        let checked = check::check(measured, &key).map_err(|error| text.misuse(&error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
             let mut result = check::check_result(&checked, &key, &wording, measured.name.clone());
@@ -174,10 +171,10 @@ impl Check {
         self.correction.write(&mut files, solution, [scene, path], measured, &key, &checked)?;
         if let Some(pages) = pages {
             let feedback = Feedback::new(measured, &key, &checked, marks.as_ref(), &wording);
-            let feedback = feedback.map_err(|error| misuse(text, &error))?;
+            let feedback = feedback.map_err(|error| text.misuse(&error))?;
             files.add_all(&pages.of(0, &feedback)?)?;
         }
-        print(&printed)?;
+        files::print_text(&printed)?;
         files.finish()?;
         if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
     }
@@ -221,15 +218,15 @@ impl Check {
         let exercises = ExerciseFolder::read(&self.scene)?;
         let one = exercises.all[0].scene.display();
         if self.mode.number.is_some() {
-            return Err(Failure::Misuse(
-                "--mode is of one scene, here is a folder of exercises".into(),
-                Some(format!("name one of its scenes, as {one}")),
+            return Err(Failure::misuse(
+                "--mode is of one scene, here is a folder of exercises",
+                format!("name one of its scenes, as {one}"),
             ));
         }
         let Some(path) = &self.measured else {
-            return Err(Failure::Misuse(
-                "--template writes the form of one scene, here is a folder of exercises".into(),
-                Some(format!("name one of its scenes, as {one}")),
+            return Err(Failure::misuse(
+                "--template writes the form of one scene, here is a folder of exercises",
+                format!("name one of its scenes, as {one}"),
             ));
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
@@ -240,7 +237,7 @@ impl Check {
         let text = files::read_form(path)?;
         let measured = read(path, &text)?;
         let index = exercises.of_form(measured.exercise.as_ref(), path);
-        let index = index.map_err(|message| Failure::Misuse(format!("{}: {message}", text.name), None))?;
+        let index = index.map_err(|message| Failure::unclear(format!("{}: {message}", text.name)))?;
         let exercise = &exercises.all[index];
         let (solution, marks) = (self.solved(&exercise.scene)?, exercise.marks());
         let marks = marks.as_deref().or(self.marks.as_deref());
@@ -348,16 +345,6 @@ impl Check {
     }
 }
 
-/// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
-pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
-    let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if !is_table && Measured::is_json(&text.text) {
-        Measured::read_json(&text.text).map_err(|error| text.fail(error))
-    } else {
-        Measured::read_csv(&text.text).map_err(|error| misuse(text, &error))
-    }
-}
-
 /// A marking scheme as it was read.
 struct GivenMarks {
     text: Source,
@@ -376,13 +363,12 @@ impl GivenMarks {
         self.marks.of(key).map_err(|error| match exercise {
             Some(exercise) => {
                 let message = format!("{}: it does not fit exercise {exercise}: {error}", self.text.name);
-                Failure::Misuse(message, error.hint.or(Some("an exercise may have marks.json in its folder".into())))
+                Failure::misuse(
+                    message,
+                    error.hint.as_deref().unwrap_or("an exercise may have marks.json in its folder"),
+                )
             }
-            None => misuse(&self.text, &error),
+            None => self.text.misuse(&error),
         })
     }
-}
-
-fn misuse(source: &Source, error: &CheckError) -> Failure {
-    Failure::Misuse(format!("{}: {error}", source.name), error.hint.clone())
 }

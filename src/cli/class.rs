@@ -1,9 +1,9 @@
 //! Checks all forms of a folder and writes a table with a row for each.
 
 use super::caught::caught;
-use super::check::read;
 use super::feedback::Pages;
 use super::files;
+use super::forms::measured;
 use super::message::{Failure, note};
 use super::output::{self, FileSet};
 use super::pieces::{Output, Pieces};
@@ -82,16 +82,16 @@ impl ReportFormat {
             "json" => ReportFormat::Json,
             "jsonl" | "ndjson" => ReportFormat::Jsonl,
             other => {
-                return Err(Failure::Misuse(
+                return Err(Failure::misuse(
                     format!("no form of report for files ending in `.{other}`"),
-                    Some("known endings: csv, json, jsonl".into()),
+                    "known endings: csv, json, jsonl",
                 ));
             }
         };
         if as_json && format == ReportFormat::Csv {
-            return Err(Failure::Misuse(
-                "--json and a report that ends in `.csv` do not go together".into(),
-                Some("leave out --json, or name a file that ends in `.json`".into()),
+            return Err(Failure::misuse(
+                "--json and a report that ends in `.csv` do not go together",
+                "leave out --json, or name a file that ends in `.json`",
             ));
         }
         Ok(format)
@@ -159,9 +159,9 @@ impl Class<'_> {
         if self.output == Path::new("-") || !is_inside || !self.output.is_file() || is_report(self.output) {
             return Ok(());
         }
-        Err(Failure::Misuse(
+        Err(Failure::misuse(
             format!("{} is one of the files to check and is not overwritten", self.output.display()),
-            Some("choose another output".into()),
+            "choose another output",
         ))
     }
 
@@ -178,7 +178,7 @@ impl Class<'_> {
         let exercise = form.exercise.clone()?;
         let subject = self.exercises[exercise].as_ref().map_err(String::clone)?;
         let checked = subject.key.check(&measured);
-        let checked = checked.map_err(|error| Failure::Misuse(error.to_string(), error.hint).line(""))?;
+        let checked = checked.map_err(|error| Failure::from(error).line(""))?;
         let (name, file) = (measured.name.as_ref(), form.file.clone());
         let row = ClassRow::checked(file, name, &checked, subject.key.key(), &subject.words, subject.scheme.as_ref());
         let page = self.page(index, subject, &measured, &checked);
@@ -224,7 +224,7 @@ impl Class<'_> {
         let named =
             Measured { name: measured.name.clone().or_else(|| Some(self.forms[index].title())), ..measured.clone() };
         let feedback = Feedback::new(&named, subject.key.key(), checked, marks.as_ref(), &subject.words);
-        let feedback = feedback.map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        let feedback = feedback.map_err(Failure::from)?;
         pages.of(index, &feedback)
     }
 }
@@ -236,29 +236,6 @@ fn is_report(path: &Path) -> bool {
     let start = String::from_utf8_lossy(&start);
     let starts = ["file,name,passed,", "file,exercise,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
     read.is_ok() && starts.iter().any(|known| start.starts_with(known))
-}
-
-/// The values of a form, or why it is not understood.
-pub(super) fn measured(path: &Path) -> Result<Measured, String> {
-    // A pipe or a device is not opened: reading it could block.
-    if let Ok(found) = fs::metadata(path)
-        && !found.is_file()
-    {
-        if let Some(error) = fs::read_dir(path).err().filter(|_| found.is_dir()) {
-            return Err(format!("it is a folder that cannot be listed: {error}"));
-        }
-        let what = if found.is_dir() { "a folder" } else { "special" };
-        return Err(format!("it is {what}, no file with values"));
-    }
-    let read = caught(|| files::read_form(path).and_then(|text| read(path, &text)))?;
-    read.map_err(|failure| failure.line(&path.display().to_string()))
-}
-
-/// A path in a folder as a report shows it; bytes that are not UTF-8 are replaced.
-pub(super) fn shown(path: &Path, folder: &Path) -> Untrusted {
-    let inside = path.strip_prefix(folder).unwrap_or(path);
-    let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
-    parts.join("/").into()
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 use super::figures::{FigureOptions, Figures, stem};
 use super::message::{Failure, warn};
+use super::options::{GivenScales, Paper};
 use super::output::FileSet;
-use super::paper::{GivenScales, Paper};
 use crate::check::{self, AnswerKey, Checked, Measured};
 use crate::construction::Solution;
 use crate::drawing::overlay;
@@ -29,20 +29,13 @@ impl Correction {
         if self.draw.is_some() {
             return match is_folder {
                 false => Ok(()),
-                true => Err(Failure::Misuse(
-                    "--draw draws one form, here is a folder".into(),
-                    Some("name one of its files".into()),
-                )),
+                true => Err(Failure::misuse("--draw draws one form, here is a folder", "name one of its files")),
             };
         }
         if self.scales.is_given() || self.paper.is_given() || self.forms.has_style() {
-            return Err(Failure::Misuse(
-                "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for"
-                    .into(),
-                Some(
-                    "add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a"
-                        .into(),
-                ),
+            return Err(Failure::misuse(
+                "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for",
+                "add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a",
             ));
         }
         Ok(())
@@ -62,9 +55,9 @@ impl Correction {
             return Ok(());
         };
         if output == Path::new("-") {
-            return Err(Failure::Misuse(
-                "the report is on stdout, so the drawing cannot be there too".into(),
-                Some("name a folder or a file after --draw".into()),
+            return Err(Failure::misuse(
+                "the report is on stdout, so the drawing cannot be there too",
+                "name a folder or a file after --draw",
             ));
         }
         let mut solution = solution.clone();
@@ -75,8 +68,7 @@ impl Correction {
         style.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
-        let redrawn = check::redrawn(measured, key, checked, &solution.wording())
-            .map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        let redrawn = check::redrawn(measured, key, checked, &solution.wording()).map_err(Failure::from)?;
         solution.overflow_warnings().iter().for_each(|text| warn(text));
         let mut sheets = overlay(&solution, &redrawn);
         style.put_on(&mut sheets);
@@ -87,10 +79,7 @@ impl Correction {
         let inputs = [("scene", scene_file), ("form", values_file)];
         let drawings = names.zip(sheets.into_iter().map(|sheet| vec![sheet])).collect();
         Figures::at(output, &self.forms).write(files, &inputs, drawings, false, |_| {
-            Err(Failure::Misuse(
-                "a check has no page to step through".into(),
-                Some("the formats are svg, png, pdf and tikz".into()),
-            ))
+            Err(Failure::misuse("a check has no page to step through", "the formats are svg, png, pdf and tikz"))
         })
     }
 }

@@ -1,9 +1,8 @@
 use super::figures::{Figures, stem};
 use super::message::Failure;
+use super::options::{Paper, Words};
 use super::output::FileSet;
-use super::paper::Paper;
 use super::sweep::{Range, refuse_nothing, split_names};
-use super::wording::Words;
 use crate::cycle::{Curves, Hodographs, PointPaths};
 use crate::drawing::{curves, hodographs, paths};
 use crate::words::Wording;
@@ -63,7 +62,7 @@ impl CurvesCommand {
         }
         let (kind, drawing) = if !points.is_empty() {
             let traced = driven.scene.check_traced(&points, None);
-            traced.map_err(|error| Failure::Misuse(format!("--path: {}", error.message), error.hint))?;
+            traced.map_err(|error| Failure::of_option("--path", error))?;
             let sampled = PointPaths::new(&branch, range, &points);
             let sampled = if self.beyond_limits { sampled.and_then(PointPaths::beyond_limits) } else { sampled };
             let sampled = sampled.map_err(|error| driven.fail(error))?;
@@ -78,12 +77,8 @@ impl CurvesCommand {
         let mut drawing = drawing.map_err(|error| driven.fail(error))?;
         style.put_on([&mut drawing]);
         let name = format!("{}-{kind}", stem(scene));
-        let page = |_| {
-            Err(Failure::Misuse(
-                "curves have no page".into(),
-                Some("`kinegon draw --format html` makes one of the figure".into()),
-            ))
-        };
+        let page =
+            |_| Err(Failure::misuse("curves have no page", "`kinegon draw --format html` makes one of the figure"));
         let mut files = FileSet::default();
         self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], false, page)?;
         files.finish()?;

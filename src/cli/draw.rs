@@ -1,10 +1,9 @@
 use super::figures::{Figures, GivenStyle, stem};
-use super::files::{self, Source};
-use super::message::{Failure, note, warn};
+use super::files;
+use super::message::{Failure, Source, note, warn};
+use super::options::{GivenScales, Markers, Paper, Words, one_of};
 use super::output::FileSet;
-use super::paper::{GivenScales, Markers, Paper};
 use super::sweep::{refuse_nothing, split_names};
-use super::wording::{Words, one_of};
 use super::work::{Mode, show_warnings, solve};
 use crate::construction::{NumberedStep, Solution};
 use crate::cycle::Traces;
@@ -158,7 +157,7 @@ impl Draw {
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
             Some((source, solution)) if are_finished => self.page(source, solution),
-            _ => Err(Failure::Misuse("a page has all steps".into(), Some("leave out --steps".into()))),
+            _ => Err(Failure::misuse("a page has all steps", "leave out --steps")),
         };
         self.figures.write(&mut files, &inputs, drawings, self.is_blank(), page)?;
         files.finish()
@@ -183,7 +182,7 @@ impl Draw {
         ];
         match wrong.into_iter().find(|(is_given, ..)| *is_given) {
             Some((_, message, hint)) => {
-                Err(Failure::Misuse(message.into(), Some(format!("{hint}; or `--worksheet` for the filled sheet"))))
+                Err(Failure::misuse(message, format!("{hint}; or `--worksheet` for the filled sheet")))
             }
             None => Ok(()),
         }
@@ -196,9 +195,9 @@ impl Draw {
             (Some("fine"), scene) => Ok((scene.clone(), Some(Steps::Fine))),
             (Some("coarse"), scene) => Ok((scene.clone(), Some(Steps::Coarse))),
             (Some(path), None) => Ok((Some(path.into()), Some(Steps::Fine))),
-            (Some(other), Some(_)) => Err(Failure::Misuse(
+            (Some(other), Some(_)) => Err(Failure::misuse(
                 format!("there are no `{other}` steps"),
-                Some("--steps is fine, also without a word, or coarse".into()),
+                "--steps is fine, also without a word, or coarse",
             )),
         }
     }
@@ -226,8 +225,7 @@ impl Draw {
         let figure = &scene.figure;
         refuse_nothing("--trace", &self.trace, &figure.trace)?;
         scene.check_traced(&figure.trace, figure.ghosts).map_err(|error| {
-            let option = if error.path.starts_with("trace") { "--trace" } else { "--ghosts" };
-            Failure::Misuse(format!("{option}: {}", error.message), error.hint)
+            Failure::of_option(if error.path.starts_with("trace") { "--trace" } else { "--ghosts" }, error)
         })
     }
 
@@ -248,9 +246,9 @@ impl Draw {
     /// Refuses or tells what has no place on a page.
     fn check_page(&self, style: &GivenStyle) -> Result<(), Failure> {
         if let GivenStyle::File(_) = style {
-            return Err(Failure::Misuse(
-                "a page has the styles that a scene can name, not that of a file".into(),
-                Some(format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", "))),
+            return Err(Failure::misuse(
+                "a page has the styles that a scene can name, not that of a file",
+                format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", ")),
             ));
         }
         for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.drive.is_some())] {
@@ -291,9 +289,9 @@ impl Draw {
         let (first, last) = match wanted {
             Some(step) if (1..=count).contains(&step) => (step, step),
             Some(step) => {
-                return Err(Failure::Misuse(
+                return Err(Failure::misuse(
                     format!("there is no step {step}"),
-                    Some(format!("the construction has steps 1 to {count}; `kinegon steps` lists them")),
+                    format!("the construction has steps 1 to {count}; `kinegon steps` lists them"),
                 ));
             }
             None => (1, count),

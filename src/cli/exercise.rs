@@ -1,17 +1,16 @@
-use super::course::Lms;
 use super::figures::{GivenStyle, stem, style_names};
-use super::files::{self, Source};
-use super::message::{Failure, note};
-use super::output::FileSet;
-use super::paper::{GivenScales, Markers, Paper};
-use super::wording::{NamesAnd, Words};
+use super::files;
+use super::message::{Failure, Source, note};
+use super::options::{GivenScales, Markers, NamesAnd, Paper, Words};
+use super::output::{FileSet, is_special};
 use super::work::solve;
+use crate::course::{Question, canvas, moodle, scorm};
 use crate::drawing::Drawing;
 use crate::exercise::{Exercise, ExerciseError, Exercises};
 use crate::format::{self, Text};
 use crate::scene::{Figure, Kind, SizeLimit};
 use crate::sheet::Sheet;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
 /// Text of `--help` behind the options.
@@ -82,7 +81,7 @@ impl ExerciseCommand {
         let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
         let mut exercises = exercises.map_err(|error| {
             let hint = "`kinegon new --list` shows other kinds";
-            Failure::Misuse(format!("{}: {error}", source.name), Some(hint.into()))
+            Failure::misuse(format!("{}: {error}", source.name), hint)
         })?;
         if let Some(lms) = self.lms {
             return lms.write(&mut exercises, (&name, self.seed, self.count), &style, (&source.name, &self.output));
@@ -92,7 +91,7 @@ impl ExerciseCommand {
             if folder.exists() {
                 let message = format!("{} is there already and is not overwritten", folder.display());
                 let hint = "choose another folder or another seed, or remove it";
-                return Err(Failure::Misuse(message, Some(hint.into())));
+                return Err(Failure::misuse(message, hint));
             }
         }
         let mut files = FileSet::default();
@@ -110,12 +109,12 @@ impl ExerciseCommand {
         }
         let path = Path::new(&self.kind);
         if !path.is_file() {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("`{}` is no kind of mechanism and no file", self.kind),
-                Some(format!(
+                format!(
                     "the nearest kind is `{}`; `kinegon new --list` shows all, or give the path of a scene file",
                     Kind::nearest(&self.kind)
-                )),
+                ),
             ));
         }
         Ok((stem(path), files::read(path)?))
@@ -123,8 +122,8 @@ impl ExerciseCommand {
 }
 
 /// Why there is no further exercise.
-pub(super) fn failed(source: &str, error: &ExerciseError) -> Failure {
-    Failure::Outside(format!("{source}: {error}").into())
+fn failed(source: &str, error: &ExerciseError) -> Failure {
+    Failure::outside(format!("{source}: {error}"))
 }
 
 /// The files of an exercise, by their paths.
@@ -158,8 +157,87 @@ fn pictures(name: &str, sheets: &[Drawing]) -> Result<Vec<(String, Vec<u8>)>, Fa
     let mut written: Vec<_> = sheets.iter().zip(1..).map(svg).collect();
     #[cfg(feature = "pdf")]
     {
-        let pdf = format::pdf_pages(sheets, None).map_err(|error| Failure::Misuse(error.to_string(), None))?;
+        let pdf = format::pdf_pages(sheets, None).map_err(|error| Failure::unclear(error.to_string()))?;
         written.push((format!("{name}.pdf"), pdf));
     }
     Ok(written)
+}
+
+/// A kind of learning management system, by the file that it imports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Lms {
+    /// Moodle XML: a question bank.
+    Moodle,
+    /// QTI 1.2, for Canvas.
+    Canvas,
+    /// SCORM 1.2, for any: the workbench, which reports a score.
+    Scorm,
+}
+
+impl Lms {
+    /// The ending of its file.
+    fn ending(self) -> &'static str {
+        match self {
+            Lms::Moodle => "xml",
+            Lms::Canvas | Lms::Scorm => "zip",
+        }
+    }
+
+    /// Writes so many exercises with that name and seed into one file, or to stdout. `source` names the scene in messages.
+    fn write(
+        self,
+        exercises: &mut Exercises,
+        (name, seed, count): (&str, u64, u16),
+        style: &GivenStyle,
+        (source, path): (&str, &Path),
+    ) -> Result<(), Failure> {
+        self.refuse_other_files(path)?;
+        files::refuse_overwriting("scene", Path::new(source), path)?;
+        let mut questions = Vec::new();
+        for number in 1..=count {
+            let mut exercise = exercises.next().map_err(|error| failed(source, &error))?;
+            style.put_on([&mut exercise.sheet]);
+            let question =
+                Question::new(&exercise, &format!("{}-{seed}-{number}", plain(name)), &|key| style.put_on([key]));
+            questions.push(question.map_err(|error| Failure::unclear(format!("{source}: {error}")))?);
+        }
+        let written = match self {
+            Lms::Moodle => moodle(name, &questions),
+            Lms::Canvas => canvas(&questions),
+            Lms::Scorm => scorm(name, &questions),
+        };
+        let bytes = written.map_err(Failure::outside)?;
+        if path == Path::new("-") {
+            return files::print(&bytes);
+        }
+        let mut set = FileSet::default();
+        set.add(path, &bytes)?;
+        set.finish()
+    }
+
+    /// Refuses a folder, and a name whose ending says something else.
+    fn refuse_other_files(self, path: &Path) -> Result<(), Failure> {
+        if path == Path::new("-") || is_special(path) {
+            return Ok(());
+        }
+        let ending = self.ending();
+        let name = self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned());
+        let hint = |more: &str| format!("`--lms {name}` writes one file; {more} `.{ending}`");
+        if files::is_folder(path) {
+            return Err(Failure::misuse(
+                format!("{} is a folder", path.display()),
+                hint("give its name, too, which ends in"),
+            ));
+        }
+        let is_file = path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
+        let message = format!("{} is no name for the file of a course", path.display());
+        let hint = hint("let its name end in");
+        if is_file { Ok(()) } else { Err(Failure::misuse(message, hint)) }
+    }
+}
+
+/// A name as names of files in addresses have it: letters, digits and hyphens of ASCII.
+fn plain(name: &str) -> String {
+    let letters = name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' });
+    letters.take(60).collect()
 }

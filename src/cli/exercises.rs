@@ -43,7 +43,7 @@ impl ExerciseFolder {
     /// The exercises of a folder: each folder in it with a `scene.json`, and each scene file. A folder that has
     /// `scene.json` itself is one exercise.
     pub(super) fn read(folder: &Path) -> Result<ExerciseFolder, Failure> {
-        let failed = |error| Failure::Misuse(format!("{} cannot be listed: {error}", folder.display()), None);
+        let failed = |error| Failure::unclear(format!("{} cannot be listed: {error}", folder.display()));
         let scene = folder.join("scene.json");
         let mut all = Vec::new();
         if scene.is_file() {
@@ -57,19 +57,16 @@ impl ExerciseFolder {
         all.sort_by(|a, b| a.name.cmp(&b.name));
         if let Some(same) = all.windows(2).find(|pair| pair[0].name == pair[1].name) {
             let [first, second] = [&same[0], &same[1]].map(|exercise| exercise.scene.display());
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("{first} and {second} have one name"),
-                Some("forms are matched with exercises by their names: rename one of them".into()),
+                "forms are matched with exercises by their names: rename one of them",
             ));
         }
         if all.is_empty() {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("{} has no exercises", folder.display()),
-                Some(
-                    "an exercise is a folder with scene.json, as `kinegon exercise KIND --count 30 -o DIR` writes it, \
-                     or a scene file"
-                        .into(),
-                ),
+                "an exercise is a folder with scene.json, as `kinegon exercise KIND --count 30 -o DIR` writes it, \
+                     or a scene file",
             ));
         }
         Ok(ExerciseFolder { folder: folder.to_owned(), all })

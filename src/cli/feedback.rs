@@ -54,16 +54,16 @@ impl FeedbackOptions {
         let Some(folder) = &self.feedback else {
             return match usual {
                 true => Ok(None),
-                false => Err(Failure::Misuse(
-                    "--feedback-format is of pages for the students, which are not asked for".into(),
-                    Some("add `--feedback DIR`".into()),
+                false => Err(Failure::misuse(
+                    "--feedback-format is of pages for the students, which are not asked for",
+                    "add `--feedback DIR`",
                 )),
             };
         };
         if folder == Path::new("-") || folder.is_file() {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("{} is no folder, but every student gets a page", folder.display()),
-                Some("name a folder after --feedback".into()),
+                "name a folder after --feedback",
             ));
         }
         let forms: Vec<&str> = forms.into_iter().collect();
@@ -96,7 +96,7 @@ impl Pages {
         let bytes = |format: &PageFormat| match format {
             #[cfg(feature = "pdf")]
             PageFormat::Pdf => crate::format::pdf_pages(&feedback.sheets(), Some(FEEDBACK_MARK))
-                .map_err(|error| Failure::Misuse(error.to_string(), None)),
+                .map_err(|error| Failure::unclear(error.to_string())),
             PageFormat::Html => Ok(feedback.html().into_bytes()),
         };
         self.formats.iter().map(|format| Ok((self.path(form, *format), bytes(format)?))).collect()
@@ -113,9 +113,9 @@ fn refuse_foreign(page: &Path) -> Result<(), Failure> {
     if found.is_file() && is_own() {
         return Ok(());
     }
-    Err(Failure::Misuse(
+    Err(Failure::misuse(
         format!("{} is there already, is no page for a student and is not overwritten", page.display()),
-        Some("choose another folder after --feedback".into()),
+        "choose another folder after --feedback",
     ))
 }
 

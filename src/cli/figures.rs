@@ -1,7 +1,7 @@
 use super::files;
 use super::message::{Failure, note, warn};
+use super::options::NamesAnd;
 use super::output::{self, FileSet};
-use super::wording::NamesAnd;
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -134,7 +134,7 @@ impl Figures {
                 #[cfg(feature = "pdf")]
                 if joined && format == FigureFormat::Pdf {
                     let pdf = format::pdf_pages(sheets, None);
-                    written.push((path, pdf.map_err(|error| Failure::Misuse(error.to_string(), None))?));
+                    written.push((path, pdf.map_err(|error| Failure::unclear(error.to_string()))?));
                     continue;
                 }
                 for (path, drawing) in self.sheet_paths(path, sheets.len(), joined).zip(sheets) {
@@ -149,11 +149,9 @@ impl Figures {
     fn bytes(&self, drawing: &Drawing, format: FigureFormat) -> Result<Vec<u8>, Failure> {
         match format {
             #[cfg(feature = "pdf")]
-            FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::Misuse(error.to_string(), None)),
+            FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::unclear(error.to_string())),
             #[cfg(feature = "png")]
-            FigureFormat::Png => {
-                drawing.png(self.options.dpi).map_err(|error| Failure::Misuse(error.to_string(), None))
-            }
+            FigureFormat::Png => drawing.png(self.options.dpi).map_err(|error| Failure::unclear(error.to_string())),
             FigureFormat::Tikz => Ok(drawing.tikz().into_bytes()),
             FigureFormat::Svg | FigureFormat::Html => Ok(format::svg_with(drawing, self.text()).into_bytes()),
         }
@@ -186,9 +184,9 @@ impl Figures {
         for (name, sheets) in &drawings {
             let targets = self.targets(name, drawings.len())?;
             let Some((path, _)) = targets.into_iter().find(|(_, format)| *format == FigureFormat::Svg) else {
-                return Err(Failure::Misuse(
-                    "only SVG has layers".into(),
-                    Some("leave out --format, or name a file that ends in `.svg`".into()),
+                return Err(Failure::misuse(
+                    "only SVG has layers",
+                    "leave out --format, or name a file that ends in `.svg`",
                 ));
             };
             for (path, drawing) in self.sheet_paths(path, sheets.len(), false).zip(sheets) {
@@ -212,9 +210,9 @@ impl Figures {
     ) -> Result<(), Failure> {
         if self.is_stream() {
             let [(path, bytes)] = written else {
-                return Err(Failure::Misuse(
-                    "only one figure fits on stdout".into(),
-                    Some("name one scene and one step, or a folder to write to".into()),
+                return Err(Failure::misuse(
+                    "only one figure fits on stdout",
+                    "name one scene and one step, or a folder to write to",
                 ));
             };
             let is_stdout = self.output == Path::new("-");
@@ -250,15 +248,15 @@ impl Figures {
         }
         match FigureFormat::value_variants().iter().find(|f| Some(f.ending()) == ending) {
             Some(format) if drawings == 1 => Ok(vec![(self.output.clone(), *format)]),
-            Some(_) => Err(Failure::Misuse(
-                "several figures do not fit into one file".into(),
-                Some("name one scene and one step, or a folder to write to".into()),
+            Some(_) => Err(Failure::misuse(
+                "several figures do not fit into one file",
+                "name one scene and one step, or a folder to write to",
             )),
             None => {
                 let known: Vec<&str> = FigureFormat::value_variants().iter().map(|f| f.ending()).collect();
-                Err(Failure::Misuse(
+                Err(Failure::misuse(
                     format!("no format for files ending in `.{}`", ending.unwrap_or_default()),
-                    Some(format!("known endings: {}; a folder's name ends in `/`", known.join(", "))),
+                    format!("known endings: {}; a folder's name ends in `/`", known.join(", ")),
                 ))
             }
         }
@@ -330,9 +328,9 @@ impl GivenStyle {
 fn style_file(asked: &str) -> Result<Style, Failure> {
     if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
         let known = StyleName::ALL.map(StyleName::as_str).join(", ");
-        return Err(Failure::Misuse(
+        return Err(Failure::misuse(
             format!("there is no style `{asked}`"),
-            Some(format!("known styles: {known}; or the path of a style file")),
+            format!("known styles: {known}; or the path of a style file"),
         ));
     }
     let source = files::read_text("style", Path::new(asked))?;

@@ -1,24 +1,10 @@
-use super::message::Failure;
+use super::message::{Failure, Source};
 use crate::scene::MAX_BYTES;
+use crate::text;
+use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::Path;
-
-/// The text of a file that was read.
-#[derive(Clone, Debug)]
-pub(super) struct Source {
-    /// The file's name, or `stdin`.
-    pub name: String,
-    /// The whole text.
-    pub text: String,
-}
-
-impl Source {
-    /// The failure of an error in this text.
-    pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
-        Failure::Scene(self.clone(), Box::new(error.into()))
-    }
-}
 
 /// Reads a scene's text from a file, or from stdin for `-`.
 pub(super) fn read(path: &Path) -> Result<Source, Failure> {
@@ -31,7 +17,7 @@ fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
     let refuse = |error: io::Error| {
         let hint = format!("give the path of a {what} file, or `-` to read one from stdin");
-        Failure::Misuse(format!("{name} cannot be read: {error}"), Some(hint))
+        Failure::misuse(format!("{name} cannot be read: {error}"), hint)
     };
     let mut bytes = Vec::new();
     // One byte more than is allowed, so that a larger file is refused without reading all of it.
@@ -43,9 +29,9 @@ fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
     }
     .map_err(refuse)?;
     if bytes.len() > MAX_BYTES {
-        return Err(Failure::Misuse(
+        return Err(Failure::misuse(
             format!("{name} is larger than {} MB, which no {what} is", MAX_BYTES >> 20),
-            Some("is this the right file?".into()),
+            "is this the right file?",
         ));
     }
     Ok((name, bytes))
@@ -54,11 +40,41 @@ fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
 /// Reads the text of a form, which a spreadsheet may have saved in another encoding than UTF-8.
 pub(super) fn read_form(path: &Path) -> Result<Source, Failure> {
     let (name, bytes) = read_bytes("form", path)?;
-    let Some(text) = super::decoding::decoded(bytes) else {
+    let Some(text) = decoded(bytes) else {
         let hint = "save the form as CSV UTF-8 or as JSON";
-        return Err(Failure::Misuse(format!("{name} is no text"), Some(hint.into())));
+        return Err(Failure::misuse(format!("{name} is no text"), hint));
     };
     Ok(Source { name, text })
+}
+
+/// Part of the bytes at which it is seen whether every other one is zero.
+const LOOKED_AT: usize = 4096;
+
+/// The text of these bytes: in the encoding that a byte order mark at their start names, else UTF-8, UTF-16 by its
+/// zeros, or else Windows-1252, which spreadsheets in Western Europe and America write. `None` for bytes of no text.
+fn decoded(bytes: Vec<u8>) -> Option<String> {
+    let marked = Encoding::for_bom(&bytes).map(|(encoding, _)| encoding);
+    let text = match marked.or_else(|| by_zeros(&bytes)) {
+        Some(encoding) => encoding.decode(&bytes).0.into_owned(),
+        None => match String::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(error) => WINDOWS_1252.decode(error.as_bytes()).0.into_owned(),
+        },
+    };
+    let is_text = !text.contains(|c: char| c.is_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{b}' | '\u{c}'));
+    is_text.then_some(text)
+}
+
+/// UTF-16 without a mark: its Latin letters and digits leave every other byte zero.
+fn by_zeros(bytes: &[u8]) -> Option<&'static Encoding> {
+    let bytes = &bytes[..bytes.len().min(LOOKED_AT)];
+    let zeros = |first: usize| bytes.iter().skip(first).step_by(2).filter(|&&byte| byte == 0).count();
+    let [even, odd] = [zeros(0), zeros(1)];
+    match bytes.len() / 2 {
+        half if half > 1 && odd > half / 2 && even == 0 => Some(UTF_16LE),
+        half if half > 1 && even > half / 2 && odd == 0 => Some(UTF_16BE),
+        _ => None,
+    }
 }
 
 /// Reads a text from a file, or from stdin for `-`; `what` is its name in messages.
@@ -66,12 +82,17 @@ pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     let (name, bytes) = read_bytes(what, path)?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        Failure::Misuse(
+        Failure::misuse(
             format!("{name} is not text in UTF-8: byte {at} does not belong"),
-            Some(format!("save the {what} as UTF-8 text")),
+            format!("save the {what} as UTF-8 text"),
         )
     })?;
     Ok(Source { name, text })
+}
+
+/// Prints text for people on stdout, without anything in it that a terminal obeys.
+pub(super) fn print_text(text: &str) -> Result<(), Failure> {
+    print(text::on_a_terminal(text).as_bytes())
 }
 
 /// Writes bytes to stdout. It is no failure if the reader has closed it.
@@ -85,7 +106,7 @@ pub(super) fn try_print(bytes: &[u8]) -> Result<bool, Failure> {
     match out.write_all(bytes).and_then(|()| out.flush()) {
         Ok(()) => Ok(true),
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(Failure::Outside(format!("stdout cannot be written: {error}").into())),
+        Err(error) => Err(Failure::outside(format!("stdout cannot be written: {error}"))),
     }
 }
 
@@ -94,7 +115,7 @@ pub(super) fn refuse_overwriting(what: &str, input: &Path, output: &Path) -> Res
     if is_same(input, output) {
         let message = format!("{} is the {what} itself and is not overwritten", output.display());
         let hint = "choose another output";
-        return Err(Failure::Misuse(message, Some(hint.into())));
+        return Err(Failure::misuse(message, hint));
     }
     Ok(())
 }
@@ -112,5 +133,5 @@ pub(super) fn is_folder(path: &Path) -> bool {
 
 /// The failure to write an output.
 pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
-    Failure::Outside(format!("{} cannot be written: {error}", place.display()).into())
+    Failure::outside(format!("{} cannot be written: {error}", place.display()))
 }

@@ -1,6 +1,10 @@
 //! The forms in a folder.
 
-use super::message::Failure;
+use super::caught::caught;
+use super::files;
+use super::message::{Failure, Source};
+use crate::check::Measured;
+use crate::text::Untrusted;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -43,7 +47,7 @@ pub(super) fn forms_below(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failed = |error: std::io::Error| {
         let message = format!("{} cannot be listed: {error}", folder.display());
-        Failure::Misuse(message, None)
+        Failure::unclear(message)
     };
     let entries = fs::read_dir(folder).map_err(failed)?;
     entries.map(|entry| Ok(entry.map_err(failed)?.path())).collect()
@@ -66,11 +70,41 @@ pub(super) fn is_hidden(path: &Path) -> bool {
 }
 
 fn none(folder: &Path) -> Failure {
-    Failure::Misuse(
+    Failure::misuse(
         format!("{} has no forms to check, and no photographs", folder.display()),
-        Some(
-            "files that end in `.json` or `.csv` are forms, those in `.jpg` or `.png` photographs of sheets; `kinegon check SCENE --template` writes an empty form"
-                .into(),
-        ),
+        "files that end in `.json` or `.csv` are forms, those in `.jpg` or `.png` photographs of sheets; `kinegon check SCENE --template` writes an empty form",
     )
+}
+
+/// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
+pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
+    let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
+    if !is_table && Measured::is_json(&text.text) {
+        Measured::read_json(&text.text).map_err(|error| text.fail(error))
+    } else {
+        Measured::read_csv(&text.text).map_err(|error| text.misuse(&error))
+    }
+}
+
+/// The values of a form, or why it is not understood.
+pub(super) fn measured(path: &Path) -> Result<Measured, String> {
+    // A pipe or a device is not opened: reading it could block.
+    if let Ok(found) = fs::metadata(path)
+        && !found.is_file()
+    {
+        if let Some(error) = fs::read_dir(path).err().filter(|_| found.is_dir()) {
+            return Err(format!("it is a folder that cannot be listed: {error}"));
+        }
+        let what = if found.is_dir() { "a folder" } else { "special" };
+        return Err(format!("it is {what}, no file with values"));
+    }
+    let read = caught(|| files::read_form(path).and_then(|text| read(path, &text)))?;
+    read.map_err(|failure| failure.line(&path.display().to_string()))
+}
+
+/// A path in a folder as a report shows it; bytes that are not UTF-8 are replaced.
+pub(super) fn shown(path: &Path, folder: &Path) -> Untrusted {
+    let inside = path.strip_prefix(folder).unwrap_or(path);
+    let parts: Vec<_> = inside.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+    parts.join("/").into()
 }

@@ -29,16 +29,15 @@ pub(super) struct Man {
 impl Man {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let whole = help::command();
-        let failed = |error: io::Error| Failure::Outside(format!("the manual page cannot be made: {error}").into());
+        let failed = |error: io::Error| Failure::outside(format!("the manual page cannot be made: {error}"));
         match (&self.output, &self.command) {
             (Some(folder), _) => write_all(&whole, folder),
             (None, None) => files::print(&page(&whole).map_err(failed)?),
             (None, Some(name)) => match commands(&whole).find(|command| command.get_name() == name) {
                 Some(command) => files::print(&page(command).map_err(failed)?),
-                None => Err(Failure::Misuse(
-                    format!("there is no command `{name}`"),
-                    Some("`kinegon --help` lists the commands".into()),
-                )),
+                None => {
+                    Err(Failure::misuse(format!("there is no command `{name}`"), "`kinegon --help` lists the commands"))
+                }
             },
         }
     }

@@ -1,4 +1,4 @@
-use super::files::{self, Source};
+use crate::check::CheckError;
 use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
 use crate::scene::SceneError;
@@ -7,13 +7,34 @@ use crate::{Error, Problem};
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::Write;
 
+/// The text of a file that was read.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    /// The file's name, or `stdin`.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+}
+
+impl Source {
+    /// The failure of an error in this text.
+    pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
+        Failure::Scene(self.clone(), Box::new(error.into()))
+    }
+
+    /// The failure of an error in it that has no place there.
+    pub(super) fn misuse(&self, error: &CheckError) -> Failure {
+        Failure::Misuse(Problem { message: format!("{}: {error}", self.name), hint: error.hint.clone() })
+    }
+}
+
 /// Why a command did not do its task.
 #[derive(Debug)]
 pub(super) enum Failure {
     /// An error of the library about a scene, or about a file that is read as strictly.
     Scene(Source, Box<Error>),
-    /// A command or a file that is not understood: message and hint.
-    Misuse(String, Option<String>),
+    /// A command or a file that is not understood.
+    Misuse(Problem),
     /// A cause outside the program, such as a full disk.
     Outside(Problem),
     /// A result that covers only a part of what was asked for: why.
@@ -24,7 +45,33 @@ pub(super) enum Failure {
     NotUnderstood,
 }
 
+impl From<CheckError> for Failure {
+    fn from(error: CheckError) -> Failure {
+        Failure::Misuse(Problem { message: error.to_string(), hint: error.hint })
+    }
+}
+
 impl Failure {
+    /// A command or a file that is not understood: what is wrong, and what to try.
+    pub(super) fn misuse(message: impl Into<String>, hint: impl Into<String>) -> Failure {
+        Failure::Misuse(Problem::new(message).hint(hint))
+    }
+
+    /// A command or a file that is not understood, where nothing is known that could be tried.
+    pub(super) fn unclear(message: impl ToString) -> Failure {
+        Failure::Misuse(message.to_string().into())
+    }
+
+    /// What is asked for by an option does not fit the scene.
+    pub(super) fn of_option(option: &str, SceneError { message, hint, .. }: SceneError) -> Failure {
+        Failure::Misuse(Problem { message: format!("{option}: {message}"), hint })
+    }
+
+    /// A cause outside the program.
+    pub(super) fn outside(message: impl ToString) -> Failure {
+        Failure::Outside(message.to_string().into())
+    }
+
     pub(super) fn exit_code(&self) -> u8 {
         match self {
             Failure::Scene(_, error) => match error.as_ref() {
@@ -38,7 +85,7 @@ impl Failure {
                     _ => 2,
                 },
             },
-            Failure::Misuse(..) | Failure::NotUnderstood => 2,
+            Failure::Misuse(_) | Failure::NotUnderstood => 2,
             Failure::Outside(_) | Failure::Partly(_) | Failure::NotPassed => 1,
         }
     }
@@ -47,7 +94,7 @@ impl Failure {
     pub(super) fn line(&self, place: &str) -> String {
         let (message, hint) = match self {
             Failure::Scene(_, error) => (error.to_string(), None),
-            Failure::Misuse(message, hint) => (message.clone(), hint.as_deref()),
+            Failure::Misuse(problem) => (problem.message.clone(), problem.hint.as_deref()),
             Failure::Outside(problem) | Failure::Partly(problem) => (problem.to_string(), None),
             Failure::NotPassed | Failure::NotUnderstood => return String::new(),
         };
@@ -67,9 +114,8 @@ pub(super) fn show(failure: &Failure) {
     let report = match failure {
         Failure::NotPassed | Failure::NotUnderstood => return,
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
-        Failure::Misuse(message, hint) => without_place(message, hint.as_deref()),
-        Failure::Outside(Problem { message, hint }) | Failure::Partly(Problem { message, hint }) => {
-            without_place(message, hint.as_deref())
+        Failure::Misuse(problem) | Failure::Outside(problem) | Failure::Partly(problem) => {
+            without_place(&problem.message, problem.hint.as_deref())
         }
     };
     say(&report);
@@ -87,11 +133,6 @@ pub(super) fn stopped(is_complete: bool) {
 /// Writes a report to stderr. Where that is closed, as behind a terminal that is gone, nobody can be told.
 fn say(report: &str) {
     let _ = writeln!(anstream::stderr(), "{report}");
-}
-
-/// Prints text for people on stdout, without anything in it that a terminal obeys.
-pub(super) fn print(text: &str) -> Result<(), Failure> {
-    files::print(text::on_a_terminal(text).as_bytes())
 }
 
 /// The message that the program shows on stderr for an error of the scene in the file `name`, with the lines of `text`

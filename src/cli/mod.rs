@@ -10,9 +10,7 @@ mod check;
 mod class;
 mod completions;
 mod correction;
-mod course;
 mod curves;
-mod decoding;
 mod draw;
 mod exercise;
 mod exercises;
@@ -24,21 +22,17 @@ mod help;
 mod man;
 mod message;
 mod new;
+mod options;
 mod output;
-mod paper;
 mod parts;
-mod pencil;
 mod photo;
 mod photo_class;
 mod pictures;
 mod pieces;
 mod solve;
-mod steps;
-mod structure;
 mod study;
 mod sweep;
 mod table;
-mod wording;
 mod work;
 
 pub use message::shown;
@@ -72,15 +66,15 @@ enum Task {
     /// Print every position, velocity and acceleration as JSON
     Solve(solve::Solve),
     /// Print the construction step by step, with lengths on paper
-    Steps(steps::Steps),
+    Steps(solve::Steps),
     /// Check values read from hand drawings; say what went wrong
     Check(check::Check),
     /// Write exercises to be drawn by hand: sheets, forms, keys
     Exercise(exercise::ExerciseCommand),
     /// Print the Assur groups in solving order
-    Structure(structure::Structure),
+    Structure(solve::Structure),
     /// Print every way to assemble a scene, numbered
-    Modes(structure::Modes),
+    Modes(solve::Modes),
     /// Write a table of the motion: CSV, JSON lines
     Sweep(sweep::SweepCommand),
     /// Draw quantities over the motion, with extremes and limits

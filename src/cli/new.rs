@@ -1,5 +1,5 @@
 use super::files;
-use super::message::{Failure, print};
+use super::message::Failure;
 use super::output::FileSet;
 use crate::scene::Kind;
 use clap::Args;
@@ -32,12 +32,12 @@ impl New {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let Some(kind) = &self.kind else {
             if self.output != Path::new("-") {
-                return Err(Failure::Misuse(
-                    "which kind of mechanism is to be written?".into(),
-                    Some("name one of those that `kinegon new --list` shows".into()),
+                return Err(Failure::misuse(
+                    "which kind of mechanism is to be written?",
+                    "name one of those that `kinegon new --list` shows",
                 ));
             }
-            return print(&list());
+            return files::print_text(&list());
         };
         let Kind { name, text } = Kind::named(kind).expect("the command line takes no other name");
         if self.output == Path::new("-") {

@@ -33,13 +33,13 @@ impl Parts {
         match fs::read(&name) {
             Ok(other) if other == own.as_bytes() => {}
             Ok(_) => {
-                return Err(Failure::Misuse(
+                return Err(Failure::misuse(
                     format!("{} has rows of another study, of other rows or of another version", folder.display()),
-                    Some("remove that folder, or choose another output".into()),
+                    "remove that folder, or choose another output",
                 ));
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => put(&name, own.as_bytes())?,
-            Err(error) => return Err(Failure::Outside(format!("{} cannot be read: {error}", name.display()).into())),
+            Err(error) => return Err(Failure::outside(format!("{} cannot be read: {error}", name.display()))),
         }
         Ok(Parts { folder, width })
     }
@@ -77,11 +77,11 @@ impl Parts {
     /// The numbers of a block.
     pub(super) fn read(&self, block: &Range<u64>) -> Result<Vec<f64>, Failure> {
         let path = self.path(block);
-        let bytes = fs::read(&path)
-            .map_err(|error| Failure::Outside(format!("{} cannot be read: {error}", path.display()).into()))?;
+        let bytes =
+            fs::read(&path).map_err(|error| Failure::outside(format!("{} cannot be read: {error}", path.display())))?;
         if bytes.len() as u64 != self.bytes(block) {
             let message = format!("{} is not complete; remove it and start again", path.display());
-            return Err(Failure::Outside(message.into()));
+            return Err(Failure::outside(message));
         }
         let (numbers, _) = bytes.as_chunks::<8>();
         Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())

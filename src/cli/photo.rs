@@ -40,9 +40,8 @@ impl Photo {
     /// Reads a photograph; `expected` are the codes that its sheet may have.
     pub(super) fn read(path: &Path, expected: impl FnOnce() -> Vec<SheetCode>) -> Result<Photo, Failure> {
         let picture = read_picture(path)?;
-        let sheet = read(&picture, expected).map_err(|refusal| {
-            Failure::Misuse(format!("{}: {refusal}", path.display()), Some(refusal.hint().to_owned()))
-        })?;
+        let sheet = read(&picture, expected)
+            .map_err(|refusal| Failure::misuse(format!("{}: {refusal}", path.display()), refusal.hint().to_owned()))?;
         Ok(Photo { path: path.to_owned(), strokes: sheet.strokes(&picture), picture, sheet })
     }
 
@@ -77,37 +76,34 @@ impl PhotoResult {
     pub(super) fn of(photos: Vec<Photo>, solution: &Solution, key: &AnswerKey<'_>) -> Result<PhotoResult, Failure> {
         let own = solution.scene.fingerprint();
         if let Some(photo) = photos.iter().find(|photo| photo.code().scene != own) {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!(
                     "{} shows sheet {} of `{}`, which is not of this scene",
                     photo.path.display(),
                     photo.code().number,
                     shown(&photo.code().name)
                 ),
-                Some(
-                    "name the scene from which that sheet was printed; a scene that was changed since needs new sheets"
-                        .into(),
-                ),
+                "name the scene from which that sheet was printed; a scene that was changed since needs new sheets",
             ));
         }
         let all: Vec<(&Photo, PencilledPlan<'_>)> =
             photos.iter().flat_map(|photo| photo.plans().map(move |plan| (photo, plan))).collect();
         if all.is_empty() {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("{} shows no plan, only the sheet with the scheme", photos[0].path.display()),
-                Some("photograph the sheets on which the plans are drawn".into()),
+                "photograph the sheets on which the plans are drawn",
             ));
         }
         for (index, (photo, plan)) in all.iter().enumerate() {
             if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.kind == plan.kind) {
-                return Err(Failure::Misuse(
+                return Err(Failure::misuse(
                     format!("{} and {} both show the {}", other.path.display(), photo.path.display(), plan.kind.name()),
-                    Some("give one photograph of each sheet".into()),
+                    "give one photograph of each sheet",
                 ));
             }
         }
         let plans: Vec<PencilledPlan<'_>> = all.iter().map(|(_, plan)| *plan).collect();
-        let proposals = proposed(key, &plans).map_err(|error| Failure::Misuse(error.to_string(), error.hint))?;
+        let proposals = proposed(key, &plans).map_err(Failure::from)?;
         let measured = proposals.measured(&plans, key);
         let sheet = |photo: &Photo| {
             let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals.points)).collect();
@@ -129,7 +125,7 @@ impl PhotoResult {
         for (path, backdrop, drawing) in &self.sheets {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let made = pictures(backdrop, drawing);
-            let made = made.map_err(|error| Failure::Outside(format!("{}: {error}", path.display()).into()))?;
+            let made = made.map_err(|error| Failure::outside(format!("{}: {error}", path.display())))?;
             for (ending, bytes) in made {
                 let picture = folder.join(format!("{stem}-check.{ending}"));
                 files::refuse_overwriting("photograph", path, &picture)?;

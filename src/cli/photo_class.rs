@@ -2,8 +2,8 @@
 
 use super::check::Check;
 use super::exercises::ExerciseFolder;
-use super::files::Source;
-use super::message::{Failure, note, print, warn};
+use super::files;
+use super::message::{Failure, Source, note, warn};
 use super::output::FileSet;
 use super::photo::{Photo, PhotoResult, expected, note_next, student};
 use super::pictures::is_photograph;
@@ -36,18 +36,13 @@ impl Check {
             return Ok(Some(self.one_student(&all)));
         }
         if let Some(further) = self.further.first() {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("{} is one form too many: one is checked at a time, or a folder", further.display()),
-                Some(
-                    "put the forms into a folder; only photographs of one student's sheets come several at a time"
-                        .into(),
-                ),
+                "put the forms into a folder; only photographs of one student's sheets come several at a time",
             ));
         }
         match self.accept {
-            true => {
-                Err(Failure::Misuse("--accept is of photographs; here is a form".into(), Some("leave it out".into())))
-            }
+            true => Err(Failure::misuse("--accept is of photographs; here is a form", "leave it out")),
             false => Ok(None),
         }
     }
@@ -77,14 +72,14 @@ impl Check {
         let mut form = None;
         if let Some(folder) = &self.output {
             if folder == Path::new("-") || folder.is_file() {
-                return Err(Failure::Misuse(
+                return Err(Failure::misuse(
                     format!("{} is no folder, but pictures and a form are written", folder.display()),
-                    Some("name a folder after -o".into()),
+                    "name a folder after -o",
                 ));
             }
             form = Some(result.write(&mut files, folder, &student(&paths[0]), &key)?);
         }
-        print(&result.table(&subject.solution))?;
+        files::print_text(&result.table(&subject.solution))?;
         files.finish()?;
         if self.accept {
             let source = Source { name: paths[0].display().to_string(), text: String::new() };
@@ -106,14 +101,14 @@ impl Check {
         let subject = match subjects {
             [subject] => subject,
             _ => subjects.iter().find(is_of).ok_or_else(|| {
-                Failure::Misuse(
+                Failure::misuse(
                     format!(
                         "{} shows a sheet of `{}`, which is not in {}",
                         paths[0].display(),
                         photos[0].code().name,
                         self.scene.display()
                     ),
-                    Some("name the folder with the exercise from which it was printed".into()),
+                    "name the folder with the exercise from which it was printed",
                 )
             })?,
         };
@@ -126,15 +121,15 @@ impl Check {
     fn photo_class(&self, folder: &Path, photos: Vec<PathBuf>) -> Result<(), Failure> {
         let Some(output) = self.output.as_deref().filter(|output| *output != Path::new("-") && !output.is_file())
         else {
-            return Err(Failure::Misuse(
+            return Err(Failure::misuse(
                 format!("{} has photographs, of which pictures and forms are made", folder.display()),
-                Some("name a folder for them: -o forms/".into()),
+                "name a folder for them: -o forms/",
             ));
         };
         if files_are_same(folder, output) {
-            return Err(Failure::Misuse(
-                "the folder with the photographs is that for the forms".into(),
-                Some("choose another after -o".into()),
+            return Err(Failure::misuse(
+                "the folder with the photographs is that for the forms",
+                "choose another after -o",
             ));
         }
         let subjects = self.subjects()?;
@@ -181,7 +176,7 @@ impl Check {
             }
             return if broken < students.len() { self.forms_of(output) } else { Err(Failure::NotUnderstood) };
         }
-        print(&table)?;
+        files::print_text(&table)?;
         note(&format!(
             "look at the pictures in {0}, then `kinegon check {1} {0}` checks the forms there",
             output.display(),
@@ -207,8 +202,7 @@ fn quoted(text: &str) -> String {
 
 /// The photographs in a folder and in the folders in it, one for each student; none where it has forms.
 fn photos_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let failed =
-        |error: std::io::Error| Failure::Misuse(format!("{} cannot be listed: {error}", folder.display()), None);
+    let failed = |error: std::io::Error| Failure::unclear(format!("{} cannot be listed: {error}", folder.display()));
     let mut photos = Vec::new();
     for entry in fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();

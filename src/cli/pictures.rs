@@ -24,7 +24,7 @@ pub(super) fn is_photograph(path: &Path) -> bool {
 /// The picture in a file, upright as the file says, in grey.
 pub(super) fn read_picture(path: &Path) -> Result<Picture, Failure> {
     let name = path.display().to_string();
-    let refuse = |message: String, hint: &str| Failure::Misuse(format!("{name} {message}"), Some(hint.to_owned()));
+    let refuse = |message: String, hint: &str| Failure::misuse(format!("{name} {message}"), hint);
     let mut bytes = Vec::new();
     let opened = fs::File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
     opened.map_err(|error| refuse(format!("cannot be read: {error}"), "give the path of a photograph"))?;

@@ -1,13 +1,19 @@
+//! What is printed of one scene: its numbers, the steps of its construction, its groups, its assembly modes; and the schemas of all files.
+
 use super::files;
 use super::message::{Failure, warn};
-use super::pencil::Hand;
+use super::options::{GivenScales, Hand, Paper, Words};
 use super::work::{Mode, show_warnings, solve};
 use crate::construction::Solution;
 use crate::drawing::Style;
 use crate::format;
+use crate::mechanism::mechanism;
 use crate::order_of_result;
-use crate::quantity::{Asked, readable_names};
-use crate::scene::{Scene, SizeLimit};
+use crate::position::{counted_poses, with_nearest_sides};
+use crate::quantity::{Asked, readable_names, step_pencil};
+use crate::scene::{Figure, Scene, SizeLimit};
+use crate::sheet::Sheet;
+use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -134,5 +140,95 @@ impl Schema {
             Kind::Study => crate::study::StudyFile::schema(),
         };
         files::print(format::json(&schema).as_bytes())
+    }
+}
+
+/// Text of `--help` behind the options.
+const STEPS_HELP: &str = "\
+Examples:
+  kinegon steps scene.json                      the construction, numbered
+  kinegon steps scene.json --language es        the same in Spanish
+  kinegon steps scene.json --page a3            with lengths for a larger sheet";
+
+/// Print the construction of a scene.
+#[derive(Debug, Args)]
+#[command(after_help = STEPS_HELP)]
+pub(super) struct Steps {
+    /// Scene file, `-` for stdin.
+    scene: PathBuf,
+    #[command(flatten)]
+    mode: Mode,
+    #[command(flatten)]
+    words: Words,
+    #[command(flatten)]
+    paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
+    #[command(flatten)]
+    hand: Hand,
+}
+
+impl Steps {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let source = files::read(&self.scene)?;
+        let override_figure = |figure: &mut Figure| {
+            self.words.put_into(figure);
+            self.paper.put_into(figure);
+            self.scales.put_into(figure);
+        };
+        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Sheet::Acceleration)?;
+        let pencil = step_pencil(&solution, self.hand.tolerance()).map_err(|error| source.fail(error))?;
+        let text = solution.steps(&pencil);
+        show_warnings(&solution);
+        files::print_text(&text)
+    }
+}
+
+/// Print the structure of a scene.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  kinegon structure scene.json
+  kinegon new fourth-class | kinegon structure -")]
+pub(super) struct Structure {
+    /// Scene file, `-` for stdin.
+    scene: PathBuf,
+}
+
+impl Structure {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let source = files::read(&self.scene)?;
+        let text = || -> Result<String, crate::Error> {
+            let scene = Scene::read(&source.text)?;
+            Ok(format::structure(&mechanism(&scene)?, &Wording::of(&scene.figure)))
+        };
+        let text = text().map_err(|error| source.fail(error))?;
+        files::print_text(&text)
+    }
+}
+
+/// Print the assembly modes of a scene.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  kinegon modes scene.json                          lists them
+  kinegon draw scene.json --mode 2 -o mode-2.svg    draws the second")]
+pub(super) struct Modes {
+    /// Scene file, `-` for stdin.
+    scene: PathBuf,
+}
+
+impl Modes {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let source = files::read(&self.scene)?;
+        let stages = || -> Result<_, crate::Error> {
+            let scene = Scene::read(&source.text)?;
+            let mechanism = with_nearest_sides(&scene, mechanism(&scene)?);
+            let listed = counted_poses(&mechanism, &scene.near)?;
+            Ok((format::listed_modes(&scene, &mechanism, &listed), mechanism.warnings))
+        };
+        let (text, warnings) = stages().map_err(|error| source.fail(error))?;
+        warnings.iter().for_each(|w| warn(w));
+        files::print_text(&text)
     }
 }

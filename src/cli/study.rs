@@ -1,5 +1,5 @@
-use super::files::{self, Source};
-use super::message::{Failure, note};
+use super::files;
+use super::message::{Failure, Source, note};
 use super::output::FileSet;
 use super::parts::{Parts, ROWS};
 use super::pieces::{Output, Pieces};
@@ -81,7 +81,7 @@ impl StudyCommand {
         let in_file = self.output != Path::new("-") && !super::output::is_special(&self.output);
         if self.parts && !in_file {
             let hint = "name the file: -o results.csv".to_owned();
-            return Err(Failure::Misuse("parts belong to a file, and none is named".into(), Some(hint)));
+            return Err(Failure::misuse("parts belong to a file, and none is named", hint));
         }
         if !self.parts && (!in_file || rows.end - rows.start <= ROWS) && !Parts::are_there(&self.output) {
             return table.write_at_once(rows);
@@ -133,9 +133,7 @@ impl StudyCommand {
         match &self.rows {
             None => Ok(0..count),
             Some(rows) if rows.end <= count => Ok(rows.clone()),
-            Some(_) => {
-                Err(Failure::Misuse(format!("the study has {count} rows"), Some(format!("rows from 0..{count}"))))
-            }
+            Some(_) => Err(Failure::misuse(format!("the study has {count} rows"), format!("rows from 0..{count}"))),
         }
     }
 
@@ -144,11 +142,11 @@ impl StudyCommand {
         let format = self.format.or_else(|| TableFormat::of_ending(ending.unwrap_or("csv")));
         match format {
             Some(TableFormat::Jsonl) if self.format.is_some() => {
-                Err(Failure::Misuse("a study's table is not written as JSON lines".into(), Some("--format csv".into())))
+                Err(Failure::misuse("a study's table is not written as JSON lines", "--format csv"))
             }
-            Some(TableFormat::Jsonl) | None => Err(Failure::Misuse(
+            Some(TableFormat::Jsonl) | None => Err(Failure::misuse(
                 format!("no form of a study's table for files ending in `.{}`", ending.unwrap_or_default()),
-                Some(TableFormat::hint(ending, |format| format != TableFormat::Jsonl)),
+                TableFormat::hint(ending, |format| format != TableFormat::Jsonl),
             )),
             Some(format) => Ok(format),
         }
@@ -289,7 +287,7 @@ impl Table<'_> {
     fn unwritable(&self, error: format::ColumnsError) -> Failure {
         match error {
             format::ColumnsError::Io(error) => files::unwritable(self.place, &error),
-            other => Failure::Outside(format!("{} cannot be written: {other}", self.place.display()).into()),
+            other => Failure::outside(format!("{} cannot be written: {other}", self.place.display())),
         }
     }
 }

@@ -1,5 +1,5 @@
-use super::files::{self, Source};
-use super::message::{Failure, note, warn};
+use super::files;
+use super::message::{Failure, Source, note, warn};
 use super::table::{self, TableFormat};
 use super::work::{Mode, start};
 use crate::Problem;
@@ -179,10 +179,7 @@ pub(super) fn split_names(text: &str) -> Vec<String> {
 /// Refuses an option that is given and names nothing, as `--path ","`.
 pub(super) fn refuse_nothing(option: &str, given: &[String], names: &[String]) -> Result<(), Failure> {
     match names.is_empty() && !given.is_empty() {
-        true => Err(Failure::Misuse(
-            format!("{option} names nothing"),
-            Some("leave it out, or write names as \"B, C\"".into()),
-        )),
+        true => Err(Failure::misuse(format!("{option} names nothing"), "leave it out, or write names as \"B, C\"")),
         false => Ok(()),
     }
 }
@@ -211,9 +208,9 @@ impl SweepCommand {
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
         TableFormat::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
-            Failure::Misuse(
+            Failure::misuse(
                 format!("no form of table for files ending in `.{}`", ending.unwrap_or_default()),
-                Some(TableFormat::hint(ending, |_| true)),
+                TableFormat::hint(ending, |_| true),
             )
         })
     }

@@ -77,7 +77,7 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
     if matches!(format, TableFormat::Arrow | TableFormat::Parquet) {
         let unwritable = |error: format::ColumnsError| match error {
             format::ColumnsError::Io(error) => files::unwritable(place, &error),
-            other => Failure::Outside(format!("{} cannot be written: {other}", place.display()).into()),
+            other => Failure::outside(format!("{} cannot be written: {other}", place.display())),
         };
         let columns = match format {
             TableFormat::Parquet => format::Columns::parquet(sweep, out),
@@ -128,12 +128,9 @@ pub(super) fn refuse_huge(sweep: &Sweep, format: TableFormat) -> Result<(), Fail
     if bytes <= HUGE {
         return Ok(());
     }
-    Err(Failure::Misuse(
+    Err(Failure::misuse(
         format!("the table would have {} rows and about {} GB", grouped(count), grouped((bytes / 1e9).ceil() as usize)),
-        Some(
-            "take a larger --step, a part of the range (--from, --to) or fewer quantities (--want); with --yes it is written"
-                .into(),
-        ),
+        "take a larger --step, a part of the range (--from, --to) or fewer quantities (--want); with --yes it is written",
     ))
 }
 

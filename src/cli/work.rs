@@ -1,5 +1,5 @@
-use super::files::{self, Source};
-use super::message::{Failure, warn};
+use super::files;
+use super::message::{Failure, Source, warn};
 use crate::construction::Solution;
 use crate::mechanism::Mechanism;
 use crate::posed;

@@ -1,6 +1,7 @@
 //! Renames complete files into their places, all or none.
 
-use super::stage::{Stage, known};
+use super::signals::known;
+use super::stage::Stage;
 use super::{Staged, is_there_already};
 use crate::cli::files::unwritable;
 use crate::cli::message::Failure;
@@ -74,7 +75,7 @@ pub(super) fn commit(mut stages: Vec<Stage>, units: &[Unit]) -> Result<(), Failu
     };
     match (lost.is_empty(), failure) {
         (false, Failure::Outside(problem)) => {
-            Err(Failure::Outside(format!("{}; {}", problem.message, lost.join("; ")).into()))
+            Err(Failure::outside(format!("{}; {}", problem.message, lost.join("; "))))
         }
         (_, failure) => Err(failure),
     }

@@ -11,8 +11,7 @@ mod place;
 mod signals;
 mod stage;
 
-pub(super) use self::signals::survive_size_limits;
-pub(super) use self::stage::wait_if_stopped;
+pub(super) use self::signals::{survive_size_limits, wait_if_stopped};
 
 use self::commit::Unit;
 use self::place::Place;
@@ -190,7 +189,7 @@ fn nothing_fits(path: &Path, folder: &Path, error: &io::Error) -> Failure {
     let (path, folder, error) = (path.display(), folder.display(), error.to_string());
     // The name of a staging folder says nothing.
     let error = error.split(" at path ").next().unwrap_or_default();
-    Failure::Outside(format!("{path} cannot be written: nothing can be put into the folder {folder}: {error}").into())
+    Failure::outside(format!("{path} cannot be written: nothing can be put into the folder {folder}: {error}"))
 }
 
 /// Whether a path for output is a pipe or a device, as `/dev/stdout`.
@@ -199,9 +198,9 @@ pub(super) fn is_special(path: &Path) -> bool {
 }
 
 fn is_there_already(path: &Path) -> Failure {
-    Failure::Misuse(
+    Failure::misuse(
         format!("{} is there already and is not overwritten", path.display()),
-        Some("choose another name, or remove the file".into()),
+        "choose another name, or remove the file",
     )
 }
 

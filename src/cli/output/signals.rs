@@ -1,9 +1,39 @@
 //! Signals that end the program while files are being written.
 
-use super::stage::known;
 use crate::cli::message;
+use std::fs;
+use std::path::PathBuf;
 use std::process;
-use std::sync::Once;
+use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+
+/// What a signal must know and remove.
+#[derive(Default)]
+pub(super) struct Known {
+    pub folders: Vec<PathBuf>,
+    /// Whether a set of files has been put into its places.
+    pub is_complete: bool,
+}
+
+static KNOWN: Mutex<Known> = Mutex::new(Known { folders: Vec::new(), is_complete: false });
+
+/// The staging folders that are there. As long as the guard lives no signal removes them.
+pub(super) fn known() -> MutexGuard<'static, Known> {
+    KNOWN.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Known {
+    /// Removes all staging folders.
+    pub(super) fn remove(&mut self) {
+        for folder in self.folders.drain(..) {
+            let _ = fs::remove_dir_all(folder);
+        }
+    }
+}
+
+/// Does not return while a signal ends the program: a file that is missing for that reason is no error.
+pub(in crate::cli) fn wait_if_stopped() {
+    drop(known());
+}
 
 /// Lets signals remove the staging folders before they end the program.
 pub(super) fn watch() {

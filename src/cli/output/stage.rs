@@ -1,40 +1,10 @@
 //! Staging folders: where files are until all are complete.
 
-use super::signals;
+use super::signals::{Known, known, watch};
 use std::fs::{self, File, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::TempDir;
-
-/// What a signal must know and remove.
-#[derive(Default)]
-pub(super) struct Known {
-    folders: Vec<PathBuf>,
-    /// Whether a set of files has been put into its places.
-    pub is_complete: bool,
-}
-
-static KNOWN: Mutex<Known> = Mutex::new(Known { folders: Vec::new(), is_complete: false });
-
-/// The staging folders that are there. As long as the guard lives no signal removes them.
-pub(super) fn known() -> MutexGuard<'static, Known> {
-    KNOWN.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-impl Known {
-    /// Removes all staging folders.
-    pub(super) fn remove(&mut self) {
-        for folder in self.folders.drain(..) {
-            let _ = fs::remove_dir_all(folder);
-        }
-    }
-}
-
-/// Does not return while a signal ends the program: a file that is missing for that reason is no error.
-pub(in crate::cli) fn wait_if_stopped() {
-    drop(known());
-}
 
 /// A staging folder. Its files lie in `new`, in the folders in which they will be; what they replace lies in `old`.
 pub(super) struct Stage {
@@ -45,7 +15,7 @@ pub(super) struct Stage {
 impl Stage {
     /// A new staging folder in the folder `base`.
     pub(super) fn new(base: &Path) -> io::Result<Stage> {
-        signals::watch();
+        watch();
         let mut known = known();
         let mut builder = tempfile::Builder::new();
         builder.prefix(".kinegon-").rand_bytes(12);

@@ -1,0 +1,180 @@
+//! Options that several commands have: the words, the sheet and its scales, the hand that draws.
+
+use crate::construction::{Solution, Tolerance};
+use crate::quantity::{self, Asked, Pencil};
+use crate::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, ScalesFor};
+use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
+use clap::{Arg, Args, Command, ValueEnum};
+use std::ffi::OsStr;
+
+/// How things are said and written, in place of what the scene's figure asks for.
+#[derive(Debug, Default, Args)]
+pub(super) struct Words {
+    /// Notation of poles, images and parts of accelerations.
+    #[arg(long, value_parser = one_of(NotationName::ALL, NotationName::as_str))]
+    notation: Option<NotationName>,
+    /// Language of headings and captions.
+    #[arg(long, value_parser = one_of(LanguageName::ALL, LanguageName::as_str))]
+    language: Option<LanguageName>,
+    /// Decimal mark of numbers.
+    #[arg(long, value_parser = one_of(DecimalMark::ALL, DecimalMark::as_str))]
+    decimal: Option<DecimalMark>,
+}
+
+impl Words {
+    /// Overrides a scene's figure by the options that are given.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        figure.notation = self.notation.unwrap_or(figure.notation);
+        figure.language = self.language.unwrap_or(figure.language);
+        figure.decimal = self.decimal.unwrap_or(figure.decimal);
+    }
+}
+
+/// Names that a shell completes, where any other text is taken, too, as the path of a file.
+#[derive(Clone)]
+pub(super) struct NamesAnd(pub Vec<&'static str>);
+
+impl TypedValueParser for NamesAnd {
+    type Value = String;
+
+    fn parse_ref(&self, command: &Command, arg: Option<&Arg>, value: &OsStr) -> Result<String, clap::Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        Some(Box::new(self.0.iter().map(PossibleValue::new)))
+    }
+}
+
+/// Accepts the names of some values.
+pub(super) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
+    all: [T; N],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.map(name))
+        .map(move |given| all.into_iter().find(|value| name(*value) == given).expect("only known names come through"))
+}
+
+/// The sheet of paper, in place of the one that the scene's figure asks for.
+#[derive(Debug, Default, Args)]
+pub(super) struct Paper {
+    /// The sheet: 16x9 (320 mm × 180 mm) for the projector; `-portrait` or `-landscape` says which way it lies.
+    #[arg(long, value_name = "NAME", value_parser = one_of(Page::NAMES, |name| name))]
+    page: Option<&'static str>,
+    /// Which way the sheet lies.
+    #[arg(long, value_enum)]
+    orientation: Option<Orientation>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Orientation {
+    Landscape,
+    Portrait,
+}
+
+impl Paper {
+    /// Whether one of its options is given.
+    pub(super) fn is_given(&self) -> bool {
+        self.page.is_some() || self.orientation.is_some()
+    }
+
+    /// Overrides a scene's figure by the options that are given.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        let page = &mut figure.page;
+        if let Some((name, given)) = self.page.and_then(|name| Some((name, Page::from_name(name)?))) {
+            page.size = given.size;
+            page.landscape = if name.contains('-') { given.landscape } else { page.landscape };
+        }
+        let landscape = self.orientation.map(|way| way == Orientation::Landscape);
+        page.landscape = landscape.unwrap_or(page.landscape);
+    }
+}
+
+/// The figure's scales, in place of those that the scene gives or that fit.
+#[derive(Debug, Default, Args)]
+pub(super) struct GivenScales {
+    /// Scale of the scheme: units of length per mm of paper.
+    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
+    mu_l: Option<f64>,
+    /// Scale of the velocity plan: units of velocity per mm of paper.
+    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
+    mu_v: Option<f64>,
+    /// Scale of the acceleration plan: units of acceleration per mm of paper.
+    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
+    mu_a: Option<f64>,
+    /// For which plans the other scales are chosen: the scene's own position, with one set for figure, steps, work
+    /// sheet and page; each sheet for itself; or the largest plans of the whole cycle.
+    #[arg(long, value_name = "FOR", value_parser = one_of(ScalesFor::ALL, ScalesFor::as_str))]
+    scales: Option<ScalesFor>,
+}
+
+fn scale(text: &str) -> Result<f64, String> {
+    let scale = text.parse().map_err(|_| "not a number".to_owned())?;
+    Figure::checked_scale(scale)
+}
+
+impl GivenScales {
+    /// Whether one of its options is given.
+    pub(super) fn is_given(&self) -> bool {
+        self.scales.is_some() || [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
+    }
+
+    /// Overrides a scene's figure by the options that are given.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        figure.mu_l = self.mu_l.or(figure.mu_l);
+        figure.mu_v = self.mu_v.or(figure.mu_v);
+        figure.mu_a = self.mu_a.or(figure.mu_a);
+        figure.scales = self.scales.unwrap_or(figure.scales);
+    }
+}
+
+/// Whether sheets to be drawn on have markers.
+#[derive(Debug, Default, Args)]
+pub(super) struct Markers {
+    /// Leave out the markers by which a photograph of a sheet to be drawn on is read, and the sheets for the plans.
+    #[arg(long)]
+    no_markers: bool,
+}
+
+impl Markers {
+    /// Overrides a scene's figure by the option, if it is given.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        figure.markers &= !self.no_markers;
+    }
+}
+
+/// How good a hand is.
+#[derive(Debug, Args)]
+pub(super) struct Hand {
+    /// Limit of a hand drawing's error in a point set, or a length laid off or measured, in mm of paper [default: 0.3].
+    #[arg(long = "pencil-mm", value_name = "MM", value_parser = limit, allow_negative_numbers = true)]
+    pub mm: Option<f64>,
+    /// Limit of a hand drawing's error in a direction, in degrees [default: 0.3].
+    #[arg(long = "pencil-degrees", value_name = "DEGREES", value_parser = limit, allow_negative_numbers = true)]
+    pub degrees: Option<f64>,
+}
+
+fn limit(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(limit) if (0.0..=Tolerance::LARGEST).contains(&limit) => Ok(limit),
+        _ => Err(format!("not a number from 0 to {}", Tolerance::LARGEST)),
+    }
+}
+
+impl Hand {
+    /// Whether one of its options is given.
+    pub(super) fn is_given(&self) -> bool {
+        self.mm.is_some() || self.degrees.is_some()
+    }
+
+    /// The limits of the hand's errors; by default those of a sharp pencil.
+    pub(super) fn tolerance(&self) -> Tolerance {
+        let usual = Tolerance::default();
+        Tolerance { mm: self.mm.unwrap_or(usual.mm), degrees: self.degrees.unwrap_or(usual.degrees) }
+    }
+
+    /// The bands of the quantities `asked`, drawn at the scales of the scene's figure.
+    pub(super) fn pencil(&self, solution: &Solution, asked: Vec<Asked>) -> Pencil {
+        quantity::pencil(solution, &solution.scales(), self.tolerance(), asked)
+    }
+}
