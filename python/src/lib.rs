@@ -5,6 +5,7 @@
 
 mod check;
 mod exercise;
+mod methods;
 mod pool;
 mod refused;
 mod scene;

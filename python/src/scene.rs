@@ -1,9 +1,4 @@
-use crate::exercise::{ExerciseOptions, Exercises};
 use crate::refused::Refused;
-use crate::solution::Solution;
-use crate::sweep::table;
-use crate::table::Table;
-use crate::wanted::Wanted;
 use kinegon::editing::{Edit, Key, apply};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -64,49 +59,9 @@ fn seen(is_seen: bool, error: impl Into<Refused>) -> Refused {
     error.into().seen(is_seen)
 }
 
-#[pymethods]
 impl Scene {
-    #[new]
-    fn new(py: Python<'_>, text: String, is_seen: bool) -> PyResult<Scene> {
-        Ok(py.detach(|| Scene::read(text, is_seen))?)
-    }
-
-    fn title(&self) -> Option<String> {
-        self.scene.title.as_ref().map(|title| title.for_message())
-    }
-
-    fn with_figure(&self, keys: &str) -> PyResult<Scene> {
-        Ok(self.with_keys(keys)?)
-    }
-
-    fn solve(&self, py: Python<'_>, mode: Option<usize>) -> PyResult<Solution> {
-        Ok(py.detach(|| Solution::of(self, mode))?)
-    }
-
-    /// The Assur groups in solving order, as `kinegon structure` prints them.
-    fn structure(&self, py: Python<'_>) -> PyResult<String> {
-        let words = Wording::of(&self.scene.figure);
-        let text = || Ok(format::structure(&mechanism(&self.scene)?, &words));
-        let text = py.detach(|| text().map_err(|error: kinegon::Error| self.refused(error)));
-        Ok(text?)
-    }
-
     /// The text of `kinegon modes`, and the modes as JSON.
-    fn modes(&self, py: Python<'_>) -> PyResult<(String, String)> {
-        Ok(py.detach(|| self.all_modes())?)
-    }
-
-    fn sweep(&self, py: Python<'_>, mode: Option<usize>, wanted: Wanted) -> PyResult<Table> {
-        py.detach(|| table(self, mode, &wanted))
-    }
-
-    fn exercises(&self, py: Python<'_>, seed: u64, options: ExerciseOptions) -> PyResult<Exercises> {
-        Ok(py.detach(|| Exercises::of(self, seed, &options))?)
-    }
-}
-
-impl Scene {
-    fn all_modes(&self) -> Result<(String, String), Refused> {
+    pub fn all_modes(&self) -> Result<(String, String), Refused> {
         let made = mechanism(&self.scene).map_err(|error| self.refused(error))?;
         let mechanism = with_nearest_sides(&self.scene, made);
         let listed = counted_poses(&mechanism, &self.scene.near).map_err(|error| self.refused(error))?;

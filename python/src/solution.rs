@@ -1,25 +1,18 @@
-use crate::check::CheckOptions;
-use crate::pool::on_all_cores;
 use crate::refused::Refused;
 use crate::scene::Scene;
-use crate::sheet::Form;
-use crate::sweep::{Extremes, extremes_of, table_of};
-use crate::table::Table;
-use crate::wanted::Wanted;
 use kinegon::Sheet;
 use kinegon::accuracy::bounds;
 use kinegon::construction::{Action, NumberedStep, Teller, Tolerance, shown_text};
 use kinegon::cycle::Traces;
 use kinegon::drawing::{Drawing, Style};
 use kinegon::editing::with_mode;
-use kinegon::format::{OpenScene, json_line, workbench};
+use kinegon::format::{OpenScene, workbench};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Asked, Quantity, step_pencil};
 use kinegon::scene::SizeLimit;
 use kinegon::{order_of_figure, order_of_result};
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
 use serde_json::{Value, json};
 use std::sync::OnceLock;
 
@@ -28,14 +21,14 @@ use std::sync::OnceLock;
 pub struct Solution {
     pub scene: Scene,
     mode: Option<usize>,
-    mechanism: Mechanism,
-    pose: Pose,
+    pub mechanism: Mechanism,
+    pub pose: Pose,
     /// Solved for velocities, and for accelerations.
     solved: [OnceLock<kinegon::Solution>; 2],
 }
 
 /// A value, of a vector two, its unit, and the bound of its error.
-type ValueOf = (Vec<f64>, String, Option<f64>);
+pub type ValueOf = (Vec<f64>, String, Option<f64>);
 
 impl Solution {
     /// A scene in the assembly mode of that number, or in its own.
@@ -45,6 +38,13 @@ impl Solution {
         let solution = Solution { scene, mode, mechanism, pose, solved: Default::default() };
         solution.solved(order_of_result(&solution.scene.scene))?;
         Ok(solution)
+    }
+
+    /// The figure with other keys, in the same position.
+    pub fn with_keys(&self, keys: &str) -> Result<Solution, Refused> {
+        let scene = self.scene.with_keys(keys)?;
+        let (mechanism, pose) = (self.mechanism.clone(), self.pose.clone());
+        Ok(Solution { scene, mode: self.mode, mechanism, pose, solved: Default::default() })
     }
 
     /// The scene solved for this order of motion.
@@ -69,7 +69,7 @@ impl Solution {
         limit.check(&self.scene.scene).map_err(|error| self.scene.refused(error))
     }
 
-    fn value(&self, name: &str) -> Result<ValueOf, Refused> {
+    pub fn value(&self, name: &str) -> Result<ValueOf, Refused> {
         let solution = self.solved(Sheet::Acceleration)?;
         let asked = Asked::new(name, &solution.mechanism)?;
         let scales = asked.is_on_paper().then(|| solution.scales());
@@ -85,7 +85,7 @@ impl Solution {
     }
 
     /// The sheets of the figure; those after a step where one is asked for.
-    fn sheets(&self, style: Option<&str>, is_coarse: bool, is_layered: bool) -> Result<Vec<Drawing>, Refused> {
+    pub fn sheets(&self, style: Option<&str>, is_coarse: bool, is_layered: bool) -> Result<Vec<Drawing>, Refused> {
         let step = self.scene.scene.figure.step;
         let is_stepwise = step.is_some() || is_layered;
         self.allow(if is_stepwise { SizeLimit::STEPS } else { SizeLimit::FIGURE })?;
@@ -110,7 +110,7 @@ impl Solution {
     }
 
     /// The workbench with the scene open at a step, or with the finished figure.
-    fn page(&self, step: Option<usize>) -> Result<String, Refused> {
+    pub fn page(&self, step: Option<usize>) -> Result<String, Refused> {
         self.allow(SizeLimit::STEPS)?;
         let Scene { text, scene, .. } = &self.scene;
         let moved = self.mode.map(|mode| with_mode(text, mode)).transpose()?;
@@ -118,7 +118,7 @@ impl Solution {
         Ok(workbench(Some(OpenScene { text, step: scene.figure.step.or(step) })))
     }
 
-    fn told_steps(&self, hand: Tolerance) -> Result<(String, String), Refused> {
+    pub fn told_steps(&self, hand: Tolerance) -> Result<(String, String), Refused> {
         let solution = self.by_hand()?;
         let pencil = step_pencil(solution, hand).map_err(|error| self.scene.refused(error))?;
         Ok((solution.steps(&pencil), json!(steps(solution)).to_string()))
@@ -157,104 +157,6 @@ fn steps(solution: &kinegon::Solution) -> Vec<Value> {
         })
     };
     solution.construction.numbered_steps().map(step).collect()
-}
-
-#[pymethods]
-impl Solution {
-    /// The result file of `kinegon solve`, as JSON.
-    fn result(&self, py: Python<'_>) -> PyResult<String> {
-        let result = py.detach(|| {
-            let solution = self.solved(order_of_result(&self.scene.scene))?;
-            solution.whole_result().map(|result| json_line(&result)).map_err(|error| self.scene.refused(error))
-        });
-        Ok(result?)
-    }
-
-    fn quantity(&self, py: Python<'_>, name: &str) -> PyResult<ValueOf> {
-        Ok(py.detach(|| self.value(name))?)
-    }
-
-    /// The table of `kinegon solve --digits`.
-    fn digits(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(py.detach(|| self.solved(order_of_result(&self.scene.scene)).map(|solution| solution.digits()))?)
-    }
-
-    /// The warnings of all stages, and of panels that are cut off.
-    fn warnings(&self) -> PyResult<Vec<String>> {
-        let solution = self.solved(order_of_result(&self.scene.scene))?;
-        Ok(solution.warnings().collect())
-    }
-
-    /// The figure with other keys, in the same position.
-    fn with_figure(&self, keys: &str) -> PyResult<Solution> {
-        let scene = self.scene.with_keys(keys)?;
-        let (mechanism, pose) = (self.mechanism.clone(), self.pose.clone());
-        Ok(Solution { scene, mode: self.mode, mechanism, pose, solved: Default::default() })
-    }
-
-    /// The files of the figure's sheets.
-    fn draw<'py>(
-        &self,
-        py: Python<'py>,
-        form: Form,
-        coarse: bool,
-        style: Option<&str>,
-    ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-        let files = py.detach(|| match form.format.as_str() {
-            // As `kinegon draw -o page.html` writes it.
-            "html" => Ok(vec![self.page(Some(1))?.into_bytes()]),
-            "workbench" => Ok(vec![self.page(None)?.into_bytes()]),
-            _ => form.files(&self.sheets(style, coarse, form.layered)?),
-        });
-        Ok(bytes(py, files?))
-    }
-
-    /// The text of `kinegon steps`, and the steps as JSON.
-    fn steps(&self, py: Python<'_>, mm: Option<f64>, degrees: Option<f64>) -> PyResult<(String, String)> {
-        Ok(py.detach(|| self.told_steps(tolerance(mm, degrees)?.unwrap_or_default()))?)
-    }
-
-    fn sweep(&self, py: Python<'_>, wanted: Wanted) -> PyResult<Table> {
-        py.detach(|| table_of(&self.scene, &self.mechanism, &self.pose, &wanted))
-    }
-
-    /// Extremes of quantities, and that a part of the range cannot be reached.
-    fn extremes(&self, py: Python<'_>, wanted: Wanted) -> PyResult<(Vec<Extremes>, Option<String>)> {
-        py.detach(|| extremes_of(&self.scene, &self.mechanism, &self.pose, &wanted))
-    }
-
-    /// The empty form of measured values: JSON or a table.
-    fn form(&self, py: Python<'_>, is_table: bool) -> PyResult<String> {
-        Ok(py.detach(|| self.empty_form(is_table))?)
-    }
-
-    /// The result of a check as JSON, its report, and whether it is passed.
-    fn check(&self, py: Python<'_>, form: &str, options: CheckOptions) -> PyResult<(String, String, bool)> {
-        Ok(py.detach(|| on_all_cores(|| self.checked(form, &options)).flatten())?)
-    }
-
-    /// The page for the student.
-    fn feedback(&self, py: Python<'_>, form: &str, options: CheckOptions) -> PyResult<String> {
-        Ok(py.detach(|| on_all_cores(|| self.page_for_student(form, &options)).flatten())?)
-    }
-
-    /// The student's drawing over the right one.
-    fn correction<'py>(
-        &self,
-        py: Python<'py>,
-        form: &str,
-        options: CheckOptions,
-        sheet: Form,
-    ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-        let sheets = || sheet.files(&self.overlay(form, &options)?);
-        let files = py.detach(|| on_all_cores(sheets).flatten());
-        Ok(bytes(py, files?))
-    }
-}
-
-/// Files as Python has them.
-pub fn bytes(py: Python<'_>, files: Vec<Vec<u8>>) -> Vec<Bound<'_, PyBytes>> {
-    files.iter().map(|file| PyBytes::new(py, file)).collect()
 }
 
 /// The limits of a hand's errors, if one is given.

@@ -23,11 +23,10 @@ from ._errors import (
     SceneError,
     StructureError,
 )
-from ._exercise import Exercise
 from ._kinegon import KINDS as _kinds
 from ._kinegon import STATUSES as _statuses
 from ._kinegon import __version__
-from ._scene import Mode, Scene
+from ._scene import Exercise, Mode, Scene
 from ._solution import Extremes, Interactive, Quantity, Solution, Step, Steps
 from ._study import Study
 from ._table import Table

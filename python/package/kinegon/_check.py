@@ -5,32 +5,29 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from . import _files, _kinegon
 from ._files import Source
-
-if TYPE_CHECKING:
-    from ._solution import Solution
 
 
 class Check:
     """The verdict on a form, and what probably went wrong. ``print(check)`` shows the report of ``kinegon check``."""
 
-    def __init__(self, solution: Solution, form: str, options: _kinegon.CheckOptions) -> None:
+    def __init__(self, solution: _kinegon.Solution, form: str, options: _kinegon.CheckOptions) -> None:
         self._solution, self._form, self._options = solution, form, options
-        result, self.report, self.is_passed = solution._native.check(form, options)
+        result, self.report, self.is_passed = solution.check(form, options)
         #: As ``kinegon check --json`` prints it.
         self.result: dict[str, Any] = json.loads(result)
 
     def feedback(self) -> str:
         """The page for the student, HTML, as ``kinegon check --feedback`` writes it."""
-        return self._solution._native.feedback(self._form, self._options)
+        return self._solution.feedback(self._form, self._options)
 
     def draw(self, format: _files.Format = "svg", *, sheet: int = 1, outlines: bool = False, dpi: float = 100.0) -> str | bytes:
         """The student's drawing over the right one: sheet 1; the table of values: the sheets behind it."""
         form = _files.form_of(format, outlines=outlines, dpi=dpi)
-        sheets = self._solution._native.correction(self._form, self._options, form)
+        sheets = self._solution.correction(self._form, self._options, form)
         return _files.sheet_of(sheets, sheet, format)
 
     def __str__(self) -> str:

@@ -47,10 +47,8 @@ def dumped(value: object) -> str:
     """A value as JSON; numbers and lists of NumPy are taken as those of Python, scenes as their dicts."""
 
     def plain(value: object) -> object:
-        from ._scene import Scene
-
-        if isinstance(value, Scene):
-            return value.to_dict()
+        if hasattr(value, "_plain"):
+            return value._plain()
         if hasattr(value, "tolist"):
             return value.tolist()
         if isinstance(value, Mapping):

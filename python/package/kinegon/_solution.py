@@ -104,7 +104,7 @@ class Solution:
 
     def __init__(self, native: _kinegon.Solution) -> None:
         self._native = native
-        self._origin: tuple[str, int | None] | None = None
+        self._origin: tuple[Any, ...] = ()
 
     def result(self) -> dict[str, Any]:
         """Every number with a bound of its error, as ``kinegon solve`` prints them: ``units``, ``links`` (angle, omega,
@@ -261,7 +261,7 @@ class Solution:
             "depth": depth,
             "is_table": is_table,
         }
-        return Check(self, text, options)
+        return Check(self._native, text, options)
 
     def _sheets(
         self,
@@ -288,7 +288,7 @@ class Solution:
         return native.draw(form, coarse, file)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _solved, (self._origin,)
+        return self._origin
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         return {"text/plain": repr(self), "image/svg+xml": self.draw("svg", outlines=True)}
@@ -297,9 +297,3 @@ class Solution:
         links = self.result()["links"]
         rates = ", ".join(f"omega({name}) {link['omega']:.6g}" for name, link in list(links.items())[:6])
         return f"<kinegon.Solution: {rates}{', …' * (len(links) > 6)}>"
-
-
-def _solved(origin: tuple[str, int | None]) -> Solution:
-    from ._scene import Scene
-
-    return Scene(origin[0]).solve(mode=origin[1])
