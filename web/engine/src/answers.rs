@@ -8,7 +8,7 @@ pub struct Opened {
     /// Its title, or the usual one.
     pub title: String,
     /// The scene file as JSON.
-    #[schemars(with = "SceneFile")]
+    #[schemars(extend("tsType" = "SceneFile"))]
     pub scene: Map<String, Value>,
     /// Its drives and where they stand.
     pub drives: Vec<Drive>,
@@ -31,12 +31,6 @@ pub struct Opened {
     /// Whether it is a drawn configuration, which cannot be moved.
     pub is_drawn: bool,
 }
-
-/// A scene file, as docs/scenes.md has it.
-#[derive(JsonSchema)]
-#[schemars(extend("tsType" = "Record<string, any>"))]
-#[expect(dead_code, reason = "it stands for a type of the page")]
-struct SceneFile(Map<String, Value>);
 
 /// A drive and where it stands.
 #[derive(Clone, Debug, Serialize, JsonSchema)]

@@ -29,7 +29,6 @@ pub struct CheckOptions {
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Checked {
     /// As `kinegon check --json`; none where no value is understood.
-    #[schemars(with = "Option<CheckFile>")]
     pub result: Option<CheckResult>,
     /// As `kinegon check`.
     pub report: String,
@@ -44,12 +43,6 @@ pub struct Checked {
     /// The marks in words, where a marking scheme was given.
     pub marks: Option<String>,
 }
-
-/// `kinegon schema check`.
-#[derive(JsonSchema)]
-#[schemars(rename = "CheckResult", extend("tsType" = "Record<string, any>"))]
-#[expect(dead_code, reason = "it stands for a type of the page")]
-struct CheckFile(serde_json::Map<String, serde_json::Value>);
 
 /// A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
 #[derive(Debug, Serialize, JsonSchema)]

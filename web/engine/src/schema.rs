@@ -7,9 +7,10 @@ use crate::gesture::{Grab, To};
 use crate::kinds::Kind;
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Refused;
+use kinegon::Scene;
 use kinegon::editing::Edit;
 use schemars::generate::SchemaSettings;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// The JSON Schema of all that goes into the engine and comes out of it, by the names of the page's types.
 #[must_use]
@@ -21,5 +22,40 @@ pub fn schema() -> Value {
     add!(Refused, Kind, Opened, View, Picture, Grab, To, Edit, Place, Mode, FileRequest, OverCycle, Drawn, ValueRow);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
-    json!({ "title": "Engine", "definitions": types.take_definitions(true) })
+    let mut definitions = types.take_definitions(true);
+    definitions.extend(scene_types());
+    json!({ "title": "Engine", "definitions": definitions })
+}
+
+/// The types of scene files, from their own schema: `SceneFile`, and its parts by their names there behind `Scene`.
+fn scene_types() -> Map<String, Value> {
+    const OTHER: &str = "#/$defs/";
+    let name = |part: &str| format!("Scene{}{}", part[..1].to_uppercase(), &part[1..]);
+    let mut file = Scene::schema();
+    let parts = file.as_object_mut().and_then(|file| file.remove("$defs"));
+    let mut all = Map::from_iter([("SceneFile".to_owned(), file)]);
+    all.extend(parts.iter().filter_map(Value::as_object).flatten().map(|(part, schema)| (name(part), schema.clone())));
+    fn renamed(value: &mut Value, name: &dyn Fn(&str) -> String) {
+        match value {
+            Value::Object(object) => {
+                // Only the file as a whole has these as texts.
+                object.retain(|key, value| !(matches!(key.as_str(), "title" | "$schema") && value.is_string()));
+                // Remarks stand among entries that have a type; the page passes over them.
+                if let Some(Value::Object(properties)) = object.get_mut("properties") {
+                    properties.shift_remove("note");
+                }
+                if let Some(Value::String(target)) = object.shift_remove("$ref") {
+                    let part = target.strip_prefix(OTHER).unwrap_or(&target);
+                    // Beside other words the tool takes a reference for a type of its own.
+                    object.insert("allOf".to_owned(), json!([{ "$ref": format!("#/definitions/{}", name(part)) }]));
+                    return;
+                }
+                object.values_mut().for_each(|value| renamed(value, name));
+            }
+            Value::Array(list) => list.iter_mut().for_each(|value| renamed(value, name)),
+            _ => {}
+        }
+    }
+    all.values_mut().for_each(|schema| renamed(schema, &name));
+    all
 }

@@ -1,9 +1,71 @@
 // What goes into the engine and comes out of it. Made from engine/schema.json by types.mjs: web/README.md says how.
 
 /**
- * A scene file, as docs/scenes.md has it.
+ * A unit of length.
  */
-export type SceneFile = Record<string, any>;
+export type SceneLengthUnit = "m" | "mm" | "cm" | "in" | "ft";
+/**
+ * A unit of time.
+ */
+export type SceneTimeUnit = "s" | "min";
+export type SceneGround =
+  | {
+      [k: string]: SceneVector;
+    }
+  | string[];
+/**
+ * [x, y], or size and angle
+ */
+export type SceneVector = [number, number] | SceneSizeAngle;
+export type SceneLink = SceneLinkFields | string[];
+/**
+ * Coordinates in the link's own frame; a lone number is the distance along the link's axis
+ */
+export type SceneShapePoint = SceneVector | number;
+/**
+ * The name of a point, or coordinates
+ */
+export type SceneNameOrPlace = string | SceneVector;
+/**
+ * Two points of the guide's carrier as "BE" or "B-E"; or degrees; or [dx, dy]
+ */
+export type SceneDirection = string | number | SceneVector;
+/**
+ * Approximate coordinates of a point; under a key like angle(3), degrees
+ */
+export type SceneNearValue = SceneVector | number;
+/**
+ * A part of the figure.
+ */
+export type ScenePanel = "scheme" | "velocity" | "acceleration";
+/**
+ * The plans for which scales are chosen that the scene does not give.
+ */
+export type SceneScalesFor = "position" | "sheet" | "cycle";
+/**
+ * A drawing style that comes with the program.
+ */
+export type SceneStyleName = "paper" | "print" | "lecture" | "board";
+/**
+ * Notation of poles, images and parts of accelerations. Names of quantities stay the same.
+ */
+export type SceneNotation = "paper" | "english" | "russian" | "german";
+/**
+ * A language of headings and captions.
+ */
+export type SceneLanguage = "en" | "es";
+/**
+ * Decimal mark of the numbers on figures and in the text of steps; results always have points.
+ */
+export type SceneDecimal = "point" | "comma";
+/**
+ * Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end
+ */
+export type SceneConstruction = boolean | "paper";
+/**
+ * Whether values stand at vectors and links; a unit of length: in this unit, as "m" for m/s
+ */
+export type SceneValues = boolean | ("m" | "mm" | "cm" | "in" | "ft");
 /**
  * What is taken hold of.
  */
@@ -186,10 +248,6 @@ export type OverCycle =
        */
       hodograph: string[];
     };
-/**
- * `kinegon schema check`.
- */
-export type CheckResult = Record<string, any>;
 
 /**
  * Why a text is not understood or a scene gives no result.
@@ -293,6 +351,358 @@ export interface Opened {
    * Whether it is a drawn configuration, which cannot be moved.
    */
   is_drawn: boolean;
+}
+/**
+ * A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
+ */
+export interface SceneFile {
+  /**
+   * Version of the scene format.
+   */
+  kinegon: 1;
+  /**
+   * Title of the mechanism, for example the publication it is from.
+   */
+  title?: string;
+  /**
+   * Units of every length and time of the scene. They are labels; nothing is converted.
+   */
+  units: SceneUnits;
+  /**
+   * The frame's points with their coordinates; in a drawn configuration their names are enough.
+   */
+  ground?: SceneGround;
+  /**
+   * A drawn configuration: coordinates of every point. Then there are no lengths, shapes or angles.
+   */
+  points?: {
+    [k: string]: SceneVector;
+  };
+  /**
+   * Points of known motion, in a drawn configuration.
+   */
+  known?: {
+    [k: string]: ScenePointMotion;
+  };
+  /**
+   * The links by name. A point named in two links is a revolute joint between them.
+   */
+  links: {
+    [k: string]: SceneLink;
+  };
+  /**
+   * Links that slide along straight guides, and pins that ride in slots.
+   */
+  sliders?: SceneSlider[];
+  /**
+   * Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
+   * The one with the least sum of squared distances from them is taken; an angle counts as its chord at a radius of the mechanism's size.
+   * A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
+   */
+  near?: {
+    [k: string]: SceneNearValue;
+  };
+  /**
+   * What the figure shows, and how large.
+   */
+  figure?: SceneFigure;
+  /**
+   * Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
+   */
+  want?: string[];
+}
+/**
+ * Units of every length and time of the scene.
+ */
+export interface SceneUnits {
+  /**
+   * Unit of length.
+   */
+  length: SceneLengthUnit;
+  /**
+   * Unit of time.
+   */
+  time: SceneTimeUnit;
+}
+/**
+ * A vector by size and angle.
+ */
+export interface SceneSizeAngle {
+  /**
+   * Size, not negative.
+   */
+  size: number;
+  /**
+   * Angle from +x, in degrees.
+   */
+  angle: number;
+}
+/**
+ * Known motion of a point.
+ */
+export interface ScenePointMotion {
+  /**
+   * Velocity, in length per time.
+   */
+  velocity: SceneVector;
+  /**
+   * Acceleration, in length per time squared; left out: zero.
+   */
+  acceleration?: SceneVector;
+}
+/**
+ * A rigid link. Its axis runs from its first to its second point.
+ */
+export interface SceneLinkFields {
+  /**
+   * Names of its points.
+   */
+  points?: string[];
+  /**
+   * Distances between its points, as { "AB": 100 } or { "A-B": 100 }: one for two points, three for three.
+   */
+  lengths?: {
+    [k: string]: number;
+  };
+  /**
+   * Coordinates of its points in its own frame, whose x axis is the link's axis.
+   */
+  shape?: {
+    [k: string]: SceneShapePoint;
+  };
+  /**
+   * The drive that turns the link about its ground pivot.
+   */
+  drive?: SceneLinkDrive;
+  /**
+   * Angle of the link's axis from +x in degrees, in place of that of a drive: one link may give it where one drive does not.
+   */
+  angle?: number;
+  /**
+   * Known motion of the link, in a drawn configuration.
+   */
+  motion?: SceneLinkMotion;
+}
+/**
+ * A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
+ */
+export interface SceneLinkDrive {
+  /**
+   * Angle of the link's axis from +x, in degrees.
+   */
+  angle?: number;
+  /**
+   * Angular velocity, in radians per unit of time.
+   */
+  omega?: number;
+  /**
+   * Speed of rotation in turns per minute, in place of omega.
+   */
+  rpm?: number;
+  /**
+   * Angular acceleration, in radians per unit of time squared; left out: zero.
+   */
+  alpha?: number;
+  /**
+   * Of a sliding link: distance along its guide from the guide's `through`.
+   */
+  position?: number;
+  /**
+   * Of a sliding link: speed along its guide.
+   */
+  speed?: number;
+  /**
+   * Of a sliding link: acceleration along its guide; left out: zero.
+   */
+  acceleration?: number;
+}
+/**
+ * Known motion of a link.
+ */
+export interface SceneLinkMotion {
+  /**
+   * The point or the place where the link has the velocity and the acceleration given here.
+   */
+  at: SceneNameOrPlace;
+  /**
+   * Velocity there, in length per time.
+   */
+  velocity: SceneVector;
+  /**
+   * Acceleration there, in length per time squared; left out: zero.
+   */
+  acceleration?: SceneVector;
+  /**
+   * Angular velocity, in radians per unit of time; left out: zero.
+   */
+  omega?: number;
+  /**
+   * Angular acceleration, in radians per unit of time squared; left out: zero.
+   */
+  alpha?: number;
+}
+/**
+ * A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
+ */
+export interface SceneSlider {
+  /**
+   * The sliding link.
+   */
+  link?: string;
+  /**
+   * The point of the sliding link that is on the guide.
+   */
+  at?: string;
+  /**
+   * A pin of another link that rides in the slot, in place of link and at.
+   */
+  pin?: string;
+  /**
+   * What carries the guide: a link, or "ground".
+   */
+  on: string;
+  /**
+   * A place on the guide: a point of `on`, or [x, y] on the ground or in the shape of `on`.
+   * Left out: the first point of `along`, else of `on`.
+   */
+  through?: SceneNameOrPlace;
+  /**
+   * The direction of the guide; left out: 0.
+   * Degrees count from +x on the ground, from the axis of `on` otherwise.
+   */
+  along?: SceneDirection;
+  /**
+   * Degrees from the guide to the slider's axis; left out: 0.
+   */
+  turned?: number;
+  /**
+   * The drive that pushes the slider.
+   */
+  drive?: SceneSliderDrive;
+}
+/**
+ * A drive that pushes a slider along its guide.
+ */
+export interface SceneSliderDrive {
+  /**
+   * Distance along the guide from `through`.
+   */
+  position?: number;
+  /**
+   * Speed along the guide.
+   */
+  speed: number;
+  /**
+   * Acceleration along the guide; left out: zero.
+   */
+  acceleration?: number;
+}
+/**
+ * What the figure shows, and how large.
+ */
+export interface SceneFigure {
+  /**
+   * The panels, in order; left out: all three.
+   *
+   * @minItems 1
+   */
+  panels?: [ScenePanel, ...ScenePanel[]];
+  /**
+   * Scale of the scheme: units of length per millimetre of paper.
+   */
+  mu_l?: number;
+  /**
+   * Scale of the velocity plan: units of velocity per millimetre of paper.
+   */
+  mu_v?: number;
+  /**
+   * Scale of the acceleration plan: units of acceleration per millimetre of paper.
+   */
+  mu_a?: number;
+  /**
+   * For which plans scales are chosen that are not given; left out: "position".
+   */
+  scales?: SceneScalesFor;
+  /**
+   * The panel that takes most of the sheet; a plan has the scheme as a small companion. Left out: the panels share the sheet.
+   */
+  focus?: ScenePanel;
+  /**
+   * The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4".
+   */
+  page?:
+    | "a4"
+    | "a4-landscape"
+    | "a4-portrait"
+    | "a3"
+    | "a3-landscape"
+    | "a3-portrait"
+    | "letter"
+    | "letter-landscape"
+    | "letter-portrait"
+    | "16x9"
+    | "16x9-landscape"
+    | "16x9-portrait";
+  /**
+   * Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
+   */
+  worksheet?: boolean;
+  /**
+   * How lines and letters look; left out: "paper".
+   */
+  style?: SceneStyleName;
+  /**
+   * How poles, images and parts of accelerations are written; left out: "paper". Names of quantities stay the same.
+   */
+  notation?: SceneNotation;
+  /**
+   * Language of headings and captions; left out: "en".
+   */
+  language?: SceneLanguage;
+  /**
+   * Decimal mark of the numbers on figures and in the text of steps; left out: "point".
+   */
+  decimal?: SceneDecimal;
+  /**
+   * Text to show in place of a name: { "B'": "B₁" }.
+   */
+  labels?: {
+    [k: string]: string;
+  };
+  /**
+   * Whether special points are shown; left out: true.
+   */
+  special_points?: boolean;
+  /**
+   * Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end; left out: true.
+   */
+  construction?: SceneConstruction;
+  /**
+   * Whether values stand at vectors and links, in which unit of length; left out: as the style says, "lecture" alone does.
+   */
+  values?: SceneValues;
+  /**
+   * The step of the construction up to which the figure is drawn, from 1; left out: finished.
+   */
+  step?: number;
+  /**
+   * Points of links whose paths over the whole cycle of the drive are drawn in the scheme.
+   */
+  trace?: string[];
+  /**
+   * Whether these paths go on, dashed, beyond limits of the drive, in the other assembly modes that the mechanism
+   * reaches there if another link moves it; left out: false.
+   */
+  beyond_limits?: boolean;
+  /**
+   * Number of equally spaced positions over that cycle in which the links are drawn pale; left out: none.
+   */
+  ghosts?: number;
+  /**
+   * Whether sheets to be drawn on, work sheets and those of exercises, have markers along their edges by which a
+   * photograph of them is read; left out: true.
+   */
+  markers?: boolean;
 }
 /**
  * A drive and where it stands.
@@ -781,6 +1191,216 @@ export interface Checked {
   marks: string | null;
 }
 /**
+ * Verdicts and diagnosis of one drawing.
+ */
+export interface CheckResult {
+  /**
+   * Version of the format.
+   */
+  kinegon_check: number;
+  /**
+   * Whose drawing it is.
+   */
+  name?: string;
+  /**
+   * Whether no value is off, and no plan mirrored.
+   */
+  passed: boolean;
+  /**
+   * The values in the order of the construction.
+   */
+  values: ValueResult[];
+  diagnosis: ExplanationResult;
+  /**
+   * What explains them, too.
+   */
+  others: ExplanationResult1[];
+  /**
+   * Values that nothing explains.
+   */
+  unexplained: string[];
+  accuracy?: AccuracyResult;
+  /**
+   * Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
+   */
+  mirrored: string[];
+  marks?: Awarded;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * A value with its verdict.
+ */
+export interface ValueResult {
+  /**
+   * The quantity's name.
+   */
+  quantity: string;
+  /**
+   * The number of the step that gives it.
+   */
+  step: number;
+  /**
+   * The value in the scene's units and senses.
+   */
+  value: number;
+  /**
+   * The exact value.
+   */
+  expected: number;
+  /**
+   * Unit of both.
+   */
+  unit: string;
+  /**
+   * The value less the exact one.
+   */
+  difference: number;
+  /**
+   * The same in millimetres of paper.
+   */
+  difference_mm?: number;
+  /**
+   * The same in per cent of the exact value.
+   */
+  percent?: number;
+  /**
+   * Largest difference of a value drawn within the tolerance.
+   */
+  allowed?: number;
+  /**
+   * "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
+   */
+  verdict: string;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * What explains them best.
+ */
+export interface ExplanationResult {
+  /**
+   * The mistakes in the order of the construction.
+   */
+  mistakes: MistakeResult[];
+  /**
+   * The probability that these were made, or others that the values alone cannot tell from them, from 0 to 1; an
+   * honest share is left for mistakes that the catalogue does not have. Causes are told from 0.6 on. Without mistakes:
+   * the probability that none was made that the catalogue has.
+   */
+  probability: number;
+  /**
+   * Whether the given values alone cannot tell it from the diagnosis.
+   */
+  indistinguishable: boolean;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * A mistake that was probably made.
+ */
+export interface MistakeResult {
+  /**
+   * Its name in the catalogue.
+   */
+  mistake: string;
+  /**
+   * The number of its step; 0 for the whole drawing.
+   */
+  step: number;
+  /**
+   * What was probably done.
+   */
+  done: string;
+  /**
+   * What it should be.
+   */
+  should_be: string;
+  /**
+   * Values written otherwise than meant.
+   */
+  written: string[];
+  /**
+   * Values that follow from it and are consistent with it.
+   */
+  follows: string[];
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * Mistakes that explain the values together.
+ */
+export interface ExplanationResult1 {
+  /**
+   * The mistakes in the order of the construction.
+   */
+  mistakes: MistakeResult[];
+  /**
+   * The probability that these were made, or others that the values alone cannot tell from them, from 0 to 1; an
+   * honest share is left for mistakes that the catalogue does not have. Causes are told from 0.6 on. Without mistakes:
+   * the probability that none was made that the catalogue has.
+   */
+  probability: number;
+  /**
+   * Whether the given values alone cannot tell it from the diagnosis.
+   */
+  indistinguishable: boolean;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * How accurate the drawing is, as the scatter of all values shows; not there where too few values are drawn.
+ */
+export interface AccuracyResult {
+  /**
+   * Limit of the errors in lengths and places, in mm of paper.
+   */
+  mm: number;
+  /**
+   * Limit of the errors in directions, in degrees.
+   */
+  degrees: number;
+  /**
+   * Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
+   */
+  percent: number;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * The marks that the values earn, where a marking scheme is given.
+ */
+export interface Awarded {
+  /**
+   * Marks earned.
+   */
+  earned: number;
+  /**
+   * Marks that could be earned.
+   */
+  of: number;
+  /**
+   * Those of the earned ones that are for values which follow from an earlier mistake.
+   */
+  follow_through: number;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
  * A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
  */
 export interface ReportParts {
@@ -1199,4 +1819,46 @@ export interface Proposed {
    * Where it seems to be.
    */
   place: Tapped;
+}
+/**
+ * How accurate somebody draws and computes. Within the limits every error is equally likely.
+ */
+export interface AccuracyResult1 {
+  /**
+   * Limit of the errors in lengths and places, in mm of paper.
+   */
+  mm: number;
+  /**
+   * Limit of the errors in directions, in degrees.
+   */
+  degrees: number;
+  /**
+   * Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
+   */
+  percent: number;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
+}
+/**
+ * The marks that somebody's values earn.
+ */
+export interface Awarded1 {
+  /**
+   * Marks earned.
+   */
+  earned: number;
+  /**
+   * Marks that could be earned.
+   */
+  of: number;
+  /**
+   * Those of the earned ones that are for values which follow from an earlier mistake.
+   */
+  follow_through: number;
+  /**
+   * For people; ignored
+   */
+  note?: unknown;
 }

@@ -8,7 +8,7 @@ const COUNTED = ["right", "within-tolerance", "sense-missing", "off"] as const;
 
 /** How many values have each verdict, by signs; the sentence that says it is their name. */
 function counts(checked: Checked): Node[] {
-  const values = (checked.result?.["values"] ?? []) as { verdict: string }[];
+  const values = checked.result?.values ?? [];
   const all = COUNTED.map((kind) => ({ kind, count: values.filter((value) => value.verdict === kind).length }));
   const seen = all.filter(({ count }) => count > 0).map(({ kind, count }) => element("span", { "data-kind": kind, "aria-hidden": "true" }, `${SIGNS[kind]} ${count}`));
   const told = element("span", { class: "unseen" });
@@ -27,7 +27,7 @@ export function bar(goTo: { result(): void; firstOff(): void }): { root: HTMLEle
   return {
     root,
     show({ checked, refused, isChecking }, filled, all) {
-      const isOff = checked?.result?.["passed"] === false;
+      const isOff = checked?.result?.passed === false;
       root.classList.toggle("busy", isChecking);
       off.textContent = say("first_off");
       more.textContent = say("to_result");

@@ -67,7 +67,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     overlayButton.textContent = say(drawing.isShown.value ? "overlay_hide" : "overlay");
     reportButton.textContent = say("feedback");
     if (app.student.value) return [isFull ? element("p", {}, rightButton) : element("p", { class: "quiet" }, say("right_plan_later"))];
-    const isOff = checked.result?.["passed"] !== true;
+    const isOff = checked.result?.passed !== true;
     const buttons = element("p", { class: "buttons" }, ...(isOff ? [overlayButton] : []), reportButton);
     return [buttons, folded(say("right_values"), table(parts))];
   }
@@ -75,7 +75,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
   function told(checked: Checked, isFull: boolean): Node[] {
     const { parts } = checked;
     if (parts === null) return [];
-    const kind = checked.result?.["passed"] === true ? "good" : "bad";
+    const kind = checked.result?.passed === true ? "good" : "bad";
     const more = [...(parts.senses === null ? [] : [say("choose_senses")]), ...parts.further];
     return [
       ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),

@@ -1,6 +1,5 @@
-import type { SceneFile } from "../../engine/types.ts";
 import type { ChoiceField, Field, Group } from "../parts/form.ts";
-import { at } from "../parts/scene.ts";
+import { at, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
 function choice(key: string, label: string, options: ChoiceField["options"], open = true): Field {
@@ -8,7 +7,7 @@ function choice(key: string, label: string, options: ChoiceField["options"], ope
 }
 
 /** Style, notation, language. */
-export function look(scene: SceneFile): Group {
+export function look(scene: Draft): Group {
   // What is usual is not written; a scene that says it nevertheless keeps it.
   const usual = (key: string, value: string): unknown => (at(scene, ["figure", key]) === value ? value : undefined);
   const styles = [
@@ -50,7 +49,7 @@ export function shown(): Group {
 }
 
 /** The sheet of paper. */
-export function page(scene: SceneFile): Group {
+export function page(scene: Draft): Group {
   const given = at(scene, ["figure", "page"]);
   const [size = "a4", direction = "landscape"] = (typeof given === "string" ? given : "a4").split("-");
   const named = (of: string, to: string): string | undefined => {

@@ -1,10 +1,9 @@
-import type { SceneFile } from "../../engine/types.ts";
 import type { Group, Row } from "../parts/form.ts";
-import { allPoints, at, entries, linksOf, names } from "../parts/scene.ts";
+import { allPoints, at, entries, linksOf, names, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
 /** Paths of points and pale positions over the cycle. */
-export function paths(scene: SceneFile, traceable: string[]): Group {
+export function paths(scene: Draft, traceable: string[]): Group {
   const given = names(at(scene, ["figure", "trace"]));
   const options = [...new Set([...traceable, ...given])].map((value) => ({ value, text: value }));
   const trace: Row[] = [
@@ -17,7 +16,7 @@ export function paths(scene: SceneFile, traceable: string[]): Group {
 }
 
 /** Texts in place of names. */
-export function labels(scene: SceneFile): Group {
+export function labels(scene: Draft): Group {
   const given = entries(at(scene, ["figure", "labels"])).map(([name]) => name);
   const others = [...allPoints(scene), ...linksOf(scene), "ground"].filter((name) => !given.includes(name));
   const rows = given.map((name): Row => ({

@@ -1,6 +1,5 @@
 import type { App, Panel } from "../../app.ts";
 import { element } from "../../dom/element.ts";
-import type { SceneFile } from "../../engine/types.ts";
 import { signal, type Signal } from "../../state/signal.ts";
 import { edit } from "../parts/edits.ts";
 import type { Form } from "../parts/form.ts";
@@ -8,6 +7,7 @@ import { keepForm } from "../parts/sheet.ts";
 import { contents, look, page, shown } from "./look.ts";
 import { labels, paths } from "./marks.ts";
 import { scales, type Scales } from "./scales.ts";
+import type { Draft } from "../parts/scene.ts";
 
 /** What the figure shows, and how: the keys of the scene's `figure`. */
 export const figure: Panel = {
@@ -17,7 +17,7 @@ export const figure: Panel = {
     const present = presentScales(app);
     const form = element("div", {});
     root.append(form);
-    const describe = (scene: SceneFile): Form => ({
+    const describe = (scene: Draft): Form => ({
       groups: [look(scene), shown(), scales(scene, present.value), page(scene), contents(), paths(scene, app.solved.value.opened?.traceable ?? []), labels(scene)],
     });
     const { again } = keepForm(form, app, { describe, asked: ({ with: [name] }) => void edit(app, [{ set: ["figure", "labels", name ?? ""], value: name }]) });

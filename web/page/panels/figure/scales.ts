@@ -1,6 +1,5 @@
-import type { SceneFile } from "../../engine/types.ts";
 import type { Button, Group, Row } from "../parts/form.ts";
-import { at, unitsOf } from "../parts/scene.ts";
+import { at, unitsOf, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
 /** Units per mm of paper; null where there is none. */
@@ -11,7 +10,7 @@ export interface Scales {
 }
 
 /** The scales: given, or automatic with the present one to hold. */
-export function scales(scene: SceneFile, present: Scales): Group {
+export function scales(scene: Draft, present: Scales): Group {
   const units = unitsOf(scene);
   return {
     id: "scales",
@@ -35,7 +34,7 @@ export function scales(scene: SceneFile, present: Scales): Group {
   };
 }
 
-function scale(scene: SceneFile, key: keyof Scales, sign: string, unit: string, present: number | null): Row {
+function scale(scene: Draft, key: keyof Scales, sign: string, unit: string, present: number | null): Row {
   const path = ["figure", key];
   const isHeld = at(scene, path) !== undefined;
   const hold: Button[] = present === null ? [] : [{ text: say("take", { value: present }), icon: "pin", pressed: false, edits: [{ set: path, value: present }] }];

@@ -1,7 +1,6 @@
 /** The cross on the drawing board, which keys move in place of a pointer. */
 import { svgElement } from "../../dom/element.ts";
-import type { SceneFile } from "../../engine/types.ts";
-import { linksOf, pointsOn } from "../parts/scene.ts";
+import { linksOf, pointsOn, type Draft } from "../parts/scene.ts";
 import type { Begun, Tool } from "./board_tools.ts";
 import type { Places } from "./places.ts";
 import type { Box, Place } from "./sketch.ts";
@@ -27,7 +26,7 @@ export function isAt([x, y]: Place, [u, v]: Place): boolean {
 }
 
 /** What the next press of a tool may take: points, or the middles of links' first sides. */
-export function thingsFor(tool: Tool, begun: Begun | null, scene: SceneFile, places: Places): Place[] {
+export function thingsFor(tool: Tool, begun: Begun | null, scene: Draft, places: Places): Place[] {
   const middles = linksOf(scene).flatMap((name): Place[] => {
     const [from, to] = pointsOn(scene, name).map((point) => places.get(point));
     return from === undefined || to === undefined ? [] : [[(from[0] + to[0]) / 2, (from[1] + to[1]) / 2]];

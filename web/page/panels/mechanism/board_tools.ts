@@ -1,8 +1,9 @@
 /** What a press on the drawing board does, tool by tool. */
 import type { Ask } from "../parts/form.ts";
-import type { Edit, SceneFile } from "../../engine/types.ts";
+import type { Edit } from "../../engine/types.ts";
 import { freePoint } from "./free_name.ts";
 import type { Place } from "./sketch.ts";
+import type { Draft } from "../parts/scene.ts";
 
 export const TOOLS = ["ground", "link", "third", "block", "drive", "drop"] as const;
 export type Tool = (typeof TOOLS)[number];
@@ -23,7 +24,7 @@ export interface Begun {
 /** What follows: changes, something that a command does, or the first half of it. */
 export type Follows = { edits: Edit[] } | { ask: Ask } | { begun: Begun } | null;
 
-export function follows(tool: Tool, scene: SceneFile, { at, point, link }: Press, begun: Begun | null): Follows {
+export function follows(tool: Tool, scene: Draft, { at, point, link }: Press, begun: Begun | null): Follows {
   const name = point ?? freePoint(scene, begun === null ? [] : [begun.name]);
   switch (tool) {
     case "ground":

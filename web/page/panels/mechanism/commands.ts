@@ -1,16 +1,16 @@
 /** What the form's buttons do besides plain changes of one value. */
 import type { App } from "../../app.ts";
-import type { Edit, SceneFile } from "../../engine/types.ts";
+import type { Edit } from "../../engine/types.ts";
 import { edit } from "../parts/edits.ts";
 import { newId } from "../parts/fields.ts";
 import type { Ask } from "../parts/form.ts";
-import { at, entries, groundOf, isDrawn, linksOf, parsed, pointsOf, pointsOn, type Path } from "../parts/scene.ts";
+import { at, entries, groundOf, isDrawn, linksOf, parsed, pointsOf, pointsOn, type Path, type Draft } from "../parts/scene.ts";
 import { freeLink } from "./free_name.ts";
 import { freshPlace, type Places } from "./places.ts";
 
 /** What a command is given: the scene as it is, and where its points are. */
 interface Present {
-  scene: SceneFile;
+  scene: Draft;
   places: Places;
 }
 
@@ -103,26 +103,26 @@ function withPoints(link: unknown): object {
 }
 
 /** Turns per minute for one radian per unit of time. */
-function turnsPerRadian(scene: SceneFile): number {
+function turnsPerRadian(scene: Draft): number {
   return (at(scene, ["units", "time"]) === "min" ? 1 : 60) / (2 * Math.PI);
 }
 
 /** Puts a speed under its other key. */
-function converted(scene: SceneFile, path: Path, from: string, to: string, factor: number): Edit[] {
+function converted(scene: Draft, path: Path, from: string, to: string, factor: number): Edit[] {
   const value = at(scene, [...path, from]);
   const next = typeof value === "number" ? short(value * factor) : 0;
   return [{ remove: [...path, from] }, { set: [...path, to], value: next }];
 }
 
 /** The present angle of a link's axis, in whole degrees. */
-function angleOf(scene: SceneFile, places: Places, link: string): number {
+function angleOf(scene: Draft, places: Places, link: string): number {
   const [from, to] = pointsOn(scene, link).map((name) => places.get(name));
   if (from === undefined || to === undefined) return 60;
   return Math.round((Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI);
 }
 
 /** Takes a point off a link; a link without points goes. */
-function taken(scene: SceneFile, link: string, point: string): Edit[] {
+function taken(scene: Draft, link: string, point: string): Edit[] {
   const path: Path = ["links", link];
   const value = at(scene, path);
   const points = pointsOf(value);

@@ -1,7 +1,6 @@
-import type { SceneFile } from "../../engine/types.ts";
 import { stepFor } from "../../number.ts";
 import type { Button, Field, Row } from "../parts/form.ts";
-import { at, isDrawn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { at, isDrawn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
 /** Whether a drive pushes along a guide. */
@@ -10,7 +9,7 @@ export function isSlidingDrive(drive: unknown): boolean {
 }
 
 /** The rows of a drive that turns a link. */
-export function driveRows(scene: SceneFile, path: Path, remove: Button): Row[] {
+export function driveRows(scene: Draft, path: Path, remove: Button): Row[] {
   const { omega, alpha } = unitsOf(scene);
   const inTurns = at(scene, [...path, "rpm"]) !== undefined;
   const angle: Field = { kind: "number", path: [...path, "angle"], label: say("angle"), unit: "°", step: 1, usual: "–" };
@@ -31,7 +30,7 @@ export function driveRows(scene: SceneFile, path: Path, remove: Button): Row[] {
 }
 
 /** The fields of a drive that pushes along a guide. */
-export function slidingDriveFields(scene: SceneFile, path: Path): Field[] {
+export function slidingDriveFields(scene: Draft, path: Path): Field[] {
   const { length, velocity, acceleration } = unitsOf(scene);
   const step = stepFor(sizeOf(scene));
   const position: Field = { kind: "number", path: [...path, "position"], label: say("position"), unit: length, step, usual: "–" };

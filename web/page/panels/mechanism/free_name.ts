@@ -1,10 +1,9 @@
-import type { SceneFile } from "../../engine/types.ts";
-import { allPoints, linksOf } from "../parts/scene.ts";
+import { allPoints, linksOf, type Draft } from "../parts/scene.ts";
 
 const LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
 /** A name that no point has: the first letter that is free, then letters with numbers. S is kept for special points. */
-export function freePoint(scene: SceneFile, also: string[] = []): string {
+export function freePoint(scene: Draft, also: string[] = []): string {
   const taken = new Set([...allPoints(scene), ...also].map((name) => name.toLowerCase()));
   const letters = [...LETTERS].filter((letter) => letter !== "S" && letter !== "O");
   for (let number = 0; ; number += 1) {
@@ -14,7 +13,7 @@ export function freePoint(scene: SceneFile, also: string[] = []): string {
 }
 
 /** The number that the next new link gets. */
-export function freeLink(scene: SceneFile): string {
+export function freeLink(scene: Draft): string {
   const taken = linksOf(scene);
   let number = 1;
   while (taken.includes(String(number))) number += 1;

@@ -1,7 +1,6 @@
-import type { SceneFile } from "../../engine/types.ts";
 import { stepFor } from "../../number.ts";
 import type { Group } from "../parts/form.ts";
-import { allPoints, entries, groundOf, isDrawn, sizeOf, unitsOf } from "../parts/scene.ts";
+import { allPoints, entries, groundOf, isDrawn, sizeOf, unitsOf, type Draft } from "../parts/scene.ts";
 import { freePoint } from "./free_name.ts";
 import { vectorFields } from "./vector.ts";
 import { say } from "./words.ts";
@@ -24,7 +23,7 @@ export function about(): Group {
 }
 
 /** The fixed points of a scene that gives lengths. */
-export function ground(scene: SceneFile): Group {
+export function ground(scene: Draft): Group {
   const step = stepFor(sizeOf(scene));
   return {
     id: "ground",
@@ -43,7 +42,7 @@ export function ground(scene: SceneFile): Group {
   };
 }
 
-function addGround(scene: SceneFile): NonNullable<Group["rows"]>[number]["fields"][number] {
+function addGround(scene: Draft): NonNullable<Group["rows"]>[number]["fields"][number] {
   const fixed = groundOf(scene);
   const free = freePoint(scene);
   const others = isDrawn(scene) ? allPoints(scene).filter((name) => !fixed.includes(name)) : [];

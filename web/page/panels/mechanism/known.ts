@@ -1,13 +1,12 @@
-import type { SceneFile } from "../../engine/types.ts";
 import { stepFor } from "../../number.ts";
 import type { Button, Field, Group, Row } from "../parts/form.ts";
-import { allPoints, at, entries, groundOf, pointsOf, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { allPoints, at, entries, groundOf, pointsOf, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
 import { placeFields, vectorFields, vectorForm } from "./vector.ts";
 import { say } from "./words.ts";
 
 /** The points of a drawn scene. */
-export function drawnPoints(scene: SceneFile): Group {
+export function drawnPoints(scene: Draft): Group {
   const fixed = groundOf(scene);
   const step = stepFor(sizeOf(scene));
   return {
@@ -36,7 +35,7 @@ function isFixed(name: string, fixed: string[]): Field {
 }
 
 /** The known motions of points. */
-export function known(scene: SceneFile): Group {
+export function known(scene: Draft): Group {
   const given = entries(scene["known"]).map(([name]) => name);
   const others = allPoints(scene).filter((name) => !given.includes(name) && !groundOf(scene).includes(name));
   const add: Field = {
@@ -63,7 +62,7 @@ export function known(scene: SceneFile): Group {
 }
 
 /** Velocity and acceleration, each in the form in which it is given. */
-function rates(scene: SceneFile, path: Path): Row[] {
+function rates(scene: Draft, path: Path): Row[] {
   const units = unitsOf(scene);
   const velocity: Path = [...path, "velocity"];
   const acceleration: Path = [...path, "acceleration"];
@@ -78,7 +77,7 @@ function rates(scene: SceneFile, path: Path): Row[] {
 }
 
 /** Drive or known motion of a link of a drawn scene. */
-export function motionRows(scene: SceneFile, name: string): Row[] {
+export function motionRows(scene: Draft, name: string): Row[] {
   const path: Path = ["links", name];
   const drive = at(scene, [...path, "drive"]);
   const points = pointsOf(at(scene, path));
@@ -95,7 +94,7 @@ export function motionRows(scene: SceneFile, name: string): Row[] {
   return buttons.length === 0 ? [] : [{ fields: [], buttons }];
 }
 
-function motionFields(scene: SceneFile, path: Path, points: string[], name: string): Row[] {
+function motionFields(scene: Draft, path: Path, points: string[], name: string): Row[] {
   const { length, omega, alpha } = unitsOf(scene);
   const isPlace = Array.isArray(at(scene, [...path, "at"]));
   const remove: Button = { text: say("drop_motion", { name }), icon: "remove", edits: [{ remove: path }] };

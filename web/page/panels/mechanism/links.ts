@@ -1,7 +1,6 @@
-import type { SceneFile } from "../../engine/types.ts";
 import { stepFor } from "../../number.ts";
 import type { Button, Card, Field, Group, Row } from "../parts/form.ts";
-import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
 import { freePoint } from "./free_name.ts";
 import { motionRows } from "./known.ts";
@@ -9,7 +8,7 @@ import { placeFields } from "./vector.ts";
 import { say } from "./words.ts";
 
 /** The links, a card each. */
-export function links(scene: SceneFile): Group {
+export function links(scene: Draft): Group {
   const drawn = isDrawn(scene);
   const points = allPoints(scene);
   const free = freePoint(scene);
@@ -31,7 +30,7 @@ export function links(scene: SceneFile): Group {
   };
 }
 
-function card(scene: SceneFile, name: string): Card {
+function card(scene: Draft, name: string): Card {
   const path: Path = ["links", name];
   const link = at(scene, path);
   const points = pointsOf(link);
@@ -47,7 +46,7 @@ function card(scene: SceneFile, name: string): Card {
 }
 
 /** What a link is, in a word. */
-function roleOf(scene: SceneFile, link: unknown, points: string[]): { role?: string } {
+function roleOf(scene: Draft, link: unknown, points: string[]): { role?: string } {
   if (at(link, ["drive"]) !== undefined) return { role: say("driven") };
   if (at(link, ["motion"]) !== undefined) return { role: say("moves_as_known") };
   if (points.length > 1) return {};
@@ -71,7 +70,7 @@ function pointChips(link: string, points: string[]): Field {
   };
 }
 
-function addPoint(scene: SceneFile, link: string, points: string[]): Field {
+function addPoint(scene: Draft, link: string, points: string[]): Field {
   const free = freePoint(scene);
   const others = allPoints(scene).filter((name) => !points.includes(name));
   const options = [{ value: free, text: say("new_point", { name: free }) }, ...others.map((value) => ({ value, text: value }))];
@@ -79,7 +78,7 @@ function addPoint(scene: SceneFile, link: string, points: string[]): Field {
 }
 
 /** The shape of a link, or its lengths. */
-function measureRows(scene: SceneFile, path: Path, points: string[]): Row[] {
+function measureRows(scene: Draft, path: Path, points: string[]): Row[] {
   const step = stepFor(sizeOf(scene));
   const unit = unitsOf(scene).length;
   const shape = at(scene, [...path, "shape"]);
@@ -104,7 +103,7 @@ function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[
 }
 
 /** Drive or given angle of a link. */
-function motionOf(scene: SceneFile, name: string, points: string[]): Row[] {
+function motionOf(scene: Draft, name: string, points: string[]): Row[] {
   const path: Path = ["links", name];
   const drive = at(scene, [...path, "drive"]);
   if (drive !== undefined) {
@@ -122,7 +121,7 @@ function motionOf(scene: SceneFile, name: string, points: string[]): Row[] {
 }
 
 /** Whether a link's angle may be given: it is, or a drive does not say where it stands. */
-function givesAngle(scene: SceneFile, path: Path): boolean {
+function givesAngle(scene: Draft, path: Path): boolean {
   const drives = [...entries(scene["links"]).map(([, link]) => link), ...(Array.isArray(scene["sliders"]) ? scene["sliders"] : [])].map((part: unknown) => at(part, ["drive"]));
   const isOpen = drives.some((drive) => drive !== undefined && at(drive, ["angle"]) === undefined && at(drive, ["position"]) === undefined);
   return at(scene, [...path, "angle"]) !== undefined || isOpen;

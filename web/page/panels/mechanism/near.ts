@@ -1,12 +1,11 @@
-import type { SceneFile } from "../../engine/types.ts";
 import { stepFor } from "../../number.ts";
 import type { Field, Group, Row } from "../parts/form.ts";
-import { allPoints, entries, groundOf, linksOf, pointsOn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { allPoints, entries, groundOf, linksOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { placeFields } from "./vector.ts";
 import { say } from "./words.ts";
 
 /** Rough places, which choose the assembly mode. */
-export function near(scene: SceneFile): Group {
+export function near(scene: Draft): Group {
   const given = entries(scene["near"]);
   const has = (name: string): boolean => given.some(([other]) => other === name);
   const points = allPoints(scene).filter((name) => !groundOf(scene).includes(name) && !has(name));
@@ -23,7 +22,7 @@ export function near(scene: SceneFile): Group {
   };
 }
 
-function row(scene: SceneFile, name: string, value: unknown): Row {
+function row(scene: Draft, name: string, value: unknown): Row {
   const path: Path = ["near", name];
   const fields: Field[] = Array.isArray(value)
     ? placeFields(path, unitsOf(scene).length, stepFor(sizeOf(scene)))

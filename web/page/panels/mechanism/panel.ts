@@ -1,8 +1,7 @@
 import type { Panel } from "../../app.ts";
 import { element } from "../../dom/element.ts";
-import type { SceneFile } from "../../engine/types.ts";
 import type { Form } from "../parts/form.ts";
-import { at, isDrawn } from "../parts/scene.ts";
+import { at, isDrawn, type Draft } from "../parts/scene.ts";
 import { keepForm } from "../parts/sheet.ts";
 import { board } from "./board.ts";
 import { command } from "./commands.ts";
@@ -28,7 +27,7 @@ export const mechanism: Panel = {
   },
 };
 
-function describe(scene: SceneFile): Form {
+function describe(scene: Draft): Form {
   const note = at(scene, ["note"]);
   const first = about();
   if (typeof note === "string") first.help = note;

@@ -1,7 +1,6 @@
 import type { App } from "../../app.ts";
-import type { SceneFile } from "../../engine/types.ts";
 import { signal, type Signal } from "../../state/signal.ts";
-import { allPoints, at, entries, parsed } from "../parts/scene.ts";
+import { allPoints, at, entries, parsed, type Draft } from "../parts/scene.ts";
 
 /** Places of points in the scene's own coordinates, by name. */
 export type Places = Map<string, [number, number]>;
@@ -26,7 +25,7 @@ export function placesOf(app: App): Signal<Places> {
 }
 
 /** The places that a scene gives. */
-function given(scene: SceneFile): Places {
+function given(scene: Draft): Places {
   const tables = ["near", "points", "ground"].flatMap((key) => entries(at(scene, [key])));
   return new Map(tables.flatMap(([name, place]) => (isPlace(place) ? [[name, place]] : [])));
 }

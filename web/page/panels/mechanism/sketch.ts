@@ -1,7 +1,6 @@
 /** The mechanism on the drawing board, as far as places are known: lines, points and guides, no plans. */
 import { svgElement } from "../../dom/element.ts";
-import type { SceneFile } from "../../engine/types.ts";
-import { at, groundOf, linksOf, pointsOn } from "../parts/scene.ts";
+import { at, groundOf, linksOf, pointsOn, type Draft } from "../parts/scene.ts";
 import type { Places } from "./places.ts";
 
 export type Place = [number, number];
@@ -54,7 +53,7 @@ export function grainOf(box: Box): number {
 }
 
 /** Everything on the board; `dot` is a length on the screen in the scene's units. */
-export function sketch(scene: SceneFile, places: Places, box: Box, dot: number, chosen: string | null): SVGElement[] {
+export function sketch(scene: Draft, places: Places, box: Box, dot: number, chosen: string | null): SVGElement[] {
   const links = linksOf(scene).map((name) => linkShape(scene, places, name, dot, name === chosen));
   const points = [...places].map(([name, place]) => pointShape(name, place, groundOf(scene).includes(name), dot, name === chosen));
   return [gridLines(box), ...guides(scene, places, box), ...links, ...points];
@@ -68,7 +67,7 @@ function gridLines(box: Box): SVGElement {
   return svgElement("path", { class: "grid", d: lines.join("") });
 }
 
-function linkShape(scene: SceneFile, places: Places, name: string, dot: number, isChosen: boolean): SVGElement {
+function linkShape(scene: Draft, places: Places, name: string, dot: number, isChosen: boolean): SVGElement {
   const corners = pointsOn(scene, name).flatMap((point) => (places.has(point) ? [places.get(point)!] : []));
   const isDriven = at(scene, ["links", name, "drive"]) !== undefined;
   const group = svgElement("g", { class: `link${isDriven ? " driven" : ""}${isChosen ? " chosen" : ""}` });
@@ -99,7 +98,7 @@ function pointShape(name: string, [x, y]: Place, isFixed: boolean, dot: number, 
 }
 
 /** The guides of sliders on the ground and on links whose direction is told by two points or an angle on the ground. */
-function guides(scene: SceneFile, places: Places, box: Box): SVGElement[] {
+function guides(scene: Draft, places: Places, box: Box): SVGElement[] {
   const list: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
   return list.flatMap((slider) => {
     const place = places.get(String(at(slider, ["at"]) ?? at(slider, ["pin"])));
@@ -113,7 +112,7 @@ function guides(scene: SceneFile, places: Places, box: Box): SVGElement[] {
   });
 }
 
-function directionOf(slider: unknown, scene: SceneFile, places: Places): Place | null {
+function directionOf(slider: unknown, scene: Draft, places: Places): Place | null {
   const along = at(slider, ["along"]) ?? 0;
   const on = String(at(slider, ["on"]));
   if (typeof along === "number" && on === "ground") return [Math.cos((along * Math.PI) / 180), Math.sin((along * Math.PI) / 180)];
@@ -134,7 +133,7 @@ export function pointAt(places: Places, [x, y]: Place, reach: number): string | 
 }
 
 /** The link at a place: the one with the nearest side. */
-export function linkAt(scene: SceneFile, places: Places, place: Place, reach: number): string | null {
+export function linkAt(scene: Draft, places: Places, place: Place, reach: number): string | null {
   const found = linksOf(scene).map((name): [string, number] => {
     const corners = pointsOn(scene, name).flatMap((point) => (places.has(point) ? [places.get(point)!] : []));
     const sides = corners.map((corner, index): [Place, Place] => [corner, corners[(index + 1) % corners.length]!]);

@@ -1,13 +1,12 @@
-import type { SceneFile } from "../../engine/types.ts";
 import { stepFor } from "../../number.ts";
 import type { Button, Card, Field, Group, Option, Row } from "../parts/form.ts";
-import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, unitsOf, type Path } from "../parts/scene.ts";
+import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { slidingDriveFields } from "./drives.ts";
 import { placeFields } from "./vector.ts";
 import { say } from "./words.ts";
 
 /** The sliders, a card each. */
-export function sliders(scene: SceneFile): Group {
+export function sliders(scene: Draft): Group {
   const list: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
   const moving = allPoints(scene).filter((name) => !groundOf(scene).includes(name));
   const things = [
@@ -33,11 +32,11 @@ export function sliders(scene: SceneFile): Group {
   };
 }
 
-function carriers(scene: SceneFile): { value: string; text: string }[] {
+function carriers(scene: Draft): { value: string; text: string }[] {
   return ["ground", ...linksOf(scene)].map((value) => ({ value, text: value === "ground" ? say("ground_word") : `${say("link").toLowerCase()} ${value}` }));
 }
 
-function card(scene: SceneFile, slider: unknown, index: number): Card {
+function card(scene: Draft, slider: unknown, index: number): Card {
   const path: Path = ["sliders", index];
   const link = at(slider, ["link"]);
   const isPin = at(slider, ["pin"]) !== undefined;
@@ -56,7 +55,7 @@ function card(scene: SceneFile, slider: unknown, index: number): Card {
 }
 
 /** Place and direction of the guide. */
-function guide(scene: SceneFile, slider: unknown, path: Path): Row[] {
+function guide(scene: Draft, slider: unknown, path: Path): Row[] {
   const on = String(at(slider, ["on"]) ?? "ground");
   const points = pointsOn(scene, on);
   const unit = unitsOf(scene).length;
@@ -89,7 +88,7 @@ function directions(points: string[], along: unknown): Option[] {
 }
 
 /** The angle of a block whose axis can be seen. */
-function turnedRow(scene: SceneFile, path: Path, isPin: boolean): Row[] {
+function turnedRow(scene: Draft, path: Path, isPin: boolean): Row[] {
   const link = String(at(scene, [...path, "link"]));
   const isGiven = at(scene, [...path, "turned"]) !== undefined;
   if (isPin || isDrawn(scene) || (pointsOn(scene, link).length < 2 && !isGiven)) return [];
@@ -97,7 +96,7 @@ function turnedRow(scene: SceneFile, path: Path, isPin: boolean): Row[] {
 }
 
 /** The drive in the slider's own entry; one in the link stands in the link's card. */
-function driveOf(scene: SceneFile, slider: unknown, path: Path, name: string): Row[] {
+function driveOf(scene: Draft, slider: unknown, path: Path, name: string): Row[] {
   const own: Path = [...path, "drive"];
   const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: own }] };
   if (at(slider, ["drive"]) !== undefined) return [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }];

@@ -1,5 +1,8 @@
 import type { SceneFile } from "../../engine/types.ts";
 
+/** A scene as somebody is writing it: any part may be missing still, and what stands there need not be what it should. */
+export type Draft = Partial<SceneFile>;
+
 /** Where a value of the scene is. */
 export type Path = (string | number)[];
 
@@ -30,10 +33,10 @@ export function names(value: unknown): string[] {
 }
 
 /** The scene of a text; null where it is no JSON object. Nothing is checked: that is the engine's. */
-export function parsed(text: string): SceneFile | null {
+export function parsed(text: string): Draft | null {
   try {
     const scene: unknown = JSON.parse(text.replace(/^\uFEFF/, ""));
-    return typeof scene === "object" && scene !== null && !Array.isArray(scene) ? (scene as SceneFile) : null;
+    return typeof scene === "object" && scene !== null && !Array.isArray(scene) ? (scene as Draft) : null;
   } catch {
     return null;
   }
@@ -47,29 +50,29 @@ export function pointsOf(link: unknown): string[] {
 }
 
 /** The names of the ground's points. */
-export function groundOf(scene: SceneFile): string[] {
+export function groundOf(scene: Draft): string[] {
   const ground = scene["ground"];
   return Array.isArray(ground) ? names(ground) : entries(ground).map(([name]) => name);
 }
 
 /** The names of the links. */
-export function linksOf(scene: SceneFile): string[] {
+export function linksOf(scene: Draft): string[] {
   return entries(scene["links"]).map(([name]) => name);
 }
 
 /** The points of a link, or of `"ground"`. */
-export function pointsOn(scene: SceneFile, carrier: string): string[] {
+export function pointsOn(scene: Draft, carrier: string): string[] {
   return carrier === "ground" ? groundOf(scene) : pointsOf(at(scene, ["links", carrier]));
 }
 
 /** All points, each once. */
-export function allPoints(scene: SceneFile): string[] {
+export function allPoints(scene: Draft): string[] {
   const points = [...groundOf(scene), ...linksOf(scene).flatMap((link) => pointsOn(scene, link))];
   return [...new Set([...points, ...entries(scene["points"]).map(([name]) => name)])];
 }
 
 /** Whether the scene is drawn: given by coordinates in place of lengths. */
-export function isDrawn(scene: SceneFile): boolean {
+export function isDrawn(scene: Draft): boolean {
   return scene["points"] !== undefined;
 }
 
@@ -91,7 +94,7 @@ export function pairs(points: string[]): [string, string][] {
 }
 
 /** The largest coordinate or length that the scene gives, for sensible steps. */
-export function sizeOf(scene: SceneFile): number {
+export function sizeOf(scene: Draft): number {
   const numbers = (value: unknown): number[] =>
     typeof value === "number" ? [Math.abs(value)] : typeof value === "object" && value !== null ? Object.values(value).flatMap(numbers) : [];
   const links = entries(scene["links"]).flatMap(([, link]) => [at(link, ["lengths"]), at(link, ["shape"])]);
@@ -107,7 +110,7 @@ export interface Units {
   alpha: string;
 }
 
-export function unitsOf(scene: SceneFile): Units {
+export function unitsOf(scene: Draft): Units {
   const length = String(at(scene, ["units", "length"]) ?? "");
   const time = String(at(scene, ["units", "time"]) ?? "");
   return {

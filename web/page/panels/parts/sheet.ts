@@ -2,18 +2,18 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { icon } from "../../dom/icon.ts";
-import type { Refused, SceneFile } from "../../engine/types.ts";
+import type { Refused } from "../../engine/types.ts";
 import { language } from "../../words.ts";
 import { edit } from "./edits.ts";
 import { fieldOf, nameInput, newId, type Live } from "./fields.ts";
 import type { Ask, Button, Card, Form, Group, Row } from "./form.ts";
-import { dotted, parsed } from "./scene.ts";
+import { dotted, parsed, type Draft } from "./scene.ts";
 import { say } from "./words.ts";
 
 /** What the owner of a form does. */
 export interface Owner {
   /** The form of a scene. */
-  describe(scene: SceneFile): Form;
+  describe(scene: Draft): Form;
   /** Does what a button or a choice with `ask` asks for. */
   asked?(ask: Ask): void;
 }
