@@ -131,7 +131,7 @@ fn plant(student: &Student<'_>, mistake: Mistake, hand: [f64; 2], random: &mut R
     let way = &ways[random.below(ways.len())];
     let measured = draw(&[way], &[]);
     let is_whole = measured.values.len() == draw(&[], &[]).values.len();
-    (is_whole && stays_on_paper(&measured)).then(|| Planted { measured, blanks: way.blanks.clone() })
+    (is_whole && stays_on_paper(&measured)).then(|| Planted { measured, blanks: texts(way) })
 }
 
 /// Whether no length is longer than the largest sheets that people draw on, A2: rays that hardly cross do so far away, and everybody sees that.
@@ -237,12 +237,17 @@ fn power_of_ten(factor: f64) -> i32 {
     libm::round(libm::log10(factor)) as i32
 }
 
+/// What stands in the blanks of a mistake's sentences.
+fn texts(candidate: &Candidate) -> Vec<String> {
+    candidate.told.blanks.iter().map(|(_, blank)| blank.text().to_owned()).collect()
+}
+
 /// Whether an explanation is the planted mistake alone, at its place.
 fn is_planted(explanation: &Explanation, mistake: Mistake, blanks: &[String]) -> bool {
     match explanation.findings.as_slice() {
         [finding] => {
             let own = &finding.candidate;
-            own.mistake == mistake && own.blanks.iter().zip(blanks).all(|(a, b)| a == b)
+            own.mistake() == mistake && texts(own).iter().zip(blanks).all(|(a, b)| a == b)
         }
         _ => false,
     }
@@ -306,16 +311,16 @@ pub fn row(mistake: Mistake, count: usize, hand: [f64; 2], seed: u64) -> Row {
         let is_own = |e: &Explanation| is_planted(e, mistake, &planted.blanks);
         let others = &checked.diagnosis.others;
         let best = &checked.diagnosis.best.findings;
-        let is_cause = |e: &&Explanation| e.findings.iter().all(|f| f.candidate.mistake != Mistake::Unknown);
+        let is_cause = |e: &&Explanation| e.findings.iter().all(|f| f.candidate.mistake() != Mistake::Unknown);
         if is_own(&checked.diagnosis.best) {
             row.named += 1;
         } else if others.iter().any(|o| o.is_alike && is_own(o)) {
             row.named += 1;
             row.alike += 1;
         } else {
-            let is_untold = best.iter().all(|f| f.candidate.mistake == Mistake::Unknown);
+            let is_untold = best.iter().all(|f| f.candidate.mistake() == Mistake::Unknown);
             row.first += usize::from(is_untold && others.iter().find(is_cause).is_some_and(is_own));
-            let first = best.first().map_or("nothing", |f| f.candidate.mistake.id());
+            let first = best.first().map_or("nothing", |f| f.candidate.mistake().id());
             *row.instead.entry(first).or_default() += 1;
         }
     }
@@ -387,7 +392,7 @@ pub fn pairs(count: usize, hand: [f64; 2], seed: u64) -> [usize; 3] {
             let mut first = core::iter::once(&diagnosis.best).chain(alike.clone());
             first.any(|e| {
                 let mut own = e.findings.iter().map(|f| &f.candidate);
-                own.any(|c| c.mistake == candidate.mistake && c.blanks == candidate.blanks)
+                own.any(|c| c.told == candidate.told)
             })
         };
         let names = [named(&both[0]), named(&both[1])];

@@ -5,7 +5,6 @@ use super::checked::Checked;
 use super::explanation::Finding;
 use super::marks::{Awarded, MarkScheme};
 use super::mistakes::Mistake;
-use super::report::sentences;
 use super::shown::ShownNames;
 use super::verdict::Verdict;
 use crate::scene::schema_of;
@@ -120,12 +119,18 @@ impl ClassRow {
         let count = |verdict| checked.values.iter().filter(|v| v.verdict == verdict).count();
         let diagnosis = &checked.diagnosis;
         let findings = &diagnosis.best.findings;
-        let mistake =
-            |finding: &Finding| ClassMistake { step: finding.candidate.step, mistake: finding.candidate.mistake.id() };
-        let done = findings.first().map(|finding| {
-            let [done, _] = sentences(&finding.candidate, words);
-            done
+        let mistake = |finding: &Finding| ClassMistake {
+            step: finding.candidate.step,
+            mistake: finding.candidate.mistake().id(),
+        };
+        let told = findings.first().map(|finding| {
+            let told = &finding.candidate.told;
+            let shown = ShownNames::of(key.solution);
+            let as_shown = told.sentences_with(words, &|name| shown.named(name));
+            let [[done, _], [told, _]] = [told.sentences(words), as_shown];
+            (done, told)
         });
+        let (done, told) = told.unzip();
         let unexplained = diagnosis.unexplained.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
         ClassRow {
             file,
@@ -139,7 +144,7 @@ impl ClassRow {
                 off: count(Verdict::Off),
                 sense_missing: count(Verdict::SenseMissing),
                 first: findings.first().map(mistake),
-                told: done.as_ref().map(|done| ShownNames::of(key.solution).text(done)).unwrap_or_default(),
+                told: told.unwrap_or_default(),
                 done,
                 further: findings.iter().skip(1).map(mistake).collect(),
                 probability: (!findings.is_empty()).then_some(diagnosis.best.probability),

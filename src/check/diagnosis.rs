@@ -50,7 +50,7 @@ struct Group<'t> {
 
 impl Group<'_> {
     fn tells(&self, candidate: &Candidate) -> bool {
-        self.findings.iter().any(|finding| finding.candidate.is_told_like(candidate))
+        self.findings.iter().any(|finding| finding.candidate.told == candidate.told)
     }
 }
 
@@ -73,7 +73,7 @@ impl Search<'_> {
             told.pop();
         }
         let others = groups.iter().filter_map(|group| {
-            let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.is_told_like(&f.candidate)));
+            let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.told == f.candidate.told));
             // What the values cannot tell from an explanation that is told whole.
             let is_told =
                 group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
@@ -191,7 +191,7 @@ impl Search<'_> {
 
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
 fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
-    if finding.candidate.mistake == Mistake::Unknown {
+    if finding.candidate.mistake() == Mistake::Unknown {
         group.findings.iter().any(|f| f.first() == finding.first())
     } else {
         group.tells(&finding.candidate)
@@ -200,7 +200,7 @@ fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
 
 /// The probability that no mistake was made, or none that the catalogue has.
 fn none_told(groups: &[Group<'_>]) -> f64 {
-    let is_unknown = |g: &&Group<'_>| g.findings.iter().all(|f| f.candidate.mistake == Mistake::Unknown);
+    let is_unknown = |g: &&Group<'_>| g.findings.iter().all(|f| f.candidate.mistake() == Mistake::Unknown);
     groups.iter().filter(is_unknown).map(|g| g.probability).sum()
 }
 
@@ -221,7 +221,7 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
     // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
     let mut told: Vec<Finding> = told.collect();
     let mut is_first = true;
-    told.retain(|finding| finding.candidate.mistake != Mistake::Unknown || core::mem::take(&mut is_first));
+    told.retain(|finding| finding.candidate.mistake() != Mistake::Unknown || core::mem::take(&mut is_first));
     told
 }
 
@@ -230,11 +230,11 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
 fn honest(probability: f64, findings: &[Finding], hand: &Hand) -> f64 {
     let is_by_hand = hand.is_by_hand();
     let [first, further] = OUTSIDE[usize::from(!is_by_hand)];
-    let names_any = findings.iter().any(|f| f.candidate.mistake != Mistake::Unknown);
+    let names_any = findings.iter().any(|f| f.candidate.mistake() != Mistake::Unknown);
     let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
     let others = findings.len().saturating_sub(1) as i32;
     let rivals = if is_by_hand && names_any { libm::pow(probability, RIVALS) } else { probability };
-    let is_alone = |f: &&Finding| f.follows.is_empty() && f.candidate.mistake != Mistake::Unknown;
+    let is_alone = |f: &&Finding| f.follows.is_empty() && f.candidate.mistake() != Mistake::Unknown;
     let alone = if is_by_hand { findings.iter().filter(is_alone).count() as i32 } else { 0 };
     rivals * libm::pow(ALONE, f64::from(alone)) * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }

@@ -1,6 +1,6 @@
 //! The mistakes that explain a drawing's values.
 
-use super::mistakes::{Candidate, Mistake};
+use super::mistakes::{Blank, Candidate, tell};
 use super::verdict::{Judged, Verdict};
 
 /// The best explanation of the values, and the others.
@@ -72,8 +72,7 @@ impl Finding {
     /// The same place and the same consequences, but for an unknown cause; `name`: the first value that is wrong.
     pub(super) fn of_unknown_cause(&self, name: &str) -> Finding {
         let mut finding = self.clone();
-        finding.candidate.mistake = Mistake::Unknown;
-        finding.candidate.blanks = vec![name.to_owned()];
+        finding.candidate.told = tell::unknown(Blank::Quantity(name.to_owned()));
         finding
     }
 }

@@ -64,7 +64,7 @@ pub use explanation::{Diagnosis, Explanation, Finding};
 pub use feedback::Feedback;
 pub use filled::FilledForm;
 pub use marks::{Awarded, MarkScheme, Marks};
-pub use mistakes::{Candidate, Mistake};
+pub use mistakes::{Blank, Candidate, Mistake, Told};
 pub use parts::{Cause, ReportParts, ReportRow, report_parts};
 #[cfg(feature = "photo")]
 pub use photographs::{Aimed, PencilledPlan, PlacedPoint, PointVerdict, hundredths};

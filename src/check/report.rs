@@ -227,15 +227,11 @@ impl ReportText<'_> {
     /// What else explains the values, as far as it differs from the best explanation.
     pub(super) fn other(&self, other: &Explanation) -> String {
         let best = &self.checked.diagnosis.best.findings;
-        let new = other.findings.iter().filter(|f| {
-            let same =
-                |g: &&Finding| g.candidate.mistake == f.candidate.mistake && g.candidate.blanks == f.candidate.blanks;
-            !best.iter().any(|g| same(&g))
-        });
+        let new = other.findings.iter().filter(|f| !best.iter().any(|g| g.candidate.told == f.candidate.told));
         let told: Vec<String> = new
             .map(|f| {
-                let [done, _] = sentences(&f.candidate, self.words);
-                format!("{}: {}", self.step(f), self.shown.text(&done))
+                let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.shown.named(name));
+                format!("{}: {done}", self.step(f))
             })
             .collect();
         let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
@@ -270,7 +266,7 @@ impl ReportText<'_> {
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
-            _ if candidate.mistake == Mistake::Truncated => None,
+            _ if candidate.mistake() == Mistake::Truncated => None,
             [] => Some(self.own.check_follows_none().to_owned()),
             some => Some(self.own.check_follows(&self.names(some))),
         };
@@ -295,14 +291,9 @@ impl ReportText<'_> {
 /// Accuracy of a drawing from which on it is said, in mm.
 const SEEN: f64 = 0.05;
 
-/// What was probably done, and what should have been; numbers with the figure's decimal mark.
-pub(super) fn sentences(candidate: &Candidate, words: &Wording) -> [String; 2] {
-    words.mistake(candidate.mistake.words(), &candidate.blanks)
-}
-
 /// At which step what was done, and what should have been, as two sentences.
 pub(super) fn told_alone(candidate: &Candidate, shown: &ShownNames<'_>, words: &Wording) -> [String; 2] {
-    let [done, should] = sentences(candidate, words).map(|sentence| shown.text(&sentence));
+    let [done, should] = candidate.told.sentences_with(words, &|name| shown.named(name));
     let own = words.language;
     [format!("{}: {done}.", step(candidate, own)), format!("{}: {should}.", own.check_instead())]
 }

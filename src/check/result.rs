@@ -4,7 +4,6 @@ use super::answer_key::AnswerKey;
 use super::checked::{Accuracy, Checked};
 use super::explanation::{Explanation, Finding};
 use super::marks::Awarded;
-use super::report::sentences;
 use super::verdict::Verdict;
 use crate::text::Untrusted;
 use crate::words::Wording;
@@ -149,9 +148,9 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
     });
     let mistake = |finding: &Finding| {
         let candidate = &finding.candidate;
-        let [done, should_be] = sentences(candidate, words);
+        let [done, should_be] = candidate.told.sentences(words);
         MistakeResult {
-            mistake: candidate.mistake.id(),
+            mistake: candidate.mistake().id(),
             step: candidate.step,
             done,
             should_be,

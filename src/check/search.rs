@@ -4,13 +4,14 @@ use super::answer_key::AnswerKey;
 use super::entry::Entry;
 use super::fit::Fit;
 use super::hand::Hand;
-use super::mistakes::{Candidate, Mistake};
+use super::mistakes::{Candidate, Mistake, Told};
 use super::model::Model;
 use super::score::Scorer;
 use super::settle::Settling;
 use super::walk::Metric;
 use crate::cores::on_all_cores;
 use crate::position::poses;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Explanations of one level with mistakes of the catalogue that are compared completely: the best at a first look.
 const COMPARED: usize = 20;
@@ -100,19 +101,14 @@ pub(super) fn other_modes(key: &AnswerKey<'_>, mu: [Option<f64>; 3], entries: &[
 /// The cost of each candidate, −2 ln of its prior probability: the mistake's share divided by the number of places for
 /// it.
 fn costs(candidates: &[Candidate]) -> Vec<f64> {
-    // Candidates with the same blanks are one place: a slip of writing counts once, whether it is passed on or not.
-    let count = |mistake: Mistake| {
-        let same = candidates.iter().filter(|c| c.mistake == mistake);
-        let mut blanks: Vec<&[String]> = same.map(|c| c.blanks.as_slice()).collect();
-        blanks.sort_unstable();
-        blanks.dedup();
-        blanks.len()
-    };
-    let counts: Vec<(Mistake, usize)> = Mistake::all().map(|m| (m, count(m))).collect();
+    // Candidates with the same sentences are one place: a slip of writing counts once, whether it is passed on or not.
+    let mut places: BTreeMap<Mistake, BTreeSet<&Told>> = BTreeMap::new();
+    for candidate in candidates {
+        places.entry(candidate.mistake()).or_default().insert(&candidate.told);
+    }
     let cost = |candidate: &Candidate| {
-        let listed = candidate.mistake.listed();
-        let places = counts[candidate.mistake as usize].1 as f64;
-        2.0 * libm::log(100.0 / listed.percent * places)
+        let places = places[&candidate.mistake()].len() as f64;
+        2.0 * libm::log(100.0 / candidate.mistake().share() * places)
     };
     candidates.iter().map(cost).collect()
 }

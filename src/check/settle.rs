@@ -1,7 +1,7 @@
 //! Fits the amounts of mistakes that are not known beforehand: so that the first value that they move is the written one.
 
 use super::fit::Fit;
-use super::mistakes::{Amount, Candidate};
+use super::mistakes::{Amount, Blank, Candidate, tell};
 use super::score::Scorer;
 
 /// Angles that are tried first, in degrees apart.
@@ -61,8 +61,8 @@ impl<'a> Settling<'a> {
         // What is wrong before the first step shows at the step of the first value.
         let step = if self.template.step == 0 { entry.step } else { self.template.step };
         let named = |amounts: Vec<f64>| {
-            let blanks = vec![entry.asked.name().to_owned()];
-            Candidate { blanks, step, ..self.with(&amounts) }
+            let told = tell::unknown(Blank::Quantity(entry.asked.name().to_owned()));
+            Candidate { told, step, ..self.with(&amounts) }
         };
         roots.into_iter().map(named).collect()
     }

@@ -68,32 +68,10 @@ impl<'a> ShownNames<'a> {
         }
     }
 
-    /// A text in which all names of quantities are those that a person reads.
-    pub fn text(&self, text: &str) -> String {
-        let mut told = String::with_capacity(text.len());
-        let mut rest = text;
-        while let Some(open) = rest.find('(') {
-            let before = &rest[..open];
-            let start = before
-                .rfind(|c: char| !(c.is_ascii_alphabetic() || c == '_'))
-                .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
-            let end = rest[open..].find(')').map(|at| open + at + 1);
-            let Some(end) = end.filter(|_| start < open) else {
-                told.push_str(&rest[..=open]);
-                rest = &rest[open + 1..];
-                continue;
-            };
-            let tails = [".size", ".angle", ".x", ".y"];
-            let tail = tails.into_iter().find(|tail| rest[end..].starts_with(tail)).map_or(0, str::len);
-            let found = Asked::new(&rest[start..end + tail], &self.solution.mechanism);
-            told.push_str(&rest[..start]);
-            match found {
-                Ok(asked) => told.push_str(&self.quantity(&asked)),
-                Err(_) => told.push_str(&rest[start..end + tail]),
-            }
-            rest = &rest[end + tail..];
-        }
-        told + rest
+    /// A quantity by its name as a person reads it; names that mean none stay as they are.
+    pub fn named(&self, name: &str) -> String {
+        let asked = Asked::new(name, &self.solution.mechanism);
+        asked.map_or_else(|_| name.to_owned(), |asked| self.quantity(&asked))
     }
 
     /// The name by which a form in the figure's notation asks for a quantity; its usual name where that is not plain.

@@ -85,9 +85,9 @@ impl<'a> Student<'a> {
         }
         all.sort_by_key(|d| d.operation);
         let read = model.read(&model.replay(&all));
-        let cuts_off = mistakes.iter().any(|c| c.mistake == Mistake::Truncated);
+        let cuts_off = mistakes.iter().any(|c| c.mistake() == Mistake::Truncated);
         // A wrong scale shows only in values converted from millimetres.
-        let in_units = mistakes.iter().any(|c| c.mistake == Mistake::WrongScale);
+        let in_units = mistakes.iter().any(|c| c.mistake() == Mistake::WrongScale);
         let values = self.entries.iter().zip(read).zip(&model.readings);
         let values = values.filter_map(|((entry, value), reading)| {
             let reading = reading.ok()?;

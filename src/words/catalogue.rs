@@ -1,13 +1,20 @@
 //! Catalogues: the sentences of one language in a text file, read once into a list in the order of the declarations.
 
+use std::collections::BTreeMap;
+
 /// All sentences of a language, with a method for each; `sentences/` declares them.
 #[derive(Clone, Debug)]
 pub struct Language {
     /// Its code in scenes and on the command line, as `en`.
     pub code: &'static str,
-    /// In the order of their declarations, those of mistakes last.
+    /// In the order of their declarations.
     pub(super) sentences: Vec<Sentence>,
+    /// Those of tables elsewhere, as they stand in the file.
+    pub(super) tables: Tables,
 }
+
+/// Sentences by keys with a dot, as `turned_ray.done`: a table elsewhere, as that of mistakes, declares them.
+pub type Tables = BTreeMap<&'static str, &'static str>;
 
 /// The declaration of a sentence.
 #[derive(Clone, Copy, Debug)]
@@ -16,12 +23,10 @@ pub struct Declared {
     pub key: &'static str,
     /// The names of its blanks, in the order of the arguments that fill them.
     pub blanks: &'static [&'static str],
-    /// Whether every blank must occur in the sentence.
-    pub needs_all: bool,
 }
 
-/// A sentence: the words before its first blank, then the index of each blank in [`Declared::blanks`] and the words
-/// behind it.
+/// A sentence: the words before its first blank, then the index of each blank among those declared and the words behind
+/// it.
 #[derive(Clone, Debug)]
 pub struct Sentence {
     start: &'static str,
@@ -34,11 +39,11 @@ impl Sentence {
         Sentence { start: words, rest: Vec::new() }
     }
 
-    /// Reads a sentence with its blanks in braces.
+    /// Reads a sentence with these blanks in braces.
     ///
     /// # Errors
-    /// In words: a lone brace, a blank that is not declared, or a missing one.
-    fn read(text: &'static str, declared: &Declared) -> Result<Sentence, String> {
+    /// In words: a lone brace, or a blank that is not declared.
+    pub fn read(text: &'static str, blanks: &[&str]) -> Result<Sentence, String> {
         let mut parts = text.split('{');
         let start = parts.next().unwrap_or_default();
         if start.contains('}') {
@@ -49,14 +54,22 @@ impl Sentence {
             if words.contains('}') {
                 return Err("a } without its {".to_owned());
             }
-            let blank = declared.blanks.iter().position(|blank| *blank == name);
-            Ok((blank.ok_or_else(|| format!("there is no {{{name}}} here, only {}", braced(declared.blanks)))?, words))
+            let blank = blanks.iter().position(|blank| *blank == name);
+            Ok((blank.ok_or_else(|| format!("there is no {{{name}}} here, only {}", braced(blanks)))?, words))
         });
-        let rest: Vec<(usize, &str)> = rest.collect::<Result<_, String>>()?;
-        let is_missing = |blank: usize| declared.needs_all && rest.iter().all(|(used, _)| *used != blank);
-        match (0..declared.blanks.len()).find(|blank| is_missing(*blank)) {
+        Ok(Sentence { start, rest: rest.collect::<Result<_, String>>()? })
+    }
+
+    /// Reads a declared sentence, in which every blank must occur.
+    ///
+    /// # Errors
+    /// As of [`Sentence::read`], or a missing blank.
+    fn read_whole(text: &'static str, declared: &Declared) -> Result<Sentence, String> {
+        let sentence = Sentence::read(text, declared.blanks)?;
+        let is_missing = |blank: &usize| sentence.rest.iter().all(|(used, _)| used != blank);
+        match (0..declared.blanks.len()).find(is_missing) {
             Some(blank) => Err(format!("{{{}}} is missing", declared.blanks[blank])),
-            None => Ok(Sentence { start, rest }),
+            None => Ok(sentence),
         }
     }
 
@@ -83,6 +96,17 @@ impl Sentence {
     }
 }
 
+impl Language {
+    /// A sentence of a table by its key, with the blanks filled; the key where no language has it.
+    #[must_use]
+    pub(crate) fn of_table(&self, key: &str, blanks: &[(&str, String)]) -> String {
+        let (names, filled): (Vec<&str>, Vec<&str>) =
+            blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
+        let sentence = self.tables.get(key).and_then(|text| Sentence::read(text, &names).ok());
+        sentence.map_or_else(|| key.to_owned(), |sentence| sentence.filled(&filled))
+    }
+}
+
 /// Names of blanks in braces, as a catalogue writes them; `words` for a sentence without blanks.
 fn braced(names: &[&str]) -> String {
     if names.is_empty() {
@@ -91,10 +115,17 @@ fn braced(names: &[&str]) -> String {
     names.iter().map(|name| format!("{{{name}}}")).collect::<Vec<_>>().join(", ")
 }
 
-/// The sentences of a catalogue in the order of their declarations, `None` where missing or unreadable; and its faults,
-/// a line each.
-pub fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sentence>>, Vec<String>) {
-    let mut sentences = vec![None; declared.len()];
+/// The sentences of a catalogue.
+pub struct Read {
+    /// In the order of their declarations, `None` where missing or unreadable.
+    pub sentences: Vec<Option<Sentence>>,
+    /// Those of tables elsewhere.
+    pub tables: Tables,
+}
+
+/// Reads the text of a catalogue; and what is wrong with it, a line each.
+pub fn read(text: &'static str, declared: &[Declared]) -> (Read, Vec<String>) {
+    let (mut sentences, mut tables) = (vec![None; declared.len()], Tables::new());
     let mut faults = Vec::new();
     let lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
     for (number, line) in lines {
@@ -103,20 +134,27 @@ pub fn read(text: &'static str, declared: &[Declared]) -> (Vec<Option<Sentence>>
             fault(format!("no = in `{line}`; a line is: key = sentence"));
             continue;
         };
-        let key = key.trim();
+        let (key, sentence) = (key.trim(), sentence.trim());
+        let quoted = sentence.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
+        let sentence = quoted.unwrap_or(sentence);
+        let again = || format!("`{key}` is here for the second time");
+        if key.contains('.') {
+            if tables.insert(key, sentence).is_some() {
+                fault(again());
+            }
+            continue;
+        }
         let Some(index) = declared.iter().position(|one| one.key == key) else {
             fault(format!("no sentence is called `{key}`"));
             continue;
         };
-        let sentence = sentence.trim();
-        let quoted = sentence.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
-        match Sentence::read(quoted.unwrap_or(sentence), &declared[index]) {
-            Ok(_) if sentences[index].is_some() => fault(format!("`{key}` is here for the second time")),
+        match Sentence::read_whole(sentence, &declared[index]) {
+            Ok(_) if sentences[index].is_some() => fault(again()),
             Ok(sentence) => sentences[index] = Some(sentence),
             Err(says) => fault(format!("`{key}`: {says}")),
         }
     }
     let lacking = declared.iter().zip(&sentences).filter(|(_, sentence)| sentence.is_none());
     faults.extend(lacking.map(|(declared, _)| format!("`{}` is missing or cannot be read", declared.key)));
-    (sentences, faults)
+    (Read { sentences, tables }, faults)
 }

@@ -1,9 +1,9 @@
 //! The languages, each a text file.
 
-use super::catalogue::{Declared, Language, Sentence, read};
-use super::mistakes::MISTAKES;
+use super::catalogue::{Declared, Language, Read, Sentence, read};
 use super::sentences::sentences;
 use crate::scene::LanguageName;
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// The text of a language's catalogue.
@@ -14,22 +14,28 @@ pub fn catalogue(name: LanguageName) -> &'static str {
     }
 }
 
-/// The declarations of all sentences: those of figures and reports, then those of mistakes.
+/// The declarations of all sentences.
 pub fn declared() -> Vec<Declared> {
-    sentences().chain(MISTAKES).copied().collect()
+    sentences().copied().collect()
 }
 
 /// The languages in the order of [`LanguageName::ALL`]. A sentence that a catalogue lacks is taken from the English
 /// one; one that English lacks is its key.
 static LANGUAGES: LazyLock<[Language; LanguageName::ALL.len()]> = LazyLock::new(|| {
     let declared = declared();
-    let sentences = |name: LanguageName, instead: &[Sentence]| -> Vec<Sentence> {
-        let (found, _) = read(catalogue(name), &declared);
-        found.into_iter().zip(instead).map(|(found, instead)| found.unwrap_or_else(|| instead.clone())).collect()
+    let language = |name: LanguageName, instead: &Language| {
+        let (Read { sentences, tables }, _) = read(catalogue(name), &declared);
+        let sentences = sentences.into_iter().zip(&instead.sentences);
+        Language {
+            code: name.as_str(),
+            sentences: sentences.map(|(found, instead)| found.unwrap_or_else(|| instead.clone())).collect(),
+            tables: instead.tables.iter().map(|(key, text)| (*key, *text)).chain(tables).collect(),
+        }
     };
-    let keys: Vec<Sentence> = declared.iter().map(|one| Sentence::of_words(one.key)).collect();
-    let english = sentences(LanguageName::English, &keys);
-    LanguageName::ALL.map(|name| Language { code: name.as_str(), sentences: sentences(name, &english) })
+    let keys = declared.iter().map(|one| Sentence::of_words(one.key)).collect();
+    let keys = Language { code: "", sentences: keys, tables: BTreeMap::new() };
+    let english = language(LanguageName::English, &keys);
+    LanguageName::ALL.map(|name| language(name, &english))
 });
 
 impl Language {

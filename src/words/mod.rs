@@ -2,22 +2,20 @@
 //! of figures and of the text of the construction. Names of quantities, keys of files and messages of errors are the
 //! same in every language and are not here.
 //!
-//! Each language is a text file of sentences with named blanks, as `english.txt`. `sentences/` and `mistakes.rs` declare
-//! every sentence once and give it a method: the compiler checks that every blank is filled, a test that every
-//! language has every sentence. A file is read once; then a sentence is found by its index. (Fluent and rust-i18n find
+//! Each language is a text file of sentences with named blanks, as `english.txt`. `sentences/` declares every sentence
+//! once and gives it a method: the compiler checks that every blank is filled, a test that every language has every
+//! sentence. Those of mistakes are declared where the mistakes are, in `check/mistakes/`. A file is read once; then a sentence is found by its index. (Fluent and rust-i18n find
 //! sentences by name at run time, and bring plural forms that two or three sentences would use.)
 
 #[doc(hidden)] // for tests
 pub mod catalogue;
 #[doc(hidden)] // for tests
 pub mod languages;
-mod mistakes;
 mod notation;
 mod number;
 mod sentences;
 
 pub use catalogue::Language;
-pub use mistakes::MistakeWords;
 pub use notation::{Notation, with_prime};
 pub use number::{Medium, NumberStyle, power_of_ten};
 

@@ -2,7 +2,7 @@
 //! know of the hand.
 
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, Checked, Given, Measured, Mistake, Student, Verdict, check};
+use kinegon::check::{AnswerKey, Blank, Checked, Given, Measured, Mistake, Student, Verdict, check};
 use support::files;
 use support::random::Random;
 use support::stages::{answer_key, solved};
@@ -19,7 +19,7 @@ fn drawn(key: &AnswerKey<'_>, hand: f64, seed: u64) -> Measured {
 }
 
 fn told(checked: &Checked) -> Vec<Mistake> {
-    checked.diagnosis.best.findings.iter().map(|finding| finding.candidate.mistake).collect()
+    checked.diagnosis.best.findings.iter().map(|finding| finding.candidate.mistake()).collect()
 }
 
 #[test]
@@ -110,7 +110,7 @@ fn a_slip_at_any_vector_is_found_and_followed() {
     let checked = check(&measured, &key).expect("values that are understood");
     assert_eq!(told(&checked), [Mistake::Unknown]);
     let finding = &checked.diagnosis.best.findings[0];
-    assert_eq!(finding.candidate.blanks, ["omega(2)"]);
+    assert_eq!(finding.candidate.told.blanks, [("quantity", Blank::Quantity("omega(2)".to_owned()))]);
     // The coupler's normal part, the point c and both angular accelerations follow.
     assert!(finding.follows.len() >= 5, "{:?}", finding.follows);
     assert!(checked.diagnosis.unexplained.is_empty());

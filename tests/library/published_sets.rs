@@ -118,7 +118,8 @@ fn blamed(checked: &Checked, wrong: Option<usize>) -> Option<String> {
         let touched = if finding.written.is_empty() { &finding.follows } else { &finding.written };
         touched.first().is_none_or(|first| Some(*first) != wrong) && !finding.written.iter().any(|k| Some(*k) == wrong)
     })?;
-    Some(format!("{:.0} %: {} {:?}", 100.0 * best.probability, other.candidate.mistake.id(), other.candidate.blanks))
+    let (id, blanks) = (other.candidate.mistake().id(), &other.candidate.told.blanks);
+    Some(format!("{:.0} %: {id} {blanks:?}", 100.0 * best.probability))
 }
 
 /// What came of the sets.

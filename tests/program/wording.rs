@@ -149,15 +149,9 @@ fn every_mistake_is_told_in_the_language_asked_for() {
         let other = Wording::of(&with_other(&scene, language));
         let mut told = 0;
         for mistake in Mistake::all() {
-            // Only of special points wrong lines are told.
-            let lines = match mistake {
-                Mistake::WrongLines => ["S3", "cut line of S5", "guide of 3/2", ""],
-                _ => ["S3", "S5", "omega(3)", "v_r(3/2)"],
-            };
-            for blanks in [["p", "b", "omega(2)", "L(B,S3)"], lines, ["", "", "mm", "m"]] {
-                let blanks = blanks.map(str::to_owned);
-                let own = words.mistake(mistake.words(), &blanks);
-                for (said, other) in own.iter().zip(other.mistake(mistake.words(), &blanks)) {
+            for sentences in mistake.sentences() {
+                let own = sentences.sentences(&words);
+                for (said, other) in own.iter().zip(sentences.sentences(&other)) {
                     let found = words_of(foreign, said);
                     assert!(found.is_empty(), "{language}: {found:?} in {said:?}");
                     told += usize::from(*said != other);
@@ -165,7 +159,7 @@ fn every_mistake_is_told_in_the_language_asked_for() {
             }
         }
         // Some say no more than a number or a formula.
-        assert!(told > 29 * 5, "only {told} differ");
+        assert!(told > 100, "only {told} differ");
     }
 }
 

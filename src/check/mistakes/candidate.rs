@@ -1,4 +1,4 @@
-use super::mistake::Mistake;
+use super::told::{Mistake, Told};
 use crate::check::datum::Datum;
 use crate::check::model::Edit;
 use crate::construction::{Change, NumberId};
@@ -6,12 +6,10 @@ use crate::construction::{Change, NumberId};
 /// A mistake at one place of a construction.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    /// Which mistake.
-    pub mistake: Mistake,
+    /// The mistake, and what is told of it: candidates with the same sentences are one to a person.
+    pub told: Told,
     /// The number of the step at which it was made.
     pub step: usize,
-    /// The texts for the blanks of its sentences, in their order.
-    pub blanks: Vec<String>,
     /// The edits it makes, each with the index of the operation.
     pub(in crate::check) edits: Vec<(usize, Edit)>,
     /// The written values that it makes to be read otherwise.
@@ -25,9 +23,23 @@ pub struct Candidate {
 }
 
 impl Candidate {
-    /// Whether both are described in the same words.
-    pub(in crate::check) fn is_told_like(&self, other: &Candidate) -> bool {
-        self.mistake == other.mistake && self.blanks == other.blanks
+    /// A mistake at a step, without anything that it changes.
+    pub(super) fn at(told: Told, step: usize) -> Candidate {
+        Candidate {
+            told,
+            step,
+            edits: Vec::new(),
+            reinterpreted: Vec::new(),
+            goes_on: Vec::new(),
+            free: Vec::new(),
+            mode: 0,
+        }
+    }
+
+    /// Which mistake.
+    #[must_use]
+    pub fn mistake(&self) -> Mistake {
+        self.told.mistake
     }
 
     /// The operations that it changes.

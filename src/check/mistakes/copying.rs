@@ -2,13 +2,13 @@
 //! value.
 
 use super::candidate::{Candidate, Reinterpretation};
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, Told, tell};
 use crate::check::entry::Entry;
 
 /// The candidates for values written otherwise than meant: one where later operations use the written values, if any
 /// do, and one where they do not.
-fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blanks: Vec<String>) -> Vec<Candidate> {
+fn misread(site: &Site<'_>, told: Told, meant: Vec<Reinterpretation>) -> Vec<Candidate> {
     let Some(first) = meant.first().map(|s| s.entry) else {
         return Vec::new();
     };
@@ -28,16 +28,7 @@ fn misread(site: &Site<'_>, mistake: Mistake, meant: Vec<Reinterpretation>, blan
             goes_on.push((operation, number, value));
         }
     }
-    let only_written = Candidate {
-        mistake,
-        step: site.entries[first].step,
-        blanks,
-        edits: Vec::new(),
-        reinterpreted: meant,
-        goes_on: Vec::new(),
-        free: Vec::new(),
-        mode: 0,
-    };
+    let only_written = Candidate { reinterpreted: meant, ..Candidate::at(told, site.entries[first].step) };
     let mut found = Vec::new();
     // Several entries may name one number; its use later is counted once.
     if !goes_on.is_empty() && is_first_name(site, &only_written.reinterpreted) {
@@ -58,8 +49,13 @@ fn meant_as(entry: usize, value: f64, rounding: f64) -> Reinterpretation {
     Reinterpretation { entry, value: Some(value), rounding }
 }
 
-fn named(entry: &Entry) -> String {
-    entry.asked.name().to_owned()
+fn named(entry: &Entry) -> Blank {
+    Blank::Quantity(entry.asked.name().to_owned())
+}
+
+/// A number as it was written.
+fn digits(text: &str) -> Blank {
+    Blank::Number(text.to_owned())
 }
 
 pub(super) fn decimal(site: &Site<'_>) -> Vec<Candidate> {
@@ -70,8 +66,8 @@ pub(super) fn decimal(site: &Site<'_>) -> Vec<Candidate> {
             let text = shifted(&entry.text, power);
             let rounding = entry.precision.rounding(&text) * entry.factor.abs();
             let meant = meant_as(index, entry.value * factor, rounding);
-            let blanks = vec![named(entry), entry.text.clone(), text];
-            found.extend(misread(site, Mistake::DecimalSlipped, vec![meant], blanks));
+            let told = tell::decimal_slipped(named(entry), digits(&entry.text), digits(&text));
+            found.extend(misread(site, told, vec![meant]));
         }
     }
     found
@@ -107,8 +103,8 @@ pub(super) fn transposed(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let meant_value = meant_as(index, number * entry.factor, entry.rounding);
-            let blanks = vec![named(entry), entry.text.clone(), meant];
-            found.extend(misread(site, Mistake::DigitsTransposed, vec![meant_value], blanks));
+            let told = tell::digits_transposed(named(entry), digits(&entry.text), digits(&meant));
+            found.extend(misread(site, told, vec![meant_value]));
         }
     }
     found
@@ -150,7 +146,7 @@ pub(super) fn swapped(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let meant = vec![meant_as(i, b.value, b.rounding), meant_as(j, a.value, a.rounding)];
-            found.extend(misread(site, Mistake::Swapped, meant, vec![named(a), named(b)]));
+            found.extend(misread(site, tell::swapped(named(a), named(b)), meant));
         }
     }
     found
@@ -168,16 +164,7 @@ pub(super) fn truncated(site: &Site<'_>) -> Vec<Candidate> {
     if meant.len() < 3 {
         return Vec::new();
     }
-    vec![Candidate {
-        mistake: Mistake::Truncated,
-        step: 0,
-        blanks: Vec::new(),
-        edits: Vec::new(),
-        reinterpreted: meant,
-        goes_on: Vec::new(),
-        free: Vec::new(),
-        mode: 0,
-    }]
+    vec![Candidate { reinterpreted: meant, ..Candidate::at(tell::truncated(), 0) }]
 }
 
 /// Metric units of length, in millimetres.
@@ -190,7 +177,7 @@ pub(super) fn unit(site: &Site<'_>) -> Vec<Candidate> {
         let Some(unit) = &entry.unit else { continue };
         let factor = entry.factor_without_unit / entry.factor;
         let right = entry.asked.kind().unit(site.key.solution.scene.units);
-        found.extend(in_unit(site, Mistake::WrongUnit, index, factor, [unit, &right]));
+        found.extend(in_unit(site, tell::wrong_unit, index, factor, [unit, &right]));
     }
     found
 }
@@ -209,25 +196,25 @@ pub(super) fn other_unit(site: &Site<'_>) -> Vec<Candidate> {
         }
         for (name, size) in METRIC.iter().filter(|m| m.0 != head) {
             let other = own.replacen(head, name, 1);
-            found.extend(in_unit(site, Mistake::OtherUnit, index, size / metric.1, [&other, &own]));
+            found.extend(in_unit(site, tell::other_unit, index, size / metric.1, [&other, &own]));
         }
     }
     found
 }
 
-/// A value that is meant in another unit: `factor` times as large.
+/// A value that is meant in another unit: `factor` times as large. `units`: as the sentences name them.
 fn in_unit(
     site: &Site<'_>,
-    mistake: Mistake,
+    tell: fn(Blank, Blank, Blank, Blank) -> Told,
     index: usize,
     factor: f64,
-    [written, right]: [&str; 2],
+    units: [&str; 2],
 ) -> Vec<Candidate> {
     if !factor.is_finite() || (factor.abs() - 1.0).abs() < 1e-9 {
         return Vec::new();
     }
     let entry = &site.entries[index];
     let meant = meant_as(index, entry.value * factor, entry.rounding * factor.abs());
-    let blanks = vec![named(entry), entry.text.clone(), written.to_owned(), right.to_owned()];
-    misread(site, mistake, vec![meant], blanks)
+    let [unit, own] = units.map(Blank::from);
+    misread(site, tell(named(entry), digits(&entry.text), unit, own), vec![meant])
 }

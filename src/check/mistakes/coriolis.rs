@@ -1,8 +1,8 @@
 //! Mistakes with Coriolis accelerations.
 
 use super::candidate::Candidate;
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, tell};
 use super::vectors::{products, terms, velocities};
 use crate::check::model::Edit;
 use crate::construction::{Action, NumberId, NumberKind, OperationKind, Product, ProductKind, Rate, RayOf};
@@ -10,21 +10,21 @@ use crate::mechanism::{GROUND, SliderId};
 use crate::sheet::Sheet;
 
 pub(super) fn forgotten(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisForgotten, ProductKind::Coriolis, |_| None)
+    products(site, tell::coriolis_forgotten, ProductKind::Coriolis, |_| None)
 }
 
 pub(super) fn without_two(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisWithoutTwo, ProductKind::Coriolis, |p| Some(p.times(0.5)))
+    products(site, tell::coriolis_without_two, ProductKind::Coriolis, |p| Some(p.times(0.5)))
 }
 
 pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisTurned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
+    products(site, tell::coriolis_turned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
 }
 
 /// A Coriolis part 2 ω v added to a link between pins, with v = ω L: it lies along the normal part ω² L and makes it
 /// three times as large.
 pub(super) fn where_none(site: &Site<'_>) -> Vec<Candidate> {
-    products(site, Mistake::CoriolisWhereNone, ProductKind::Normal, |p| Some(p.times(3.0)))
+    products(site, tell::coriolis_where_none, ProductKind::Normal, |p| Some(p.times(3.0)))
 }
 
 /// A Coriolis acceleration laid off along its guide.
@@ -33,11 +33,10 @@ pub(super) fn along(site: &Site<'_>) -> Vec<Candidate> {
     for vector in site.vectors().iter().filter(|vector| vector.is_only(ProductKind::Coriolis)) {
         for quarter_turns in [1, 3] {
             let edit = vector.turned(vector.along.turned(quarter_turns));
-            let [from, to] = vector.ends;
-            let [rate, velocity] = [0, 1].map(|factor| vector.sum[0].of.get(factor));
-            let [rate, velocity] = [rate, velocity].map(|number| number.map_or("", |&n| site.number_name(n)));
-            let blanks = [from, to, rate, velocity];
-            found.push(site.candidate(Mistake::CoriolisAlong, vector.operation, edit, &blanks));
+            let [from, to] = vector.blanks();
+            let [rate, velocity] = [0, 1].map(|factor| site.symbol_or_none(vector.sum[0].of.get(factor)));
+            let told = tell::coriolis_along(from, to, rate, velocity);
+            found.push(site.candidate(told, vector.operation, edit));
         }
     }
     found
@@ -57,14 +56,18 @@ pub(super) fn of_wrong_velocity(site: &Site<'_>) -> Vec<Candidate> {
             // The direction is that of the sliding velocity all the same.
             let factor = product.factor * (exact(wrong) * exact(*right)).signum();
             let size = Product::new(product.kind, factor, &[*omega, wrong]);
-            found.push(term.candidate(site, Mistake::CoriolisVelocity, Some(size), &[&name]));
+            let [from, to, rate, velocity] = term.blanks(site);
+            let told = tell::coriolis_velocity(from, to, rate, velocity, name.as_str().into());
+            found.push(term.candidate(site, told, Some(size)));
             // With a crank's ω besides, as of somebody who takes the pin's motion for that in the slot.
             let given = site.numbers_before(term.operation()).filter(|(number, _)| site.is_given(*number));
             let cranks = given.filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))));
             for (crank, _) in cranks.filter(|(crank, _)| crank != omega) {
                 let size = Product::new(product.kind, factor, &[crank, wrong]);
-                let more = [&name, site.number_name(crank)];
-                found.push(term.candidate(site, Mistake::CoriolisVelocity, Some(size), &more));
+                let [from, to, rate, velocity] = term.blanks(site);
+                let (wrong, omega) = (name.as_str().into(), site.symbol(crank));
+                let told = tell::coriolis_velocity_and_omega(from, to, rate, velocity, wrong, omega);
+                found.push(term.candidate(site, told, Some(size)));
             }
         }
     }
@@ -94,10 +97,11 @@ pub(super) fn at_rest(site: &Site<'_>) -> Vec<Candidate> {
         for (omega, _) in
             site.numbers_before(index).filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))))
         {
-            let blanks = [ray.through.as_str(), &ray.to, site.number_name(omega), site.number_name(velocity)];
             for factor in [2.0, -2.0] {
                 let edit = Edit::Aside(line, Product::new(ProductKind::Coriolis, factor, &[omega, velocity]));
-                found.push(site.candidate(Mistake::CoriolisAtRest, index, edit, &blanks));
+                let [from, to] = [ray.through.as_str(), &ray.to].map(Blank::from);
+                let told = tell::coriolis_at_rest(from, to, site.symbol(omega), site.symbol(velocity));
+                found.push(site.candidate(told, index, edit));
             }
         }
     }

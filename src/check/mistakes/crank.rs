@@ -2,8 +2,8 @@
 
 use super::candidate::Candidate;
 use super::lengths::{Length, lengths};
-use super::mistake::Mistake;
 use super::site::{Laid, Site};
+use super::told::{Blank, Told, tell};
 use crate::construction::{Along, Product, ProductKind};
 use crate::geometry::{Vector, turn_of_degrees};
 
@@ -22,22 +22,22 @@ fn crank_lengths<'s>(site: &'s Site<'_>) -> Vec<Length<'s>> {
 }
 
 /// A crank's length taken `factor` times as long in all its products.
-fn of_other_length(site: &Site<'_>, mistake: Mistake, factor: f64) -> Vec<Candidate> {
+fn of_other_length(site: &Site<'_>, tell: fn(Blank) -> Told, factor: f64) -> Vec<Candidate> {
     let lengths = crank_lengths(site).into_iter();
     let all = lengths.filter_map(|length| {
-        let name = site.number_name(length.number?);
-        length.throughout(site, mistake, factor, &["", "", "", name])
+        let told = tell(site.symbol(length.number?));
+        length.throughout(site, told, factor)
     });
     all.collect()
 }
 
 /// The crank's diameter, or a slider-crank's stroke, in all products.
 pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
-    of_other_length(site, Mistake::Diameter, 2.0)
+    of_other_length(site, tell::diameter_throughout, 2.0)
 }
 
 pub(super) fn half_the_radius(site: &Site<'_>) -> Vec<Candidate> {
-    of_other_length(site, Mistake::HalfTheRadius, 0.5)
+    of_other_length(site, tell::half_the_radius, 0.5)
 }
 
 /// Angles by which a protractor is commonly misread, in degrees.
@@ -65,10 +65,10 @@ pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
                 let direction = turned_by(vector.direction(site) * sense, degrees);
                 (vector.operation, vector.turned(Along::given(direction)))
             };
-            let [from, to] = first.ends;
+            let [from, to] = first.blanks();
             let (operation, own) = edit(first);
-            let blanks = [from, to, &degrees.abs().to_string()];
-            let mut candidate = site.candidate(Mistake::TurnedVector, operation, own, &blanks);
+            let told = tell::turned_vectors(from, to, Blank::Number(degrees.abs().to_string()));
+            let mut candidate = site.candidate(told, operation, own);
             candidate.edits.extend(all[1..].iter().map(|vector| edit(vector)));
             found.push(candidate);
         }

@@ -1,8 +1,8 @@
 //! Mistakes with the images of links: on the wrong side of another image, divided in the wrong ratio.
 
 use super::candidate::Candidate;
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
 use crate::construction::{Action, Along, LineId, NumberId, OperationKind, Part, PlaceId, RayOf, Reference};
 use crate::geometry::Vector;
@@ -11,7 +11,7 @@ use crate::sheet::Sheet;
 pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = mirrored_vectors(site);
     let shape = Shape { exchanged: false, mirrored: true };
-    found.extend(triangles(site).iter().map(|triangle| triangle.drawn(site, Mistake::MirroredImage, shape)));
+    found.extend(triangles(site).iter().map(|triangle| triangle.drawn(site, shape)));
     found.extend(beyond(site));
     found
 }
@@ -21,30 +21,31 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn wrong_ratio(site: &Site<'_>) -> Vec<Candidate> {
     let divided = site.operations().filter_map(|(index, operation)| match operation.kind {
         OperationKind::Divide { place, ends, like: [first, second, point] } => {
-            let divided = |like, ends: [PlaceId; 2]| {
+            let divided = |like, ends: [PlaceId; 2], tell: OfImages| {
                 let edit = Edit::Instead(OperationKind::Divide { place, ends, like });
-                let blanks = [ends[0], ends[1], place].map(|place| site.place_name(place));
-                site.candidate(Mistake::WrongRatio, index, edit, &blanks)
+                let [from, to] = ends.map(|end| site.place(end));
+                site.candidate(tell(from, to, site.place(place)), index, edit)
             };
-            let mut found = vec![divided([second, first, point], ends)];
             // The inverse ratio from either end: the point is taken for the other end.
-            for (like, ends) in [([first, point, second], ends), ([second, point, first], [ends[1], ends[0]])] {
-                let mut inverse = divided(like, ends);
-                inverse.blanks.push("inverse".to_owned());
-                found.push(inverse);
-            }
-            Some(found)
+            Some([
+                divided([second, first, point], ends, tell::wrong_ratio),
+                divided([first, point, second], ends, tell::inverse_ratio),
+                divided([second, point, first], [ends[1], ends[0]], tell::inverse_ratio),
+            ])
         }
         _ => None,
     });
     let mut found: Vec<Candidate> = divided.flatten().collect();
     for triangle in triangles(site) {
         for mirrored in [false, true] {
-            found.push(triangle.drawn(site, Mistake::WrongRatio, Shape { exchanged: true, mirrored }));
+            found.push(triangle.drawn(site, Shape { exchanged: true, mirrored }));
         }
     }
     found
 }
+
+/// Tells of an image and two others.
+type OfImages = fn(Blank, Blank, Blank) -> Told;
 
 /// A ray for the image of a further point of a link: its operation, where it starts, its line, the link's arm.
 struct ArmRay {
@@ -101,7 +102,7 @@ fn triangles(site: &Site<'_>) -> Vec<Triangle> {
 }
 
 impl Triangle {
-    fn drawn(&self, site: &Site<'_>, mistake: Mistake, shape: Shape) -> Candidate {
+    fn drawn(&self, site: &Site<'_>, shape: Shape) -> Candidate {
         let edit = |own: usize| {
             let (ray, other) = (&self.rays[own], &self.rays[1 - own]);
             // Exchanged, the angle at one end is that at the other, seen in a mirror.
@@ -110,17 +111,15 @@ impl Triangle {
             let along = Along::angle(self.base, angle);
             (ray.index, Edit::Instead(OperationKind::Draw { line: ray.line, through: ray.through, along }))
         };
-        let [first, second] = &self.rays;
-        let ends = match mistake {
-            Mistake::WrongRatio => [first.through, second.through, self.place],
-            _ => [first.through, self.place, second.through],
+        let [from, to] = [&self.rays[0], &self.rays[1]].map(|ray| site.place(ray.through));
+        let point = site.place(self.place);
+        let told = match shape {
+            Shape { exchanged: false, .. } => tell::mirrored_image(from, point, to),
+            Shape { mirrored: true, .. } => tell::distances_exchanged_and_mirrored(from, to, point),
+            Shape { mirrored: false, .. } => tell::distances_exchanged(from, to, point),
         };
-        let mut blanks: Vec<&str> = ends.iter().map(|&place| site.place_name(place)).collect();
-        if mistake == Mistake::WrongRatio {
-            blanks.push(if shape.mirrored { "mirrored" } else { "triangle" });
-        }
         let (index, own) = edit(0);
-        let mut candidate = site.candidate(mistake, index, own, &blanks);
+        let mut candidate = site.candidate(told, index, own);
         candidate.edits.push(edit(1));
         candidate
     }
@@ -157,11 +156,9 @@ fn beyond(site: &Site<'_>) -> Vec<Candidate> {
         let (near, far, part) = if ratio < 0.5 { (0, 1, ratio) } else { (1, 0, 1.0 - ratio) };
         let at = [start, end][near] - ([start, end][far] - [start, end][near]) * part;
         if part < -LEAST_ARM {
-            let blanks = [ends[near], place, ends[far]].map(|place| site.place_name(place));
             let edit = Edit::Instead(OperationKind::Plot { place, at });
-            let mut candidate = site.candidate(Mistake::MirroredImage, index, edit, &blanks);
-            candidate.blanks.push("end".to_owned());
-            found.push(candidate);
+            let told = tell::beyond_end(site.place(ends[near]), site.place(place), site.place(ends[far]));
+            found.push(site.candidate(told, index, edit));
         }
     }
     found
@@ -203,8 +200,8 @@ fn mirrored_vectors(site: &Site<'_>) -> Vec<Candidate> {
             let mirrored = axis * (2.0 * along.dot(&axis)) - along;
             let edit =
                 Edit::Instead(OperationKind::LayOff { place, from, size, along: Along::given(mirrored).turned(1) });
-            let blanks = [from, place, place_other].map(|place| site.place_name(place));
-            found.push(site.candidate(Mistake::MirroredImage, index, edit, &blanks));
+            let told = tell::mirrored_image(site.place(from), site.place(place), site.place(place_other));
+            found.push(site.candidate(told, index, edit));
         }
     }
     found

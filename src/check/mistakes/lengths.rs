@@ -1,8 +1,8 @@
 //! Mistakes with lengths and segments: the wrong one measured or taken.
 
 use super::candidate::Candidate;
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
 use crate::construction::{Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId};
 use crate::sheet::Sheet;
@@ -36,10 +36,10 @@ fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, Numbe
 pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, _, number, [from, to]) in measures(site) {
-        for (how, axis) in [(MeasuredAs::X, "x"), (MeasuredAs::Y, "y")] {
+        for (how, axis) in [(MeasuredAs::X, Blank::Horizontal), (MeasuredAs::Y, Blank::Vertical)] {
             let edit = Edit::Instead(OperationKind::Measure { number, from, to, how });
-            let blanks = [site.number_name(number), axis, site.place_name(from), site.place_name(to)];
-            let candidate = site.candidate(Mistake::Component, index, edit, &blanks);
+            let told = tell::component(site.quantity(number), axis, site.place(from), site.place(to));
+            let candidate = site.candidate(told, index, edit);
             found.push(with_same_sense(site, candidate, index, number));
         }
     }
@@ -48,10 +48,16 @@ pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
 
 /// A segment of a plan measured from or to another point.
 pub(super) fn wrong_segment(site: &Site<'_>) -> Vec<Candidate> {
-    ends_elsewhere(site, Mistake::WrongSegment, |sheet| sheet != Sheet::Scheme)
+    let told = |number, from, to| tell::wrong_segment(site.quantity(number), from, to);
+    ends_elsewhere(site, told, |sheet| sheet != Sheet::Scheme)
 }
 
-fn ends_elsewhere(site: &Site<'_>, mistake: Mistake, is_meant: fn(Sheet) -> bool) -> Vec<Candidate> {
+/// Measures from or to another place of a sheet that is meant, told by the number and the places.
+fn ends_elsewhere(
+    site: &Site<'_>,
+    told: impl Fn(NumberId, Blank, Blank) -> Told,
+    is_meant: fn(Sheet) -> bool,
+) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, sheet, number, [from, to]) in measures(site).filter(|measure| is_meant(measure.1)) {
         for other in site.model.places_before(sheet, index) {
@@ -60,8 +66,7 @@ fn ends_elsewhere(site: &Site<'_>, mistake: Mistake, is_meant: fn(Sheet) -> bool
             }
             for [from, to] in [[other, to], [from, other]] {
                 let edit = Edit::Instead(OperationKind::Measure { number, from, to, how: MeasuredAs::Size });
-                let blanks = [site.number_name(number), site.place_name(from), site.place_name(to)];
-                let candidate = site.candidate(mistake, index, edit, &blanks);
+                let candidate = site.candidate(told(number, site.place(from), site.place(to)), index, edit);
                 found.push(with_same_sense(site, candidate, index, number));
             }
         }
@@ -122,11 +127,11 @@ impl<'s> Length<'s> {
 
     /// The length taken `factor` times as large wherever it is used, from the first step that uses it on; `None` if it
     /// is measured, or never used.
-    pub fn throughout(&self, site: &Site<'_>, mistake: Mistake, factor: f64, blanks: &[&str]) -> Option<Candidate> {
+    pub fn throughout(&self, site: &Site<'_>, told: Told, factor: f64) -> Option<Candidate> {
         let number = self.number.filter(|&number| site.is_given(number))?;
         let first = self.uses(site).next()?;
         let maker = site.model.makers[number.0]?;
-        let mut candidate = site.candidate(mistake, maker, Edit::Times(number, factor), blanks);
+        let mut candidate = site.candidate(told, maker, Edit::Times(number, factor));
         candidate.step = site.model.steps[first];
         Some(candidate)
     }
@@ -144,8 +149,8 @@ impl<'s> Length<'s> {
 
 /// A neighbouring length measured, or used in a vector's size, or used wherever the right one should be.
 pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
-    let mistake = Mistake::WrongLength;
-    let mut found = ends_elsewhere(site, mistake, |sheet| sheet == Sheet::Scheme);
+    let told = |number, from, to| tell::wrong_length(site.symbol(number), from, to);
+    let mut found = ends_elsewhere(site, told, |sheet| sheet == Sheet::Scheme);
     let lengths = lengths(site);
     let used = || lengths.iter().filter_map(|length| Some((length, length.number?)));
     for (operation, number, sum, _) in site.sums() {
@@ -157,16 +162,16 @@ pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
                 let mut sum = sum.to_vec();
                 sum[at] = product.times(ratio);
                 let edit = Edit::Instead(OperationKind::Compute { number, sum });
-                let [a, b] = wrong.names;
-                found.push(site.candidate(mistake, operation, edit, &[site.number_name(own), a, b]));
+                let [from, to] = wrong.names.map(Blank::from);
+                found.push(site.candidate(told(own, from, to), operation, edit));
             }
         }
     }
     for (right, own) in used().filter(|(length, _)| length.uses(site).count() > 1) {
         for (wrong, ratio) in right.mistakable(&lengths) {
-            let [a, b] = wrong.names;
-            let blanks = [site.number_name(own), a, b, "throughout"];
-            found.extend(right.throughout(site, mistake, ratio, &blanks));
+            let [from, to] = wrong.names.map(Blank::from);
+            let told = tell::wrong_length_throughout(site.symbol(own), from, to);
+            found.extend(right.throughout(site, told, ratio));
         }
     }
     found

@@ -1,8 +1,8 @@
 //! The whole mechanism drawn in a wrong position.
 
 use super::candidate::Candidate;
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, tell};
 use crate::check::model::Edit;
 use crate::construction::{Along, OperationKind, Part, Reference};
 use crate::mechanism::{BodyId, Role};
@@ -10,17 +10,7 @@ use crate::position::{Pose, pose};
 
 /// The whole drawing made in another assembly mode.
 pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
-    let in_mode = |mode| Candidate {
-        mistake: Mistake::OtherMode,
-        step: 0,
-        blanks: Vec::new(),
-        edits: Vec::new(),
-        reinterpreted: Vec::new(),
-        goes_on: Vec::new(),
-        free: Vec::new(),
-        mode,
-    };
-    (1..=site.other_modes).map(in_mode).collect()
+    (1..=site.other_modes).map(|mode| Candidate { mode, ..Candidate::at(tell::other_mode(), 0) }).collect()
 }
 
 /// A crank drawn at another angle than the given one, in degrees from +x, as a protractor is commonly misread: from its
@@ -55,20 +45,10 @@ pub(super) fn crank_angle(site: &Site<'_>) -> Vec<Candidate> {
                 *angle = Some(wrong);
             }
             let Ok(pose) = pose(&mechanism, &solution.scene.near) else { continue };
-            let name = &solution.mechanism.body(BodyId(crank)).name;
-            let blanks = vec![name.clone(), format!("{wrong:.0}"), format!("{right:.0}")];
-            let (mistake, edits) = (Mistake::CrankAngle, in_pose(site, &pose));
-            let (reinterpreted, goes_on) = (Vec::new(), Vec::new());
-            found.push(Candidate {
-                mistake,
-                step: 0,
-                blanks,
-                edits,
-                reinterpreted,
-                goes_on,
-                free: Vec::new(),
-                mode: 0,
-            });
+            let link = solution.mechanism.body(BodyId(crank)).name.as_str().into();
+            let [was, is] = [wrong, right].map(|angle| Blank::Number(format!("{angle:.0}")));
+            let told = tell::crank_angle(link, was, is);
+            found.push(Candidate { edits: in_pose(site, &pose), ..Candidate::at(told, 0) });
         }
     }
     found

@@ -2,9 +2,10 @@
 
 use super::candidate::{Candidate, Reinterpretation};
 use super::lengths::{Length, lengths};
-use super::mistake::Mistake;
 use super::site::{Laid, Site};
-use super::vectors::{Term, terms};
+use super::told::{Blank, Mistake, Told, tell};
+use super::vectors::{OfTerm, Term, terms};
+use crate::check::entry::Entry;
 use crate::check::model::Edit;
 use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{Kind, What};
@@ -26,13 +27,14 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     let taken = rates(site).filter_map(|(operation, number, _)| {
         let edit = Edit::Times(number, -1.0);
-        let mut candidate = site.candidate(Mistake::WrongSense, operation, edit, &[site.number_name(number)]);
+        let mut candidate = site.candidate(tell::wrong_sense(site.symbol(number)), operation, edit);
         if site.is_given(number) {
             let use_of = |vector: &Laid<'_>| vector.sum.iter().any(|product| product.of.contains(&number));
             let vectors = site.vectors();
             let first = vectors.iter().find(|vector| use_of(vector))?;
             candidate.step = site.model.steps[first.operation];
-            candidate.blanks.extend(first.ends.map(str::to_owned));
+            let [from, to] = first.blanks();
+            candidate.told = tell::wrong_sense_given(site.symbol(number), from, to);
         }
         Some(candidate)
     });
@@ -42,7 +44,7 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
         let number = reading.map(|reading| reading.number).filter(|number| site.model.used[number.0]);
         let is_rate = number.is_some_and(|number| matches!(site.number_kind(number), NumberKind::Rate(_)));
         if is_rate && !entry.is_magnitude {
-            found.push(only_written(site, Mistake::WrongSense, &[index], -1.0, &[entry.asked.name()]));
+            found.push(only_written(site, tell::wrong_sense(entry_symbol(entry)), &[index], -1.0));
         }
     }
     found
@@ -55,30 +57,27 @@ pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
         is_turning(entry.asked.what()) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
     let all: Vec<usize> = signed.map(|(index, _)| index).collect();
-    // One rate is only a wrong sense.
+    // With one rate this is only a wrong sense.
     match all.len() {
         0 | 1 => Vec::new(),
-        _ => vec![only_written(site, Mistake::SensesReversed, &all, -1.0, &[])],
+        _ => vec![only_written(site, tell::senses_reversed(), &all, -1.0)],
     }
 }
 
 /// Values that are meant `factor` times as large as they are written.
-fn only_written(site: &Site<'_>, mistake: Mistake, entries: &[usize], factor: f64, blanks: &[&str]) -> Candidate {
+fn only_written(site: &Site<'_>, told: Told, entries: &[usize], factor: f64) -> Candidate {
     let meant = entries.iter().map(|&entry| {
         let written = &site.entries[entry];
         let (value, rounding) = (Some(written.value * factor), written.rounding * factor.abs());
         Reinterpretation { entry, value, rounding }
     });
-    Candidate {
-        mistake,
-        step: entries.first().map_or(0, |&entry| site.entries[entry].step),
-        blanks: blanks.iter().map(|blank| (*blank).to_owned()).collect(),
-        edits: Vec::new(),
-        reinterpreted: meant.collect(),
-        goes_on: Vec::new(),
-        free: Vec::new(),
-        mode: 0,
-    }
+    let step = entries.first().map_or(0, |&entry| site.entries[entry].step);
+    Candidate { reinterpreted: meant.collect(), ..Candidate::at(told, step) }
+}
+
+/// The quantity of a written rate as it stands in formulas.
+fn entry_symbol(entry: &Entry) -> Blank {
+    Blank::Symbol(entry.asked.name().to_owned())
 }
 
 /// Rates that one length alone divides, solved for with another one.
@@ -110,7 +109,7 @@ fn divided<'s>(site: &'s Site<'_>, all: &[Length<'s>]) -> Vec<Divided<'s>> {
 }
 
 /// ω or α found with another length: the rate alone, or the normal part with that length, too.
-fn from_wrong_length(site: &Site<'_>, mistake: Mistake, is_omega: bool) -> Vec<Candidate> {
+fn from_wrong_length(site: &Site<'_>, tell: OfTerm, is_omega: bool) -> Vec<Candidate> {
     let lengths = lengths(site);
     let normals = terms(site, ProductKind::Normal);
     let mut found = Vec::new();
@@ -119,16 +118,18 @@ fn from_wrong_length(site: &Site<'_>, mistake: Mistake, is_omega: bool) -> Vec<C
     {
         let Some(own_length) = length.number else { continue };
         for (wrong, ratio) in length.mistakable(&lengths) {
-            let [a, b] = wrong.names;
-            let blanks = [site.number_name(rate), a, b, site.number_name(own_length)];
-            let alone = site.candidate(mistake, operation, Edit::Times(rate, 1.0 / ratio), &blanks);
+            let [from, to] = wrong.names.map(Blank::from);
+            let (rate_symbol, length) = (site.symbol(rate), site.symbol(own_length));
+            let told = tell(rate_symbol.clone(), from.clone(), to.clone(), length.clone());
+            let alone = site.candidate(told, operation, Edit::Times(rate, 1.0 / ratio));
             let own = |term: &&Term<'_>| {
                 let product = term.product();
                 product.of.first() == Some(&rate) && product.of.last() == Some(&own_length)
             };
             if let Some(normal) = normals.iter().find(own) {
                 let mut both = alone.clone();
-                both.blanks.push(normal.blanks(site)[1].to_owned());
+                let [_, end, ..] = normal.blanks(site);
+                both.told = tell::omega_and_normal_from_wrong_length(rate_symbol, from, to, length, end);
                 both.edits.push(normal.instead(Some(normal.product().times(ratio))));
                 found.push(both);
             }
@@ -139,11 +140,11 @@ fn from_wrong_length(site: &Site<'_>, mistake: Mistake, is_omega: bool) -> Vec<C
 }
 
 pub(super) fn omega_from_wrong_length(site: &Site<'_>) -> Vec<Candidate> {
-    from_wrong_length(site, Mistake::OmegaFromWrongLength, true)
+    from_wrong_length(site, tell::omega_from_wrong_length, true)
 }
 
 pub(super) fn alpha_from_wrong_length(site: &Site<'_>) -> Vec<Candidate> {
-    from_wrong_length(site, Mistake::AlphaFromWrongLength, false)
+    from_wrong_length(site, tell::alpha_from_wrong_length, false)
 }
 
 /// A rate that was not divided by its length: the segment as it is, or only turned into metres.
@@ -155,8 +156,8 @@ pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
     for Divided { operation, rate, length, .. } in divided(site, &lengths(site)) {
         for divisor in &divisors {
             let edit = Edit::Times(rate, length.exact / divisor);
-            let blanks = [site.number_name(rate), length.number.map_or("", |own| site.number_name(own))];
-            found.push(site.candidate(Mistake::NotDividedByLength, operation, edit, &blanks));
+            let told = tell::not_divided_by_length(site.symbol(rate), site.symbol_or_none(length.number.as_ref()));
+            found.push(site.candidate(told, operation, edit));
         }
     }
     found
@@ -164,18 +165,16 @@ pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
 
 /// An angular velocity, or with `also_alpha` an angular acceleration, that is wrong by `factor` or its inverse: used so
 /// in later operations, or only written so.
-fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -> Vec<Candidate> {
+fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor: f64) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (operation, number, rate) in rates(site) {
         if matches!(rate, Rate::Omega(_)) || also_alpha && matches!(rate, Rate::Alpha(_)) {
             for factor in [factor, 1.0 / factor] {
                 let edit = Edit::Times(number, factor);
-                let mut candidate = site.candidate(mistake, operation, edit, &[site.number_name(number)]);
-                if site.is_given(number) {
-                    candidate.blanks.extend(taken_as(site, mistake, number, factor).into_iter().flatten());
-                }
-                found.push(candidate);
-                found.extend(in_normal_part(site, mistake, number, factor));
+                let told = tell(site.symbol(number));
+                let taken = site.is_given(number).then(|| taken_as(site, told.mistake, number, factor)).flatten();
+                found.push(site.candidate(taken.unwrap_or_else(|| told.clone()), operation, edit));
+                found.extend(in_normal_part(site, told, number, factor));
             }
         }
     }
@@ -185,7 +184,7 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
             continue;
         }
         for factor in [factor, 1.0 / factor] {
-            found.push(only_written(site, mistake, &[index], factor, &[entry.asked.name()]));
+            found.push(only_written(site, tell(entry_symbol(entry)), &[index], factor));
         }
     }
     found
@@ -193,7 +192,7 @@ fn by_factor(site: &Site<'_>, mistake: Mistake, also_alpha: bool, factor: f64) -
 
 /// A rate that is written right, but enters its normal part `factor` times as large. With a rate much too small the
 /// part would be nearly nothing, as if it were forgotten: nobody takes that for a size.
-fn in_normal_part(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<Candidate> {
+fn in_normal_part(site: &Site<'_>, told: Told, rate: NumberId, factor: f64) -> Option<Candidate> {
     if factor < 1.0 {
         return None;
     }
@@ -201,12 +200,12 @@ fn in_normal_part(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64
     let own = |term: &&Term<'_>| !site.is_given(rate) && term.product().of.first() == Some(&rate);
     let term = normals.iter().find(own)?;
     let (operation, edit) = term.instead(Some(term.product().times(factor * factor)));
-    Some(site.candidate(mistake, operation, edit, &[site.number_name(rate)]))
+    Some(site.candidate(told, operation, edit))
 }
 
-/// A given rate taken in another unit: its number, its own unit, the unit in which it was taken; `None` where somebody
-/// must have converted it to a unit that was not asked for.
-fn taken_as(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<[String; 3]> {
+/// What is told of a given rate taken in another unit; `None` where somebody must have converted it to a unit that was
+/// not asked for.
+fn taken_as(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> Option<Told> {
     if site.key.solution.scene.units.time != TimeUnit::S {
         return None;
     }
@@ -224,19 +223,22 @@ fn taken_as(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> O
         false => (exact, "rad/s", other, 1.0 / in_other),
     };
     let is_taken = (factor / by - 1.0).abs() < 1e-9;
-    is_taken.then(|| [(libm::round(number * 1000.0) / 1000.0).to_string(), own.to_owned(), taken.to_owned()])
+    is_taken.then(|| {
+        let number = Blank::Number((libm::round(number * 1000.0) / 1000.0).to_string());
+        Told { mistake, ..tell::rate_in_other_unit(site.symbol(rate), number, own.into(), taken.into()) }
+    })
 }
 
 pub(super) fn revolutions(site: &Site<'_>) -> Vec<Candidate> {
-    by_factor(site, Mistake::RevolutionsForRadians, false, 30.0 / core::f64::consts::PI)
+    by_factor(site, tell::revolutions_for_radians, false, 30.0 / core::f64::consts::PI)
 }
 
 pub(super) fn revolutions_per_second(site: &Site<'_>) -> Vec<Candidate> {
-    by_factor(site, Mistake::RevolutionsPerSecond, false, 2.0 * core::f64::consts::PI)
+    by_factor(site, tell::revolutions_per_second, false, 2.0 * core::f64::consts::PI)
 }
 
 pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
-    by_factor(site, Mistake::DegreesForRadians, true, 180.0 / core::f64::consts::PI)
+    by_factor(site, tell::degrees_for_radians, true, 180.0 / core::f64::consts::PI)
 }
 
 /// Segments converted to values with the scale of another sheet: one of them, or all of a sheet.
@@ -258,22 +260,20 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
             let mut named = site.entries.iter().filter(|e| e.asked.name() == name);
             named.next().is_some_and(|e| e.asked.kind() == Kind::Angle)
         };
-        for (name, scale) in scales.into_iter().chain([("", 1.0)]) {
+        let others = scales.into_iter().filter(|(name, _)| *name != own).map(|(name, scale)| (Some(name), scale));
+        for (wrong, scale) in others.chain([(None, 1.0)]) {
             let ratio = scale / right;
-            if name == own || (ratio - 1.0).abs() < 1e-9 {
+            if (ratio - 1.0).abs() < 1e-9 {
                 continue;
             }
+            let told = |segment| match wrong {
+                Some(wrong) => tell::wrong_scale(segment, wrong.into(), own.into()),
+                None => tell::scale_forgotten(segment, own.into()),
+            };
             let mut all = None;
-            for &(operation, number, segment) in measured.iter().filter(|m| !is_angle(m.2)) {
-                let one = at_wrong_scale(site, operation, number, ratio, &[segment, name, own]);
-                let together = all.get_or_insert_with(|| {
-                    let mut first = one.clone();
-                    first.edits.clear();
-                    first.reinterpreted.clear();
-                    first.goes_on.clear();
-                    first.blanks[0] = String::new();
-                    first
-                });
+            for &(operation, number, _) in measured.iter().filter(|m| !is_angle(m.2)) {
+                let one = at_wrong_scale(site, told(site.quantity(number)), operation, number, ratio);
+                let together = all.get_or_insert_with(|| Candidate::at(told(Blank::AllSegments), one.step));
                 together.edits.extend(one.edits.iter().cloned());
                 together.reinterpreted.extend(one.reinterpreted.iter().copied());
                 together.goes_on.extend(one.goes_on.iter().copied());
@@ -287,13 +287,12 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
     found
 }
 
-/// One segment converted to a value with another scale, `ratio` times the right one. The blanks: the segment, the scale
-/// taken, the right scale.
-fn at_wrong_scale(site: &Site<'_>, operation: usize, number: NumberId, ratio: f64, blanks: &[&str; 3]) -> Candidate {
-    let mut candidate = site.candidate(Mistake::WrongScale, operation, Edit::Times(number, ratio), blanks);
+/// One segment converted to a value with another scale, `ratio` times the right one.
+fn at_wrong_scale(site: &Site<'_>, told: Told, operation: usize, number: NumberId, ratio: f64) -> Candidate {
+    let mut candidate = site.candidate(told, operation, Edit::Times(number, ratio));
     // A value written in millimetres is right; the wrong scale shows only in what follows from it.
     let entries = site.entries.iter().enumerate();
-    let mut on_paper = entries.filter(|(_, entry)| entry.asked.name() == blanks[0] && entry.on_paper);
+    let mut on_paper = entries.filter(|(_, entry)| entry.asked.name() == site.number_name(number) && entry.on_paper);
     if let Some((index, entry)) = on_paper.next() {
         candidate.edits.clear();
         let (value, rounding) = (Some(entry.value), entry.rounding);

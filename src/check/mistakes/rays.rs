@@ -1,8 +1,8 @@
 //! Mistakes with lines: rays, cut lines, special points, the whole position.
 
 use super::candidate::Candidate;
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
 use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, Part};
 use crate::sheet::Sheet;
@@ -17,12 +17,12 @@ fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
 }
 
 /// A line drawn at 90° to its right direction.
-fn turn(site: &Site<'_>, mistake: Mistake, index: usize, blanks: [&str; 2]) -> Option<Candidate> {
+fn turn(site: &Site<'_>, told: Told, index: usize) -> Option<Candidate> {
     let OperationKind::Draw { line, through, along } = site.operation(index).kind else {
         return None;
     };
     let edit = Edit::Instead(OperationKind::Draw { line, through, along: along.turned(1) });
-    Some(site.candidate(mistake, index, edit, &blanks))
+    Some(site.candidate(told, index, edit))
 }
 
 /// Rays turned by 90°, one of them or both that cross at an image. Along the link a segment shows no sense of its rate,
@@ -38,7 +38,7 @@ pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
             for b in second.in_either_sense() {
                 let mut both = a.clone();
                 both.edits.extend(b.edits);
-                both.blanks.extend(b.blanks);
+                both.told = tell::turned_rays(first.from.clone(), first.to.clone(), second.from.clone());
                 found.push(both);
             }
         }
@@ -49,6 +49,8 @@ pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
 /// A ray drawn at 90° to its right direction.
 struct TurnedRay {
     line: LineId,
+    from: Blank,
+    to: Blank,
     candidate: Candidate,
     /// The operation that solves for the rate that its segment gives, and that rate.
     rate: Option<(usize, NumberId)>,
@@ -57,10 +59,10 @@ struct TurnedRay {
 impl TurnedRay {
     fn at(site: &Site<'_>, index: usize) -> Option<TurnedRay> {
         let operation = site.operation(index);
-        let ends = ends(site, operation)?;
+        let [from, to] = ends(site, operation)?.map(Blank::from);
         let line = operation.kind.line()?;
-        let candidate = turn(site, Mistake::TurnedRay, index, ends)?;
-        Some(TurnedRay { line, candidate, rate: rate_along(site, line) })
+        let candidate = turn(site, tell::turned_ray(from.clone(), to.clone()), index)?;
+        Some(TurnedRay { line, from, to, candidate, rate: rate_along(site, line) })
     }
 
     fn in_either_sense(&self) -> Vec<Candidate> {
@@ -93,8 +95,8 @@ fn rate_along(site: &Site<'_>, line: LineId) -> Option<(usize, NumberId)> {
 pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
     let turned = |(index, operation): (usize, &Operation)| match (operation.part, &operation.kind) {
         (Part::CutLine(special), OperationKind::Draw { through, .. }) => {
-            let special = &site.model.construction.special(special).name;
-            turn(site, Mistake::TurnedCutLine, index, [site.place_name(*through), special])
+            let special = site.model.construction.special(special).name.as_str();
+            turn(site, tell::turned_cut_line(site.place(*through), special.into()), index)
         }
         _ => None,
     };
@@ -122,8 +124,8 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
                 continue;
             }
             let edit = Edit::Instead(OperationKind::Draw { line, through: wrong, along });
-            let blanks = [to, site.place_name(wrong), from];
-            let candidate = site.candidate(Mistake::RayFromWrongPoint, index, edit, &blanks);
+            let told = tell::ray_from_wrong_point(to.into(), site.place(wrong), from.into());
+            let candidate = site.candidate(told, index, edit);
             let Some((measure, number, end)) = measured else {
                 found.push(candidate);
                 continue;
@@ -151,7 +153,7 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
         else {
             continue;
         };
-        let name = &site.model.construction.special(special).name;
+        let name = site.model.construction.special(special).name.as_str();
         let before = site.operations().take(index).filter(|(_, other)| other.sheet == Sheet::Scheme);
         let drawn: Vec<LineId> = before.filter_map(|(_, other)| other.kind.line()).collect();
         for side in 0..2 {
@@ -160,22 +162,22 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
                 taken[side] = wrong;
                 let edit = Edit::Instead(OperationKind::Cross { place, lines: taken });
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
-                found.push(site.candidate(Mistake::WrongLines, index, edit, &[name, &wrong, &right]));
+                found.push(site.candidate(tell::wrong_lines(name.into(), wrong, right), index, edit));
             }
         }
     }
     found
 }
 
-/// The name of a line of the scheme: two of its points, or its role.
-fn line_name(site: &Site<'_>, line: LineId) -> String {
+/// A line of the scheme: its role, or two of its points.
+fn line_name(site: &Site<'_>, line: LineId) -> Blank {
     let drawn = site.operations().find(|(_, operation)| operation.kind.line() == Some(line));
     match drawn.map(|(_, operation)| (operation.part, &operation.kind)) {
         Some((_, OperationKind::Join { from, towards, .. })) => {
-            format!("{}{}", site.place_name(*from), site.place_name(*towards))
+            Blank::LineThrough(format!("{}{}", site.place_name(*from), site.place_name(*towards)))
         }
-        Some((Part::CutLine(special), _)) => format!("cut line of {}", site.model.construction.special(special).name),
-        Some((Part::Guide(slider), _)) => format!("guide of {}", site.key.solution.mechanism.slider_name(slider)),
-        _ => String::new(),
+        Some((Part::CutLine(special), _)) => Blank::CutLine(site.model.construction.special(special).name.clone()),
+        Some((Part::Guide(slider), _)) => Blank::Guide(site.key.solution.mechanism.slider_name(slider).to_owned()),
+        _ => Blank::LineThrough(String::new()),
     }
 }

@@ -1,5 +1,5 @@
 use super::candidate::Candidate;
-use super::mistake::Mistake;
+use super::told::{Blank, Told};
 use crate::check::answer_key::AnswerKey;
 use crate::check::entry::Entry;
 use crate::check::model::{Edit, Model};
@@ -25,21 +25,32 @@ impl Site<'_> {
         &self.model.construction.operations[index]
     }
 
-    pub fn candidate(&self, mistake: Mistake, operation: usize, edit: Edit, blanks: &[&str]) -> Candidate {
-        Candidate {
-            mistake,
-            step: self.model.steps[operation],
-            blanks: blanks.iter().map(|b| (*b).to_owned()).collect(),
-            edits: vec![(operation, edit)],
-            reinterpreted: Vec::new(),
-            goes_on: Vec::new(),
-            free: Vec::new(),
-            mode: 0,
-        }
+    pub fn candidate(&self, told: Told, operation: usize, edit: Edit) -> Candidate {
+        Candidate { edits: vec![(operation, edit)], ..Candidate::at(told, self.model.steps[operation]) }
     }
 
     pub fn number_name(&self, number: NumberId) -> &str {
         &self.model.number_names[number.0]
+    }
+
+    /// A number as it stands in formulas.
+    pub fn symbol(&self, number: NumberId) -> Blank {
+        Blank::Symbol(self.number_name(number).to_owned())
+    }
+
+    /// A number as it stands in formulas; nothing where there is none.
+    pub fn symbol_or_none(&self, number: Option<&NumberId>) -> Blank {
+        number.map_or_else(|| "".into(), |&number| self.symbol(number))
+    }
+
+    /// A number by the name of its quantity.
+    pub fn quantity(&self, number: NumberId) -> Blank {
+        Blank::Quantity(self.number_name(number).to_owned())
+    }
+
+    /// A place by its name.
+    pub fn place(&self, place: PlaceId) -> Blank {
+        self.place_name(place).into()
     }
 
     pub fn number_kind(&self, number: NumberId) -> &NumberKind {
@@ -128,6 +139,11 @@ pub(in crate::check) struct Laid<'s> {
 }
 
 impl Laid<'_> {
+    /// The names of its ends for sentences.
+    pub fn blanks(&self) -> [Blank; 2] {
+        self.ends.map(Blank::from)
+    }
+
     /// Whether its size is one product of this kind.
     pub fn is_only(&self, kind: ProductKind) -> bool {
         matches!(self.sum, [product] if product.kind == kind)

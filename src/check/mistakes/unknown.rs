@@ -1,8 +1,8 @@
 //! What is wrong by an amount that no mistake of the catalogue gives, at any place of the construction, and gone on with.
 
 use super::candidate::{Amount, Candidate, Free};
-use super::mistake::Mistake;
 use super::site::Site;
+use super::told::{Blank, tell};
 use crate::construction::{NumberId, Operation, OperationKind};
 use crate::sheet::Sheet;
 use smallvec::{SmallVec, smallvec};
@@ -28,17 +28,10 @@ pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
                 Free { operation: index, what, is_angle, range }
             };
             let free: Vec<Free> = amounts.iter().map(free).collect();
-            found.push(Candidate {
-                mistake: Mistake::Unknown,
-                step: site.model.steps[index],
-                // The name of the first value that is wrong follows; until then each place has a name of its own.
-                blanks: vec![format!("{index} {:?}", free.iter().map(|f| f.what).collect::<Vec<_>>())],
-                edits: Vec::new(),
-                reinterpreted: Vec::new(),
-                goes_on: Vec::new(),
-                free,
-                mode: 0,
-            });
+            // The name of the first value that is wrong follows; until then each place has a name of its own.
+            let place = format!("{index} {:?}", free.iter().map(|f| f.what).collect::<Vec<_>>());
+            let told = tell::unknown(Blank::Words(place));
+            found.push(Candidate { free, ..Candidate::at(told, site.model.steps[index]) });
         }
     }
     found

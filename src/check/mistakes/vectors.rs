@@ -1,8 +1,8 @@
 //! Mistakes with vectors that are laid off: a wrong sense, a wrong size, a part forgotten or added.
 
 use super::candidate::Candidate;
-use super::mistake::Mistake;
 use super::site::{Laid, Site};
+use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
 use crate::construction::{
     Along, NumberId, NumberKind, OperationKind, PlaceId, Plan, Product, ProductKind, Rate, image_name,
@@ -23,8 +23,8 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
         let [start, end] = vector.ends;
         let arrows = || site.key.solution.construction.plan_on(vector.sheet).into_iter().flat_map(Plan::arrows);
         let laid = arrows().find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
-        let ends = laid.map_or([start, end], |arrow| arrow.ends());
-        site.candidate(Mistake::ReversedVector, vector.operation, edit, &ends)
+        let [from, to] = laid.map_or([start, end], |arrow| arrow.ends()).map(Blank::from);
+        site.candidate(tell::reversed_vector(from, to), vector.operation, edit)
     });
     laid.collect()
 }
@@ -62,19 +62,27 @@ impl<'s> Term<'s> {
     }
 
     /// The names of the vector's ends and of the first and the last factor.
-    pub fn blanks(&self, site: &'s Site<'_>) -> [&'s str; 4] {
-        let [from, to] = self.ends;
-        let name = |number: Option<&NumberId>| number.map_or("", |&n| site.number_name(n));
-        [from, to, name(self.product().of.first()), name(self.product().of.last())]
+    pub fn blanks(&self, site: &Site<'_>) -> [Blank; 4] {
+        let [from, to] = self.ends.map(Blank::from);
+        let [first, last] = [self.product().of.first(), self.product().of.last()];
+        [from, to, site.symbol_or_none(first), site.symbol_or_none(last)]
     }
 
     /// A candidate that takes this product in place of the term.
-    pub fn candidate(&self, site: &Site<'_>, mistake: Mistake, product: Option<Product>, more: &[&str]) -> Candidate {
+    pub fn candidate(&self, site: &Site<'_>, told: Told, product: Option<Product>) -> Candidate {
         let (operation, edit) = self.instead(product);
-        let blanks: Vec<&str> = self.blanks(site).into_iter().chain(more.iter().copied()).collect();
-        site.candidate(mistake, operation, edit, &blanks)
+        site.candidate(told, operation, edit)
+    }
+
+    /// The same, told by the names of the vector's ends and of the first and the last factor.
+    fn changed(&self, site: &Site<'_>, tell: OfTerm, change: &impl Fn(&Product) -> Option<Product>) -> Candidate {
+        let [from, to, first, last] = self.blanks(site);
+        self.candidate(site, tell(from, to, first, last), change(self.product()))
     }
 }
+
+/// Tells of a vector from one point to another with two of its factors, as ω and the length of a normal part.
+pub(super) type OfTerm = fn(Blank, Blank, Blank, Blank) -> Told;
 
 /// The products of a kind in the sizes of vectors.
 pub(super) fn terms<'s>(site: &'s Site<'_>, kind: ProductKind) -> Vec<Term<'s>> {
@@ -89,40 +97,38 @@ pub(super) fn terms<'s>(site: &'s Site<'_>, kind: ProductKind) -> Vec<Term<'s>> 
 /// out.
 pub(super) fn products(
     site: &Site<'_>,
-    mistake: Mistake,
+    tell: OfTerm,
     kind: ProductKind,
     change: impl Fn(&Product) -> Option<Product>,
 ) -> Vec<Candidate> {
-    let terms = terms(site, kind);
-    terms.iter().map(|term| term.candidate(site, mistake, change(term.product()), &[])).collect()
+    terms(site, kind).iter().map(|term| term.changed(site, tell, &change)).collect()
 }
 
-/// Normal parts one by one, and as a habit: those of all links that are solved for, and with `also_crank` those of the
-/// crank besides.
+/// Normal parts one by one, and as a habit, which `tell_all` tells: those of all links that are solved for, and with
+/// `also_crank` those of the crank besides.
 fn normals(
     site: &Site<'_>,
-    mistake: Mistake,
+    tell: OfTerm,
+    tell_all: fn(Blank) -> Told,
     also_crank: bool,
     change: impl Fn(&Product) -> Option<Product>,
 ) -> Vec<Candidate> {
     let terms = terms(site, ProductKind::Normal);
-    let mut found: Vec<Candidate> =
-        terms.iter().map(|term| term.candidate(site, mistake, change(term.product()), &[])).collect();
+    let mut found: Vec<Candidate> = terms.iter().map(|term| term.changed(site, tell, &change)).collect();
     let of_crank = |term: &&Term<'_>| term.product().of.first().is_some_and(|&omega| site.is_given(omega));
     let links: Vec<&Term<'_>> = terms.iter().filter(|term| !of_crank(term)).collect();
-    found.extend(all_of(site, mistake, &links, &change));
+    found.extend(all_of(site, tell_all, &links, &change));
     if also_crank && links.len() < terms.len() {
         let all: Vec<&Term<'_>> = terms.iter().collect();
-        found.extend(all_of(site, mistake, &all, &change));
+        found.extend(all_of(site, tell_all, &all, &change));
     }
     found
 }
 
-/// One candidate for several products together; none for fewer than two. Its blanks are empty but for the second,
-/// which lists the vectors.
+/// One candidate for several products together, told by a list of their vectors; none for fewer than two.
 fn all_of(
     site: &Site<'_>,
-    mistake: Mistake,
+    tell: fn(Blank) -> Told,
     terms: &[&Term<'_>],
     change: &impl Fn(&Product) -> Option<Product>,
 ) -> Option<Candidate> {
@@ -144,18 +150,18 @@ fn all_of(
     }
     names.dedup();
     let (operation, edit) = edits.remove(0);
-    let mut candidate = site.candidate(mistake, operation, edit, &["", &names.join(", ")]);
+    let mut candidate = site.candidate(tell(Blank::Words(names.join(", "))), operation, edit);
     candidate.edits.extend(edits);
     candidate.step = site.model.steps[first.operation];
     Some(candidate)
 }
 
 pub(super) fn outward(site: &Site<'_>) -> Vec<Candidate> {
-    normals(site, Mistake::NormalOutward, true, |p| Some(p.times(-1.0)))
+    normals(site, tell::normal_outward, tell::normals_outward, true, |p| Some(p.times(-1.0)))
 }
 
 pub(super) fn not_squared(site: &Site<'_>) -> Vec<Candidate> {
-    normals(site, Mistake::OmegaNotSquared, true, |p| {
+    normals(site, tell::omega_not_squared, tell::omegas_not_squared, true, |p| {
         // The normal part still points inward.
         let omega = site.model.exact.number(p.of[0]);
         Some(Product::new(p.kind, p.factor * omega.signum(), &p.of[1..]))
@@ -163,21 +169,24 @@ pub(super) fn not_squared(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 pub(super) fn normal_forgotten(site: &Site<'_>) -> Vec<Candidate> {
-    normals(site, Mistake::NormalForgotten, false, |_| None)
+    normals(site, tell::normal_forgotten, tell::normals_forgotten, false, |_| None)
 }
 
 /// The normal part alone with the diameter. (Throughout: `crank::diameter`.)
 pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
-    let mut found = products(site, Mistake::Diameter, ProductKind::Normal, |p| Some(p.times(2.0)));
+    let mut found = products(site, tell::diameter, ProductKind::Normal, |p| Some(p.times(2.0)));
     found.extend(super::crank::diameter(site));
     found
 }
 
 /// v²/L with an absolute velocity, or with the relative velocity of another link, in place of that of the link's ends.
 pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
-    let mistake = Mistake::NormalFromAbsolute;
     let solution = site.key.solution;
     let exact = |number: NumberId| site.model.exact.number(number);
+    let told = |term: &Term<'_>, velocity: &str| {
+        let [from, to, rate, length] = term.blanks(site);
+        tell::normal_from_absolute(from, to, rate, length, velocity.into())
+    };
     let mut found = Vec::new();
     for term in terms(site, ProductKind::Normal) {
         let product = term.product();
@@ -198,11 +207,11 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
         let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(exact(*number).abs(), velocity));
         if let Some(velocity) = absolute.filter(|v| is_other(*v) && !is_there(*v)) {
             let size = Product::new(product.kind, factor * velocity * velocity, &[]);
-            found.push(term.candidate(site, mistake, Some(size), &[&format!("p – {end}")]));
+            found.push(term.candidate(site, told(&term, &format!("p – {end}")), Some(size)));
         }
         for (number, name) in segments.iter().filter(|(number, _)| is_other(exact(*number).abs())) {
             let size = Product::new(product.kind, factor, &[*number, *number]);
-            found.push(term.candidate(site, mistake, Some(size), &[name]));
+            found.push(term.candidate(site, told(&term, name), Some(size)));
         }
     }
     found
@@ -233,7 +242,6 @@ pub(super) fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, Strin
 
 /// The ω of another link in a normal part, or in a Coriolis acceleration.
 pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
-    let mistake = Mistake::OmegaOfAnotherLink;
     let mut found = Vec::new();
     for term in terms(site, ProductKind::Normal).into_iter().chain(terms(site, ProductKind::Coriolis)) {
         let product = term.product();
@@ -250,7 +258,9 @@ pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
             }
             let mut product = product.clone();
             product.of.iter_mut().filter(|number| **number == right).for_each(|number| *number = wrong);
-            found.push(term.candidate(site, mistake, Some(product), &[site.number_name(wrong)]));
+            let [from, to, rate, factor] = term.blanks(site);
+            let told = tell::omega_of_another_link(from, to, rate, factor, site.symbol(wrong));
+            found.push(term.candidate(site, told, Some(product)));
         }
     }
     found
@@ -288,8 +298,8 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
 fn laid_off_from(site: &Site<'_>, vector: &Laid<'_>, start: PlaceId) -> Candidate {
     let &Laid { place, from, size, along, .. } = vector;
     let edit = Edit::Instead(OperationKind::LayOff { place, from: start, size, along });
-    let blanks = [site.place_name(place), site.place_name(start), site.place_name(from)];
-    let mut candidate = site.candidate(Mistake::VectorFromWrongPoint, vector.operation, edit, &blanks);
+    let told = tell::vector_from_wrong_point(site.place(place), site.place(start), site.place(from));
+    let mut candidate = site.candidate(told, vector.operation, edit);
     for (index, operation) in site.operations() {
         if let OperationKind::Measure { number, from: own, to, how } = operation.kind
             && (own, to) == (from, place)
@@ -307,7 +317,8 @@ pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
     for vector in site.vectors().iter().filter(|vector| !vector.is_only(ProductKind::Coriolis)) {
         for quarter_turns in [1, 3] {
             let edit = vector.turned(vector.along.turned(quarter_turns));
-            found.push(site.candidate(Mistake::TurnedVector, vector.operation, edit, &vector.ends));
+            let [from, to] = vector.blanks();
+            found.push(site.candidate(tell::turned_vector(from, to), vector.operation, edit));
         }
     }
     found.extend(super::crank::turned(site));
@@ -338,10 +349,10 @@ pub(super) fn tangential_where_none(site: &Site<'_>) -> Vec<Candidate> {
             if !size.is_finite() {
                 continue;
             }
-            let [from, to] = vector.ends;
-            let blanks = [from, to, site.number_name(*omega), site.number_name(*length)];
+            let [from, to] = vector.blanks();
+            let told = tell::tangential_where_none(from, to, site.symbol(*omega), site.symbol(*length));
             let edit = vector.turned(Along::given(towards));
-            let mut candidate = site.candidate(Mistake::TangentialWhereNone, vector.operation, edit, &blanks);
+            let mut candidate = site.candidate(told, vector.operation, edit);
             candidate.edits.insert(0, (vector.maker, Edit::Times(vector.size, size)));
             found.push(candidate);
         }

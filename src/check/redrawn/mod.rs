@@ -7,7 +7,7 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
-use super::report::{ReportText, sentences};
+use super::report::ReportText;
 use super::search::other_modes;
 use super::sheet::{CheckError, Measured};
 use super::verdict::Verdict;
@@ -56,7 +56,7 @@ pub fn redrawn(
     if mode > 0 {
         sheets.draw_links();
     }
-    let unknown = found.iter().filter(|c| c.mistake == Mistake::Unknown).flat_map(|c| &c.reinterpreted);
+    let unknown = found.iter().filter(|c| c.mistake() == Mistake::Unknown).flat_map(|c| &c.reinterpreted);
     for index in checked.diagnosis.unexplained.iter().copied().chain(unknown.map(|r| r.entry)) {
         sheets.draw_value(index, &checked.values[index]);
     }
@@ -88,7 +88,7 @@ fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<S
             many => Some(words.language.check_follows_marked(&many.to_string(), &format!("({number})"))),
         };
         // Beside a figure there is no room to repeat what a slipped number should be.
-        let [done, should] = sentences(&finding.candidate, words);
+        let [done, should] = finding.candidate.told.sentences(words);
         let should = (!done.contains(&should)).then_some(told.should);
         let sentences: Vec<String> = [told.done].into_iter().chain(should).chain(follows).collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
@@ -139,7 +139,7 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         // A step may solve for the rates of several links; the mistake is in that of one, whose sense is shown on the
         // scheme.
         let solves = matches!(step.step.action, Action::Solve { .. });
-        let rate = candidate.blanks.first().and_then(|name| Asked::new(name, &key.solution.mechanism).ok());
+        let rate = candidate.told.quantity().and_then(|name| Asked::new(name, &key.solution.mechanism).ok());
         let link = match rate.as_ref().map(Asked::what) {
             Some(What::Omega(link) | What::Alpha(link)) => key.solution.mechanism.body(*link).name.as_str(),
             _ => "",

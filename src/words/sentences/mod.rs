@@ -20,7 +20,7 @@ macro_rules! sentences {
 
         /// The keys and blanks of every catalogue.
         pub(super) const SENTENCES: &[Declared] =
-            &[$(Declared { key: stringify!($key), blanks: &[$($(stringify!($blank)),+)?], needs_all: true }),+];
+            &[$(Declared { key: stringify!($key), blanks: &[$($(stringify!($blank)),+)?] }),+];
 
         impl Language {
             $(sentences!(@method $(#[$about])+ $key $(($($blank),+))?);)+
@@ -62,9 +62,6 @@ enum Group {
 const GROUPS: [&[Declared]; 5] =
     [construction::SENTENCES, figure::SENTENCES, mechanism::SENTENCES, check::SENTENCES, exercise::SENTENCES];
 
-/// How many sentences there are.
-pub(super) const COUNT: usize = before(GROUPS.len());
-
 /// How many sentences stand in the first groups.
 const fn before(groups: usize) -> usize {
     let (mut count, mut group) = (0, 0);
@@ -75,7 +72,7 @@ const fn before(groups: usize) -> usize {
     count
 }
 
-/// The declarations of all sentences; behind them are those of mistakes.
+/// The declarations of all sentences.
 pub(super) fn sentences() -> impl Iterator<Item = &'static Declared> {
     GROUPS.into_iter().flatten()
 }

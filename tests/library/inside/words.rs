@@ -1,9 +1,11 @@
 //! Catalogues of sentences, and how numbers are written.
 
+use kinegon::check::Mistake;
 use kinegon::scene::{DecimalMark, LanguageName};
-use kinegon::words::catalogue::{Declared, Sentence, read};
+use kinegon::words::catalogue::{Declared, Read, Sentence, read};
 use kinegon::words::languages::{catalogue, declared};
 use kinegon::words::{Medium, NumberStyle, with_prime};
+use std::collections::BTreeSet;
 
 #[test]
 fn primes_stand_by_the_letter() {
@@ -105,21 +107,19 @@ fn the_decimal_mark_is_that_of_the_wording() {
     assert_eq!(comma(NumberStyle::shortest(), 30.0), "30");
 }
 
-const DECLARED: [Declared; 3] = [
-    Declared { key: "plan", blanks: &[], needs_all: true },
-    Declared { key: "cross", blanks: &["image", "ray"], needs_all: true },
-    Declared { key: "wrong.done", blanks: &["image", "ray"], needs_all: false },
-];
+const DECLARED: [Declared; 2] =
+    [Declared { key: "plan", blanks: &[] }, Declared { key: "cross", blanks: &["image", "ray"] }];
 
 #[test]
 fn blanks_are_filled_by_name() {
     let text = "# Words.\n\nplan = \" plan\"\ncross = on {ray}: {image}, {ray}\nwrong.done = a = {image}";
-    let (sentences, faults) = read(text, &DECLARED);
+    let (Read { sentences, tables }, faults) = read(text, &DECLARED);
     assert_eq!(faults, [""; 0]);
-    let [plan, cross, wrong] = [0, 1, 2].map(|i| sentences[i].as_ref().expect("it is there"));
+    let [plan, cross] = [0, 1].map(|i| sentences[i].as_ref().expect("it is there"));
     assert_eq!(plan.plain(), " plan");
     assert_eq!(cross.filled(&["b", "r"]), "on r: b, r");
     // Braces in the text that fills a blank are no blanks.
+    let wrong = Sentence::read(tables["wrong.done"], &["image", "ray"]).expect("it can be read");
     assert_eq!(wrong.filled(&["{ray}", "r"]), "a = {ray}");
 }
 
@@ -144,7 +144,7 @@ fn a_bad_line_is_named() {
 
 /// The sentences of a catalogue, which must have no faults.
 fn faultless(name: LanguageName) -> Vec<Sentence> {
-    let (sentences, faults) = read(catalogue(name), &declared());
+    let (Read { sentences, .. }, faults) = read(catalogue(name), &declared());
     assert!(faults.is_empty(), "the catalogue of `{}`:\n{}", name.as_str(), faults.join("\n"));
     sentences.into_iter().flatten().collect()
 }
@@ -153,7 +153,7 @@ fn faultless(name: LanguageName) -> Vec<Sentence> {
 fn every_catalogue_says_everything() {
     let english = faultless(LanguageName::English);
     for name in LanguageName::ALL {
-        // Each sentence uses the same blanks as in English, where a sentence of a mistake may leave some out.
+        // Each sentence uses the same blanks as in English.
         for ((own, english), declared) in faultless(name).iter().zip(&english).zip(declared()) {
             let [own, english] = [own, english].map(Sentence::blanks);
             let different = own.symmetric_difference(&english).map(|blank| declared.blanks[*blank]);
@@ -163,14 +163,26 @@ fn every_catalogue_says_everything() {
     }
 }
 
+/// The two sentences of each key of a mistake are there in every language, with the blanks that they have in English;
+/// together they tell every blank. No file has sentences of other mistakes.
 #[test]
-fn every_blank_of_a_mistake_is_told() {
-    let (declared, english) = (declared(), faultless(LanguageName::English));
-    // Sentences of mistakes, what was done and what should be, are those that may leave blanks out.
-    let of_mistakes: Vec<_> = declared.iter().zip(&english).filter(|(declared, _)| !declared.needs_all).collect();
-    assert!(of_mistakes.len() > 50, "{}", of_mistakes.len());
-    for pair in of_mistakes.chunks(2) {
-        let told = &pair[0].1.blanks() | &pair[1].1.blanks();
-        assert_eq!(told.len(), pair[0].0.blanks.len(), "`{}` does not tell all", pair[0].0.key);
+fn every_language_tells_every_mistake() {
+    let tables = |name| read(catalogue(name), &[]).0.tables;
+    let english = tables(LanguageName::English);
+    for language in LanguageName::ALL {
+        let mut left = tables(language);
+        for told in Mistake::all().flat_map(Mistake::sentences) {
+            let blanks: Vec<&str> = told.blanks.iter().map(|(name, _)| *name).collect();
+            let mut used = BTreeSet::new();
+            for key in ["done", "should"].map(|which| format!("{}.{which}", told.key)) {
+                let own = left.remove(key.as_str()).unwrap_or_else(|| panic!("{language:?} lacks {key}"));
+                let of = |text| Sentence::read(text, &blanks).unwrap_or_else(|says| panic!("{key}: {says}")).blanks();
+                let [own, english] = [own, english[key.as_str()]].map(of);
+                assert_eq!(own, english, "the blanks of `{key}` in {language:?}");
+                used.extend(own);
+            }
+            assert_eq!(used.len(), blanks.len(), "`{}` does not tell all", told.key);
+        }
+        assert!(left.is_empty(), "{language:?} has sentences of no mistake: {left:?}");
     }
 }

@@ -1,0 +1,217 @@
+/// The catalogue, a row for each mistake: what it is; its name in results; its approximate share of the drawings with a
+/// mistake, in per cent, which decides only where the values alone do not; the function that lists it wherever it could be
+/// made; the keys of its pairs of sentences in the languages' files, with their blanks.
+macro_rules! catalogue {
+    ($declare:ident) => {
+        $declare! {
+            /// A ray drawn parallel in place of perpendicular, or the other way round.
+            TurnedRay "turned-ray" 6.0 rays::turned {
+                turned_ray(from, to)
+                /// Both rays to an image.
+                turned_rays(from, to, other)
+            }
+            /// A cut line drawn along the guide in place of normal to it.
+            TurnedCutLine "turned-cut-line" 4.0 rays::turned_cut_line {
+                turned_cut_line(joint, point)
+            }
+            /// A ray drawn from the wrong plan point.
+            RayFromWrongPoint "ray-from-wrong-point" 5.0 rays::from_wrong_point {
+                ray_from_wrong_point(image, wrong, right)
+            }
+            /// A special point taken from the wrong pair of lines.
+            WrongLines "wrong-lines" 4.0 rays::wrong_lines {
+                wrong_lines(point, wrong, right)
+            }
+            /// A vector laid off reversed.
+            ReversedVector "reversed-vector" 4.0 vectors::reversed {
+                reversed_vector(from, to)
+            }
+            /// A vector laid off in another direction: across, or off by an angle as from a misread protractor.
+            TurnedVector "turned-vector" 3.0 vectors::turned {
+                turned_vector(from, to)
+                /// A crank's vectors in both plans, turned by an angle.
+                turned_vectors(from, to, degrees)
+            }
+            /// A normal part or a Coriolis acceleration laid off from the wrong point.
+            VectorFromWrongPoint "vector-from-wrong-point" 3.0 vectors::from_wrong_point {
+                vector_from_wrong_point(end, wrong, right)
+            }
+            /// A normal acceleration that points outward.
+            NormalOutward "normal-outward" 6.0 vectors::outward {
+                normal_outward(from, to, rate, length)
+                normals_outward(vectors)
+            }
+            /// A normal part with ω in place of ω².
+            OmegaNotSquared "omega-not-squared" 5.0 vectors::not_squared {
+                omega_not_squared(from, to, rate, length)
+                omegas_not_squared(vectors)
+            }
+            /// The ω of another link in a normal part or a Coriolis acceleration.
+            OmegaOfAnotherLink "omega-of-another-link" 3.0 vectors::omega_of_another {
+                /// `factor` is a length or a velocity.
+                omega_of_another_link(from, to, rate, factor, wrong)
+            }
+            /// A normal part, or all products of a crank, with the diameter in place of the radius.
+            Diameter "diameter" 3.0 vectors::diameter {
+                diameter(from, to, rate, length)
+                diameter_throughout(length)
+            }
+            /// All products of a crank with half its radius.
+            HalfTheRadius "half-the-radius" 2.0 crank::half_the_radius {
+                half_the_radius(length)
+            }
+            /// A normal part from an absolute velocity, or from that of another link.
+            NormalFromAbsolute "normal-from-absolute" 3.0 vectors::from_absolute {
+                normal_from_absolute(from, to, rate, length, velocity)
+            }
+            /// A normal part forgotten.
+            NormalForgotten "normal-forgotten" 6.0 vectors::normal_forgotten {
+                normal_forgotten(from, to, rate, length)
+                normals_forgotten(vectors)
+            }
+            /// A tangential part of a crank that turns evenly.
+            TangentialWhereNone "tangential-where-none" 2.0 vectors::tangential_where_none {
+                tangential_where_none(from, to, rate, length)
+            }
+            /// The Coriolis part forgotten.
+            CoriolisForgotten "coriolis-forgotten" 6.0 coriolis::forgotten {
+                coriolis_forgotten(from, to, rate, velocity)
+            }
+            /// The Coriolis part without its 2.
+            CoriolisWithoutTwo "coriolis-without-2" 4.0 coriolis::without_two {
+                coriolis_without_two(from, to, rate, velocity)
+            }
+            /// The Coriolis part turned the wrong way.
+            CoriolisTurned "coriolis-turned" 5.0 coriolis::turned {
+                coriolis_turned(from, to, rate, velocity)
+            }
+            /// The Coriolis part laid off along the guide.
+            CoriolisAlong "coriolis-along-guide" 2.0 coriolis::along {
+                coriolis_along(from, to, rate, velocity)
+            }
+            /// The Coriolis part with another velocity than the sliding one.
+            CoriolisVelocity "coriolis-wrong-velocity" 3.0 coriolis::of_wrong_velocity {
+                coriolis_velocity(from, to, rate, velocity, wrong)
+                coriolis_velocity_and_omega(from, to, rate, velocity, wrong, omega)
+            }
+            /// A Coriolis part where nothing slides.
+            CoriolisWhereNone "coriolis-where-none" 2.0 coriolis::where_none {
+                coriolis_where_none(from, to, rate, length)
+            }
+            /// A Coriolis part at a guide that is at rest.
+            CoriolisAtRest "coriolis-at-rest" 2.0 coriolis::at_rest {
+                coriolis_at_rest(from, to, rate, velocity)
+            }
+            /// The image of a link mirrored.
+            MirroredImage "mirrored-image" 3.0 images::mirrored {
+                /// `other` is the image that fixes the side.
+                mirrored_image(start, point, other)
+                /// A point on a line of its link, on the wrong side of an end.
+                beyond_end(start, point, other)
+            }
+            /// The image of a point in the wrong ratio to two others.
+            WrongRatio "wrong-ratio" 3.0 images::wrong_ratio {
+                /// The line between two images, divided from its wrong end.
+                wrong_ratio(from, to, point)
+                inverse_ratio(from, to, point)
+                /// The triangle on two images with its distances from both exchanged.
+                distances_exchanged(from, to, point)
+                distances_exchanged_and_mirrored(from, to, point)
+            }
+            /// A segment measured from the wrong point.
+            WrongSegment "wrong-segment" 8.0 lengths::wrong_segment {
+                wrong_segment(segment, from, to)
+            }
+            /// A component taken for a length.
+            Component "component" 4.0 lengths::component {
+                component(segment, axis, from, to)
+            }
+            /// A wrong length, once or throughout.
+            WrongLength "wrong-length" 4.0 lengths::wrong_length {
+                wrong_length(length, from, to)
+                wrong_length_throughout(length, from, to)
+            }
+            /// An angular velocity found with another link's length.
+            OmegaFromWrongLength "omega-from-wrong-length" 4.0 rates::omega_from_wrong_length {
+                omega_from_wrong_length(rate, from, to, length)
+                /// The normal part is found with that length, too.
+                omega_and_normal_from_wrong_length(rate, from, to, length, normal)
+            }
+            /// An angular acceleration found with another link's length.
+            AlphaFromWrongLength "alpha-from-wrong-length" 3.0 rates::alpha_from_wrong_length {
+                alpha_from_wrong_length(rate, from, to, length)
+            }
+            /// A rate of rotation without division by the length.
+            NotDividedByLength "not-divided-by-length" 2.0 rates::not_divided {
+                not_divided_by_length(rate, length)
+            }
+            /// A rate taken with the wrong sense.
+            WrongSense "wrong-sense" 6.0 rates::wrong_sense {
+                wrong_sense(rate)
+                /// A given rate, of which the first vector shows it.
+                wrong_sense_given(rate, from, to)
+            }
+            /// All rates of rotation written with the wrong sense.
+            SensesReversed "senses-reversed" 3.0 rates::senses_reversed {
+                senses_reversed()
+            }
+            /// Revolutions per minute taken for radians per second, or the other way round.
+            RevolutionsForRadians "revolutions-for-radians" 5.0 rates::revolutions {
+                revolutions_for_radians(rate)
+                /// A given rate; of the next two mistakes, too.
+                rate_in_other_unit(rate, number, given, taken)
+            }
+            /// Revolutions per second taken for radians per second, or the other way round.
+            RevolutionsPerSecond "revolutions-per-second" 2.0 rates::revolutions_per_second {
+                revolutions_per_second(rate)
+            }
+            /// Degrees taken for radians, or the other way round.
+            DegreesForRadians "degrees-for-radians" 3.0 rates::degrees {
+                degrees_for_radians(rate)
+            }
+            /// A segment taken with the wrong scale.
+            WrongScale "wrong-scale" 4.0 rates::wrong_scale {
+                wrong_scale(segment, wrong, scale)
+                scale_forgotten(segment, scale)
+            }
+            /// The other assembly mode.
+            OtherMode "other-mode" 4.0 position::other_mode {
+                other_mode()
+            }
+            /// The mechanism drawn at another angle of its crank.
+            CrankAngle "crank-angle" 3.0 position::crank_angle {
+                crank_angle(link, wrong, right)
+            }
+            /// Two numbers swapped.
+            Swapped "swapped" 3.0 copying::swapped {
+                swapped(first, second)
+            }
+            /// Digits transposed.
+            DigitsTransposed "digits-transposed" 8.0 copying::transposed {
+                digits_transposed(quantity, written, meant)
+            }
+            /// A decimal slipped.
+            DecimalSlipped "decimal-slipped" 8.0 copying::decimal {
+                decimal_slipped(quantity, written, meant)
+            }
+            /// All values cut off in place of rounded.
+            Truncated "truncated" 1.0 copying::truncated {
+                truncated()
+            }
+            /// The wrong unit written beside a value.
+            WrongUnit "wrong-unit" 5.0 copying::unit {
+                wrong_unit(quantity, number, wrong, right)
+            }
+            /// A value in another unit of length than the scene's, and no unit beside it.
+            OtherUnit "other-unit" 3.0 copying::other_unit {
+                other_unit(quantity, number, unit, own)
+            }
+            /// A value wrong for a reason that the catalogue does not know, and used in later operations.
+            Unknown "unknown" 5.0 unknown::everywhere {
+                unknown(quantity)
+            }
+        }
+    };
+}
+
+pub(super) use catalogue;
