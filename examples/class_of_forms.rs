@@ -41,10 +41,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The form as students hand it in.
 fn table(measured: &Measured, number: usize) -> Result<String, std::fmt::Error> {
     let mut text = format!("quantity,value,unit\nname,Student {number},\n");
-    for (name, mu) in ["mu_l", "mu_v", "mu_a"].into_iter().zip(measured.mu) {
-        if let Some(mu) = mu {
-            writeln!(text, "{name},{mu},")?;
-        }
+    for (sheet, mu) in measured.mu.given() {
+        writeln!(text, "{},{mu},", sheet.scale_key())?;
     }
     for given in &measured.values {
         writeln!(text, "\"{}\",{},", given.name, given.text)?;

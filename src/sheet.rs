@@ -5,7 +5,7 @@
 //! matches on [`Sheet`], and the compiler names it.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serializer};
 use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
@@ -171,7 +171,7 @@ impl Sheet {
 }
 
 /// One value for each sheet.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PerSheet<T>([T; Sheet::ALL.len()]);
 
 impl<T> PerSheet<T> {
@@ -181,7 +181,7 @@ impl<T> PerSheet<T> {
     }
 
     /// The sheets with their values, in the order in which sheets are drawn.
-    pub fn iter(&self) -> impl Iterator<Item = (Sheet, &T)> {
+    pub fn iter(&self) -> impl Iterator<Item = (Sheet, &T)> + Clone {
         Sheet::ALL.into_iter().zip(&self.0)
     }
 
@@ -193,6 +193,27 @@ impl<T> PerSheet<T> {
     /// What a function makes of each value.
     pub fn map<U>(self, of: impl FnMut(T) -> U) -> PerSheet<U> {
         PerSheet(self.0.map(of))
+    }
+}
+
+/// Scales in units of the scene per millimetre of paper; `None` for a sheet that is not there, or that is to fit.
+pub type Scales = PerSheet<Option<f64>>;
+
+impl Scales {
+    /// These scales, and others where they have none.
+    #[must_use]
+    pub fn or(self, others: Scales) -> Scales {
+        PerSheet::from_fn(|sheet| self[sheet].or(others[sheet]))
+    }
+
+    /// The scales that are there.
+    pub fn given(&self) -> impl Iterator<Item = (Sheet, f64)> {
+        self.iter().filter_map(|(sheet, scale)| Some((sheet, (*scale)?)))
+    }
+
+    /// Writes the scales that are there by their keys, as `mu_v`, into the object that has them.
+    pub(crate) fn by_key<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.given().map(|(sheet, scale)| (sheet.scale_key(), scale)))
     }
 }
 

@@ -4,9 +4,8 @@ mod by_hand;
 
 use by_hand::ByHand;
 use divan::{Bencher, black_box};
-use kinegon::Sheet;
 use kinegon::check::{AnswerKey, LATITUDE, Measured, check};
-use kinegon::construction::{Extent, SheetScales, Tolerance, construct};
+use kinegon::construction::{Extent, Tolerance, construct};
 use kinegon::cycle::{Drive, Mover, Path, Steps, Sweep, Walker};
 use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::Mechanism;
@@ -14,6 +13,7 @@ use kinegon::motion::motion;
 use kinegon::position::{Pose, pose};
 use kinegon::quantity::{Asked, pencil, read_by_hand, readable_names};
 use kinegon::scene::Scene;
+use kinegon::{PerSheet, Sheet};
 use kinegon::{Solution, solve};
 
 const FIGURE_1: &str = include_str!("../../examples/figure-1.json");
@@ -206,7 +206,7 @@ fn plans(bencher: Bencher) {
 #[divan::bench]
 fn replay_by_hand(bencher: Bencher) {
     let (drawn, _) = read_by_hand(&solved(FIGURE_2), &[]);
-    let scales = SheetScales { per_mm: [5.0, 1.0, 2.0] };
+    let scales = PerSheet::from_fn(|sheet| [5.0, 1.0, 2.0][sheet as usize]);
     let mut values = drawn.run(scales, &[]);
     bencher.bench_local(|| black_box(&mut values).carry_out(&drawn.operations, 0, scales, &[]));
 }

@@ -1,5 +1,5 @@
 use crate::construction::{Solution, Tolerance};
-use crate::quantity::Scales;
+use crate::sheet::Scales;
 
 /// How many times as large as usual an honest hand's errors may be where nobody has said how accurate it should be: up to
 /// 1 mm and 1° with the usual tolerance.

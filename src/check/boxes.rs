@@ -82,5 +82,5 @@ pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
         names.into_iter().map(|name| (name.clone(), labels.plan_point(plan, &name))).collect()
     };
     let construction = &solution.construction;
-    [Sheet::Velocity, Sheet::Acceleration].map(|sheet| construction.plan_on(sheet).map_or_else(Vec::new, of_plan))
+    Sheet::PLANS.map(|sheet| construction.plan_on(sheet).map_or_else(Vec::new, of_plan))
 }

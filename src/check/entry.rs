@@ -6,7 +6,7 @@ use super::template::{FormNames, UNDER_SLIDER};
 use super::unit;
 use crate::construction::image_name;
 use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use crate::text;
 use indexmap::IndexMap;
 
@@ -67,10 +67,10 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
         return Err(CheckError::new(format!("a form has at most {MOST_VALUES} values, and here are {count}"), hint));
     }
     let mut faults = measured.faults.clone();
-    for (mu, name) in measured.mu.iter().zip(["mu_l", "mu_v", "mu_a"]) {
-        if mu.is_some_and(|mu| !(mu.is_finite() && mu > 0.0)) {
+    for (sheet, mu) in measured.mu.given() {
+        if !(mu.is_finite() && mu > 0.0) {
             faults.push(CheckError::new(
-                format!("{name} is no scale"),
+                format!("{} is no scale", sheet.scale_key()),
                 "a scale is a positive number: units of the scene per millimetre of paper",
             ));
         }
@@ -207,7 +207,7 @@ impl Reader<'_> {
             factor_without_unit: if flips { -factor_without_unit } else { factor_without_unit },
             unit: given.unit.clone(),
             on_paper,
-            per_mm: if has_length { scales[sheet as usize] } else { None },
+            per_mm: if has_length { scales[sheet] } else { None },
             sheet,
             step,
             expected,
@@ -243,8 +243,8 @@ impl Reader<'_> {
             let factor = given.unit.as_ref().map_or(Ok(1.0), |unit| unit::factor(unit, kind, units))?;
             return Ok((factor, 1.0));
         };
-        let scale = self.measured.mu[sheet as usize].ok_or_else(|| {
-            let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
+        let scale = self.measured.mu[sheet].ok_or_else(|| {
+            let mu = sheet.scale_key();
             CheckError::new(
                 format!("`{}` is in millimetres of paper, but your scale {mu} is missing", text::shown(name)),
                 format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name()),
@@ -265,10 +265,8 @@ impl Reader<'_> {
     }
 
     /// The student's own scales, those of the scene's figure where none are given.
-    fn scales(&self) -> [Option<f64>; 3] {
-        let usual = &self.key.scales;
-        let usual = [usual.length, usual.velocity, usual.acceleration];
-        core::array::from_fn(|sheet| self.measured.mu[sheet].or(usual[sheet]))
+    fn scales(&self) -> Scales {
+        self.measured.mu.or(self.key.scales)
     }
 
     /// The quantity that a name stands for, its exact value, its sheet and the number of its step.

@@ -10,6 +10,7 @@ use crate::construction::Solution;
 use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
 use crate::format::{FeedbackPage, feedback_html};
 use crate::scene::{Figure, PageSize, Scene};
+use crate::sheet::Scales;
 use crate::text::Untrusted;
 use crate::words::Wording;
 
@@ -93,7 +94,8 @@ impl Feedback {
 
 /// The figure of an exercise as a student prints it: on A4 at most, at scales that fit there.
 fn printed(figure: &Figure) -> Figure {
-    let mut figure = Figure { mu_l: None, mu_v: None, mu_a: None, ..figure.clone() };
+    let mut figure = figure.clone();
+    figure.set_scales(Scales::default());
     if figure.page.size == PageSize::A3 {
         figure.page.size = PageSize::A4;
     }

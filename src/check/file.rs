@@ -3,7 +3,7 @@
 use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
 use super::table::with_point;
 use crate::scene::{FileKind, SceneError, read_as};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Sheet};
 use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
 use serde::de::{Error, MapAccess, Visitor};
@@ -149,13 +149,16 @@ impl Measured {
             unit: value.unit,
             name,
         });
-        let kinds = [Sheet::Velocity, Sheet::Acceleration];
         let points = file.points.map(|p| [p.velocity, p.acceleration]);
-        let points = kinds.into_iter().zip(points.into_iter().flatten());
+        let points = Sheet::PLANS.into_iter().zip(points.into_iter().flatten());
         Ok(Measured {
             name: file.name,
             exercise: file.exercise.map(|name| Untrusted::from(name.trim())).filter(|name| !name.is_blank()),
-            mu: [file.mu_l, file.mu_v, file.mu_a],
+            mu: PerSheet::from_fn(|sheet| match sheet {
+                Sheet::Scheme => file.mu_l,
+                Sheet::Velocity => file.mu_v,
+                Sheet::Acceleration => file.mu_a,
+            }),
             positive: file.positive.map(|sense| match sense {
                 Sense::CounterClockwise => Positive::CounterClockwise,
                 Sense::Clockwise => Positive::Clockwise,

@@ -5,6 +5,7 @@ use super::entry::{Names, Reader};
 use super::sheet::{Given, Measured, PointsOf, Positive};
 use super::shown::ShownNames;
 use super::template::quoted;
+use crate::sheet::Scales;
 use crate::text::{Untrusted, cell};
 use indexmap::IndexMap;
 use serde::Serialize;
@@ -24,12 +25,8 @@ struct FilledFile<'a> {
     name: Untrusted,
     #[serde(skip_serializing_if = "Option::is_none")]
     exercise: Option<&'a Untrusted>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_l: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_v: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_a: Option<f64>,
+    #[serde(flatten, serialize_with = "Scales::by_key")]
+    scales: Scales,
     #[serde(skip_serializing_if = "Option::is_none")]
     positive: Option<&'static str>,
     #[serde(rename = "in", skip_serializing_if = "Option::is_none")]
@@ -61,15 +58,12 @@ impl<'a> FilledForm<'a> {
     #[must_use]
     pub fn json(&self) -> String {
         let measured = self.measured;
-        let [mu_l, mu_v, mu_a] = measured.mu;
         let points = measured.points.iter().map(|plan| (plan.kind.as_str(), places(plan).collect()));
         crate::format::json(&FilledFile {
             kinegon_measured: 1,
             name: measured.name.clone().unwrap_or_default(),
             exercise: measured.exercise.as_ref(),
-            mu_l,
-            mu_v,
-            mu_a,
+            scales: measured.mu,
             positive: self.positive(),
             written_in: measured.in_mm.then_some("mm"),
             values: self.values(),
@@ -85,9 +79,7 @@ impl<'a> FilledForm<'a> {
         let mut lines = vec!["quantity,value,unit".to_owned()];
         lines.extend(measured.name.as_ref().map(|name| format!("name,{},", own(name))));
         lines.extend(measured.exercise.as_ref().map(|exercise| format!("exercise,{},", own(exercise))));
-        for (name, mu) in ["mu_l", "mu_v", "mu_a"].into_iter().zip(measured.mu) {
-            lines.extend(mu.map(|mu| format!("{name},{mu},")));
-        }
+        lines.extend(measured.mu.given().map(|(sheet, mu)| format!("{},{mu},", sheet.scale_key())));
         lines.extend(self.positive().map(|sense| format!("positive,{sense},")));
         lines.extend(measured.in_mm.then(|| "in,mm,".to_owned()));
         lines.extend(self.values().iter().map(|(name, value)| match value {

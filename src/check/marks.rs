@@ -7,6 +7,7 @@ use super::sheet::{CheckError, Given, Measured};
 use super::template::{form_name, form_names};
 use super::verdict::Verdict;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
+use crate::sheet::PerSheet;
 use crate::text::shown;
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -134,7 +135,7 @@ impl Marks {
 /// The steps' and results' name of a quantity that a scheme names.
 fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> {
     let alone = Measured {
-        mu: [Some(1.0); 3],
+        mu: PerSheet::from_fn(|_| Some(1.0)),
         values: vec![Given {
             name: written.to_owned(),
             text: "0".to_owned(),

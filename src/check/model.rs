@@ -6,11 +6,11 @@ use super::sheet::CheckError;
 use super::together::ways_together;
 use crate::construction::{
     Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, PlaceId, Product, Reference,
-    SheetScales, Solution, Tolerance, Values,
+    Solution, Tolerance, Values,
 };
 use crate::mechanism::Mechanism;
 use crate::quantity::{Asked, Band, Reading, Unread, read_by_hand};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Scales, Sheet};
 use smallvec::SmallVec;
 
 /// Number of kinds of errors; a hand has a size for each. The kinds: joints plotted, the rest of the scheme, the
@@ -48,7 +48,7 @@ pub(super) struct Model {
     pub construction: Construction,
     /// By entry: how it is read.
     pub readings: Vec<Result<Reading, NotRead>>,
-    pub scales: SheetScales,
+    pub scales: PerSheet<f64>,
     /// The values of a drawing without errors.
     pub exact: Values,
     /// By operation: the number of its step.
@@ -103,12 +103,7 @@ pub(super) type Changes<'c> = SmallVec<[Disturbance<'c>; 4]>;
 
 impl Model {
     /// The construction of a position at the student's scales.
-    pub fn new(
-        key: &AnswerKey<'_>,
-        solution: &Solution,
-        mu: [Option<f64>; 3],
-        entries: &[Entry],
-    ) -> Result<Model, CheckError> {
+    pub fn new(key: &AnswerKey<'_>, solution: &Solution, mu: Scales, entries: &[Entry]) -> Result<Model, CheckError> {
         let asked: Vec<Asked> = entries.iter().map(|e| e.asked.clone()).collect();
         let (mut construction, readings) = read_by_hand(solution, &asked);
         given_first(&mut construction.operations);
@@ -117,18 +112,16 @@ impl Model {
             _ => NotRead::Otherwise,
         };
         let readings = readings.into_iter().map(|reading| reading.map_err(why)).collect();
-        let usual = key.scales.all();
-        let mut per_mm = [1.0; 3];
-        for (sheet, scale) in per_mm.iter_mut().enumerate() {
-            *scale = mu[sheet].or(usual[sheet]).ok_or_else(|| {
-                let name = ["mu_l", "mu_v", "mu_a"][sheet];
+        let given = mu.or(key.scales);
+        let mut scales = PerSheet::default();
+        for (sheet, scale) in scales.iter_mut() {
+            *scale = given[sheet].ok_or_else(|| {
                 CheckError::new(
-                    format!("the scene's figure has no {}, so its scale is missing", Sheet::ALL[sheet].name()),
-                    format!("add {name} to the values, or the panel to the scene's figure"),
+                    format!("the scene's figure has no {}, so its scale is missing", sheet.name()),
+                    format!("add {} to the values, or the panel to the scene's figure", sheet.scale_key()),
                 )
             })?;
         }
-        let scales = SheetScales { per_mm };
         let exact = construction.run(scales, &[]);
         let mut model = Model {
             readings,

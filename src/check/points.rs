@@ -16,8 +16,8 @@ impl Reader<'_> {
             let sheet = points.kind;
             let what = points.kind.segment_name("", "");
             let at = |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
-            let Some(mu) = self.measured.mu[sheet as usize] else {
-                let mu = ["mu_l", "mu_v", "mu_a"][sheet as usize];
+            let Some(mu) = self.measured.mu[sheet] else {
+                let mu = sheet.scale_key();
                 return Err(CheckError::new(
                     format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
                     format!("add {mu}, the scale of your {}", sheet.name()),

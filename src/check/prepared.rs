@@ -8,6 +8,7 @@ use super::model::Model;
 use super::search::other_modes;
 use super::sheet::CheckError;
 use crate::quantity::Band;
+use crate::sheet::{PerSheet, Scales};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -20,7 +21,7 @@ pub struct Prepared<'a> {
 }
 
 /// The quantities of a form in their order, and the bits of its scales.
-type Asking = (Vec<String>, [Option<u64>; 3]);
+type Asking = (Vec<String>, PerSheet<Option<u64>>);
 
 /// Most sets of quantities that are kept: forms are alike, or blanks are left in each at other places.
 const KEPT: usize = 50;
@@ -32,7 +33,7 @@ pub(super) struct Ready {
     pub right: Model,
     /// By quantity: the band of honest drawings, where there is one.
     pub bands: Vec<Option<Band>>,
-    mu: [Option<f64>; 3],
+    mu: Scales,
     /// The right construction, and those of the other assembly modes.
     models: OnceLock<Vec<Model>>,
     /// The covariances of a right drawing that the errors of hands cause.
@@ -53,7 +54,7 @@ impl<'a> Prepared<'a> {
     }
 
     /// What a form's values are compared with.
-    pub(super) fn ready(&self, mu: [Option<f64>; 3], entries: &[Entry]) -> Result<Arc<Ready>, CheckError> {
+    pub(super) fn ready(&self, mu: Scales, entries: &[Entry]) -> Result<Arc<Ready>, CheckError> {
         let names = entries.iter().map(|entry| entry.asked.name().to_owned());
         let asking = (names.collect(), mu.map(|mu| mu.map(f64::to_bits)));
         // A check that has panicked leaves the map as it was before or after.

@@ -11,6 +11,7 @@ use super::settle::Settling;
 use super::walk::Metric;
 use crate::cores::on_all_cores;
 use crate::position::poses;
+use crate::sheet::Scales;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Explanations of one level with mistakes of the catalogue that are compared completely: the best at a first look.
@@ -76,7 +77,7 @@ enum New {
 }
 
 /// The constructions of the other assembly modes.
-pub(super) fn other_modes(key: &AnswerKey<'_>, mu: [Option<f64>; 3], entries: &[Entry]) -> Vec<Model> {
+pub(super) fn other_modes(key: &AnswerKey<'_>, mu: Scales, entries: &[Entry]) -> Vec<Model> {
     // Groups without a construction take long to assemble and are not drawn.
     if key.solution.construction.agreement.iter().any(Option::is_none) {
         return Vec::new();

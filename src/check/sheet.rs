@@ -1,5 +1,5 @@
 use crate::scene::Figure;
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 
@@ -10,8 +10,8 @@ pub struct Measured {
     pub name: Option<Untrusted>,
     /// The name of the exercise that the form belongs to, as `four-bar-7-2`: that of its folder.
     pub exercise: Option<Untrusted>,
-    /// The scales of the student's scheme, velocity plan and acceleration plan, in units of the scene per millimetre.
-    pub mu: [Option<f64>; 3],
+    /// The scales of the student's sheets.
+    pub mu: Scales,
     /// Which sense of rotation counts as positive; a slide is positive along its guide. If `None`, a rate without a sign
     /// is a size without a sense.
     pub positive: Option<Positive>,
@@ -28,10 +28,7 @@ pub struct Measured {
 impl Measured {
     /// Asks for a figure at the scales of the student's own sheet, as far as the form has them.
     pub fn put_scales_into(&self, figure: &mut Figure) {
-        let [mu_l, mu_v, mu_a] = self.mu;
-        figure.mu_l = mu_l.or(figure.mu_l);
-        figure.mu_v = mu_v.or(figure.mu_v);
-        figure.mu_a = mu_a.or(figure.mu_a);
+        figure.set_scales(self.mu.or(figure.given_scales()));
     }
 }
 

@@ -10,13 +10,14 @@ use super::shown::ShownNames;
 use super::template::form_names;
 use crate::construction::{Change, Disturbance};
 use crate::quantity::Kind;
+use crate::sheet::Scales;
 use crate::words::Wording;
 
 /// A simulated student who draws a scene and fills in the whole form.
 pub struct Student<'a> {
     key: &'a AnswerKey<'a>,
     models: Vec<Model>,
-    mu: [Option<f64>; 3],
+    mu: Scales,
     names: Vec<String>,
     entries: Vec<super::entry::Entry>,
 }
@@ -27,7 +28,7 @@ impl<'a> Student<'a> {
     /// # Errors
     /// The figure lacks a sheet.
     pub fn new(key: &'a AnswerKey<'a>) -> Result<Student<'a>, CheckError> {
-        let (mu, names) = (key.scales.all(), form_names(&key.solution.construction));
+        let (mu, names) = (key.scales, form_names(&key.solution.construction));
         // A form filled with zeros gives the entries of all quantities.
         let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };

@@ -70,12 +70,13 @@ impl Measured {
 
     fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
         let value = with_point(written);
+        if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.scale_key() == name) {
+            self.mu[sheet] = Some(number(name, &value)?);
+            return Ok(());
+        }
         match name {
             "name" => self.name = Some(written.into()),
             "exercise" => self.exercise = Some(written.into()),
-            "mu_l" => self.mu[0] = Some(number(name, &value)?),
-            "mu_v" => self.mu[1] = Some(number(name, &value)?),
-            "mu_a" => self.mu[2] = Some(number(name, &value)?),
             "positive" => {
                 self.positive = Some(match value.as_str() {
                     "clockwise" => Positive::Clockwise,

@@ -2,8 +2,7 @@
 
 use super::shown::ShownNames;
 use crate::construction::{Construction, PlaceId, Solution};
-use crate::quantity::Scales;
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -134,12 +133,8 @@ struct FormFile<'a> {
     name: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     exercise: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_l: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_v: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_a: Option<f64>,
+    #[serde(flatten, serialize_with = "Scales::by_key")]
+    scales: Scales,
     positive: &'static str,
     values: IndexMap<String, &'static str>,
 }
@@ -152,9 +147,7 @@ impl EmptyForm<'_> {
             kinegon_measured: 1,
             name: "",
             exercise: self.exercise,
-            mu_l: self.scales.length,
-            mu_v: self.scales.velocity,
-            mu_a: self.scales.acceleration,
+            scales: self.scales,
             positive: POSITIVE,
             values: self.names().into_iter().map(|name| (name, "")).collect(),
         })
@@ -167,11 +160,8 @@ impl EmptyForm<'_> {
         if let Some(exercise) = self.exercise {
             text.push_str(&format!("exercise,{},\n", quoted(exercise)));
         }
-        let given = [("mu_l", self.scales.length), ("mu_v", self.scales.velocity), ("mu_a", self.scales.acceleration)];
-        for (name, scale) in given {
-            if let Some(scale) = scale {
-                text.push_str(&format!("{name},{scale},\n"));
-            }
+        for (sheet, scale) in self.scales.given() {
+            text.push_str(&format!("{},{scale},\n", sheet.scale_key()));
         }
         text.push_str(&format!("positive,{POSITIVE},\n"));
         for name in self.names() {

@@ -56,7 +56,7 @@ mod tests {
         let text = include_str!("../../templates/four-bar.json");
         let solution = crate::solve(&crate::scene::Scene::read(text).expect("a scene")).expect("it can be solved");
         let (mut construction, _) = crate::quantity::read_by_hand(&solution, &[]);
-        let scales = crate::construction::SheetScales { per_mm: [1.0; 3] };
+        let scales = crate::sheet::PerSheet::from_fn(|_| 1.0);
         let exact = construction.run(scales, &[]);
         assert!(!ways_together(&construction, &exact, &solution.mechanism).is_empty());
         construction.operations.clear();

@@ -3,6 +3,7 @@
 use crate::construction::{Solution, Tolerance};
 use crate::quantity::{self, Asked, Pencil};
 use crate::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, ScalesFor};
+use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
 use clap::{Arg, Args, Command, ValueEnum};
 use std::ffi::OsStr;
@@ -114,16 +115,23 @@ fn scale(text: &str) -> Result<f64, String> {
 }
 
 impl GivenScales {
+    /// The scales that are given.
+    fn given(&self) -> Scales {
+        PerSheet::from_fn(|sheet| match sheet {
+            Sheet::Scheme => self.mu_l,
+            Sheet::Velocity => self.mu_v,
+            Sheet::Acceleration => self.mu_a,
+        })
+    }
+
     /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
-        self.scales.is_some() || [self.mu_l, self.mu_v, self.mu_a].iter().any(Option::is_some)
+        self.scales.is_some() || self.given().given().next().is_some()
     }
 
     /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
-        figure.mu_l = self.mu_l.or(figure.mu_l);
-        figure.mu_v = self.mu_v.or(figure.mu_v);
-        figure.mu_a = self.mu_a.or(figure.mu_a);
+        figure.set_scales(self.given().or(figure.given_scales()));
         figure.scales = self.scales.unwrap_or(figure.scales);
     }
 }

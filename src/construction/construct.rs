@@ -1,14 +1,14 @@
 use super::agreement::Agreement;
 use super::cut::{Special, SpecialId};
 use super::operation::{End, NumberId, NumberKind, Operation, PlaceId, StepId};
-use super::run::{Disturbance, SheetScales, Values};
+use super::run::{Disturbance, Values};
 use super::step::{Action, Plan, Step};
 use super::writer::Writer;
 use crate::geometry::Point;
 use crate::mechanism::Mechanism;
 use crate::motion::Motion;
 use crate::position::Pose;
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
 
 /// Everything that is drawn for a mechanism: the special points, the plans step by step, and the manual operations
@@ -310,7 +310,7 @@ impl Construction {
     /// Carries out all operations with `disturbances`, which are sorted by operation; without any the values are those
     /// of the plans.
     #[must_use]
-    pub fn run(&self, scales: SheetScales, disturbances: &[Disturbance<'_>]) -> Values {
+    pub fn run(&self, scales: PerSheet<f64>, disturbances: &[Disturbance<'_>]) -> Values {
         let mut values = Values::default();
         values.resize(self.counts);
         values.carry_out(&self.operations, 0, scales, disturbances);

@@ -37,7 +37,7 @@ pub use operation::{
     Product, ProductKind, Rate, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
-pub use run::{Change, Disturbance, Drawable, SheetScales, Tolerance, Values};
+pub use run::{Change, Disturbance, Drawable, Tolerance, Values};
 pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
 pub use solution::Solution;
 pub use step::{

@@ -4,15 +4,8 @@ use super::operation::{
     Along, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, Operation, OperationKind, PlaceId, Product, Reference,
 };
 use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees};
+use crate::sheet::PerSheet;
 use smallvec::SmallVec;
-
-/// The scales of the sheets, in units of the scene per millimetre of paper.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SheetScales {
-    /// Of the scheme, the velocity plan and the acceleration plan; 1 for a sheet that is not drawn, where errors of the
-    /// hand have no meaning.
-    pub per_mm: [f64; 3],
-}
 
 /// Limits of the errors of a careful hand; within the limits every error is equally likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -117,7 +110,8 @@ impl Values {
     }
 
     /// Carries out the operations from index `first` on; the results of those before it must be present. `disturbances`
-    /// are sorted by operation.
+    /// are sorted by operation. `scales` are in units of the scene per millimetre of paper; for a sheet that is not
+    /// drawn, where errors of the hand have no meaning, 1.
     ///
     /// An impossible operation, as the crossing of parallel lines, yields numbers that are not finite, and so do the
     /// operations that use them.
@@ -125,12 +119,12 @@ impl Values {
         &mut self,
         operations: &[Operation],
         first: usize,
-        scales: SheetScales,
+        scales: PerSheet<f64>,
         disturbances: &[Disturbance<'_>],
     ) {
         let mut waiting = disturbances.iter().peekable();
         for (index, operation) in operations.iter().enumerate().skip(first) {
-            let per_mm = scales.per_mm[operation.sheet as usize];
+            let per_mm = scales[operation.sheet];
             if waiting.peek().is_none_or(|next| next.operation != index) {
                 self.run(&operation.kind, [0.0; 2], per_mm);
                 continue;

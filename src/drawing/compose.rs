@@ -15,7 +15,7 @@ use super::table::Table;
 use super::text::{PlacedText, RichText};
 use crate::quantity::Kind;
 use crate::scene::Scene;
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
@@ -71,11 +71,11 @@ impl Composition<'_> {
     }
 
     /// The layout with scales by panel.
-    pub(super) fn layout_at(&self, scales: &[Option<f64>]) -> Layout {
+    pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
         let mu = |kind: Kind| match kind {
-            Kind::Velocity => scales[Sheet::Velocity as usize],
-            Kind::Acceleration => scales[Sheet::Acceleration as usize],
-            _ => scales[Sheet::Scheme as usize],
+            Kind::Velocity => scales[Sheet::Velocity],
+            Kind::Acceleration => scales[Sheet::Acceleration],
+            _ => scales[Sheet::Scheme],
         };
         let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())

@@ -14,9 +14,9 @@ use super::sheet_notes::Fields;
 use super::text::RichText;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
-use crate::quantity::{Asked, Kind, Scales};
+use crate::quantity::{Asked, Kind};
 use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::Rect;
 
 /// Smallest size of a table beside the scheme with markers, in parts of its usual size.
@@ -65,7 +65,7 @@ pub fn drawing_sheets(
         let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
         let has_markers = scheme.figure.has_markers();
         let dims = if has_markers { scheme.dims.with_markers() } else { scheme.dims };
-        let scheme = Scheme { dims, mu: [scales.length, None, None], ..scheme };
+        let scheme = Scheme { dims, mu: scheme_alone(scales), ..scheme };
         let table = Table { asked, place, plans_follow: !plans.is_empty() };
         let signs = has_markers.then(|| scheme.signs(1, name));
         let sheet = Composition { signs, ..student_sheet(&scheme, sentences, &table) };
@@ -83,10 +83,15 @@ pub fn drawing_sheets(
     }
     solution.scene.figure.page = own;
     let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
-    let scheme = Scheme { mu: [scales.length, None, None], ..scheme };
+    let scheme = Scheme { mu: scheme_alone(scales), ..scheme };
     let table = Table { asked, place: TablePlace::Anywhere, plans_follow: !plans.is_empty() };
     let sheet = student_sheet(&scheme, sentences, &table);
     std::iter::once(sheet.draw(&sheet.layout()).after_step(0)).chain(plans).collect()
+}
+
+/// The scale of the scheme alone, on sheets that show no plan.
+fn scheme_alone(scales: &Scales) -> Scales {
+    PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet == Sheet::Scheme))
 }
 
 /// Whether a sheet has room for the whole scheme.
@@ -123,12 +128,7 @@ pub fn key_scales(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String]
     let sheet = key(&scheme, rows, sentences);
     let layout = sheet.layout();
     let fit = sheet.panels.iter().zip(&layout.panels).all(|(panel, placed)| placed.holds(&panel.needs.extent));
-    let mu = |panel: Sheet| layout.mu(Kind::drawn_on(panel));
-    fit.then(|| Scales {
-        length: mu(Sheet::Scheme),
-        velocity: mu(Sheet::Velocity),
-        acceleration: mu(Sheet::Acceleration),
-    })
+    fit.then(|| PerSheet::from_fn(|sheet| layout.mu(Kind::drawn_on(sheet))))
 }
 
 /// The scene with the layer of values in its figure.

@@ -15,8 +15,8 @@ use super::view::{Extent, View, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, shown_text};
-use crate::quantity::{Kind, Scales};
-use crate::sheet::Sheet;
+use crate::quantity::Kind;
+use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::Rect;
@@ -92,7 +92,7 @@ impl Solution {
         let scheme = Scheme::scaled(self).on_sheet();
         let layout = scheme.laid_out(None).layout;
         let of = |panel: Sheet| self.scene.figure.mu(panel).or(layout.mu(Kind::drawn_on(panel)));
-        Scales { length: of(Sheet::Scheme), velocity: of(Sheet::Velocity), acceleration: of(Sheet::Acceleration) }
+        PerSheet::from_fn(of)
     }
 
     /// A warning for each panel whose content is cut off at a scale that the scene gives, with a scale that fits, if there is one.
@@ -114,7 +114,7 @@ impl Solution {
             }
             let mut scales = scheme.mu;
             let holds = |mu: &f64| {
-                scales[panel as usize] = Some(*mu);
+                scales[panel] = Some(*mu);
                 let placed = &sheet.layout_at(&scales).panels[index];
                 fits_into(extent, placed, placed.area)
             };
@@ -164,9 +164,9 @@ impl Scheme<'_> {
     /// The same with the scales of the figure, or of the sheets with steps, also where each sheet has its own.
     pub(super) fn with_scales_of(self, steps: Option<Steps>) -> Self {
         let mut scheme = self.with_scales();
-        if scheme.figure.shown_panels().iter().any(|&panel| scheme.mu[panel as usize].is_none()) {
+        if scheme.figure.shown_panels().iter().any(|&panel| scheme.mu[panel].is_none()) {
             let layout = scheme.laid_out(steps).layout;
-            scheme.mu = Sheet::ALL.map(|panel| scheme.mu[panel as usize].or(layout.mu(Kind::drawn_on(panel))));
+            scheme.mu = PerSheet::from_fn(|panel| scheme.mu[panel].or(layout.mu(Kind::drawn_on(panel))));
         }
         scheme
     }
@@ -205,7 +205,7 @@ impl Scheme<'_> {
         if !self.figure.worksheet {
             return laid_out(None);
         }
-        if self.mu.contains(&None) {
+        if self.mu.iter().any(|(_, mu)| mu.is_none()) {
             return laid_out(Some(TablePlace::Anywhere));
         }
         let apart = laid_out(Some(TablePlace::Apart));
@@ -315,7 +315,7 @@ pub(super) fn panels<'a>(
                 kind: Kind::drawn_on(panel),
                 extent,
                 heading: frame(0).width(),
-                mu: scheme.mu[panel as usize],
+                mu: scheme.mu[panel],
                 white: WHITE,
                 weight: if scheme.figure.focus.is_some_and(|focus| focus != panel) { COMPANION } else { 1.0 },
             },

@@ -47,11 +47,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     figure.focus = None;
     figure.panels = code.panels.iter().map(|panel| panel.panel).collect();
     for panel in &code.panels {
-        match panel.panel {
-            Sheet::Scheme => figure.mu_l = Some(panel.mu),
-            Sheet::Velocity => figure.mu_v = Some(panel.mu),
-            Sheet::Acceleration => figure.mu_a = Some(panel.mu),
-        }
+        figure.set_mu(panel.panel, Some(panel.mu));
     }
     let scheme = Scheme::new(&solution).for_pencil().without_values();
     let unit = scheme.dims.unit;

@@ -16,9 +16,9 @@ use super::view::{Extent, View};
 use super::worksheet::Ruler;
 use crate::construction::Solution;
 use crate::geometry;
-use crate::quantity::{Kind, Scales};
+use crate::quantity::Kind;
 use crate::scene::{ConstructionShown, Page, PageSize};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::Point;
 
 /// White in a panel around the right plan, in mm: a wrong one is larger.
@@ -29,12 +29,12 @@ const WHITE: f64 = 10.0;
 pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> Vec<Drawing> {
     let own = solution.scene.figure.page;
     let shown = solution.scene.figure.shown_panels();
-    let mu = [None, scales.velocity, scales.acceleration];
+    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet.is_plan()));
     let is_wanted = |panel: &Sheet| {
         let has_plan = solution.construction.plans().any(|plan| plan.kind == *panel);
-        shown.contains(panel) && has_plan && mu[*panel as usize].is_some()
+        shown.contains(panel) && has_plan && mu[*panel].is_some()
     };
-    let plans: Vec<Sheet> = [Sheet::Velocity, Sheet::Acceleration].into_iter().filter(is_wanted).collect();
+    let plans: Vec<Sheet> = Sheet::PLANS.into_iter().filter(is_wanted).collect();
     let sheet = |page: Page, plans: &[Sheet], number: u16| {
         let mut solution = solution.clone();
         solution.scene.figure.page = page;
@@ -97,7 +97,7 @@ fn panel<'a>(scheme: &'a Scheme<'a>, plan: Sheet) -> Option<Panel<'a>> {
         extent: plan_panel::extent(drawn, ConstructionShown::Whole),
         heading: frame.width(),
         above: 0.0,
-        mu: scheme.mu[plan as usize],
+        mu: scheme.mu[plan],
         white: WHITE,
         weight: 1.0,
     };

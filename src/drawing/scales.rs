@@ -7,7 +7,7 @@ use super::view::{Extent, next_scale};
 use crate::construction::Solution;
 use crate::cycle::Animation;
 use crate::scene::ScalesFor;
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 
 /// The sheets that have the same scales. A work sheet has them, too, but its table stands where there is room.
 const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None];
@@ -18,9 +18,6 @@ const SCHEME: f64 = 1.1;
 
 /// Positions in which the largest plans of a cycle are looked for.
 const POSITIONS: usize = 72;
-
-/// Scales by panel, in units per mm of paper.
-type Scales = [Option<f64>; Sheet::ALL.len()];
 
 impl<'a> Scheme<'a> {
     /// The scheme of a solved scene, with the scales of all its sheets.
@@ -63,8 +60,7 @@ impl<'a> Scheme<'a> {
         };
         // The sum of the logarithms of the scales: the set with the largest contents comes first.
         let coarseness = |scales: &Scales| {
-            let all =
-                Sheet::ALL.into_iter().filter_map(|panel| Some(weight(panel) * libm::log(scales[panel as usize]?)));
+            let all = scales.given().map(|(panel, scale)| weight(panel) * libm::log(scale));
             all.sum::<f64>()
         };
         sets.sort_by(|a, b| coarseness(a).total_cmp(&coarseness(b)));
@@ -110,7 +106,7 @@ fn combined(given: Scales, choices: &[(Sheet, Vec<f64>)]) -> Vec<Scales> {
         let with = |set: Scales| {
             scales.iter().map(move |&mu| {
                 let mut set = set;
-                set[*panel as usize] = Some(mu);
+                set[*panel] = Some(mu);
                 set
             })
         };

@@ -75,7 +75,7 @@ impl Scheme<'_> {
     /// The sizes of both plans on paper, and the paper on which each of them has room; none without their scales.
     pub(super) fn note_on_paper(&self) -> Option<String> {
         let mut largest = [0.0_f64; 2];
-        let sizes = [Sheet::Velocity, Sheet::Acceleration].map(|panel| {
+        let sizes = Sheet::PLANS.map(|panel| {
             let mu = self.figure.mu(panel)?;
             let size = plan_panel::extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
             let (short, long) = (size.x.min(size.y), size.x.max(size.y));

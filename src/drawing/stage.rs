@@ -13,7 +13,7 @@ use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
 use crate::scene::ScalesFor;
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use kurbo::{Affine, Point, Rect};
 use std::sync::Arc;
 
@@ -49,7 +49,7 @@ const TRIED: usize = 6;
 pub struct Stage {
     layout: Layout,
     /// The scales that were chosen, by panel.
-    mu: [Option<f64>; Sheet::ALL.len()],
+    mu: Scales,
     /// By panel: the extent of all positions.
     extents: Vec<(Sheet, Extent)>,
     /// The extent of the scheme in the own position, which is held in sight.
@@ -284,15 +284,14 @@ fn laid_out(
     sheet: Contents,
     below: f64,
 ) -> (Layout, Vec<(Sheet, Extent)>) {
-    const SCHEME: usize = Sheet::Scheme as usize;
     let joints = |(all, own): (&(Sheet, Extent), &(Sheet, Extent))| if own.0 == Sheet::Scheme { *all } else { *own };
     let least: Vec<(Sheet, Extent)> = all.iter().zip(own_extents).map(joints).collect();
-    let scale = own.mu[SCHEME];
+    let scale = own.mu[Sheet::Scheme];
     let tried =
         if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme) { TRIED } else { 1 };
     let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
     for mu in std::iter::successors(Some(scale), coarser).take(tried) {
-        own.mu[SCHEME] = mu;
+        own.mu[Sheet::Scheme] = mu;
         for extents in [&all, &least] {
             let layout = composed(own, extents, sheet).layout_above(below);
             // Of a plan what the own position has, of the scheme all.
@@ -302,7 +301,7 @@ fn laid_out(
             }
         }
     }
-    own.mu[SCHEME] = scale;
+    own.mu[Sheet::Scheme] = scale;
     (composed(own, own_extents, sheet).layout_above(below), all)
 }
 

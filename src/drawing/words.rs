@@ -72,7 +72,7 @@ impl<'a> StepWords<'a> {
             kind: Kind::drawn_on(panel),
             frame: usual,
             area: usual,
-            mu: scheme.mu[panel as usize].unwrap_or_else(|| fitting_scale(&extent, usual)),
+            mu: scheme.mu[panel].unwrap_or_else(|| fitting_scale(&extent, usual)),
             unit: scheme.dims.unit,
         };
         let scales = extents(scheme).into_iter().map(mu).collect();

@@ -78,7 +78,7 @@ impl Exercises {
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
-            panels: vec![Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration],
+            panels: Sheet::ALL.to_vec(),
             step: None,
             special_points: true,
             construction: ConstructionShown::Whole,
@@ -177,11 +177,8 @@ impl Exercises {
         let mut figure = Map::new();
         let panels: Vec<&str> = asked.panels.iter().map(|panel| panel.as_str()).collect();
         figure.insert("panels".into(), json!(panels));
-        let scales = &found.scales;
-        for (key, mu) in [("mu_l", scales.length), ("mu_v", scales.velocity), ("mu_a", scales.acceleration)] {
-            if let Some(mu) = mu {
-                figure.insert(key.into(), super::numbers::written(mu));
-            }
+        for (sheet, mu) in found.scales.given() {
+            figure.insert(sheet.scale_key().into(), super::numbers::written(mu));
         }
         for (key, is_usual, name) in [
             ("page", page == usual.page, page.name()),

@@ -1,7 +1,8 @@
 //! The given numbers of an exercise in sentences, which a student gets beside the scheme.
 
-use crate::quantity::{Kind, Scales};
+use crate::quantity::Kind;
 use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
+use crate::sheet::{Scales, Sheet};
 use crate::words::{Medium, NumberStyle, Wording};
 use serde_json::Value;
 
@@ -14,12 +15,11 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     all.extend(teller.guides());
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
-    let plans = [("μ_v", scales.velocity, Kind::Velocity), ("μ_a", scales.acceleration, Kind::Acceleration)];
-    let scale = |(symbol, mu, kind): (&str, Option<f64>, Kind)| {
-        let unit = kind.unit(scene.units);
-        Some(format!("{symbol} = {} ({unit})/mm", teller.number(mu?)))
+    let scale = |(plan, mu): (Sheet, f64)| {
+        let unit = Kind::drawn_on(plan).unit(scene.units);
+        format!("{} = {} ({unit})/mm", plan.scale_symbol(), teller.number(mu))
     };
-    let plans: Vec<String> = plans.into_iter().filter_map(scale).collect();
+    let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.is_plan()).map(scale).collect();
     vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
 }
 

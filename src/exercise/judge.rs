@@ -9,9 +9,9 @@ use crate::drawing::{
 };
 use crate::mechanism::mechanism;
 use crate::position::{pose, with_nearest_sides};
-use crate::quantity::{Asked, Pencil, Quantity, Scales, What, pencil};
+use crate::quantity::{Asked, Pencil, Quantity, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -115,10 +115,10 @@ impl Exercise {
         if solution.scene.figure.mu_l.is_none() {
             let given = sentences(&solution.scene, text, &scales, &wording);
             let mu = exercise_scale(&students, &quantities, &given);
-            scales.length = if mu > scales.length { mu } else { scales.length };
+            scales[Sheet::Scheme] = if mu > scales[Sheet::Scheme] { mu } else { scales[Sheet::Scheme] };
         }
         for figure in [&mut solution.scene.figure, &mut students.scene.figure] {
-            (figure.mu_l, figure.mu_v, figure.mu_a) = (scales.length, scales.velocity, scales.acceleration);
+            figure.set_scales(scales);
         }
         is_long_enough(&solution.construction, &scales)?;
         if !(solution.overflow_warnings().is_empty() && shows_special_points(&solution)) {
@@ -248,7 +248,7 @@ fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Re
         };
         let sizes = step.plan.into_iter().flat_map(|plan| plan.points.values()).map(|point| point.vector.norm());
         let largest = sizes.reduce(f64::max).unwrap_or(value);
-        let mm = value / scales.of(step.sheet()).ok_or(Refusal::Sheet)?;
+        let mm = value / scales[step.sheet()].ok_or(Refusal::Sheet)?;
         if mm < SHORTEST && value > ZERO * largest {
             return Err(Refusal::Short);
         }

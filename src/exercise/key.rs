@@ -6,6 +6,7 @@ use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, key_sheet};
 use crate::quantity::{Asked, Pencil};
 use crate::scene::schema_of;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
@@ -76,7 +77,11 @@ impl Exercise {
         KeyResult {
             kinegon_key: 1,
             title: self.solution.scene.title.clone(),
-            scales: KeyScales { mu_l: self.scales.length, mu_v: self.scales.velocity, mu_a: self.scales.acceleration },
+            scales: KeyScales {
+                mu_l: self.scales[Sheet::Scheme],
+                mu_v: self.scales[Sheet::Velocity],
+                mu_a: self.scales[Sheet::Acceleration],
+            },
             values: values.collect(),
         }
     }

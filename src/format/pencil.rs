@@ -1,5 +1,6 @@
 use crate::quantity::{Band, Pencil, Unread};
 use crate::scene::Units;
+use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -66,9 +67,9 @@ pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
     PencilResult {
         mm: pencil.tolerance.mm,
         degrees: pencil.tolerance.degrees,
-        mu_l: pencil.scales.length,
-        mu_v: pencil.scales.velocity,
-        mu_a: pencil.scales.acceleration,
+        mu_l: pencil.scales[Sheet::Scheme],
+        mu_v: pencil.scales[Sheet::Velocity],
+        mu_a: pencil.scales[Sheet::Acceleration],
         bands,
         without,
     }

@@ -70,7 +70,7 @@ impl StepList<'_> {
     }
 
     fn mu(&self, kind: Option<Sheet>) -> Option<f64> {
-        self.pencil.scales.of(kind.unwrap_or(Sheet::Scheme))
+        self.pencil.scales[kind.unwrap_or(Sheet::Scheme)]
     }
 
     fn scales_line(&mut self) {

@@ -2,9 +2,8 @@
 
 use super::name::Asked;
 use super::reading::{Reading, Sense, Unread, read_by_hand};
-use super::value::Scales;
-use crate::construction::{Change, Construction, Disturbance, SheetScales, Solution, Tolerance, Values};
-use crate::sheet::Sheet;
+use crate::construction::{Change, Construction, Disturbance, Solution, Tolerance, Values};
+use crate::sheet::{PerSheet, Scales};
 
 /// The value that a hand drawing gives for a quantity, and its scatter; in the quantity's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,21 +60,17 @@ impl Pencil {
 #[must_use]
 pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<Asked>) -> Pencil {
     let (construction, readings) = read_by_hand(solution, &asked);
-    let given = scales.all();
     let on_sheets = readings.into_iter().map(|reading| {
         let reading = reading?;
-        let needed = Sheet::ALL.into_iter().zip(given);
-        let mut needed = needed.filter(|(sheet, _)| *sheet <= reading.sheet);
+        let mut needed = scales.iter().filter(|(sheet, _)| *sheet <= reading.sheet);
         match needed.find(|(_, scale)| scale.is_none()) {
             Some((sheet, _)) => Err(Unread::NoSheet(sheet)),
             None => Ok(reading),
         }
     });
     let readings: Vec<Result<Reading, Unread>> = on_sheets.collect();
-    let per_sheet = SheetScales {
-        // Nothing is read from a sheet without a scale.
-        per_mm: given.map(|scale| scale.unwrap_or(0.0)),
-    };
+    // Nothing is read from a sheet without a scale.
+    let per_sheet = scales.map(|scale| scale.unwrap_or(0.0));
     let readable: Vec<Reading> = readings.iter().flatten().copied().collect();
     let mut bands = construction.bands(per_sheet, &tolerance, &readable).into_iter();
     let all = asked.into_iter().zip(readings).map(|(asked, reading)| {
@@ -85,7 +80,7 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
                 return Err(Unread::Apart);
             }
             if asked.is_on_paper() {
-                let per_mm = per_sheet.per_mm[reading.sheet as usize];
+                let per_mm = per_sheet[reading.sheet];
                 band.value /= per_mm;
                 band.band /= per_mm;
             }
@@ -99,7 +94,7 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
 impl Construction {
     /// The bands of `readings`, in the scene's units.
     #[must_use]
-    pub fn bands(&self, scales: SheetScales, tolerance: &Tolerance, readings: &[Reading]) -> Vec<Band> {
+    pub fn bands(&self, scales: PerSheet<f64>, tolerance: &Tolerance, readings: &[Reading]) -> Vec<Band> {
         let errors = self.operations.iter().enumerate().flat_map(|(index, operation)| {
             let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, error)| (index, which, error.limit(tolerance)))
@@ -121,7 +116,7 @@ impl Construction {
 /// A construction as a hand carries it out, with errors.
 struct Hand<'a> {
     construction: &'a Construction,
-    scales: SheetScales,
+    scales: PerSheet<f64>,
     readings: &'a [Reading],
     /// All errors: index of the operation, index of the error among those of the operation, its limit.
     errors: Vec<(usize, usize, f64)>,

@@ -17,4 +17,4 @@ pub use name::{Asked, Component, Normality, QuantityError, Spot, What, is_accele
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use state::{Snapshot, State};
 pub use unit::Kind;
-pub use value::{Quantity, Scales};
+pub use value::Quantity;

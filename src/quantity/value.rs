@@ -5,7 +5,7 @@ use super::state::{Snapshot, State};
 use crate::construction::{Construction, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::BodyId;
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 
 /// The value of a quantity, in the scene's units; angles in degrees, rates in rad per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,36 +14,6 @@ pub enum Quantity {
     Number(f64),
     /// A vector in the fixed frame.
     Vector(Vector),
-}
-
-/// The scales of a figure, in units of the scene per millimetre of paper; `None` for a panel that the figure does not
-/// have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scales {
-    /// Length per mm.
-    pub length: Option<f64>,
-    /// Velocity per mm.
-    pub velocity: Option<f64>,
-    /// Acceleration per mm.
-    pub acceleration: Option<f64>,
-}
-
-impl Scales {
-    /// The scale of a sheet.
-    #[must_use]
-    pub fn of(&self, sheet: Sheet) -> Option<f64> {
-        match sheet {
-            Sheet::Scheme => self.length,
-            Sheet::Velocity => self.velocity,
-            Sheet::Acceleration => self.acceleration,
-        }
-    }
-
-    /// The scales of scheme, velocity plan and acceleration plan.
-    #[must_use]
-    pub fn all(&self) -> [Option<f64>; 3] {
-        Sheet::ALL.map(|sheet| self.of(sheet))
-    }
 }
 
 impl Solution {
@@ -207,7 +177,7 @@ impl<S: State> Reader<'_, S> {
         let Some(scales) = scales else {
             return Ok(length);
         };
-        let mu = scales.and_then(|scales| scales.of(kind));
+        let mu = scales.and_then(|scales| scales[kind]);
         let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
         let mm = length / mu;
         if mm.is_finite() { Ok(mm) } else { Err(self.none("the scale is too small for it")) }

@@ -1,6 +1,6 @@
 //! The figure that a scene asks for.
 
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Scales, Sheet};
 use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::de::{Error, Unexpected, Visitor};
@@ -160,6 +160,26 @@ impl Figure {
         }
     }
 
+    /// Sets the scale of a panel; `None` lets it fit.
+    pub fn set_mu(&mut self, panel: Sheet, mu: Option<f64>) {
+        *match panel {
+            Sheet::Scheme => &mut self.mu_l,
+            Sheet::Velocity => &mut self.mu_v,
+            Sheet::Acceleration => &mut self.mu_a,
+        } = mu;
+    }
+
+    /// The given scales of all panels.
+    #[must_use]
+    pub fn given_scales(&self) -> Scales {
+        PerSheet::from_fn(|sheet| self.mu(sheet))
+    }
+
+    /// Sets the scales of all panels.
+    pub fn set_scales(&mut self, scales: Scales) {
+        scales.iter().for_each(|(sheet, mu)| self.set_mu(sheet, *mu));
+    }
+
     /// The scale, if it is valid: in units per millimetre of paper, positive, and at most 1e100 as all numbers of
     /// scenes.
     ///
@@ -177,9 +197,9 @@ impl Figure {
 
     /// Refuses scales, panels and steps that cannot be drawn.
     pub(super) fn check(&self) -> Result<(), Wrong> {
-        for (key, scale) in [("mu_l", self.mu_l), ("mu_v", self.mu_v), ("mu_a", self.mu_a)] {
-            if let Some(Err(why)) = scale.map(Figure::checked_scale) {
-                let hint = "leave it out for the next scale that fits";
+        for (sheet, scale) in self.given_scales().given() {
+            if let Err(why) = Figure::checked_scale(scale) {
+                let (key, hint) = (sheet.scale_key(), "leave it out for the next scale that fits");
                 return Err(Wrong::value(&[key], format!("`{key}` is {why}")).hint(hint));
             }
         }

@@ -1,13 +1,12 @@
 //! The construction replayed act by act: without errors it is a third route to every number, with them it gives the bands of honest
 //! hand drawings, which simulated drawings keep to.
 
-use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::construction::{
-    Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind,
-    SheetScales, Tolerance,
+    Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind, Tolerance,
 };
 use kinegon::quantity::{Asked, Band, Quantity, Reading, Sense, Unread, read_by_hand, readable_names, step_names};
+use kinegon::{PerSheet, Sheet};
 use support::exact::exceeds;
 use support::files;
 use support::random::Random;
@@ -44,8 +43,8 @@ impl Sheets {
         Sheets { asked, drawn, readings, solution }
     }
 
-    fn scales(&self) -> SheetScales {
-        SheetScales { per_mm: self.solution.scales().all().map(|s| s.expect("all three panels")) }
+    fn scales(&self) -> PerSheet<f64> {
+        self.solution.scales().map(|scale| scale.expect("all three panels"))
     }
 
     /// The number from which a quantity is read.
@@ -121,7 +120,7 @@ fn of_every_pattern_of_joints_too() {
 
 /// Compares every number and every plan point of the undisturbed replay with the plans and the numeric solution; how many there were.
 fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -> usize {
-    let scales = SheetScales { per_mm: [1.0; 3] };
+    let scales = PerSheet::from_fn(|_| 1.0);
     let values = sheets.drawn.run(scales, &[]);
     let mut compared = 0;
     for (asked, reading) in sheets.asked.iter().zip(&sheets.readings) {
@@ -244,7 +243,7 @@ fn honest_drawings_keep_to_the_bands() {
 #[test]
 fn a_vector_laid_off_backwards_propagates() {
     let sheets = Sheets::of(&files::read("examples/figure-2.json"));
-    let scales = SheetScales { per_mm: [1.0; 3] };
+    let scales = PerSheet::from_fn(|_| 1.0);
     let drawn = &sheets.drawn;
     let b = drawn.place(Sheet::Velocity, "b").expect("v_B is there");
     let laid = |operation: &Operation| operation.kind.place() == Some(b);
@@ -269,7 +268,7 @@ fn a_vector_laid_off_backwards_propagates() {
 #[test]
 fn a_forgotten_coriolis_part_propagates() {
     let sheets = Sheets::of(&files::read("templates/slotted-lever.json"));
-    let scales = SheetScales { per_mm: [1.0; 3] };
+    let scales = PerSheet::from_fn(|_| 1.0);
     let drawn = &sheets.drawn;
     let coriolis = |p: &Product| p.kind == ProductKind::Coriolis;
     let is_twice = |operation: &Operation| match &operation.kind {

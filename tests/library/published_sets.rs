@@ -42,8 +42,7 @@ const DEPTH: usize = 5;
 fn checked(solution: &Solution, given: &[Given]) -> Option<Checked> {
     let values = given.to_vec();
     let scales = solution.scales();
-    let measured =
-        Measured { mu: [scales.length, scales.velocity, scales.acceleration], values, ..Measured::default() };
+    let measured = Measured { mu: scales, values, ..Measured::default() };
     check(&measured, &answer_key(solution, DEPTH)).ok()
 }
 

@@ -1,5 +1,6 @@
 //! Work sheets: what is printed is the result, millimetres times scale are the value, the ruler is one, and nothing overlaps on any page.
 
+use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::drawing::{Drawing, Mark, Shape};
 use kinegon::quantity::{Asked, Quantity, measured_names};
@@ -70,9 +71,9 @@ fn printed_lengths_are_the_results() {
                     panic!("{name}: {asked} has no value")
                 };
                 let mu = match asked.as_bytes()[0] {
-                    b'L' => used.length,
-                    b'v' => used.velocity,
-                    _ => used.acceleration,
+                    b'L' => used[Sheet::Scheme],
+                    b'v' => used[Sheet::Velocity],
+                    _ => used[Sheet::Acceleration],
                 };
                 let mu = mu.expect("the panel is there");
                 let (mm, printed) = (cell("mm"), cell("value"));
@@ -243,11 +244,7 @@ fn a_table_leaves_the_scales_as_they_are() {
             let alone = solved(&with_figure(&text, keys.clone())).expect("a good scene").scales();
             let (solution, sheets) = worksheet(&text, keys);
             let used = solution.scales();
-            assert_eq!(
-                [used.length, used.velocity, used.acceleration],
-                [alone.length, alone.velocity, alone.acceleration],
-                "{name} on {page}"
-            );
+            assert_eq!(used, alone, "{name} on {page}");
             assert!(sheets[0].svg().contains("id=\"ruler\""), "{name} on {page}");
             assert!(sheets.len() == 1 || !sheets[1].svg().contains("id=\"ruler\""), "{name} on {page}");
             apart += usize::from(sheets.len() > 1);

@@ -35,7 +35,7 @@ fn form(measured: &Measured, name: &str) -> String {
     let values = measured.values.iter();
     let values = values.map(|v| (v.name.clone(), v.text.clone().into()));
     let values: serde_json::Map<String, serde_json::Value> = values.collect();
-    let [l, v, a] = measured.mu;
+    let [l, v, a] = kinegon::Sheet::ALL.map(|sheet| measured.mu[sheet]);
     serde_json::json!({
         "kinegon_measured": 1, "name": name, "mu_l": l, "mu_v": v, "mu_a": a, "values": values
     })

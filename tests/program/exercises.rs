@@ -140,7 +140,7 @@ fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
         _ => None,
     });
     let circles: Vec<(Point, kinegon::drawing::Point)> = circles.collect();
-    let mu = exercise.scales.length.expect("a scale");
+    let mu = exercise.scales[Sheet::Scheme].expect("a scale");
     let (origin, centre) = circles[0];
     let on_sheet = |place: Point| {
         let way = (place - origin) / mu;

@@ -31,10 +31,7 @@ fn drawn(mut solution: Solution, measured: &Measured, depth: usize) -> Drawings 
         (own.expect("scales are there"), checked)
     };
     let figure = &mut solution.scene.figure;
-    let [mu_l, mu_v, mu_a] = measured.mu;
-    figure.mu_l = figure.mu_l.or(mu_l);
-    figure.mu_v = figure.mu_v.or(mu_v);
-    figure.mu_a = figure.mu_a.or(mu_a);
+    figure.set_scales(figure.given_scales().or(measured.mu));
     let sheets = overlay(&solution, &own);
     Drawings { sheets, own, checked }
 }
@@ -66,12 +63,11 @@ const FOUR_BAR: &str = "templates/four-bar.json";
 fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
     let (sin, cos) = libm::sincos(12.0_f64.to_radians());
     let scales = answer_key(solution, 1).scales;
-    let mu = [scales.length, scales.velocity, scales.acceleration];
-    let plans = solution.construction.plans().zip(&mu[1..]);
-    let points = plans.map(|(plan, mu)| {
+    let points = solution.construction.plans().map(|plan| {
+        let mu = scales[plan.kind].expect("a panel");
         let names = [plan.kind.pole(), "b", "c"];
         let places = names.map(|name| {
-            let v = plan.points[name].vector / mu.expect("a panel");
+            let v = plan.points[name].vector / mu;
             let mut at = [v.x, v.y];
             if name == "c" && plan.kind == Sheet::Velocity {
                 at = [at[0] + moved[0], at[1] + moved[1]];
@@ -82,7 +78,7 @@ fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
         });
         PointsOf { places: places.into_iter().collect(), ..PointsOf::new(plan.kind) }
     });
-    Measured { mu, points: points.collect(), ..Measured::default() }
+    Measured { mu: scales, points: points.collect(), ..Measured::default() }
 }
 
 #[test]
@@ -145,7 +141,7 @@ fn a_turned_ray_ends_where_geometry_says() {
     let want = crossing([v_b, along], [[0.0, 0.0], normal]);
 
     let measured = with_mistake(&solution, Mistake::TurnedRay, 0);
-    let mu = answer_key(&solution, 1).scales.velocity.expect("a panel");
+    let mu = answer_key(&solution, 1).scales[Sheet::Velocity].expect("a panel");
     let Drawings { sheets, own, .. } = drawn(solution, &measured, 1);
     let mut found = own.points.iter();
     let found = found.find(|p| p.panel == Sheet::Velocity && p.name == "c");
@@ -217,7 +213,7 @@ fn points_from_paper_lie_over_the_right_ones() {
 
     let moved = [9.0, -14.0];
     let measured = points(&base, moved);
-    let mu = measured.mu[1].expect("a scale");
+    let mu = measured.mu[Sheet::Velocity].expect("a scale");
     let wrong = drawn(solution(FOUR_BAR), &measured, 1);
     for point in wrong.own.points.iter().filter(|p| p.panel == Sheet::Velocity) {
         let apart = (point.at.coords - right(&base, Sheet::Velocity, &point.name)) / mu;

@@ -164,7 +164,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     typed.values.retain(|value| !(value.name.starts_with("vplan") || value.name.starts_with("aplan")));
     typed.points = points;
     for plan in &plans {
-        typed.mu[plan.kind as usize] = Some(plan.mu);
+        typed.mu[plan.kind] = Some(plan.mu);
     }
     tally.named[1] += usize::from(told(&typed) == Class::Named);
     let left: Vec<(Sheet, String)> = proposals

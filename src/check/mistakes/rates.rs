@@ -243,11 +243,12 @@ pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
 
 /// Segments converted to values with the scale of another sheet: one of them, or all of a sheet.
 pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
-    let [l, v, a] = site.model.scales.per_mm;
-    let scales = [("μ_l", l), ("μ_v", v), ("μ_a", a), ("μ_v²/μ_l", v * v / l)];
+    let own = site.model.scales;
+    let squared = own[Sheet::Velocity] * own[Sheet::Velocity] / own[Sheet::Scheme];
+    let scales = own.iter().map(|(sheet, scale)| (sheet.scale_symbol(), *scale)).chain([("μ_v²/μ_l", squared)]);
     let mut found = Vec::new();
-    for sheet in Sheet::ALL {
-        let (own, right) = scales[sheet as usize];
+    for (sheet, &right) in own.iter() {
+        let own = sheet.scale_symbol();
         let measured: Vec<(usize, NumberId, &str)> = site
             .operations()
             .filter(|(_, operation)| operation.sheet == sheet)
@@ -260,7 +261,7 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
             let mut named = site.entries.iter().filter(|e| e.asked.name() == name);
             named.next().is_some_and(|e| e.asked.kind() == Kind::Angle)
         };
-        let others = scales.into_iter().filter(|(name, _)| *name != own).map(|(name, scale)| (Some(name), scale));
+        let others = scales.clone().filter(|(name, _)| *name != own).map(|(name, scale)| (Some(name), scale));
         for (wrong, scale) in others.chain([(None, 1.0)]) {
             let ratio = scale / right;
             if (ratio - 1.0).abs() < 1e-9 {

@@ -4,7 +4,7 @@ use super::candidate::{Amount, Candidate, Free};
 use super::site::Site;
 use super::told::{Blank, tell};
 use crate::construction::{NumberId, Operation, OperationKind};
-use crate::sheet::Sheet;
+use crate::sheet::{PerSheet, Sheet};
 use smallvec::{SmallVec, smallvec};
 
 /// Range of the angles by which lines and vectors are wrong, in degrees.
@@ -13,7 +13,7 @@ const TURN: f64 = 60.0;
 /// Every vector laid off, in its size or its direction, every line in its direction, every point that is marked, and
 /// every number that later operations use. The amounts are fitted to the values later.
 pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
-    let extents = Sheet::ALL.map(|sheet| extent(site, sheet));
+    let extents = PerSheet::from_fn(|sheet| extent(site, sheet));
     let mut found = Vec::new();
     for (index, operation) in site.operations() {
         for amounts in amounts(site, operation) {
@@ -23,7 +23,7 @@ pub(super) fn everywhere(site: &Site<'_>) -> Vec<Candidate> {
                 let range = match what {
                     Amount::Number(number) => number_range(site, number),
                     Amount::Error(_) if is_angle => TURN,
-                    Amount::Error(_) => extents[operation.sheet as usize],
+                    Amount::Error(_) => extents[operation.sheet],
                 };
                 Free { operation: index, what, is_angle, range }
             };
@@ -79,5 +79,5 @@ fn extent(site: &Site<'_>, sheet: Sheet) -> f64 {
     let places = places.filter_map(|(_, operation)| Some(site.model.exact.place(operation.kind.place()?)));
     let places: Vec<_> = places.filter(|place| place.iter().all(|x| x.is_finite())).collect();
     let largest = places.iter().map(|place| (place - places[0]).norm()).fold(0.0, f64::max);
-    (largest / site.model.scales.per_mm[sheet as usize]).max(1.0)
+    (largest / site.model.scales[sheet]).max(1.0)
 }

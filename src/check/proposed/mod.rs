@@ -55,9 +55,9 @@ impl Proposals {
     /// The form that they make: by plan the places that were found, with the radii that hold them, to 0.01 mm.
     #[must_use]
     pub fn measured(&self, plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
-        let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
+        let mut measured = Measured { mu: key.scales, ..Measured::default() };
         for plan in plans {
-            measured.mu[plan.kind as usize] = Some(plan.mu);
+            measured.mu[plan.kind] = Some(plan.mu);
             let mut points = PointsOf::new(plan.kind);
             points.put(plan.kind.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
             for point in self.points.iter().filter(|point| point.kind == plan.kind) {
@@ -90,9 +90,9 @@ const APART: f64 = 0.5;
 /// The scene's figure lacks a sheet.
 pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Proposals, CheckError> {
     let mut points = right_points(key, plans)?;
-    let mut mu = key.scales.all();
+    let mut mu = key.scales;
     for plan in plans {
-        mu[plan.kind as usize] = Some(plan.mu);
+        mu[plan.kind] = Some(plan.mu);
     }
     let model = Model::new(key, key.solution, mu, &[])?;
     let tracker = Tracker::new(&model, plans);
@@ -174,8 +174,8 @@ fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
     for pencilled in plans {
         let mut shown = key.solution.construction.plans();
         let Some(plan) = shown.find(|plan| plan.kind == pencilled.kind) else { continue };
-        let mut measured = Measured { mu: key.scales.all(), ..Measured::default() };
-        measured.mu[pencilled.kind as usize] = Some(pencilled.mu);
+        let mut measured = Measured { mu: key.scales, ..Measured::default() };
+        measured.mu[pencilled.kind] = Some(pencilled.mu);
         let mut own = PointsOf::new(plan.kind);
         let right = |vector: crate::geometry::Vector| [vector.x / pencilled.mu, vector.y / pencilled.mu];
         own.put(plan.kind.pole(), [0.0; 2], None);

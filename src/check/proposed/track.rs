@@ -7,7 +7,7 @@ use crate::check::photographs::PencilledPlan;
 use crate::construction::{Disturbance, LineId, OperationKind, PlaceId};
 use crate::geometry::{Point, Vector, cross, unit};
 use crate::photo::Stroke;
-use crate::sheet::Sheet;
+use crate::sheet::PerSheet;
 use std::collections::HashSet;
 
 /// What speaks for a crossing of two lines that are there, and for a vector.
@@ -32,7 +32,7 @@ const SINE: f64 = 0.1;
 pub(super) struct Tracker<'a> {
     model: &'a Model,
     /// By sheet: the pencil lines from the pole, in mm, y up; `None` for a sheet that is not there.
-    strokes: [Option<Vec<Stroke>>; 3],
+    strokes: PerSheet<Option<Vec<Stroke>>>,
 }
 
 /// Where pencil lines show the places of a construction.
@@ -53,7 +53,7 @@ impl Track {
 
 impl<'a> Tracker<'a> {
     pub(super) fn new(model: &'a Model, plans: &[PencilledPlan<'_>]) -> Tracker<'a> {
-        let strokes = Sheet::ALL.map(|sheet| {
+        let strokes = PerSheet::from_fn(|sheet| {
             let plan = plans.iter().find(|plan| plan.kind == sheet)?;
             let turned = |at: Point| Point::from(plan.from_pole([at.x, at.y]));
             Some(plan.strokes.iter().map(|stroke| Stroke { ends: stroke.ends.map(turned), ..*stroke }).collect())
@@ -75,8 +75,8 @@ impl<'a> Tracker<'a> {
             let from = changes.partition_point(|change| change.operation < index);
             let to = changes.partition_point(|change| change.operation <= index);
             values.carry_out(&operations[..=index], index, self.model.scales, &changes[from..to]);
-            let Some(strokes) = &self.strokes[operation.sheet as usize] else { continue };
-            let mu = self.model.scales.per_mm[operation.sheet as usize];
+            let Some(strokes) = &self.strokes[operation.sheet] else { continue };
+            let mu = self.model.scales[operation.sheet];
             let done = mistakes.iter().flat_map(|candidate| &candidate.edits).find_map(|(own, edit)| match edit {
                 Edit::Instead(kind) if *own == index => Some(kind),
                 _ => None,

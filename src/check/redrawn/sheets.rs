@@ -89,7 +89,7 @@ impl<'a> Sheets<'a> {
         let mut turns = Vec::new();
         for points in &measured.points {
             let sheet = points.kind;
-            let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet as usize]) else {
+            let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet]) else {
                 continue;
             };
             let origin = Vector::from(points.places[pole]);
@@ -268,12 +268,12 @@ impl<'a> Sheets<'a> {
     }
 
     fn per_mm(&self, sheet: Sheet) -> f64 {
-        self.own.scales.per_mm[sheet as usize]
+        self.own.scales[sheet]
     }
 
     /// The magnitude of a value with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
-        let kind = [Kind::Length, Kind::Velocity, Kind::Acceleration][sheet as usize];
+        let kind = Kind::drawn_on(sheet);
         let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
         format!("{value} {}", kind.unit(self.key.solution.scene.units))
     }

@@ -29,7 +29,7 @@ use crate::geometry;
 use crate::mechanism::{BodyId, GROUND, Mark, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::scene::{Figure, PageSize, Scene};
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use crate::words::Wording;
 use kurbo::Point;
 use std::cell::RefCell;
@@ -58,7 +58,7 @@ pub(super) struct Scheme<'a> {
     pub words: Wording,
     pub dims: Dims,
     /// The scales of the panels, in units per mm of paper: the scene's, or those chosen for all of its sheets.
-    pub mu: [Option<f64>; Sheet::ALL.len()],
+    pub mu: Scales,
     /// The layer of values; empty in a figure without it.
     pub values: Vec<Value>,
     /// Whether the sheet is one that a student measures.
@@ -93,7 +93,7 @@ impl<'a> Scheme<'a> {
             only_step: None,
             words: solution.wording(),
             dims: Dims::of(&scene.figure),
-            mu: Sheet::ALL.map(|panel| scene.figure.mu(panel)),
+            mu: scene.figure.given_scales(),
             values: Vec::new(),
             is_for_pencil: false,
             shows_senses: false,

@@ -1,6 +1,7 @@
 //! What a sheet gives to a student: places, lengths, drives, guides, scales, and the names that the form asks for.
 
 use super::plane::{DEGREE, Place, direction, unit};
+use kinegon::Sheet;
 use kinegon::check::form_names;
 use kinegon::{Scene, Solution};
 use serde_json::Value;
@@ -57,7 +58,7 @@ impl Scheme {
             guides: Vec::new(),
             rates: BTreeMap::new(),
             known: BTreeMap::new(),
-            scales: [scales.length?, scales.velocity?, scales.acceleration?],
+            scales: [scales[Sheet::Scheme]?, scales[Sheet::Velocity]?, scales[Sheet::Acceleration]?],
             form: form_names(&solution.construction),
         };
         scheme.read_links(&json);

@@ -195,7 +195,7 @@ impl Task {
             place: format!("values.{name}"),
         });
         Measured {
-            mu: self.scheme.scales.map(Some),
+            mu: kinegon::PerSheet::from_fn(|sheet| Some(self.scheme.scales[sheet as usize])),
             positive: Some(Positive::CounterClockwise),
             values: values.collect(),
             ..Measured::default()

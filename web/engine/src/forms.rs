@@ -120,9 +120,9 @@ impl Desk {
         });
         Ok(Form {
             rows,
-            mu_l: scales.length,
-            mu_v: scales.velocity,
-            mu_a: scales.acceleration,
+            mu_l: scales[Sheet::Scheme],
+            mu_v: scales[Sheet::Velocity],
+            mu_a: scales[Sheet::Acceleration],
             points: PlanPoints { velocity, acceleration },
             json: empty.json(),
             csv: empty.csv(),
