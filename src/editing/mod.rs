@@ -16,11 +16,13 @@ mod layout;
 mod measure;
 mod names;
 mod near;
-mod number;
+#[doc(hidden)] // for tests
+pub mod number;
 mod present;
 mod quantity_names;
 mod rename;
-mod reshape;
+#[doc(hidden)] // for tests
+pub mod reshape;
 
 pub use add::blank;
 pub use drive::{with_mode, with_position};

@@ -5,7 +5,7 @@ use serde_json::{Number, Value as Json};
 
 /// A number of decimals: −1 for tens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Decimals(pub i32);
+pub struct Decimals(pub i32);
 
 impl Decimals {
     /// Of angles in degrees that follow from places.
@@ -64,25 +64,5 @@ pub(super) fn json(x: f64) -> Json {
     match x == libm::trunc(x) && x.abs() < 1e15 {
         true => Json::from(x as i64),
         false => Number::from_f64(x).map_or(Json::Null, Json::Number),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_thousandth_of_the_size_or_finer() {
-        for (size, decimals) in [(300.0, 1), (1000.0, 0), (999.0, 1), (3.0, 3), (20_000.0, -1), (0.2, 4)] {
-            assert_eq!(Decimals::of_size(size), Decimals(decimals), "{size}");
-        }
-    }
-
-    #[test]
-    fn rounded_numbers_are_short() {
-        assert_eq!(Decimals(1).json(12.3456).to_string(), "12.3");
-        assert_eq!(Decimals(1).json(-0.01).to_string(), "0");
-        assert_eq!(Decimals(-1).json(1234.0).to_string(), "1230");
-        assert_eq!(Decimals(3).json(1e20).to_string(), "1e+20");
     }
 }

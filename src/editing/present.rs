@@ -137,19 +137,3 @@ fn two_numbers(value: &Json) -> Option<Point> {
 fn local_place(value: &Json) -> Option<Point> {
     value.as_f64().map(|x| Point::new(x, 0.0)).or_else(|| two_numbers(value))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn places_of_a_whole_scene_are_those_of_its_position_and_of_a_part_those_that_it_says() -> Result<(), SceneError> {
-        let whole = places(include_str!("../../templates/four-bar.json"))?;
-        assert_eq!(whole.keys().collect::<Vec<_>>(), ["A", "D", "B", "C"]);
-        let [x, y] = whole["B"];
-        assert!((x - 30.0).abs() < 1e-9 && (y - 51.961_524).abs() < 1e-6, "{x}, {y}");
-        let part = places(r#"{ "ground": { "A": [1, 2] }, "near": { "B": [3, 4], "angle(1)": 5 } }"#)?;
-        assert_eq!(part.into_iter().collect::<Vec<_>>(), [("B".to_owned(), [3.0, 4.0]), ("A".to_owned(), [1.0, 2.0])]);
-        Ok(())
-    }
-}

@@ -151,7 +151,7 @@ fn text(rows: &[DigitRow]) -> String {
 
 /// The certain digits of a value.
 #[derive(Debug, PartialEq)]
-enum Certain {
+pub enum Certain {
     /// The value as text: the true one is within one unit of the last digit.
     Digits(String),
     /// No digit is certain: the magnitude of the true value is at most this.
@@ -161,7 +161,7 @@ enum Certain {
 /// The certain digits of `value`, whose error is at most `bound`.
 ///
 /// Rounding to the last digit may add an error of half its unit, so `bound` may be at most the other half.
-fn certain(value: f64, bound: f64) -> Certain {
+pub fn certain(value: f64, bound: f64) -> Certain {
     // An exact value: the shortest text that reads back to the number.
     if bound == 0.0 {
         return Certain::Digits(written(value, NumberStyle::shortest().in_full(-5, 9)));
@@ -196,35 +196,4 @@ fn place_above(x: f64) -> i32 {
     let k = exponent(&format!("{x:e}"));
     let unit: f64 = format!("1e{k}").parse().unwrap_or(x);
     if x <= unit { k } else { k + 1 }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_last_digit_is_right_to_one_unit() {
-        for (value, bound, text) in [
-            (1.23456789, 0.0004, "1.235"),
-            (1.23456789, 0.0006, "1.23"),
-            (-0.00860783887219, 7.5e-16, "-0.00860783887219"),
-            (0.99999, 0.0005, "1.000"),
-            (123456.0, 400.0, "1.23e5"),
-            (123456.0, 0.4, "123456"),
-            (3.0, 0.4, "3"),
-            (2.5, 0.0, "2.5"),
-            (0.0, 0.0, "0"),
-            (1e-9, 1e-12, "1.00e-9"),
-            (1.0, 1e-300, "1.0000000000000000"),
-        ] {
-            let digits = Certain::Digits(text.to_owned());
-            assert_eq!(certain(value, bound), digits, "{value} {bound}");
-        }
-        for (value, bound, within) in
-            [(0.0, 3e-17, "3e-17"), (2e-17, 1e-17, "3e-17"), (7.0, 4.0, "2e1"), (1.0, 9.5, "2e1"), (-4.0, 5.0, "9e0")]
-        {
-            let none = Certain::None(within.to_owned());
-            assert_eq!(certain(value, bound), none, "{value} {bound}");
-        }
-    }
 }

@@ -5,10 +5,12 @@
 mod backdrop;
 #[cfg(feature = "arrow")]
 mod columns;
-mod digits;
+#[doc(hidden)] // for tests
+pub mod digits;
 mod feedback;
 mod json;
-mod number;
+#[doc(hidden)] // for tests
+pub mod number;
 #[cfg(feature = "pdf")]
 mod pdf;
 mod pencil;

@@ -47,32 +47,3 @@ pub(super) fn push_digits(text: &mut String, mut whole: u64) {
     }
     text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_short_and_rounded_to_a_micrometre() {
-        let cases = [
-            (0.0, "0"),
-            (-0.0, "0"),
-            (-0.0004, "0"),
-            (0.0005, "0.001"),
-            (1.0, "1"),
-            (-1.5, "-1.5"),
-            (12.3456, "12.346"),
-            (0.05, "0.05"),
-            (0.1 + 0.2, "0.3"),
-            (210.0, "210"),
-            (-0.001, "-0.001"),
-            (1.02, "1.02"),
-            (f64::NAN, "0"),
-            (1e6, "1000000"),
-        ];
-        for (value, text) in cases {
-            assert_eq!(number(value), text);
-        }
-        assert_eq!(number(f64::INFINITY), "9223372036854775.807");
-    }
-}

@@ -41,24 +41,3 @@ fn plain(value: &Value) -> String {
     }
     written
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{OpenScene, PAGE, workbench};
-    use serde_json::{Value, json};
-
-    #[test]
-    fn a_scene_stands_in_the_head_and_cannot_leave_it() {
-        let text = "{\"title\": \"</script><script>alert(1)</script><!-- \u{1b}[31m \u{202e} ω 𝄞 \\u003c\"}\r\n";
-        let page = workbench(Some(OpenScene { text, step: Some(7) }));
-        let mark = "<script type=\"application/json\" id=\"kinegon-scene\">";
-        let (before, rest) = page.split_once(mark).expect("it is there");
-        let (data, after) = rest.split_once("</script>\n").expect("its end");
-        assert_eq!(format!("{before}{after}"), PAGE);
-        assert!(after.starts_with("</head>"));
-        let read: Value = serde_json::from_str(data).expect("JSON");
-        assert_eq!(read, json!({ "text": text, "step": 7 }));
-        assert!(data.bytes().all(|b| matches!(b, b' '..=b'~')) && !data.contains('<'));
-        assert_eq!(workbench(None), PAGE);
-    }
-}

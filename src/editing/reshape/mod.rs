@@ -5,7 +5,8 @@ mod guide;
 mod held;
 mod lever;
 mod link;
-mod rule;
+#[doc(hidden)] // for tests
+pub mod rule;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

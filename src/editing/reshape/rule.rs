@@ -4,7 +4,7 @@ use crate::geometry::{Point, Vector, cross, quarter_turn, unit};
 
 /// What holds a joint. Each rule holds where the joint is now.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Rule {
+pub enum Rule {
     /// It stays on the line through its place in this direction, a unit vector.
     Line(Vector),
     /// It stays at its distance from this place.
@@ -26,7 +26,7 @@ impl Rule {
 }
 
 /// The allowed place nearest to `wanted` of a joint that is at `now`.
-pub(super) fn allowed(now: Point, rules: &[Rule], wanted: Point) -> Point {
+pub fn allowed(now: Point, rules: &[Rule], wanted: Point) -> Point {
     match *rules {
         [] => wanted,
         [Rule::Line(along)] => now + along * along.dot(&(wanted - now)),
@@ -53,25 +53,4 @@ pub(super) fn allowed(now: Point, rules: &[Rule], wanted: Point) -> Point {
 
 fn nearest(wanted: Point, [one, other]: [Point; 2]) -> Point {
     if (other - wanted).norm() < (one - wanted).norm() { other } else { one }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rules_hold_and_the_nearest_place_is_taken() {
-        let now = Point::new(3.0, 4.0);
-        let center = Point::origin();
-        let wanted = Point::new(0.0, -8.0);
-        assert_eq!(allowed(now, &[], wanted), wanted);
-        assert_eq!(allowed(now, &[Rule::Line(Vector::x())], wanted), Point::new(0.0, 4.0));
-        assert_eq!(allowed(now, &[Rule::Circle(center)], wanted), Point::new(0.0, -5.0));
-        assert_eq!(
-            allowed(now, &[Rule::Circle(center), Rule::Circle(Point::new(6.0, 0.0))], wanted),
-            Point::new(3.0, -4.0)
-        );
-        assert_eq!(allowed(now, &[Rule::Line(Vector::y()), Rule::Circle(center)], wanted), Point::new(3.0, -4.0));
-        assert_eq!(allowed(now, &[Rule::Line(Vector::y()), Rule::Line(Vector::x())], wanted), now);
-    }
 }

@@ -116,15 +116,3 @@ fn push_point(data: &mut String, point: Point) {
     data.push(' ');
     push_number(data, point.y);
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_full_turn_is_drawn() {
-        let mut data = String::new();
-        arc(&mut data, Point::new(5.0, 5.0), 2.0, 0.0, std::f64::consts::TAU);
-        assert_eq!(data, "M7 5A2 2 0 0 1 4 6.732A2 2 0 0 1 4 3.268A2 2 0 0 1 7 5");
-    }
-}

@@ -3,6 +3,8 @@
 
 mod cycle;
 mod decimals;
+mod editing;
+mod format;
 mod geometry;
 mod mechanism;
 mod position;
