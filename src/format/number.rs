@@ -1,5 +1,5 @@
 /// A length in mm, rounded to a micrometre, as the shortest text. NaN gives 0.
-pub(super) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let mut text = String::with_capacity(8);
     push_number(&mut text, value);
     text

@@ -109,7 +109,6 @@ mod png {
 
 mod svg {
     use kinegon::drawing::{Drawing, Pen, PlacedText, Point, RichText, Shape};
-    use kinegon::drawing::{PlacedText, Point, RichText, Shape};
     use kinegon::format::{Text, svg_with};
 
     #[test]
