@@ -2,17 +2,17 @@
 
 use super::build_parts::{Guide, NewLink};
 use super::error::SceneError;
+use super::error::Source;
+use super::error::Wrong;
 use super::figure::Figure;
-use super::kind::FileKind;
+use super::given::PointMotion;
 use super::link::LinkFile;
-use super::motion::PointMotion;
-use super::place::Source;
 use super::points::Ground;
 use super::read::{Scene, SceneFile};
 use super::slider::SliderFile;
+use super::text::FileKind;
 use super::units::{LengthUnit, TimeUnit, Units};
 use super::value::{Entries, NearValue, Vector};
-use super::wrong::Wrong;
 use super::{text, write};
 
 /// Builds a scene in Rust.

@@ -1,11 +1,11 @@
 //! The parts of a scene that is built in Rust: links, guides, drives.
 
-use super::drive::{LinkDriveFile, SliderDrive};
+use super::error::Wrong;
+use super::given::LinkMotion;
+use super::given::{LinkDriveFile, SliderDrive};
 use super::link::LinkFields;
-use super::motion::LinkMotion;
 use super::slider::SliderFile;
 use super::value::{At, Direction, Entries, ShapePoint};
-use super::wrong::Wrong;
 
 /// A part of the file, and the first key in it that was set twice.
 #[derive(Debug, Clone)]

@@ -3,19 +3,21 @@
 use crate::sheet::{PerSheet, Scales, Sheet};
 use indexmap::IndexMap;
 use schemars::JsonSchema;
-use serde::de::{Error, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
-use std::fmt;
+use serde_json::{Map, Value as Json};
+use std::ops::RangeInclusive;
 
-use super::choice::choice;
+use super::choices::{ConstructionShown, DecimalMark, LanguageName, NotationName, ScalesFor, StyleName, ValuesShown};
+use super::error::Wrong;
+use super::given::GivenBy;
+use super::names::Names;
+use super::page::{Page, PageSize, Sizes};
 use super::schema::without_defaults;
-use super::sizes::Sizes;
+use super::slider::Slider;
 use super::text::LARGEST;
-use super::value::several_forms;
-use super::values::ValuesShown;
+use super::words::list;
 use super::words::{number, shortened};
 use super::write::{write_forms, write_keys};
-use super::wrong::Wrong;
 use crate::text::Untrusted;
 
 /// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
@@ -228,217 +230,72 @@ impl Figure {
 
 write_forms! { Sheet { word => word.as_str() } }
 
-choice! {
-    /// The plans for which scales are chosen that the scene does not give.
-    #[derive(Default)]
-    #[schemars(rename = "scalesFor")]
-    ScalesFor {
-        /// The plans in the scene's own position.
-        #[default]
-        Position = "position",
-        /// Each sheet has the largest scales that fit it: those of a figure, its step sheets and its work sheet may differ.
-        Sheet = "sheet",
-        /// The largest plans over the range of the first drive: all sheets of the cycle then have one set of scales.
-        Cycle = "cycle",
-    }
+/// The keys of a figure that a file has to say, with their values.
+pub(crate) fn figure_keys(figure: &Figure) -> Map<String, Json> {
+    let value = serde_json::from_str(&super::write::text(figure));
+    if let Ok(Json::Object(keys)) = value { keys } else { Map::new() }
 }
 
-choice! {
-    /// A drawing style that comes with the program.
-    #[derive(Default)]
-    #[schemars(rename = "styleName")]
-    StyleName {
-        /// Black lines with a few dark accents on white.
-        #[default]
-        Paper = "paper",
-        /// Black and grey: kinds of lines are told apart by widths, dashes and heads, in every photocopy.
-        Print = "print",
-        /// A colour for each link, the same in the scheme and in the plans; told apart with any colour vision.
-        Lecture = "lecture",
-        /// White and pastel lines on a dark ground.
-        Board = "board",
-    }
-}
+/// How many ghosts a figure may have.
+const GHOSTS: RangeInclusive<usize> = 2..=72;
 
-choice! {
-    /// Notation of poles, images and parts of accelerations. Names of quantities stay the same.
-    #[derive(Default)]
-    #[schemars(rename = "notation")]
-    NotationName {
-        /// The source paper's: poles p and π, images b, parts n, t, c.
-        #[default]
-        Paper = "paper",
-        /// Poles o and o′, images b and, in the acceleration plan, b′, parts n, t, c.
-        English = "english",
-        /// Poles p and π, images b, parts n, τ, k.
-        Russian = "russian",
-        /// Poles P_v and P_a, images b, parts n, t, c.
-        German = "german",
-    }
-}
-
-choice! {
-    /// A language of headings and captions.
-    #[derive(Default)]
-    #[schemars(rename = "language")]
-    LanguageName {
-        /// English.
-        #[default]
-        English = "en",
-        /// Spanish.
-        Spanish = "es",
-    }
-}
-
-choice! {
-    /// Decimal mark of the numbers on figures and in the text of steps; results always have points.
-    #[derive(Default)]
-    #[schemars(rename = "decimal")]
-    DecimalMark {
-        /// 2.5
-        #[default]
-        Point = "point",
-        /// 2,5
-        Comma = "comma",
-    }
-}
-
-/// How much of the construction a figure shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ConstructionShown {
-    /// Images and vectors alone, without the lines that lead to them.
-    Hidden,
-    /// Everything: every point of every link has its image.
-    #[default]
-    Whole,
-    /// As in the source paper (Quintero et al., 2011): after the rates are known, the acceleration plan goes on to no
-    /// further joint, and neither plan to points that no joint needs.
-    Paper,
-}
-
-impl ConstructionShown {
-    /// Whether construction lines are shown.
-    #[must_use]
-    pub fn has_lines(self) -> bool {
-        self != ConstructionShown::Hidden
-    }
-}
-
-write_forms! { ConstructionShown {
-    ConstructionShown::Hidden => &false, ConstructionShown::Whole => &true, ConstructionShown::Paper => "paper"
-} }
-
-several_forms!(ConstructionShown, "construction", Shown, _generator => {
-    "description": "Whether construction lines are shown; \"paper\": shown, and the plans end where the source paper's end",
-    "anyOf": [{ "type": "boolean" }, { "const": "paper" }]
-});
-
-/// Reads [`ConstructionShown`].
-struct Shown;
-
-impl Visitor<'_> for Shown {
-    type Value = ConstructionShown;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("true, false or \"paper\"")
-    }
-
-    fn visit_bool<E: Error>(self, shown: bool) -> Result<ConstructionShown, E> {
-        Ok(if shown { ConstructionShown::Whole } else { ConstructionShown::Hidden })
-    }
-
-    fn visit_str<E: Error>(self, name: &str) -> Result<ConstructionShown, E> {
-        match name {
-            "paper" => Ok(ConstructionShown::Paper),
-            _ => Err(E::invalid_value(Unexpected::Str(name), &self)),
+/// Refuses paths of what is no point of a moving link, and paths and ghosts where nothing can be moved.
+pub(super) fn check_traced(
+    given_by: GivenBy,
+    names: &Names<'_>,
+    sliders: &[Slider],
+    figure: &Figure,
+) -> Result<(), Wrong> {
+    for (index, point) in figure.trace.iter().enumerate() {
+        let path = ["trace", &index.to_string()];
+        check_point(&path, names, point)?;
+        if figure.trace[..index].contains(point) {
+            return Err(Wrong::value(&path, format!("point {point} stands twice")));
         }
     }
+    if let Some(count) = figure.ghosts.filter(|count| !GHOSTS.contains(count)) {
+        let (least, most) = (GHOSTS.start(), GHOSTS.end());
+        let message = format!("the number of ghosts is from {least} to {most}, not {count}");
+        return Err(Wrong::value(&["ghosts"], message));
+    }
+    let (key, what) = match (figure.trace.first(), figure.ghosts) {
+        (Some(point), _) => ("trace", format!("point {point} has no path")),
+        (None, Some(_)) => ("ghosts", "there are no other positions to draw".to_owned()),
+        (None, None) => return Ok(()),
+    };
+    if given_by == GivenBy::Drawing {
+        let hint = "a scene with `lengths` or `shape` and a drive with its `angle` or `position`";
+        let message = format!("a drawn configuration cannot be moved, so {what}");
+        return Err(Wrong::value(&[key], message).hint(hint));
+    }
+    let is_driven = names.links.values().any(|link| link.drive.is_some()) || sliders.iter().any(|s| s.drive.is_some());
+    if !is_driven {
+        let message = format!("there is no drive to move the mechanism, so {what}");
+        return Err(Wrong::value(&[key], message).hint(r#"give a link a "drive""#));
+    }
+    Ok(())
 }
 
-/// A sheet of paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Page {
-    /// Its size.
-    pub size: PageSize,
-    /// Whether its longer side lies horizontally.
-    pub landscape: bool,
-}
-
-choice! {
-    /// A standard size of paper.
-    PageSize {
-        /// 210 mm × 297 mm
-        A4 = "a4",
-        /// 297 mm × 420 mm
-        A3 = "a3",
-        /// 8.5 in × 11 in
-        Letter = "letter",
-        /// 180 mm × 320 mm, in the proportions of a projector
-        Wide = "16x9",
+/// Refuses what is no point of a moving link: other names, points of the ground, special points, points under others.
+fn check_point(path: &[&str], names: &Names<'_>, point: &str) -> Result<(), Wrong> {
+    let moving = || {
+        let mut moving: Vec<&str> = Vec::new();
+        for name in names.links.values().flat_map(|link| &link.points) {
+            if !names.on_ground(name) && !moving.contains(&name.as_str()) {
+                moving.push(name);
+            }
+        }
+        format!("points that move are {}", list(moving.into_iter()))
+    };
+    if names.on_ground(point) {
+        return Err(Wrong::value(path, format!("point {point} is on the ground and has no path")).hint(moving()));
     }
-}
-
-impl Default for Page {
-    /// A4 landscape.
-    fn default() -> Self {
-        Page { size: PageSize::A4, landscape: true }
+    if names.is_point(point) {
+        return Ok(());
     }
-}
-
-impl Page {
-    /// All names of pages in a scene file.
-    pub const NAMES: [&str; 12] = [
-        "a4",
-        "a4-landscape",
-        "a4-portrait",
-        "a3",
-        "a3-landscape",
-        "a3-portrait",
-        "letter",
-        "letter-landscape",
-        "letter-portrait",
-        "16x9",
-        "16x9-landscape",
-        "16x9-portrait",
-    ];
-
-    /// The page of this name; `None` if there is none. Without a suffix it is landscape.
-    #[must_use]
-    pub fn from_name(name: &str) -> Option<Page> {
-        let (size, landscape) = match name.split_once('-') {
-            None => (name, true),
-            Some((size, "landscape")) => (size, true),
-            Some((size, "portrait")) => (size, false),
-            Some(_) => return None,
-        };
-        let size = PageSize::ALL.into_iter().find(|known| known.as_str() == size)?;
-        Some(Page { size, landscape })
+    if names.check_reserved(point).is_err() {
+        let message = format!("{} is a name of the construction, and no point of a link", shortened(point));
+        return Err(Wrong::value(path, message).hint(moving()));
     }
-
-    /// Its name in a scene file: `"a4"`, `"a4-portrait"`.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        let names = |name: &&str| Page::from_name(name) == Some(self);
-        Page::NAMES.into_iter().find(names).expect("every page has a name")
-    }
-
-    /// Width and height, in millimetres.
-    pub fn size_mm(self) -> [f64; 2] {
-        let [short, long] = match self.size {
-            PageSize::A4 => [210.0, 297.0],
-            PageSize::A3 => [297.0, 420.0],
-            PageSize::Letter => [215.9, 279.4],
-            PageSize::Wide => [180.0, 320.0],
-        };
-        if self.landscape { [long, short] } else { [short, long] }
-    }
-}
-
-write_forms! { Page { page => page.name() } }
-
-impl<'de> Deserialize<'de> for Page {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Page, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Page::from_name(&name).ok_or_else(|| D::Error::custom(format!("there is no page \"{}\"", shortened(&name))))
-    }
+    names.point(path, point)
 }

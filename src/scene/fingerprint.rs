@@ -1,7 +1,7 @@
 //! A short sign by which a sheet of paper knows its scene.
 
-use super::kind::FileKind;
 use super::read::{Scene, SceneFile};
+use super::text::FileKind;
 use super::typed::read_as;
 use super::write;
 

@@ -2,13 +2,13 @@
 
 use indexmap::IndexMap;
 
-use super::given_by::GivenBy;
+use super::error::Wrong;
+use super::given::GivenBy;
+use super::given::PointMotion;
 use super::link::Link;
-use super::motion::PointMotion;
 use super::names::Names;
 use super::slider::{On, Slider};
 use super::value::{At, Entries};
-use super::wrong::Wrong;
 
 /// The points of given motion.
 pub(super) fn known(

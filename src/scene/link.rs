@@ -4,15 +4,15 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::drive::{Drive, LinkDrive, LinkDriveFile, SliderDrive, first_given};
-use super::given_by::{DRAWN, GivenBy};
-use super::motion::LinkMotion;
+use super::error::Wrong;
+use super::given::LinkMotion;
+use super::given::{DRAWN, GivenBy};
+use super::given::{Drive, LinkDrive, LinkDriveFile, SliderDrive, first_given};
 use super::name::{check_list, check_name};
 use super::shape::{Shape, lengths, local};
 use super::units::TimeUnit;
 use super::value::{Entries, NamesOr, ShapePoint, several_forms};
 use super::write::{write_forms, write_keys};
-use super::wrong::Wrong;
 
 /// A rigid link. Its axis runs from its first to its second point.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]

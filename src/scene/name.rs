@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
+use super::error::Wrong;
 use super::words::{close, list, shortened};
-use super::wrong::Wrong;
 
 /// Longest name, in characters.
 const LONGEST: usize = 64;
@@ -59,7 +59,7 @@ pub(super) fn no_point(carrier: &str, point: &str, points: &[String]) -> String 
 }
 
 /// The two points of a carrier that a key like `AB` or `A-B` names; `what` is the name of the key in messages.
-pub(super) fn pair(
+pub(super) fn checked_pair(
     what: &str,
     key: &str,
     carrier: &str,
@@ -98,4 +98,14 @@ pub(super) fn pair(
         return Err(wrong(format!(" names the point {from} twice")));
     }
     Ok((from.to_owned(), to.to_owned()))
+}
+
+/// Why a point or a link cannot have this name; `what` is "a point" or "a link".
+pub(crate) fn why_not(what: &str, name: &str) -> Option<(String, Option<String>)> {
+    check_name(what, name).err().map(|wrong| (wrong.message, wrong.hint))
+}
+
+/// The two points of a link or of the ground that a key like `AB` or `A-B` names, if it names two of them.
+pub(crate) fn pair(key: &str, points: &[String]) -> Option<(String, String)> {
+    checked_pair("", key, "", points, |name| points.iter().any(|point| point == name)).ok()
 }

@@ -4,10 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
 
+use super::error::Wrong;
 use super::link::Link;
 use super::name::no_point;
 use super::words::{shortened, suggestion};
-use super::wrong::Wrong;
 
 /// All names of a scene, and the points of each link.
 #[derive(Debug)]

@@ -2,14 +2,14 @@
 
 use indexmap::IndexMap;
 
-use super::given_by::{DRAWN, GivenBy};
+use super::error::Wrong;
+use super::given::{DRAWN, GivenBy};
 use super::name::{check_list, check_name};
 use super::names::Names;
 use super::shape::check_apart;
 use super::value::{Entries, NamesOr, NearValue, Vector, several_forms};
 use super::words::close;
 use super::write::write_forms;
-use super::wrong::Wrong;
 
 /// The frame's points: names, or names with coordinates.
 #[derive(Debug, Clone)]

@@ -5,23 +5,23 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
 use super::error::SceneError;
-use super::figure::Figure;
-use super::given_by::GivenBy;
-use super::kind::FileKind;
+use super::error::Source;
+use super::figure::{Figure, check_traced};
+use super::given::GivenBy;
+use super::given::PointMotion;
 use super::known::{check_given_once, check_motions, known};
 use super::link::{Link, LinkFile, links};
-use super::motion::PointMotion;
 use super::names::Names;
-use super::place::Source;
 use super::points::{Ground, Near, check_points, ground, near};
 use super::schema::schema_of;
 use super::slider::{Slider, SliderFile, sliders};
-use super::traced::check_traced;
+use super::text::FileKind;
+
+use super::error::Wrong;
 use super::typed::read_as;
 use super::units::Units;
 use super::value::{Entries, NearValue, Vector};
 use super::write::write_keys;
-use super::wrong::Wrong;
 use crate::text::Untrusted;
 
 /// Most links of a scene, so that it is read and solved in seconds.
@@ -173,6 +173,50 @@ impl Scene {
     /// The JSON Schema (draft 2020-12) of the scene file, with descriptions, for editors.
     pub fn schema() -> serde_json::Value {
         schema_of::<SceneFile>("Kinegon scene, version 1")
+    }
+}
+
+/// How large a scene may be for what is done with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SizeLimit {
+    links: usize,
+    points: usize,
+    what: &'static str,
+}
+
+impl SizeLimit {
+    /// For numbers: no more than a scene may have.
+    pub const NUMBERS: SizeLimit = SizeLimit { links: usize::MAX, points: usize::MAX, what: "a scene" };
+    /// For a figure, which takes three seconds then.
+    pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, what: "a figure" };
+    /// For steps, whose sheets grow as the square of the links.
+    pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, what: "a figure with steps" };
+    /// For what is drawn by hand: errors of all lines go through to all later ones.
+    pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, what: "a construction by hand" };
+
+    /// Refuses a scene that is larger.
+    ///
+    /// # Errors
+    /// What there is too much of, and how much there may be.
+    pub fn check(self, scene: &Scene) -> Result<(), SceneError> {
+        scene.check_size(self.links, self.points, self.what)
+    }
+}
+
+impl Scene {
+    /// Whether the paths of these points over the cycle of the drive, and so many ghosts, can be drawn.
+    ///
+    /// # Errors
+    /// The first that cannot; its path is `trace.0` or `ghosts`, and it has no place in the text.
+    pub fn check_traced(&self, trace: &[String], ghosts: Option<usize>) -> Result<(), SceneError> {
+        let names = Names::new(&self.ground, &self.links);
+        let figure = Figure { trace: trace.to_vec(), ghosts, ..Figure::default() };
+        check_traced(self.given_by, &names, &self.sliders, &figure).map_err(|wrong| SceneError {
+            path: wrong.paths.first().map_or_else(String::new, |path| path.join(".")),
+            place: None,
+            message: wrong.message,
+            hint: wrong.hint,
+        })
     }
 }
 

@@ -4,10 +4,10 @@ use std::collections::{HashMap, HashSet};
 
 use indexmap::IndexMap;
 
-use super::name::{no_point, pair};
+use super::error::Wrong;
+use super::name::{checked_pair, no_point};
 use super::value::{Entries, ShapePoint};
 use super::words::number;
-use super::wrong::Wrong;
 
 /// Relative tolerance of three lengths that add up, in parts of the longest: within it the link is straight. It covers
 /// the rounding of decimal lengths, with room for a few operations.
@@ -80,7 +80,7 @@ pub(super) fn lengths(link: &str, points: &[String], given: Entries<f64>) -> Res
 /// One length of a link; `before` are those before it.
 fn length(link: &str, points: &[String], before: &[Length], key: String, value: f64) -> Result<Length, Wrong> {
     let is_point = |point: &str| points.iter().any(|other| other == point);
-    let (from, to) = pair("lengths key", &key, &format!("link {link}"), points, is_point)?;
+    let (from, to) = checked_pair("lengths key", &key, &format!("link {link}"), points, is_point)?;
     if let Some(first) = before.iter().find(|other| other.joins(&from, &to)) {
         let message = format!("the length {key} of link {link} is given already, as {}", first.key);
         return Err(Wrong::key(&[], message).hint("keep one of them"));

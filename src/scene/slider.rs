@@ -5,16 +5,16 @@ use std::collections::HashSet;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::drive::SliderDrive;
-use super::given_by::{DRAWN, GivenBy};
+use super::error::Wrong;
+use super::given::SliderDrive;
+use super::given::{DRAWN, GivenBy};
 use super::link::{Link, Pushes};
-use super::name::{no_point, pair};
+use super::name::{checked_pair, no_point};
 use super::names::Names;
 use super::points::Coordinates;
 use super::shape::Shape;
 use super::value::{At, Direction};
 use super::write::write_keys;
-use super::wrong::Wrong;
 use crate::text::shown;
 
 /// A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
@@ -280,7 +280,7 @@ impl Carrier<'_> {
     }
 
     fn along_points(&self, coordinates: &Coordinates, key: &str) -> Result<Along, Wrong> {
-        let points = pair("along", key, &self.name(), self.points(), |point| self.has(point));
+        let points = checked_pair("along", key, &self.name(), self.points(), |point| self.has(point));
         let (from, to) = points.map_err(|Wrong { message, hint, .. }| {
             let number = key.trim().parse::<f64>().is_ok();
             let degrees = number.then(|| format!("write {} without quotes for degrees", key.trim()));

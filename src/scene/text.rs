@@ -5,10 +5,36 @@ use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
 use serde_json::{Map, Number, Value as Json};
 
-use super::kind::FileKind;
-use super::place::{Source, key_range, parse_tree, range_of};
+use super::error::SceneError;
+use super::error::Wrong;
+use super::error::{Source, key_range, parse_tree, range_of};
 use super::words::shortened;
-use super::wrong::Wrong;
+
+/// A kind of file: its name in messages and the key with the version of its format.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FileKind {
+    /// Its name, as `scene`.
+    pub what: &'static str,
+    /// The key of the version.
+    pub key: &'static str,
+    /// The version that is read.
+    pub version: u64,
+}
+
+impl FileKind {
+    /// A scene.
+    pub(super) const SCENE: FileKind = FileKind { what: "scene", key: "kinegon", version: 1 };
+
+    /// How such a file begins, in a sentence for a hint.
+    pub(super) fn beginning(&self) -> String {
+        format!("a {} begins with {}", self.what, self.start())
+    }
+
+    /// How such a file begins, as JSON.
+    pub(super) fn start(&self) -> String {
+        format!(r#"{{ "{}": {}, … }}"#, self.key, self.version)
+    }
+}
 
 /// The largest scene text that is read, in bytes; a larger one is refused before it is parsed.
 pub const MAX_BYTES: usize = 4 << 20;
@@ -195,4 +221,28 @@ fn json_number(text: &str) -> Result<Number, Wrong> {
         Wrong::value(&[], format!("{} is too large to compute with", shortened(text)))
             .hint("choose units that make it less than 1e100")
     })
+}
+
+/// The text of a scene as JSON.
+#[derive(Debug, Clone)]
+pub(crate) struct SceneTree<'a> {
+    /// The text without a byte order mark. Ranges of the tree count in its bytes.
+    pub body: &'a str,
+    /// The value that the text holds.
+    pub root: Value<'a>,
+}
+
+impl<'a> SceneTree<'a> {
+    /// The tree of a text, or why this is not JSON.
+    pub fn read(text: &'a str) -> Result<SceneTree<'a>, SceneError> {
+        let source = Source(text);
+        let root = tree(source, &FileKind::SCENE).map_err(|wrong| source.error(wrong))?;
+        Ok(SceneTree { body: source.body(), root })
+    }
+
+    /// An error at a JSON path of a text; an index of a list is written in digits.
+    pub fn error(text: &str, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
+        let wrong = Wrong::value(path, message).maybe_hint(hint.map(str::to_owned));
+        Source(text).error(wrong)
+    }
 }

@@ -4,7 +4,7 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::choice::choice;
+use super::value::choice;
 use super::write::write_keys;
 
 /// Units of every length and time of the scene.

@@ -246,6 +246,30 @@ macro_rules! several_forms {
 }
 pub(super) use several_forms;
 
+/// Makes an enum of such words, with one list for reading, schema and writing.
+macro_rules! choice {
+    ($(#[$about:meta])* $name:ident { $($(#[$doc:meta])* $value:ident = $word:literal,)* }) => {
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+        $(#[$about])*
+        #[non_exhaustive]
+        pub enum $name { $($(#[$doc])* #[serde(rename = $word)] $value,)* }
+
+        super::write::write_forms! { $name { word => word.as_str() } }
+
+        impl $name {
+            /// All of them.
+            pub const ALL: [$name; [$($word),*].len()] = [$($name::$value),*];
+
+            /// The word for it in a scene file.
+            #[must_use]
+            pub fn as_str(self) -> &'static str {
+                match self { $($name::$value => $word,)* }
+            }
+        }
+    };
+}
+pub(super) use choice;
+
 several_forms!(Vector, "vector", OneOf {
     expecting: r#"two numbers [x, y] or { "size": …, "angle": … }"#,
     from: |given| match given {

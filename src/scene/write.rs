@@ -4,9 +4,7 @@
 //! is parsed.
 
 use indexmap::IndexMap;
-use serde_json::{Map, Value};
 
-use super::figure::Figure;
 use super::words::number;
 use crate::text::Untrusted;
 
@@ -28,12 +26,6 @@ pub(super) trait Write {
 /// The text of a file.
 pub(super) fn text(file: &impl Write) -> String {
     laid_out(&file.written(), 0) + "\n"
-}
-
-/// The keys of a figure that a file has to say, with their values.
-pub(crate) fn figure_keys(figure: &Figure) -> Map<String, Value> {
-    let value = serde_json::from_str(&text(figure));
-    if let Ok(Value::Object(keys)) = value { keys } else { Map::new() }
 }
 
 /// The text of a value that is `depth` levels below the top.

@@ -1,15 +1,25 @@
-//! Drives: of a link that turns, or of a slider along its guide.
+//! What a scene gives: its places by lengths or by a drawing, and motions by drives or as they are known.
 
-use std::f64::consts::{PI, TAU};
-
-use schemars::JsonSchema;
-use serde::Deserialize;
-
-use super::given_by::{DRAWN, GivenBy};
+use super::error::Wrong;
 use super::schema::without_defaults;
 use super::units::TimeUnit;
+use super::value::{At, Vector, vector};
 use super::write::write_keys;
-use super::wrong::Wrong;
+use schemars::JsonSchema;
+use serde::Deserialize;
+use std::f64::consts::{PI, TAU};
+
+/// How a scene gives the places of its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GivenBy {
+    /// By ground points, lengths or shapes, and angles of drives: positions have to be found.
+    Lengths,
+    /// By the coordinates of every point, as drawn.
+    Drawing,
+}
+
+/// End of hints: why a drawn configuration refuses a key.
+pub(super) const DRAWN: &str = "the drawing, `points`, gives it already";
 
 /// A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
@@ -129,3 +139,45 @@ impl LinkDriveFile {
 pub(super) fn first_given<'a>(keys: &[(&'a str, bool)]) -> Option<&'a str> {
     keys.iter().find(|(_, given)| *given).map(|(key, _)| *key)
 }
+
+/// Known motion of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a motion as { "velocity": [x, y], "acceleration": [x, y] }"#)]
+#[schemars(rename = "pointMotion", transform = without_defaults)]
+pub struct PointMotion {
+    /// Velocity, in length per time.
+    #[serde(deserialize_with = "vector")]
+    #[schemars(with = "Vector")]
+    pub velocity: [f64; 2],
+    /// Acceleration, in length per time squared; left out: zero.
+    #[serde(default, deserialize_with = "vector")]
+    #[schemars(with = "Option<Vector>")]
+    pub acceleration: [f64; 2],
+}
+
+write_keys!(PointMotion { velocity, acceleration });
+
+/// Known motion of a link.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, expecting = r#"a motion as { "at": "B", "velocity": [x, y], "omega": 1 }"#)]
+#[schemars(rename = "linkMotion", transform = without_defaults)]
+pub struct LinkMotion {
+    /// The point or the place where the link has the velocity and the acceleration given here.
+    pub at: At,
+    /// Velocity there, in length per time.
+    #[serde(deserialize_with = "vector")]
+    #[schemars(with = "Vector")]
+    pub velocity: [f64; 2],
+    /// Acceleration there, in length per time squared; left out: zero.
+    #[serde(default, deserialize_with = "vector")]
+    #[schemars(with = "Option<Vector>")]
+    pub acceleration: [f64; 2],
+    /// Angular velocity, in radians per unit of time; left out: zero.
+    #[serde(default)]
+    pub omega: f64,
+    /// Angular acceleration, in radians per unit of time squared; left out: zero.
+    #[serde(default)]
+    pub alpha: f64,
+}
+
+write_keys!(LinkMotion { at, velocity, acceleration, omega, alpha });
