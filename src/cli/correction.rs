@@ -4,7 +4,7 @@ use super::options::{GivenScales, Paper};
 use super::output::FileSet;
 use crate::check::{self, AnswerKey, Checked, Measured};
 use crate::construction::Solution;
-use crate::drawing::overlay;
+use crate::drawing::{FigureSheets, overlay};
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -69,7 +69,7 @@ impl Correction {
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         let redrawn = check::redrawn(measured, key, checked, &solution.wording()).map_err(Failure::from)?;
-        solution.overflow_warnings().iter().for_each(|text| warn(text));
+        FigureSheets::new(&solution).overflow_warnings().iter().for_each(|text| warn(text));
         let mut sheets = overlay(&solution, &redrawn);
         style.put_on(&mut sheets);
         let name = format!("{}-check", stem(values_file));

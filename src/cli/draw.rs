@@ -7,7 +7,7 @@ use super::sweep::{refuse_nothing, split_names};
 use super::work::{Mode, show_warnings, solve};
 use crate::construction::{NumberedStep, Solution};
 use crate::cycle::Traces;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, FigureSheets, Steps};
 use crate::editing::{with_figure, with_mode};
 use crate::format::{OpenScene, workbench};
 use crate::order_of_figure;
@@ -22,15 +22,6 @@ const PAPER: [(&str, &str); 2] = [
     ("figure-1", include_str!("../../examples/figure-1.json")),
     ("figure-2", include_str!("../../examples/figure-2.json")),
 ];
-
-/// How finely a construction is shown.
-#[derive(Clone, Copy)]
-enum Steps {
-    /// Each step on a sheet of its own.
-    Fine,
-    /// Steps that belong together on one.
-    Coarse,
-}
 
 /// A sheet to be worked on with ruler and pencil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -138,12 +129,15 @@ impl Draw {
             let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
             note_limits(&traces, &solution.scene.figure);
             show_warnings(&solution);
-            solution.overflow_warnings().iter().for_each(|text| warn(text));
+            let figures = FigureSheets::with_traces(&solution, traces.into());
+            figures.overflow_warnings().iter().for_each(|text| warn(text));
             let first = drawings.len();
-            self.sheets(name, &solution, steps, &mut drawings)?;
+            self.sheets(name, &solution, &figures, steps, &mut drawings)?;
             if self.values.is_some() && steps.is_none() {
                 let sheets = drawings[first..].iter().flat_map(|(_, sheets)| sheets.first());
-                sheets.take(1).for_each(|sheet| note_values(&solution, sheet));
+                sheets
+                    .take(1)
+                    .for_each(|sheet| note_values(&solution.scene.figure, &figures.values_without_room(sheet)));
             }
             solved.push((source, solution));
         }
@@ -265,13 +259,14 @@ impl Draw {
         &self,
         name: String,
         solution: &Solution,
+        figures: &FigureSheets<'_>,
         steps: Option<Steps>,
         drawings: &mut Vec<(String, Vec<Drawing>)>,
     ) -> Result<(), Failure> {
         let wanted = match (steps, solution.scene.figure.step) {
             (None, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
-                let sheets = if self.is_blank() { solution.drawing_sheets(&name) } else { solution.sheets() };
+                let sheets = if self.is_blank() { solution.drawing_sheets(&name) } else { figures.sheets() };
                 if self.is_blank() || solution.scene.figure.worksheet {
                     note_markers(&solution.scene.figure, sheets.first());
                 }
@@ -280,10 +275,7 @@ impl Draw {
             }
             (_, step) => step,
         };
-        let all = match steps {
-            Some(Steps::Coarse) => solution.coarse_figure(),
-            _ => solution.stepwise_figure(),
-        };
+        let all = figures.steps(steps.unwrap_or(Steps::Fine));
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
         let (first, last) = match wanted {
@@ -315,9 +307,8 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
 }
 
 /// Names the values that found no room on a sheet.
-fn note_values(solution: &Solution, sheet: &Drawing) {
-    let missing = solution.values_without_room(sheet);
-    if !missing.is_empty() && !solution.scene.figure.worksheet {
+fn note_values(figure: &Figure, missing: &[String]) {
+    if !missing.is_empty() && !figure.worksheet {
         let names = missing.join(", ");
         note(&format!("no room for the values of {names}; they are in the table of a work sheet (--worksheet)"));
     }

@@ -1,7 +1,7 @@
 //! The table of a work sheet with boxes to be filled in.
 
+use super::context::{Purpose, SheetContext};
 use super::legend::symbol;
-use super::scheme::Scheme;
 use super::table::Cells;
 use super::text::RichText;
 use super::worksheet::{CELLS, TablePlace, Worksheet, table};
@@ -13,18 +13,24 @@ const BOXES: [f64; 2] = [15.0, 21.0];
 
 impl Worksheet {
     /// A table with boxes for the quantities to be found.
-    pub(super) fn blank(scheme: &Scheme<'_>, asked: &[Asked]) -> Self {
-        let language = scheme.words.language;
-        let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(scheme, asked, number)).collect();
+    pub(super) fn blank(context: &SheetContext<'_>, asked: &[Asked]) -> Self {
+        let language = context.words.language;
+        let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(context, asked, number)).collect();
         let mut table = table(language.exercise_quantity(), language.value(), rows);
         [table.widths[1], table.widths[3]] = BOXES;
-        Self { table, lengths: Vec::new(), words: scheme.words, dims: scheme.dims, place: TablePlace::Anywhere }
+        Self {
+            table,
+            lengths: Vec::new(),
+            words: context.words,
+            dims: context.surface.dims,
+            place: TablePlace::Anywhere,
+        }
     }
 }
 
 /// The row of a quantity to be found. Only lengths on paper have a scale.
-fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> {
-    let name = scheme.quantity(asked);
+fn blank_row(context: &SheetContext<'_>, asked: &Asked, number: usize) -> Cells<CELLS> {
+    let name = context.quantity(asked);
     let is_length = matches!(asked.what(), What::Segment { .. } | What::Length(..));
     let scale = if is_length { symbol(asked.kind()) } else { "" };
     Cells {
@@ -33,7 +39,7 @@ fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> 
             RichText::plain(""),
             RichText::math(scale),
             RichText::plain(""),
-            RichText::plain(&asked.kind().unit(scheme.scene.units)),
+            RichText::plain(&asked.kind().unit(context.scene().units)),
         ],
         id: Some(format!("box-{number}")),
         since: 0,
@@ -43,13 +49,13 @@ fn blank_row(scheme: &Scheme<'_>, asked: &Asked, number: usize) -> Cells<CELLS> 
 }
 
 /// How the sheets of a scene write quantities and plan points.
-pub struct SheetLabels<'a>(Scheme<'a>);
+pub struct SheetLabels<'a>(SheetContext<'a>);
 
 impl<'a> SheetLabels<'a> {
     /// The labels of a scene.
     #[must_use]
     pub fn of(solution: &'a Solution) -> SheetLabels<'a> {
-        SheetLabels(Scheme::new(solution))
+        SheetLabels(SheetContext::new(solution, Purpose::Drawing))
     }
 
     /// A quantity: a segment or length by its ends, a rate by its symbol.
@@ -71,18 +77,18 @@ impl<'a> SheetLabels<'a> {
     }
 }
 
-impl Scheme<'_> {
+impl SheetContext<'_> {
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
     pub(super) fn quantity(&self, asked: &Asked) -> String {
         let plan = match asked.what() {
-            What::Segment { kind, .. } => self.construction.plans().find(|plan| plan.kind == *kind),
+            What::Segment { kind, .. } => self.construction().plans().find(|plan| plan.kind == *kind),
             _ => None,
         };
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
         match asked.what() {
             What::Segment { from, to, .. } => between(from, to),
             What::Length(from, to) => between(from.name(), to.name()),
-            _ => asked.symbol(self.mechanism, self.words.notation, &|name| self.shown(name, None)),
+            _ => asked.symbol(self.mechanism(), self.words.notation, &|name| self.shown(name, None)),
         }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::dims::{Dims, MARGIN, TITLE};
 use super::held::Held;
-use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout};
+use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout, sheet_of};
 use super::legend;
 use super::lines;
 use super::markers::Signs;
@@ -15,7 +15,7 @@ use super::table::Table;
 use super::text::{PlacedText, RichText};
 use crate::quantity::Kind;
 use crate::scene::Scene;
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::Scales;
 use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
@@ -72,11 +72,7 @@ impl Composition<'_> {
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
-        let mu = |kind: Kind| match kind {
-            Kind::Velocity => scales[Sheet::Velocity],
-            Kind::Acceleration => scales[Sheet::Acceleration],
-            _ => scales[Sheet::Scheme],
-        };
+        let mu = |kind: Kind| scales[sheet_of(kind)];
         let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }

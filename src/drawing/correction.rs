@@ -2,12 +2,13 @@
 //! values.
 
 use super::compose::{Composition, further_sheets};
+use super::context::{Purpose, SheetContext};
 use super::dims::Dims;
-use super::figure::{composition, content, extents, hints, panels};
+use super::figure::composition;
 use super::layout::Layout;
 use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
-use super::scheme::Scheme;
+use super::panels::{content, extents, hints, panels};
 use super::sheet::Drawing;
 use super::style::Style;
 use super::view::Extent;
@@ -34,8 +35,8 @@ struct Division<'a> {
 /// are not smaller for it, else on further sheets; without values there is none. Content outside a panel is cut off and named at its edge.
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
-    let scheme = Scheme::new(solution).for_pencil().without_values();
-    let Division { place, mut sheet, layout } = best_division(&scheme, overlay);
+    let context = SheetContext::new(solution, Purpose::Drawing);
+    let Division { place, mut sheet, layout } = best_division(&context, overlay);
     if overlay.values.is_empty() {
         return vec![sheet.draw(&layout)];
     }
@@ -54,7 +55,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
         WordsPlace::Apart => overlay.lines(lines::width(page), false),
         _ => Vec::new(),
     };
-    let tables = further_sheets(&figure, scheme.dims.unit, unplaced, table);
+    let tables = further_sheets(&figure, context.surface.dims.unit, unplaced, table);
     std::iter::once(figure).chain(tables).collect()
 }
 
@@ -72,15 +73,15 @@ pub fn overlay_words(figure: &Figure, title: &Untrusted, overlay: &Overlay) -> V
 
 /// The right figure under the student's drawing, with the sentences in their place.
 fn sheet<'a>(
-    scheme: &'a Scheme<'a>,
+    context: &'a SheetContext<'a>,
     overlay: &'a Overlay,
     extents: &[(Sheet, Extent)],
     notes: Notes<'a>,
 ) -> Composition<'a> {
-    let student_layer = |panel| Box::new(OwnLayer { overlay, scheme, panel });
+    let student_layer = |panel| Box::new(OwnLayer { overlay, context, panel });
     let panels =
-        panels(scheme, extents, |panel| vec![hints(scheme, panel), content(scheme, panel), student_layer(panel)]);
-    let mut sheet = composition(scheme, panels, None, vec![Box::new(notes)]);
+        panels(context, extents, |panel| vec![hints(context, panel), content(context, panel), student_layer(panel)]);
+    let mut sheet = composition(context, panels, None, vec![Box::new(notes)]);
     sheet.title = overlay.titled(&sheet.title);
     sheet.steps = Vec::new();
     sheet
@@ -88,11 +89,11 @@ fn sheet<'a>(
 
 /// The division with which most panels show their whole contents; of equals the one that shows more of the student's
 /// points, then the one with the sentences beside the figure, then the one with larger contents.
-fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'a> {
-    let page = scheme.dims.page;
-    let notes = |place| Notes { overlay, words: scheme.words, page, place };
+fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Division<'a> {
+    let page = context.surface.dims.page;
+    let notes = |place| Notes { overlay, words: context.words, page, place };
     let division = |extents: &[(Sheet, Extent)], place: WordsPlace| {
-        let sheet = sheet(scheme, overlay, extents, notes(place));
+        let sheet = sheet(context, overlay, extents, notes(place));
         Division { place, layout: sheet.layout(), sheet }
     };
     let divisions_for = |extents: &[(Sheet, Extent)]| {
@@ -108,14 +109,14 @@ fn best_division<'a>(scheme: &'a Scheme<'a>, overlay: &'a Overlay) -> Division<'
     };
     // First whether all panels are large enough, then how many show their whole contents.
     let shows = |division: &Division| [division.layout.worth[0], division.layout.worth[1]];
-    let right_extents = extents(scheme);
+    let right_extents = extents(context);
     let mut best: Option<Division> = None;
     // Panels extended for the student's points: all, then all but one, all but two …, none.
     let mut kept: Vec<u32> = (0..1 << right_extents.len()).collect();
     kept.sort_by_key(|panels| std::cmp::Reverse(panels.count_ones()));
     for panels in kept {
         let extents = right_extents.iter().enumerate().map(|(index, &(panel, extent))| {
-            let is_given = scheme.figure.mu(panel).is_some();
+            let is_given = context.figure().mu(panel).is_some();
             let is_kept = panels & (1 << index) != 0;
             (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
         });

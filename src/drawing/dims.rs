@@ -9,7 +9,7 @@ use super::shape::Shape;
 use super::sheet::Drawing;
 use super::style::Style;
 use super::text::CAPTION;
-use crate::scene::Figure;
+use crate::scene::{Figure, Page};
 use kurbo::{Affine, Point};
 
 /// White around the sheet's content, in mm.
@@ -64,7 +64,12 @@ impl Free {
 impl Dims {
     /// Those of a scene's figure: of its own sizes or else of its style.
     pub(super) fn of(figure: &Figure) -> Dims {
-        let page = figure.page.size_mm();
+        Dims::on_page(figure.page, figure)
+    }
+
+    /// Those of a figure on another page than its own.
+    pub(super) fn on_page(page: Page, figure: &Figure) -> Dims {
+        let page = page.size_mm();
         let sizes = figure.sizes.unwrap_or_else(|| Style::named(figure.style).sizes());
         let unit = sizes.letters.on(page) / CAPTION;
         let [head, dot, joint] = [sizes.arrowheads, sizes.points, sizes.joints].map(|size| size.on(page) / unit);
@@ -80,11 +85,6 @@ impl Dims {
         let [edge, corner, middle] = [edge, corner, SIDE + 2.0 * WHITE].map(|mm| mm / self.unit);
         let free = Free { edge: edge.max(MARGIN), top: (MARGIN + TITLE).max(edge), corner, middle };
         Dims { free, ..self }
-    }
-
-    /// The same without room for markers.
-    pub(super) fn without_markers(self) -> Dims {
-        Dims { free: Free::PLAIN, ..self }
     }
 
     /// Width of the area below the scales.

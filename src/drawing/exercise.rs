@@ -2,19 +2,21 @@
 //! results; the teacher's key.
 
 use super::compose::{Composition, further_sheets};
-use super::figure::{composition, content, extents, panels};
+use super::context::{Purpose, SheetContext, Surface};
+use super::figure::composition;
 use super::key_table::{KeyRow, KeyTable};
 use super::layout::{Item, Layout};
 use super::lines::Lines;
-use super::plan_panel;
+use super::panels::{content, extents, panels};
+use super::plan::sight::extent;
 use super::plan_sheets::plan_sheets;
-use super::scheme::Scheme;
+use super::scheme;
 use super::sheet::Drawing;
 use super::sheet_notes::Fields;
 use super::text::RichText;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
-use crate::quantity::{Asked, Kind};
+use crate::quantity::Asked;
 use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::Rect;
@@ -27,10 +29,10 @@ const SMALLEST_TABLE: f64 = 0.8;
 /// `None` where the scheme does not fit at the scale that the scene gives.
 #[must_use]
 pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
-    let scheme = Scheme::new(solution).for_pencil().with_senses().without_values();
-    let sheet = student_sheet(&scheme, sentences, &Table::on_sheet(asked));
+    let context = SheetContext::new(solution, Purpose::Exercise);
+    let sheet = student_sheet(&context, sentences, &StudentTable::on_sheet(asked));
     let layout = sheet.layout();
-    is_whole(&scheme, &layout).then(|| sheet.draw(&layout).after_step(0))
+    is_whole(&context, &layout).then(|| sheet.draw(&layout).after_step(0))
 }
 
 /// The sheets on which a student draws, with markers unless the figure is to have none: as [`exercise_sheet`], then those
@@ -59,44 +61,36 @@ pub fn drawing_sheets(
         };
         with(&[TablePlace::Beside, TablePlace::Anywhere]).chain(with(&[TablePlace::Apart]))
     });
-    let mut solution = solution.clone();
+    let alone = SheetContext::new(solution, Purpose::Exercise);
+    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet == Sheet::Scheme));
     for (page, place) in ways {
-        solution.scene.figure.page = page;
-        let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
-        let has_markers = scheme.figure.has_markers();
-        let dims = if has_markers { scheme.dims.with_markers() } else { scheme.dims };
-        let scheme = Scheme { dims, mu: scheme_alone(scales), ..scheme };
-        let table = Table { asked, place, plans_follow: !plans.is_empty() };
-        let signs = has_markers.then(|| scheme.signs(1, name));
-        let sheet = Composition { signs, ..student_sheet(&scheme, sentences, &table) };
+        let context = alone.on(Surface::on_page(page, alone.figure(), mu));
+        let has_markers = context.wants_markers();
+        let context = if has_markers { context.on(context.surface.with_markers()) } else { context };
+        let table = StudentTable { asked, place, plans_follow: !plans.is_empty() };
+        let signs = has_markers.then(|| context.signs(1, name));
+        let sheet = Composition { signs, ..student_sheet(&context, sentences, &table) };
         let layout = sheet.layout();
-        let blank = Worksheet::blank(&scheme, asked);
+        let blank = Worksheet::blank(&context, asked);
         let is_legible = |area: Rect| blank.table.size_in(area) >= SMALLEST_TABLE;
         let has_table = place == TablePlace::Apart || layout.aside.is_some_and(is_legible);
-        if has_table && is_whole(&scheme, &layout) {
+        if has_table && is_whole(&context, &layout) {
             let first = sheet.draw(&layout).after_step(0);
             let apart = (place == TablePlace::Apart).then(|| blank.filled(&layout));
-            let fields = |_| vec![RichText::plain(scheme.words.language.exercise_name())];
-            let last = apart.map(|table| further_sheets(&first, scheme.dims.unit, fields, table));
+            let fields = |_| vec![RichText::plain(context.words.language.exercise_name())];
+            let last = apart.map(|table| further_sheets(&first, context.surface.dims.unit, fields, table));
             return std::iter::once(first).chain(plans).chain(last.into_iter().flatten()).collect();
         }
     }
-    solution.scene.figure.page = own;
-    let scheme = Scheme::new(&solution).for_pencil().with_senses().without_values();
-    let scheme = Scheme { mu: scheme_alone(scales), ..scheme };
-    let table = Table { asked, place: TablePlace::Anywhere, plans_follow: !plans.is_empty() };
-    let sheet = student_sheet(&scheme, sentences, &table);
+    let context = alone.on(Surface::on_page(own, alone.figure(), mu));
+    let table = StudentTable { asked, place: TablePlace::Anywhere, plans_follow: !plans.is_empty() };
+    let sheet = student_sheet(&context, sentences, &table);
     std::iter::once(sheet.draw(&sheet.layout()).after_step(0)).chain(plans).collect()
 }
 
-/// The scale of the scheme alone, on sheets that show no plan.
-fn scheme_alone(scales: &Scales) -> Scales {
-    PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet == Sheet::Scheme))
-}
-
 /// Whether a sheet has room for the whole scheme.
-fn is_whole(scheme: &Scheme<'_>, layout: &Layout) -> bool {
-    let size = layout.panels.first().map(|placed| (placed.shown(&scheme.extent()), placed.area));
+fn is_whole(context: &SheetContext<'_>, layout: &Layout) -> bool {
+    let size = layout.panels.first().map(|placed| (placed.shown(&scheme::sight::extent(context)), placed.area));
     size.is_some_and(|(size, area)| size.x <= area.width() && size.y <= area.height())
 }
 
@@ -104,8 +98,8 @@ fn is_whole(scheme: &Scheme<'_>, layout: &Layout) -> bool {
 /// without one, the smallest that fits.
 #[must_use]
 pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
-    let scheme = Scheme::new(solution).for_pencil().with_senses().without_values();
-    let layout = student_sheet(&scheme, sentences, &Table::on_sheet(asked)).layout();
+    let context = SheetContext::new(solution, Purpose::Exercise);
+    let layout = student_sheet(&context, sentences, &StudentTable::on_sheet(asked)).layout();
     layout.panels.first().map(|placed| placed.mu)
 }
 
@@ -114,8 +108,8 @@ pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]
 #[must_use]
 pub fn key_sheet(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String]) -> Drawing {
     let solution = with_values(solution);
-    let scheme = Scheme::new(&solution).for_pencil().with_senses();
-    let sheet = key(&scheme, rows, sentences);
+    let context = SheetContext::new(&solution, Purpose::Exercise).with_values();
+    let sheet = key(&context, rows, sentences);
     sheet.draw(&sheet.layout())
 }
 
@@ -124,11 +118,11 @@ pub fn key_sheet(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String])
 #[must_use]
 pub fn key_scales(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String]) -> Option<Scales> {
     let solution = with_values(solution);
-    let scheme = Scheme::new(&solution).for_pencil().with_senses();
-    let sheet = key(&scheme, rows, sentences);
+    let context = SheetContext::new(&solution, Purpose::Exercise).with_values();
+    let sheet = key(&context, rows, sentences);
     let layout = sheet.layout();
     let fit = sheet.panels.iter().zip(&layout.panels).all(|(panel, placed)| placed.holds(&panel.needs.extent));
-    fit.then(|| PerSheet::from_fn(|sheet| layout.mu(Kind::drawn_on(sheet))))
+    fit.then(|| layout.mu())
 }
 
 /// The scene with the layer of values in its figure.
@@ -139,62 +133,62 @@ fn with_values(solution: &Solution) -> Solution {
 }
 
 /// The key's sheet.
-fn key<'a>(scheme: &'a Scheme<'a>, rows: &[KeyRow<'_>], sentences: &[String]) -> Composition<'a> {
-    let panels = panels(scheme, &extents(scheme), |panel| vec![content(scheme, panel)]);
-    let table: Box<dyn Item> = Box::new(KeyTable::new(scheme, &panels, rows));
+fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>], sentences: &[String]) -> Composition<'a> {
+    let panels = panels(context, &extents(context), |panel| vec![content(context, panel)]);
+    let table: Box<dyn Item> = Box::new(KeyTable::new(context, &panels, rows));
     let asked: Vec<Asked> = rows.iter().map(|row| row.asked.clone()).collect();
-    let notes = scheme.notes(&asked);
-    let sentences = Lines::of(sentences.iter().chain(&notes), scheme.dims.width_below());
-    composition(scheme, panels, Some(table), vec![Box::new(sentences)])
+    let notes = context.notes(&asked);
+    let sentences = Lines::of(sentences.iter().chain(&notes), context.surface.dims.width_below());
+    composition(context, panels, Some(table), vec![Box::new(sentences)])
 }
 
 /// The table of a student's sheet.
-struct Table<'a> {
+struct StudentTable<'a> {
     asked: &'a [Asked],
     place: TablePlace,
     /// Whether sheets for the plans follow.
     plans_follow: bool,
 }
 
-impl<'a> Table<'a> {
+impl<'a> StudentTable<'a> {
     /// The table on a sheet that stands alone.
-    fn on_sheet(asked: &'a [Asked]) -> Table<'a> {
-        Table { asked, place: TablePlace::Anywhere, plans_follow: false }
+    fn on_sheet(asked: &'a [Asked]) -> StudentTable<'a> {
+        StudentTable { asked, place: TablePlace::Anywhere, plans_follow: false }
     }
 }
 
 /// The student's sheet, with the scheme as its only panel.
-fn student_sheet<'a>(scheme: &'a Scheme<'a>, sentences: &[String], table: &Table<'_>) -> Composition<'a> {
-    let alone = [(Sheet::Scheme, scheme.extent())];
-    let panels = panels(scheme, &alone, |panel| vec![content(scheme, panel)]);
-    let (fields, own_line) = match Fields::new(scheme, &scheme.title()) {
+fn student_sheet<'a>(context: &'a SheetContext<'a>, sentences: &[String], table: &StudentTable<'_>) -> Composition<'a> {
+    let alone = vec![(Sheet::Scheme, scheme::sight::extent(context))];
+    let panels = panels(context, &alone, |panel| vec![content(context, panel)]);
+    let (fields, own_line) = match Fields::new(context, &context.title()) {
         Ok(fields) => (Some(Box::new(fields) as Box<dyn Item>), None),
         Err(line) => (None, Some(line)),
     };
     let paper = match table.plans_follow {
-        true => Some(scheme.words.language.exercise_sheets().to_owned()),
-        false => scheme.note_on_paper(),
+        true => Some(context.words.language.exercise_sheets().to_owned()),
+        false => context.note_on_paper(),
     };
-    let notes: Vec<String> = paper.into_iter().chain(scheme.notes(table.asked)).chain(own_line).collect();
-    let sentences = Lines::of(sentences.iter().chain(&notes), scheme.dims.width_below());
+    let notes: Vec<String> = paper.into_iter().chain(context.notes(table.asked)).chain(own_line).collect();
+    let sentences = Lines::of(sentences.iter().chain(&notes), context.surface.dims.width_below());
     let mut items: Vec<Box<dyn Item>> = Vec::new();
     let beside: Option<Box<dyn Item>> = match table.place {
         TablePlace::Apart => {
-            items.push(Ruler::below(scheme, &sentences));
+            items.push(Ruler::below(context, &sentences));
             None
         }
-        place => Some(Box::new(Worksheet { place, ..Worksheet::blank(scheme, table.asked) })),
+        place => Some(Box::new(Worksheet { place, ..Worksheet::blank(context, table.asked) })),
     };
     items.insert(0, Box::new(sentences));
-    composition(scheme, panels, beside, items.into_iter().chain(fields).collect())
+    composition(context, panels, beside, items.into_iter().chain(fields).collect())
 }
 
 /// Whether scheme and plans show all their points at their places, none by an arrow.
 #[must_use]
 pub fn shows_special_points(solution: &Solution) -> bool {
-    let scheme = Scheme::new(solution).for_pencil().without_values();
-    let [shown, all] = [scheme.figure.construction, ConstructionShown::Paper];
-    let mut plans = scheme.construction.plans();
-    scheme.special().all(|special| scheme.is_near(special))
-        && plans.all(|plan| plan_panel::extent(plan, shown) == plan_panel::extent(plan, all))
+    let context = SheetContext::new(solution, Purpose::Drawing);
+    let [shown, all] = [context.figure().construction, ConstructionShown::Paper];
+    let mut plans = context.construction().plans();
+    context.special().all(|special| scheme::sight::is_near(&context, special))
+        && plans.all(|plan| extent(plan, shown) == extent(plan, all))
 }

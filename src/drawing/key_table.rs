@@ -1,14 +1,13 @@
 //! The table of a key: every quantity of the form with its value, and by how much a careful hand may be off.
 
+use super::context::SheetContext;
 use super::dims::Dims;
 use super::layout::{Aside, Item, Layout};
-use super::legend::symbol;
+use super::legend::{HUNDREDTHS, VALUE, symbol};
 use super::panel::Panel;
-use super::scheme::Scheme;
 use super::sheet::Drawing;
 use super::table::{Cells, Table};
 use super::text::RichText;
-use super::words::{HUNDREDTHS, VALUE};
 use super::worksheet::{RULER_ROOM, RULER_ROWS, draw_ruler_at_foot, least};
 use crate::quantity::Asked;
 use crate::words::{Medium, NumberStyle, Wording};
@@ -39,8 +38,8 @@ pub(super) struct KeyTable {
 
 impl KeyTable {
     /// The table of these rows beside panels. Millimetres of a panel without a scale are those at its largest.
-    pub(super) fn new(scheme: &Scheme<'_>, panels: &[Panel<'_>], rows: &[KeyRow<'_>]) -> KeyTable {
-        let (words, page) = (scheme.words, scheme.figure.page.size_mm());
+    pub(super) fn new(context: &SheetContext<'_>, panels: &[Panel<'_>], rows: &[KeyRow<'_>]) -> KeyTable {
+        let (words, page) = (context.words, context.surface.page.size_mm());
         let cells = rows.iter().zip(1..).map(|(row, number)| {
             let kind = row.asked.kind();
             let panel = panels.iter().find(|panel| panel.needs.kind == kind && row.asked.is_length_on_sheet());
@@ -48,12 +47,12 @@ impl KeyTable {
             let allowed = row.allowed.map(|allowed| format!("± {}", words.write(allowed, ALLOWED)));
             Cells {
                 texts: [
-                    RichText::math(&scheme.quantity(row.asked)),
+                    RichText::math(&context.quantity(row.asked)),
                     RichText::plain(&mm.unwrap_or_default()),
                     RichText::math(if panel.is_some() { symbol(kind) } else { "" }),
                     RichText::plain(&words.write(row.value, VALUE)),
                     RichText::plain(&allowed.unwrap_or_default()),
-                    RichText::plain(&kind.unit(scheme.scene.units)),
+                    RichText::plain(&kind.unit(context.scene().units)),
                 ],
                 id: Some(format!("key-{number}")),
                 since: 0,
@@ -65,7 +64,7 @@ impl KeyTable {
         let right_aligned = [false, true, false, true, false, false];
         let names = ["name", "mm", "scale", "value", "allowed", "unit"];
         let table = Table::new(head.map(RichText::plain), right_aligned, names, cells.collect());
-        KeyTable { table: Table { foot: (RULER_ROOM, RULER_ROWS), ..table }, words, dims: scheme.dims }
+        KeyTable { table: Table { foot: (RULER_ROOM, RULER_ROWS), ..table }, words, dims: context.surface.dims }
     }
 }
 

@@ -3,6 +3,7 @@ use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
 use crate::geometry;
 use crate::quantity::Kind;
+use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Affine, Rect};
 
 /// White between panels, in mm.
@@ -45,6 +46,11 @@ impl Needs {
     pub(super) fn usual(kind: Kind, extent: Extent, heading: f64) -> Needs {
         Needs { kind, extent, heading, above: 0.0, mu: None, white: WHITE, weight: 1.0 }
     }
+}
+
+/// The sheet on which a kind of quantity is drawn to scale.
+pub(super) fn sheet_of(kind: Kind) -> Sheet {
+    Sheet::ALL.into_iter().find(|sheet| Kind::drawn_on(*sheet) == kind).unwrap_or(Sheet::Scheme)
 }
 
 /// A panel's place and scale.
@@ -99,6 +105,7 @@ pub(super) trait Item {
 }
 
 /// Frames of all parts of a sheet.
+#[derive(Clone)]
 pub(super) struct Layout {
     pub legend: Rect,
     /// Height of the legend's upper part with the scales, and their number of columns.
@@ -128,8 +135,13 @@ impl Layout {
     }
 
     /// The scale of the panel for this kind of quantity, in units per mm.
-    pub(super) fn mu(&self, kind: Kind) -> Option<f64> {
+    pub(super) fn mu_of(&self, kind: Kind) -> Option<f64> {
         self.panels.iter().find(|placed| placed.kind == kind).map(|placed| placed.mu)
+    }
+
+    /// The scales of the panels, in units per mm.
+    pub(super) fn mu(&self) -> Scales {
+        PerSheet::from_fn(|sheet| self.mu_of(Kind::drawn_on(sheet)))
     }
 }
 

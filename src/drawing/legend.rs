@@ -20,6 +20,10 @@ const LEAST_GAP: f64 = 6.0;
 const MOST_GAP: f64 = 24.0;
 /// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
+/// Number style of values in tables and words.
+pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
+/// Number style of lengths on paper and angles.
+pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 /// Number style of the difference between construction and loop equations.
 const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 

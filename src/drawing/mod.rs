@@ -3,24 +3,23 @@
 //! Input is the geometry of a figure already brought to scale; output is a [`Drawing`], a flat list of marks in drawing
 //! order with every text measured and every label placed. The formats write that list and decide nothing.
 
-// In reading order: `figure` lists `panel`s and `item`s, `compose` makes a sheet of them with a `layout`; `scheme` and
-// `plan_panel` draw on a `canvas`. `exercise`, `plan_sheets`, `correction` and `curves` compose other sheets; `markers` stand
-// on those to be drawn on. Then the display list:
-// `sheet`, `shape`, `arrow`, the `look` of its marks from a `style`, its `text`, the places of its `labels` off all
-// `obstacles`, which a `grid` finds.
 mod arrow;
 mod blank;
 mod canvas;
 mod clip;
 mod compose;
+mod context;
 mod correction;
 mod curves;
 mod dims;
 mod exercise;
+mod facts;
 mod figure;
+mod figure_sheets;
 mod fonts;
 mod grid;
 mod held;
+mod held_layout;
 mod inset;
 mod key_table;
 mod labels;
@@ -30,25 +29,24 @@ mod lines;
 mod look;
 pub mod markers;
 mod markup;
-mod names;
 mod obstacles;
 mod over_photo;
 mod overlay;
 mod panel;
+mod panels;
 mod passages;
 mod pen;
-mod plan_panel;
+mod plan;
 mod plan_sheets;
-mod scales;
 mod scheme;
 mod shape;
 mod sheet;
 mod sheet_notes;
-mod stage;
-mod stages;
+mod step_numbers;
 mod style;
 mod table;
 mod text;
+mod value;
 mod values;
 mod view;
 mod words;
@@ -59,8 +57,9 @@ pub use blank::SheetLabels;
 pub use correction::{overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
-pub use figure::Steps;
+pub use figure_sheets::FigureSheets;
 pub use fonts::{ITALIC, REGULAR};
+pub use held_layout::{Handle, HeldLayout, HeldPanel};
 pub use key_table::KeyRow;
 pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};
@@ -70,7 +69,7 @@ pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use pen::Pen;
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark};
-pub use stage::{Handle, Stage, StagePanel};
+pub use step_numbers::Steps;
 pub use style::Style;
 pub use text::{Anchor, PlacedRun, PlacedText, RichText};
 pub use view::{Extent, View, fitting_scale, next_scale};

@@ -1,10 +1,10 @@
 //! The right plans over a photographed sheet, straightened out.
 
-use super::figure::{content, panels};
+use super::context::{Purpose, SheetContext};
 use super::layout::Placed;
 use super::markers::SheetCode;
-use super::plan_panel;
-use super::scheme::Scheme;
+use super::panels::{content, panels};
+use super::plan::sight;
 use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
@@ -46,20 +46,20 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     figure.page = code.page;
     figure.focus = None;
     figure.panels = code.panels.iter().map(|panel| panel.panel).collect();
+    let mut context = SheetContext::new(&solution, Purpose::Drawing);
     for panel in &code.panels {
-        figure.set_mu(panel.panel, Some(panel.mu));
+        context.surface.mu[panel.panel] = Some(panel.mu);
     }
-    let scheme = Scheme::new(&solution).for_pencil().without_values();
-    let unit = scheme.dims.unit;
-    let [width, height] = scheme.dims.page;
+    let unit = context.surface.dims.unit;
+    let [width, height] = context.surface.dims.page;
     let mut drawing = Drawing::new(width, height);
     drawing.style = super::style::Style::named(solution.scene.figure.style);
     drawing.title = solution.scene.title.clone().unwrap_or_default();
-    drawing.language = scheme.words.language.code;
+    drawing.language = context.words.language.code;
     for placed in &code.panels {
-        let Some(plan) = scheme.plan(placed.panel) else { continue };
-        let extent = plan_panel::extent(plan, scheme.figure.construction);
-        let all = panels(&scheme, &[(placed.panel, extent)], |panel| vec![content(&scheme, panel)]);
+        let Some(plan) = context.plan(placed.panel) else { continue };
+        let extent = sight::extent(plan, context.figure().construction);
+        let all = panels(&context, &vec![(placed.panel, extent)], |panel| vec![content(&context, panel)]);
         for mut panel in all {
             // Without the frame, which the sheet has.
             panel.layers.remove(0);
@@ -72,7 +72,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
                 unit,
             };
             panel.content = None;
-            panel.draw(&mut drawing, &place, &solution.scene.figure.labels, &scheme.dims, None);
+            panel.draw(&mut drawing, &place, &solution.scene.figure.labels, &context.surface.dims, None);
         }
     }
     drawing.marks.retain(|mark| mark.until.is_none());
@@ -82,7 +82,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
         mark.emphasis = Emphasis::New;
     }
     for point in seen {
-        draw_seen(&mut drawing, &scheme, point);
+        draw_seen(&mut drawing, &context, point);
     }
     drawing
 }
@@ -94,16 +94,16 @@ fn area(extent: &Extent, pole: [f64; 2], mu: f64) -> Rect {
 }
 
 /// Draws a point that was found: a cross, the circle that holds it, and where it is off its name with an asterisk.
-fn draw_seen(drawing: &mut Drawing, scheme: &Scheme<'_>, point: &SeenPoint) {
+fn draw_seen(drawing: &mut Drawing, context: &SheetContext<'_>, point: &SeenPoint) {
     let center = Point::new(point.at[0], point.at[1]);
     for way in [Vec2::new(CROSS, CROSS), Vec2::new(CROSS, -CROSS)] {
         drawing.draw(Pen::StudentPoint, Shape::Line(center - way, center + way));
     }
     drawing.draw(Pen::StudentPoint, Shape::Circle { center, radius: point.band.max(CROSS) });
     if point.is_off {
-        let name = scheme.shown(&point.name, scheme.plan(point.panel));
+        let name = context.shown(&point.name, context.plan(point.panel));
         let name = RichText::math(&format!("{name}^*"));
         let from = center + Vec2::new(1.5 * CROSS, -1.2 * CROSS);
-        drawing.draw(Pen::StudentPoint, Shape::Text(PlacedText::new(name, CAPTION * scheme.dims.unit, from)));
+        drawing.draw(Pen::StudentPoint, Shape::Text(PlacedText::new(name, CAPTION * context.surface.dims.unit, from)));
     }
 }

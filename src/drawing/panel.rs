@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::dims::Dims;
 use super::held::Held;
-use super::layout::{HEADING, Needs, Placed};
+use super::layout::{HEADING, Needs, Placed, sheet_of};
 use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::shape::{Shape, corners};
@@ -12,7 +12,6 @@ use super::text::CAPTION;
 use super::view::{Extent, View};
 use crate::geometry;
 use crate::quantity::Kind;
-use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::{Rect, Vec2};
@@ -105,11 +104,7 @@ impl<'a> Panel<'a> {
     /// The panel on a sheet, for programs that read a photograph of it.
     pub(super) fn on_paper(&self, placed: &Placed) -> PlacedPanel {
         let origin = placed.view(&self.needs.extent, self.content).at(geometry::Point::origin());
-        let panel = match placed.kind {
-            Kind::Velocity => Sheet::Velocity,
-            Kind::Acceleration => Sheet::Acceleration,
-            _ => Sheet::Scheme,
-        };
+        let panel = sheet_of(placed.kind);
         PlacedPanel { panel, mu: placed.mu, origin: [origin.x, origin.y].map(|place| place * placed.unit) }
     }
 }

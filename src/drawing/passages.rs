@@ -1,6 +1,6 @@
 //! A figure in coarse steps: words about each passage of the construction, and marks that come with it.
 
-use super::scheme::Scheme;
+use super::context::SheetContext;
 use super::sheet::Drawing;
 use super::text::RichText;
 use super::words::{BELOW, BETWEEN, EQUATION, FIRST, ROW, SECOND, Writer, width_of};
@@ -10,11 +10,11 @@ use kurbo::{Point, Rect};
 impl Writer<'_> {
     /// Caption and details of a passage, or one of both.
     pub(super) fn passage(&mut self, index: usize, passage: &Passage, [caption, details]: [bool; 2]) {
-        let scheme = self.scheme;
-        let steps: Vec<NumberedStep<'_>> = scheme.construction.steps_of(passage).collect();
+        let context = self.context;
+        let steps: Vec<NumberedStep<'_>> = context.construction().steps_of(passage).collect();
         self.number = passage.steps[1] as u16;
         if caption {
-            let caption = scheme.teller().passage_caption(passage);
+            let caption = context.teller().passage_caption(passage);
             self.numbered(index + 1, &caption, steps.first().and_then(|step| step.plan));
         }
         if details {
@@ -47,7 +47,7 @@ impl Writer<'_> {
         for (index, (step, value)) in measured.enumerate() {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
             let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND + ROW * row);
-            let symbol = RichText::math(&self.scheme.teller().formula(step).markup());
+            let symbol = RichText::math(&self.context.teller().formula(step).markup());
             let value = RichText::plain(&format!(" = {}", self.size(value, None)));
             self.line(&[symbol, value], EQUATION, from, half - 4.0);
         }
@@ -68,7 +68,7 @@ impl Writer<'_> {
         });
         let mut x = self.area.x0;
         for (step, ray) in rays.take(2) {
-            let formula = self.scheme.teller().formula(step);
+            let formula = self.context.teller().formula(step);
             let end = self.ray_equation(ray, &formula, step.plan, Point::new(x, self.area.y0 + SECOND));
             let least = if is_after_caption { self.area.center().x } else { x };
             x = (end + BETWEEN).max(least);
@@ -88,7 +88,7 @@ impl Writer<'_> {
     /// The formulas of some steps one after another, in lines with these baselines; in a smaller size where they are
     /// too long.
     fn formulas(&mut self, steps: &[NumberedStep<'_>], area: Rect, baselines: &[f64]) {
-        let has_formula = |step: &&NumberedStep<'_>| !self.scheme.teller().formula(step).is_empty();
+        let has_formula = |step: &&NumberedStep<'_>| !self.context.teller().formula(step).is_empty();
         let steps: Vec<NumberedStep<'_>> = steps.iter().filter(has_formula).copied().collect();
         let in_line = steps.len().div_ceil(baselines.len()).max(1);
         for (steps, y) in steps.chunks(in_line).zip(baselines) {
@@ -100,7 +100,7 @@ impl Writer<'_> {
     /// The formulas of some steps, with commas between them.
     fn formula(&self, steps: &[NumberedStep<'_>]) -> Vec<RichText> {
         let mut pieces: Vec<RichText> = Vec::new();
-        let written = steps.iter().map(|step| (self.scheme.teller().formula(step), step.plan));
+        let written = steps.iter().map(|step| (self.context.teller().formula(step), step.plan));
         for (formula, plan) in written.filter(|(formula, _)| !formula.is_empty()) {
             pieces.extend((!pieces.is_empty()).then(|| RichText::plain(",   ")));
             for term in &formula.terms {
@@ -114,7 +114,7 @@ impl Writer<'_> {
 
 impl Drawing {
     /// The figure in coarse steps: marks come with the passage of their step.
-    pub(super) fn in_passages(mut self, scheme: &Scheme<'_>, passages: &[Passage]) -> Drawing {
+    pub(super) fn in_passages(mut self, context: &SheetContext<'_>, passages: &[Passage]) -> Drawing {
         let number = |step: u16| match passages.iter().position(|passage| step <= passage.steps[1] as u16) {
             Some(index) if step > 0 => index as u16 + 1,
             Some(_) => 0,
@@ -124,10 +124,10 @@ impl Drawing {
             (mark.since, mark.until) = (number(mark.since), mark.until.map(number));
         }
         self.marks.retain(|mark| mark.until != Some(mark.since));
-        let (teller, construction) = (scheme.teller(), scheme.construction);
+        let (teller, construction) = (context.teller(), context.construction());
         let caption = |passage: &Passage| {
             let plan = construction.steps_of(passage).next().and_then(|step| step.plan);
-            shown_text(&teller.passage_caption(passage), plan, &scheme.words)
+            shown_text(&teller.passage_caption(passage), plan, &context.words)
         };
         self.steps = passages.iter().map(caption).collect();
         self

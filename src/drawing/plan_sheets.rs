@@ -2,12 +2,12 @@
 
 use super::canvas::Canvas;
 use super::compose::Composition;
+use super::context::{Purpose, SheetContext, Surface};
 use super::figure::composition;
 use super::layout::{Item, Needs, Placed};
 use super::lines::{Line, Lines};
 use super::panel::{Frame, Layer, Panel};
-use super::plan_panel;
-use super::scheme::Scheme;
+use super::plan::sight::extent;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::sheet_notes::Fields;
@@ -27,20 +27,18 @@ const WHITE: f64 = 10.0;
 /// The sheets for the plans that the figure shows, at these scales, with numbers from `first` on: both
 /// on one sheet where both have room, else one each; on the figure's page, as it lies or turned, else on A3.
 pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> Vec<Drawing> {
-    let own = solution.scene.figure.page;
-    let shown = solution.scene.figure.shown_panels();
+    let context = SheetContext::new(solution, Purpose::Drawing);
+    let own = context.figure().page;
+    let shown = context.figure().shown_panels();
     let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet.is_plan()));
-    let is_wanted = |panel: &Sheet| {
-        let has_plan = solution.construction.plans().any(|plan| plan.kind == *panel);
-        shown.contains(panel) && has_plan && mu[*panel].is_some()
-    };
+    let is_wanted = |sheet: &Sheet| shown.contains(sheet) && context.plan(*sheet).is_some() && mu[*sheet].is_some();
     let plans: Vec<Sheet> = Sheet::PLANS.into_iter().filter(is_wanted).collect();
     let sheet = |page: Page, plans: &[Sheet], number: u16| {
-        let mut solution = solution.clone();
-        solution.scene.figure.page = page;
-        let scheme = Scheme { mu, ..Scheme::new(&solution).for_pencil().without_values() };
-        let dims = if scheme.figure.has_markers() { scheme.dims.with_markers() } else { scheme.dims };
-        drawn(&Scheme { dims, ..scheme }, plans, number, name)
+        let context = context.on(Surface::on_page(page, context.figure(), mu));
+        match context.wants_markers() {
+            true => drawn(&context.on(context.surface.with_markers()), plans, number, name),
+            false => drawn(&context, plans, number, name),
+        }
     };
     if plans.len() > 1
         && let (both, true) = sheet(own, &plans, first)
@@ -49,19 +47,18 @@ pub(super) fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, firs
     }
     let turned = |page: Page| Page { landscape: !page.landscape, ..page };
     let large = Page { size: PageSize::A3, ..own };
-    let pages = [own, turned(own), large, turned(large)];
     let alone = |(plan, number): (&Sheet, u16)| {
-        let drawn = pages.map(|page| sheet(page, &[*plan], number));
-        let fitting = drawn.iter().position(|(_, fits)| *fits).unwrap_or(2);
-        drawn.into_iter().nth(fitting).map(|(sheet, _)| sheet)
+        let pages = [own, turned(own), large, turned(large)].into_iter();
+        let fitting = pages.map(|page| sheet(page, &[*plan], number)).find_map(|(drawn, fits)| fits.then_some(drawn));
+        fitting.unwrap_or_else(|| sheet(large, &[*plan], number).0)
     };
-    plans.iter().zip(first..).filter_map(alone).collect()
+    plans.iter().zip(first..).map(alone).collect()
 }
 
 /// A sheet for some plans, and whether it has room for them.
-fn drawn(scheme: &Scheme<'_>, plans: &[Sheet], number: u16, name: &str) -> (Drawing, bool) {
-    let mut sheet = composed(scheme, plans);
-    sheet.signs = scheme.figure.has_markers().then(|| scheme.signs(number, name));
+fn drawn(context: &SheetContext<'_>, plans: &[Sheet], number: u16, name: &str) -> (Drawing, bool) {
+    let mut sheet = composed(context, plans);
+    sheet.signs = context.wants_markers().then(|| context.signs(number, name));
     let layout = sheet.layout();
     for (panel, placed) in sheet.panels.iter_mut().zip(&layout.panels) {
         let pole = pole(&panel.needs.extent, placed);
@@ -73,46 +70,46 @@ fn drawn(scheme: &Scheme<'_>, plans: &[Sheet], number: u16, name: &str) -> (Draw
 }
 
 /// The sheet without a layout.
-fn composed<'a>(scheme: &'a Scheme<'a>, plans: &[Sheet]) -> Composition<'a> {
-    let panels = plans.iter().filter_map(|plan| panel(scheme, *plan)).collect();
-    let title = scheme.title();
-    let (fields, own_line) = match Fields::new(scheme, &title) {
+fn composed<'a>(context: &'a SheetContext<'a>, plans: &[Sheet]) -> Composition<'a> {
+    let panels = plans.iter().filter_map(|plan| panel(context, *plan)).collect();
+    let title = context.title();
+    let (fields, own_line) = match Fields::new(context, &title) {
         Ok(fields) => (Some(Box::new(fields) as Box<dyn Item>), None),
         Err(line) => (None, Some(line)),
     };
-    let sentence = scheme.figure.has_markers().then(|| scheme.words.language.sheet_markers().to_owned());
-    let lines = Lines::of(own_line.iter().chain(&sentence), scheme.dims.width_below());
-    let ruler = Ruler::below(scheme, &lines);
+    let sentence = context.wants_markers().then(|| context.words.language.sheet_markers().to_owned());
+    let lines = Lines::of(own_line.iter().chain(&sentence), context.surface.dims.width_below());
+    let ruler = Ruler::below(context, &lines);
     let below = [Box::new(lines) as Box<dyn Item>, ruler];
-    composition(scheme, panels, None, below.into_iter().chain(fields).collect())
+    composition(context, panels, None, below.into_iter().chain(fields).collect())
 }
 
 /// The empty panel of a plan.
-fn panel<'a>(scheme: &'a Scheme<'a>, plan: Sheet) -> Option<Panel<'a>> {
-    let drawn = scheme.plan(plan)?;
-    let name = scheme.words.language.sheet(plan);
+fn panel<'a>(context: &'a SheetContext<'a>, plan: Sheet) -> Option<Panel<'a>> {
+    let drawn = context.plan(plan)?;
+    let name = context.words.language.sheet(plan);
     let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading);
     let needs = Needs {
         kind: Kind::drawn_on(plan),
-        extent: plan_panel::extent(drawn, ConstructionShown::Whole),
+        extent: extent(drawn, ConstructionShown::Whole),
         heading: frame.width(),
         above: 0.0,
-        mu: scheme.mu[plan],
+        mu: context.surface.mu[plan],
         white: WHITE,
         weight: 1.0,
     };
     let pole = drawn.kind.pole();
     let layer = move |canvas: &mut Canvas<'_>, view: &View| {
-        let (center, radius) = (view.at(geometry::Point::origin()), 2.0 * scheme.dims.dot);
+        let (center, radius) = (view.at(geometry::Point::origin()), 2.0 * context.surface.dims.dot);
         canvas.draw_named(&format!("point-{pole}"), Pen::Pole, Shape::Circle { center, radius });
-        canvas.label_renamed(pole, &scheme.shown(pole, Some(drawn)), center, radius + 0.7, None);
+        canvas.label_renamed(pole, &context.shown(pole, Some(drawn)), center, radius + 0.7, None);
     };
     Some(Panel {
         name: name.to_owned(),
         prefix: plan.as_str().to_owned(),
         needs,
-        cut: scheme.words.language.cut_at_edge().to_owned(),
-        unlabelled: scheme.words.language.names_without_room().to_owned(),
+        cut: context.words.language.cut_at_edge().to_owned(),
+        unlabelled: context.words.language.names_without_room().to_owned(),
         content: None,
         layers: vec![Box::new(frame) as Box<dyn Layer>, Box::new(layer)],
     })

@@ -2,10 +2,10 @@
 //! auxiliary points of the plans are.
 
 use super::compose::TITLE_SIZE;
+use super::context::SheetContext;
 use super::dims::MARGIN;
 use super::layout::{Item, Layout};
-use super::plan_panel;
-use super::scheme::Scheme;
+use super::plan::sight::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
 use crate::construction::Plan;
@@ -21,7 +21,7 @@ const WHITE: f64 = 10.0;
 /// Least white between the title and the fields beside it, in mm.
 const GAP: f64 = 8.0;
 
-impl Scheme<'_> {
+impl SheetContext<'_> {
     /// The notes for a sheet with these quantities: senses, and auxiliary points.
     pub(super) fn notes(&self, asked: &[Asked]) -> Vec<String> {
         std::iter::once(self.note_on_senses(asked)).chain(self.note_on_points(asked)).collect()
@@ -50,7 +50,7 @@ impl Scheme<'_> {
         // By the letter of their names: the ends of normal, Coriolis and sliding parts.
         let ends = ["n", "k", "r"].map(|letter| {
             let mut points: Vec<String> = Vec::new();
-            for plan in self.construction.plans() {
+            for plan in self.construction().plans() {
                 let own =
                     |name: &str| name.split_once('_').is_some_and(|(own, _)| own.trim_end_matches('\'') == letter);
                 for arrow in plan.arrows().filter(|arrow| own(&arrow.to) && is_named(plan, &arrow.to)) {
@@ -76,15 +76,15 @@ impl Scheme<'_> {
     pub(super) fn note_on_paper(&self) -> Option<String> {
         let mut largest = [0.0_f64; 2];
         let sizes = Sheet::PLANS.map(|panel| {
-            let mu = self.figure.mu(panel)?;
-            let size = plan_panel::extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
+            let mu = self.figure().mu(panel)?;
+            let size = extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
             let (short, long) = (size.x.min(size.y), size.x.max(size.y));
             largest = [largest[0].max(short), largest[1].max(long)];
             let [x, y] = [size.x, size.y].map(|mm| self.words.on_paper(libm::ceil(mm), 1.0, NumberStyle::shortest()));
             Some(format!("{}\u{a0}×\u{a0}{}\u{a0}mm", x?, y?))
         });
         let [velocity, acceleration] = sizes;
-        let paper = paper_for(largest, self.figure.page);
+        let paper = paper_for(largest, self.surface.page);
         Some(self.words.language.exercise_room(&velocity?, &acceleration?, paper))
     }
 }
@@ -109,10 +109,10 @@ pub(super) struct Fields {
 
 impl Fields {
     /// The lines beside the title of a sheet, or as a sentence below it.
-    pub(super) fn new(scheme: &Scheme<'_>, title: &Untrusted) -> Result<Fields, String> {
-        let text = scheme.words.language.exercise_name();
+    pub(super) fn new(context: &SheetContext<'_>, title: &Untrusted) -> Result<Fields, String> {
+        let text = context.words.language.exercise_name();
         let (fields, title) = (RichText::plain(text), RichText::verbatim(title));
-        let dims = &scheme.dims;
+        let dims = &context.surface.dims;
         let room = match dims.free.has_markers() {
             true => 0.5 * (dims.page[0] - dims.free.middle) - dims.free.edge,
             false => dims.page[0] - 2.0 * MARGIN - title.width(TITLE_SIZE) - GAP,

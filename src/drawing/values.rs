@@ -2,17 +2,18 @@
 //! stand in a list, too, beside the panels.
 
 use super::canvas::{Canvas, Wanted, ascii};
+use super::context::SheetContext;
 use super::dims::MARGIN;
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
-use super::plan_panel;
-use super::scheme::Scheme;
+use super::plan::sight::is_hidden;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::style::Style;
 use super::text::{CAPTION, LABEL, PlacedText, RichText};
-use crate::construction::{ArrowKind, NOTHING, PlanVector, Solution, plain_text, rate_symbol};
-use crate::mechanism::{BodyId, PointId, Role};
+use super::value::{Value, ValueOf};
+use crate::construction::{NOTHING, PlanVector, Solution, plain_text, rate_symbol};
+use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::Kind;
 use crate::scene::{Shape as Given, Units, ValuesShown};
@@ -33,66 +34,28 @@ const PAD: f64 = 3.0;
 /// White between two listed values in a line, in mm.
 const BETWEEN: f64 = 6.0;
 
-/// A value to be shown.
-#[derive(Clone, Debug)]
-pub(super) struct Value {
-    /// Where its label belongs.
-    pub panel: Sheet,
-    /// Its label's id without the panel.
-    pub name: String,
-    /// Its symbol in markup; several with signs of equality where they have the same value.
-    pub symbol: String,
-    pub number: f64,
-    pub kind: Kind,
-    /// The number as written.
-    written: String,
-    unit: String,
-    /// The step that finds it.
-    pub since: u16,
-    pub of: ValueOf,
-}
-
-/// What a value belongs to.
-#[derive(Clone, Debug)]
-pub(super) enum ValueOf {
-    /// A vector of the panel's plan.
-    Vector(PlanVector),
-    /// The angular velocity or acceleration of a link.
-    Rate(BodyId),
-    /// A given length of a link.
-    Length([PointId; 2]),
-}
-
-impl Value {
-    /// Symbol, number and unit.
-    pub(super) fn text(&self) -> RichText {
-        RichText::math(&self.symbol).followed_by(&self.equals())
+impl SheetContext<'_> {
+    /// The same sheet with the values that its figure shows.
+    pub(super) fn with_values(self) -> Self {
+        Self { values: values(&self).into(), ..self }
     }
 
-    /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
-    fn is_listed(&self) -> bool {
-        match &self.of {
-            ValueOf::Rate(_) => true,
-            ValueOf::Vector(vector) => {
-                matches!(vector.kind, ArrowKind::Whole | ArrowKind::Sliding | ArrowKind::Coriolis)
-            }
-            ValueOf::Length(_) => false,
-        }
-    }
-
-    /// The number as written, and its unit.
-    pub(super) fn written(&self) -> [&str; 2] {
-        [&self.written, &self.unit]
-    }
-
-    fn equals(&self) -> RichText {
-        RichText::plain(format!("= {} {}", self.written, self.unit).trim_end())
+    /// The symbols of the values that stand nowhere on a drawing of the figure: their labels found no room, and the list
+    /// of results does not have them.
+    pub(super) fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
+        let has = |value: &Value| {
+            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
+            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
+        };
+        let listed = value_list(self, None).is_some();
+        let missing = self.values.iter().filter(|value| !(has(value) || listed && value.is_listed()));
+        missing.map(|value| plain_text(&value.symbol)).collect()
     }
 }
 
 /// All values of a figure, in the order of the panels; none where it shows none.
-pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
-    let figure = scheme.figure;
+fn values(context: &SheetContext<'_>) -> Vec<Value> {
+    let figure = context.figure();
     let usual = || match figure.usual_values.unwrap_or_else(|| Style::named(figure.style).shows_values()) {
         true => ValuesShown::Shown(None),
         false => ValuesShown::Hidden,
@@ -100,9 +63,9 @@ pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
     let ValuesShown::Shown(unit) = figure.values.unwrap_or_else(usual) else {
         return Vec::new();
     };
-    let own = scheme.scene.units;
+    let own = context.scene().units;
     let length = unit.unwrap_or(own.length);
-    let list = List { scheme, units: Units { length, ..own }, factor: own.length.metres() / length.metres() };
+    let list = List { context, units: Units { length, ..own }, factor: own.length.metres() / length.metres() };
     let of_panel = |&panel: &Sheet| match panel {
         Sheet::Scheme => list.of_scheme(),
         plan => list.of_plan(plan),
@@ -112,7 +75,7 @@ pub(super) fn values(scheme: &Scheme<'_>) -> Vec<Value> {
 
 /// Makes the list of values.
 struct List<'a> {
-    scheme: &'a Scheme<'a>,
+    context: &'a SheetContext<'a>,
     /// The units of velocities and accelerations.
     units: Units,
     /// The scene's unit of length in theirs.
@@ -121,9 +84,9 @@ struct List<'a> {
 
 impl List<'_> {
     fn value(&self, panel: Sheet, symbol: String, number: f64, kind: Kind, since: u16, of: ValueOf) -> Value {
-        let words = &self.scheme.words;
+        let words = &self.context.words;
         let (written, unit) = match kind {
-            Kind::Length => (words.write(number, GIVEN), kind.unit(self.scheme.scene.units)),
+            Kind::Length => (words.write(number, GIVEN), kind.unit(self.context.scene().units)),
             Kind::Velocity | Kind::Acceleration => (words.write(number * self.factor, VALUE), kind.unit(self.units)),
             _ => (words.write(number, VALUE), kind.unit(self.units)),
         };
@@ -135,13 +98,14 @@ impl List<'_> {
     fn of_scheme(&self) -> Vec<Value> {
         let mut values = self.rates(Sheet::Velocity);
         // Angular accelerations belong to the acceleration plan.
-        let has_plan = self.scheme.figure.shown_panels().contains(&Sheet::Acceleration);
-        if has_plan && self.scheme.construction.acceleration.is_some() {
+        let has_plan = self.context.figure().shown_panels().contains(&Sheet::Acceleration);
+        if has_plan && self.context.construction().acceleration.is_some() {
             values.extend(self.rates(Sheet::Acceleration));
         }
-        let mechanism = self.scheme.mechanism;
+        let mechanism = self.context.mechanism();
         for (_, body) in mechanism.links() {
-            let Some(Given::Lengths(lengths)) = self.scheme.scene.links.get(&body.name).map(|link| &link.shape) else {
+            let Some(Given::Lengths(lengths)) = self.context.scene().links.get(&body.name).map(|link| &link.shape)
+            else {
                 continue;
             };
             for length in lengths {
@@ -157,13 +121,13 @@ impl List<'_> {
 
     /// Angular velocities or accelerations of the links; links that turn together share a value.
     fn rates(&self, plan: Sheet) -> Vec<Value> {
-        let Scheme { mechanism, solution, .. } = self.scheme;
+        let Solution { mechanism, motion, .. } = self.context.solution;
         type Rate = (&'static str, Kind, fn(&BodyMotion) -> f64);
         let (name, kind, rate): Rate = match plan {
             Sheet::Acceleration => ("alpha", Kind::AngularAcceleration, |motion| motion.alpha),
             _ => ("omega", Kind::AngularVelocity, |motion| motion.omega),
         };
-        let all = || mechanism.links().map(|(link, body)| (link, body, rate(solution.motion.body(link))));
+        let all = || mechanism.links().map(|(link, body)| (link, body, rate(motion.body(link))));
         let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
         let mut values: Vec<Value> = Vec::new();
         for (link, body, value) in all().filter(|(.., value)| *value != 0.0) {
@@ -173,7 +137,7 @@ impl List<'_> {
                 same.symbol = format!("{} = {symbol}", same.symbol);
                 continue;
             }
-            let since = self.scheme.stages.rate(plan, &format!("{name}({})", body.name));
+            let since = self.context.facts.steps.rate(plan, &format!("{name}({})", body.name));
             let since = if mechanism.is_known(link) { 0 } else { since };
             values.push(self.value(Sheet::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
         }
@@ -182,19 +146,19 @@ impl List<'_> {
 
     /// Sizes of a plan's vectors; equal vectors share a value.
     fn of_plan(&self, panel: Sheet) -> Vec<Value> {
-        let Some(plan) = self.scheme.plan(panel) else {
+        let Some(plan) = self.context.plan(panel) else {
             return Vec::new();
         };
         let kind = Kind::drawn_on(plan.kind);
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
-        let stages = self.scheme.stages.plan(plan.kind);
-        let is_hidden = |name: &String| plan_panel::is_hidden(self.scheme.figure, plan, name);
+        let stages = self.context.facts.steps.plan(plan.kind);
+        let hides = |name: &String| is_hidden(self.context.figure(), plan, name);
         let mut values: Vec<Value> = Vec::new();
-        for vector in self.scheme.teller().vectors(plan) {
+        for vector in self.context.teller().vectors(plan) {
             let Some(segment) = plan.segment(&vector.ends[0], &vector.ends[1]) else { continue };
             let is_whole = vector.ends[0] == plan.kind.pole();
             let is_nothing = segment.norm() <= NOTHING * largest;
-            if vector.ends.iter().any(is_hidden) || (is_nothing && !is_whole) {
+            if vector.ends.iter().any(hides) || (is_nothing && !is_whole) {
                 continue;
             }
             let same = |value: &&mut Value| {
@@ -222,75 +186,56 @@ impl List<'_> {
     }
 }
 
-impl Solution {
-    /// The symbols of the values that a figure asks for and that stand nowhere on its drawing: their labels found no
-    /// room, and the list of results does not have them.
-    #[must_use]
-    pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
-        let has = |value: &Value| {
-            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
-            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
-        };
-        let scheme = Scheme::new(self);
-        let listed = scheme.value_list(None).is_some();
-        let missing = scheme.values.iter().filter(|value| !(has(value) || listed && value.is_listed()));
-        missing.map(|value| plain_text(&value.symbol)).collect()
-    }
+/// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
+/// values, or where its style asks for values and the list would be long. On a stepwise sheet it stands below the panels, after the last step.
+pub(super) fn value_list(context: &SheetContext<'_>, after: Option<u16>) -> Option<ValueList> {
+    let entry = |value: &Value| Entry { text: value.text(), id: format!("{}-{}", value.panel.as_str(), value.name) };
+    let entries: Vec<Entry> = context.values.iter().filter(|value| value.is_listed()).map(entry).collect();
+    let page = context.surface.dims.page;
+    let list = ValueList { entries, after, page };
+    // Values that nobody has asked for must not take the panels' room.
+    let most = if context.figure().values.is_some() { f64::INFINITY } else { MOST * page[1] };
+    let fits = list.height_in(page[0] - 2.0 * MARGIN) <= most;
+    (!list.entries.is_empty() && fits).then_some(list)
 }
 
-impl Scheme<'_> {
-    /// The values of a panel.
-    pub(super) fn values_of(&self, panel: Sheet) -> impl Iterator<Item = &Value> {
-        self.values.iter().filter(move |value| value.panel == panel)
-    }
+/// Requests the label of a value beside `anchor`; it is left out where there is no room.
+pub(super) fn label(
+    context: &SheetContext<'_>,
+    canvas: &mut Canvas<'_>,
+    value: &Value,
+    anchor: Point,
+    prefer: Option<Vec2>,
+) {
+    let number = match &value.of {
+        ValueOf::Rate(link) => context.number(*link),
+        ValueOf::Vector(_) | ValueOf::Length(..) => None,
+    };
+    let request = LabelRequest { text: value.text(), size: LABEL, anchor, clearance: 0.9, prefer, priority: 0 };
+    canvas.set_step(value.since);
+    canvas.request_label(Wanted {
+        request,
+        name: value.name.clone(),
+        pen: Pen::Label,
+        number,
+        optional: true,
+        last: true,
+        short: None,
+        before: Vec::new(),
+    });
+}
 
-    /// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
-    /// values, or where its style asks for values and the list would be long. On a stepwise sheet it stands below the panels, after the last step.
-    pub(super) fn value_list(&self, after: Option<u16>) -> Option<ValueList> {
-        let entry =
-            |value: &Value| Entry { text: value.text(), id: format!("{}-{}", value.panel.as_str(), value.name) };
-        let entries: Vec<Entry> = self.values.iter().filter(|value| value.is_listed()).map(entry).collect();
-        let page = self.dims.page;
-        let list = ValueList { entries, after, page };
-        // Values that nobody has asked for must not take the panels' room.
-        let most = if self.figure.values.is_some() { f64::INFINITY } else { MOST * page[1] };
-        let fits = list.height_in(page[0] - 2.0 * MARGIN) <= most;
-        (!list.entries.is_empty() && fits).then_some(list)
-    }
+/// Whether a value has its label at the arrow of a drive.
+pub(super) fn is_at_drive(context: &SheetContext<'_>, value: &Value, link: BodyId) -> bool {
+    drive_value(context, link).is_some_and(|own| own.name == value.name)
+}
 
-    /// Requests the label of a value beside `anchor`; it is left out where there is no room.
-    pub(super) fn label_value(&self, canvas: &mut Canvas<'_>, value: &Value, anchor: Point, prefer: Option<Vec2>) {
-        let number = match &value.of {
-            ValueOf::Rate(link) => self.number(*link),
-            ValueOf::Vector(_) | ValueOf::Length(..) => None,
-        };
-        let request = LabelRequest { text: value.text(), size: LABEL, anchor, clearance: 0.9, prefer, priority: 0 };
-        canvas.set_step(value.since);
-        canvas.request_label(Wanted {
-            request,
-            name: value.name.clone(),
-            pen: Pen::Label,
-            number,
-            optional: true,
-            last: true,
-            short: None,
-            before: Vec::new(),
-        });
-    }
-
-    /// Whether a value has its label at the arrow of a drive.
-    pub(super) fn is_at_drive(&self, value: &Value, link: BodyId) -> bool {
-        self.drive_value(link).is_some_and(|own| own.name == value.name)
-    }
-
-    /// The value of a driven link's angular velocity, for the label at its arrow.
-    pub(super) fn drive_value(&self, link: BodyId) -> Option<&Value> {
-        let is_driven = matches!(self.mechanism.body(link).role, Role::Driver { .. });
-        let is_its = |value: &&Value| {
-            value.kind == Kind::AngularVelocity && matches!(value.of, ValueOf::Rate(own) if own == link)
-        };
-        self.values.iter().find(is_its).filter(|_| is_driven)
-    }
+/// The value of a driven link's angular velocity, for the label at its arrow.
+pub(super) fn drive_value<'a>(context: &'a SheetContext<'_>, link: BodyId) -> Option<&'a Value> {
+    let is_driven = matches!(context.mechanism().body(link).role, Role::Driver { .. });
+    let is_its =
+        |value: &&Value| value.kind == Kind::AngularVelocity && matches!(value.of, ValueOf::Rate(own) if own == link);
+    context.values.iter().find(is_its).filter(|_| is_driven)
 }
 
 /// Values one after another in lines, in a frame between the panels and the scales or beside the panels.

@@ -1,13 +1,14 @@
 //! Words about each step below the panels: caption, equation, results.
 
+use super::context::SheetContext;
 use super::dims::MARGIN;
-use super::figure::{Steps, extents};
 use super::layout::{Item, Layout, Placed};
-use super::legend::SCALE;
+use super::legend::{HUNDREDTHS, SCALE, VALUE};
 use super::lines::PAD;
-use super::scheme::Scheme;
+use super::panels::extents;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
+use super::step_numbers::Steps;
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, fitting_scale};
 use crate::construction::{
@@ -16,14 +17,8 @@ use crate::construction::{
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
 use crate::sheet::Sheet;
-use crate::words::{Medium, NumberStyle};
 use indexmap::IndexMap;
 use kurbo::{Point, Rect};
-
-/// Number style of values.
-pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
-/// Number style of lengths on paper and angles.
-pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
 
 /// Size of the caption, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -52,7 +47,7 @@ const USUAL: f64 = 100.0;
 
 /// Words about each step, shown in their own step only; their area is as high as the tallest needs.
 pub(super) struct StepWords<'a> {
-    scheme: &'a Scheme<'a>,
+    context: &'a SheetContext<'a>,
     passages: Option<Vec<Passage>>,
     /// By step or passage, from 0: where its details start on the line of its caption; none where they stand below.
     starts: IndexMap<usize, Option<f64>>,
@@ -61,23 +56,23 @@ pub(super) struct StepWords<'a> {
 }
 
 impl<'a> StepWords<'a> {
-    /// The words of all steps or, in coarse steps, of all passages.
-    pub(super) fn new(scheme: &'a Scheme<'a>, steps: Steps) -> Self {
-        let passages = (steps == Steps::Coarse).then(|| scheme.construction.passages());
-        let mut words = Self { scheme, passages, starts: IndexMap::new(), height: 0.0 };
-        let [width, height] = scheme.dims.page;
+    /// The words of all steps or, in coarse steps, of all passages; or of `only` one of them, from 1.
+    pub(super) fn new(context: &'a SheetContext<'a>, steps: Steps, only: Option<usize>) -> Self {
+        let passages = (steps == Steps::Coarse).then(|| context.construction().passages());
+        let mut words = Self { context, passages, starts: IndexMap::new(), height: 0.0 };
+        let [width, height] = context.surface.dims.page;
         // Scales of plans of a usual size: they are part of the words.
         let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
         let mu = |(panel, extent): (Sheet, Extent)| Placed {
             kind: Kind::drawn_on(panel),
             frame: usual,
             area: usual,
-            mu: scheme.mu[panel].unwrap_or_else(|| fitting_scale(&extent, usual)),
-            unit: scheme.dims.unit,
+            mu: context.surface.mu[panel].unwrap_or_else(|| fitting_scale(&extent, usual)),
+            unit: context.surface.dims.unit,
         };
-        let scales = extents(scheme).into_iter().map(mu).collect();
+        let scales = extents(context).into_iter().map(mu).collect();
         let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0), scales);
-        for number in (0..words.count()).filter(|number| scheme.only_step.is_none_or(|only| only == number + 1)) {
+        for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
             let trial = |start: Option<f64>, parts: [bool; 2]| {
                 let mut drawing = Drawing::new(width, height);
                 words.write(&mut drawing, &layout, number, start, parts);
@@ -102,7 +97,7 @@ impl<'a> StepWords<'a> {
     }
 
     fn count(&self) -> usize {
-        self.passages.as_ref().map_or_else(|| self.scheme.construction.step_count(), Vec::len)
+        self.passages.as_ref().map_or_else(|| self.context.construction().step_count(), Vec::len)
     }
 
     /// Writes the caption and the details of a step or passage, or one of both. The details are below the caption or
@@ -115,13 +110,13 @@ impl<'a> StepWords<'a> {
         start: Option<f64>,
         [caption, details]: [bool; 2],
     ) {
-        let (scheme, area) = (self.scheme, layout.below());
+        let (context, area) = (self.context, layout.below());
         let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
         let beside = start.map(|start| Rect { x0: area.x0 + start, y0: area.y0 + FIRST - SECOND, ..area });
         let mut writer = Writer {
             drawing,
             layout,
-            scheme,
+            context,
             captions: area,
             area: beside.unwrap_or(area),
             number: 0,
@@ -131,10 +126,10 @@ impl<'a> StepWords<'a> {
         match &self.passages {
             Some(passages) => writer.passage(index, &passages[index], [caption, details]),
             None => {
-                let Some(step) = scheme.construction.numbered_step(index + 1) else { return };
+                let Some(step) = context.construction().numbered_step(index + 1) else { return };
                 writer.number = step.number as u16;
                 if caption {
-                    writer.numbered(step.number, &scheme.teller().caption(&step), step.plan);
+                    writer.numbered(step.number, &context.teller().caption(&step), step.plan);
                 }
                 if details {
                     writer.details(&step);
@@ -178,7 +173,7 @@ impl Item for StepWords<'_> {
 pub(super) struct Writer<'a> {
     pub drawing: &'a mut Drawing,
     pub layout: &'a Layout,
-    pub scheme: &'a Scheme<'a>,
+    pub context: &'a SheetContext<'a>,
     /// The area of all words.
     pub captions: Rect,
     /// That of the details, with room for a caption above them.
@@ -217,7 +212,7 @@ impl Writer<'_> {
     pub(super) fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
         let piece = |(index, piece): (usize, &str)| match index % 2 {
             0 => set(piece),
-            _ => RichText::math(&self.scheme.shown(piece, plan)),
+            _ => RichText::math(&self.context.shown(piece, plan)),
         };
         text.split('`').enumerate().map(piece).collect()
     }
@@ -237,7 +232,7 @@ impl Writer<'_> {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
         let kind = plan.map(|p| p.kind);
-        let formula = self.scheme.teller().formula(step);
+        let formula = self.context.teller().formula(step);
         let action = &step.step.action;
         let end = match action {
             Action::Solve { equations, unknowns } => return self.solution(equations, unknowns, plan),
@@ -258,7 +253,7 @@ impl Writer<'_> {
             (_, Some(vector)) => self.vector(vector, kind),
             _ => return,
         };
-        let name = |name: &str| [RichText::math(&self.scheme.shown(name, plan)), RichText::plain(" ")];
+        let name = |name: &str| [RichText::math(&self.context.shown(name, plan)), RichText::plain(" ")];
         let mut texts: Vec<RichText> = ends.into_iter().flatten().flat_map(name).collect();
         texts.push(RichText::plain(&format!("= {value}")));
         let x = match (end > self.area.x0, ends) {
@@ -276,7 +271,7 @@ impl Writer<'_> {
             Relation::Parallel => "∥",
             Relation::Angle => "",
         };
-        let along = format!("{sign} {}", self.scheme.teller().line_of(ray));
+        let along = format!("{sign} {}", self.context.teller().line_of(ray));
         self.equation(formula, plan, Some(along.trim_start()), from)
     }
 
@@ -284,7 +279,7 @@ impl Writer<'_> {
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
         let kind = plan.map_or(Sheet::Velocity, |plan| plan.kind);
         let set =
-            |equation: &LegEquation| self.pieces(&self.scheme.teller().equation(kind, equation), plan, RichText::math);
+            |equation: &LegEquation| self.pieces(&self.context.teller().equation(kind, equation), plan, RichText::math);
         let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
         let widest = written.iter().map(|pieces| width_of(pieces, EQUATION)).fold(0.0, f64::max);
         let fitting = (self.area.width() / (widest + BETWEEN)) as usize;
@@ -315,13 +310,13 @@ impl Writer<'_> {
             Some("v_r") => Kind::Velocity,
             _ => Kind::Acceleration,
         };
-        (rate_symbol(name), kind.unit(self.scheme.scene.units))
+        (rate_symbol(name), kind.unit(self.context.scene().units))
     }
 
     /// Writes an equation and lines under its vectors: two where they are known entirely, one where in direction; below
     /// these the name of the part, and `along`, the known direction. Returns the right end.
     fn equation(&mut self, equation: &Formula, plan: Option<&Plan>, along: Option<&str>, from: Point) -> f64 {
-        let language = self.scheme.words.language;
+        let language = self.context.words.language;
         let mut x = from.x;
         for term in &equation.terms {
             let set: Option<fn(&str) -> RichText> = match term.known {
@@ -375,9 +370,9 @@ impl Writer<'_> {
     /// A size in a plan or on the mechanism, with its length on paper.
     pub(super) fn size(&self, value: f64, kind: Option<Sheet>) -> String {
         let kind = Kind::drawn_on(kind.unwrap_or(Sheet::Scheme));
-        let unit = kind.unit(self.scheme.scene.units);
-        let words = &self.scheme.words;
-        let on_paper = self.layout.mu(kind).and_then(|mu| {
+        let unit = kind.unit(self.context.scene().units);
+        let words = &self.context.words;
+        let on_paper = self.layout.mu_of(kind).and_then(|mu| {
             let mm = words.on_paper(value, mu, HUNDREDTHS)?;
             Some(format!(" ({mm} mm × {})", words.write(mu, SCALE)))
         });
@@ -391,11 +386,11 @@ impl Writer<'_> {
         if vector == Vector::zeros() {
             return size;
         }
-        let words = &self.scheme.words;
+        let words = &self.context.words;
         words.language.with_direction(&size, &words.write(degrees_of(vector), HUNDREDTHS))
     }
 
     fn significant(&self, value: f64) -> String {
-        self.scheme.words.write(value, VALUE)
+        self.context.words.write(value, VALUE)
     }
 }

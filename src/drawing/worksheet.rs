@@ -1,18 +1,17 @@
 //! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction,
 //! and a ruler by which the size of a print is checked.
 
+use super::context::SheetContext;
 use super::dims::Dims;
 use super::layout::{Aside, Item, Layout, cut_off};
-use super::legend::symbol;
+use super::legend::{HUNDREDTHS, VALUE, symbol};
 use super::lines::{Lines, PAD};
 use super::panel::Panel;
-use super::plan_panel;
-use super::scheme::Scheme;
+use super::plan::sight::is_hidden;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Table};
 use super::text::{CAPTION, RichText};
-use super::words::{HUNDREDTHS, VALUE};
 use crate::construction::{Action, Plan};
 use crate::quantity::Kind;
 use crate::sheet::Sheet;
@@ -54,17 +53,17 @@ const MILLIMETRES: usize = 1;
 
 impl Worksheet {
     /// The table of the lengths measured in the panels of a figure.
-    pub(super) fn new(scheme: &Scheme<'_>, panels: &[Panel<'_>]) -> Self {
-        let (words, page) = (scheme.words, scheme.figure.page.size_mm());
+    pub(super) fn new(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> Self {
+        let (words, page) = (context.words, context.surface.page.size_mm());
         let mut lengths = Vec::new();
         let mut rows = Vec::new();
-        for (step, plan, [from, to], value) in measured(scheme) {
+        for (step, plan, [from, to], value) in measured(context) {
             let kind = Kind::drawn_on(plan.map_or(Sheet::Scheme, |plan| plan.kind));
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };
             let least = least(panel, page);
-            let name = format!("{} {}", scheme.shown(from, plan), scheme.shown(to, plan));
+            let name = format!("{} {}", context.shown(from, plan), context.shown(to, plan));
             lengths.push(Some((value, kind)));
             rows.push(Cells {
                 texts: [
@@ -72,7 +71,7 @@ impl Worksheet {
                     millimetres(&words, value, least),
                     RichText::math(symbol(kind)),
                     RichText::plain(&words.write(value, VALUE)),
-                    RichText::plain(&kind.unit(scheme.scene.units)),
+                    RichText::plain(&kind.unit(context.scene().units)),
                 ],
                 id: Some(format!("measured-{}", lengths.len())),
                 since: step,
@@ -80,12 +79,12 @@ impl Worksheet {
                 boxes: [false; CELLS],
             });
         }
-        for value in &scheme.values {
+        for value in context.values.iter() {
             let is_drawn = matches!(value.kind, Kind::Length | Kind::Velocity | Kind::Acceleration);
             let panel = panels.iter().find(|panel| panel.needs.kind == value.kind).filter(|_| is_drawn);
             let least = panel.map(|panel| least(panel, page));
             lengths.push(least.map(|_| (value.number, value.kind)));
-            let [number, unit] = value.written().map(RichText::plain);
+            let [number, unit] = [&value.written, &value.unit].map(|text| RichText::plain(text));
             let scale = least.map_or("", |_| symbol(value.kind));
             let mm = least.map_or_else(|| RichText::plain(""), |least| millimetres(&words, value.number, least));
             rows.push(Cells {
@@ -97,14 +96,14 @@ impl Worksheet {
             });
         }
         let table = table(words.language.segment(), words.language.value(), rows);
-        Self { table, lengths, words, dims: scheme.dims, place: TablePlace::Anywhere }
+        Self { table, lengths, words, dims: context.surface.dims, place: TablePlace::Anywhere }
     }
 
     /// The table with millimetres at a layout's scales.
     fn at_scales(&self, layout: &Layout) -> Table<CELLS> {
         let mut table = self.table.clone();
         for (row, length) in table.rows.iter_mut().zip(&self.lengths) {
-            if let Some((value, mu)) = length.and_then(|(value, kind)| Some((value, layout.mu(kind)?))) {
+            if let Some((value, mu)) = length.and_then(|(value, kind)| Some((value, layout.mu_of(kind)?))) {
                 row.texts[MILLIMETRES] = millimetres(&self.words, value, mu);
             }
         }
@@ -160,12 +159,12 @@ fn millimetres(words: &Wording, value: f64, mu: f64) -> RichText {
 }
 
 /// The measurements between visible points, in the order of the construction: step, plan, ends, value.
-fn measured<'a>(scheme: &'a Scheme<'_>) -> impl Iterator<Item = (u16, Option<&'a Plan>, [&'a str; 2], f64)> {
+fn measured<'a>(context: &'a SheetContext<'_>) -> impl Iterator<Item = (u16, Option<&'a Plan>, [&'a str; 2], f64)> {
     let is_hidden = |plan: Option<&Plan>, name: &str| match plan {
-        Some(plan) => plan_panel::is_hidden(scheme.figure, plan, name),
-        None => !scheme.figure.special_points && scheme.construction.special_point(name).is_some(),
+        Some(plan) => is_hidden(context.figure(), plan, name),
+        None => !context.figure().special_points && context.construction().special_point(name).is_some(),
     };
-    scheme.construction.numbered_steps().filter_map(move |step| match &step.step.action {
+    context.construction().numbered_steps().filter_map(move |step| match &step.step.action {
         Action::MeasureLength { from, to, value } | Action::Measure { from, to, value } => {
             let hidden = is_hidden(step.plan, from) || is_hidden(step.plan, to);
             (!hidden).then_some((step.number as u16, step.plan, [from.as_str(), to.as_str()], *value))
@@ -189,8 +188,8 @@ const BEFORE: f64 = 3.0;
 const AFTER: f64 = 12.0;
 
 impl Ruler {
-    pub(super) fn new(scheme: &Scheme<'_>) -> Self {
-        Self { words: RichText::plain(scheme.words.language.ruler()), unit: scheme.dims.unit }
+    pub(super) fn new(context: &SheetContext<'_>) -> Self {
+        Self { words: RichText::plain(context.words.language.ruler()), unit: context.surface.dims.unit }
     }
 
     /// Width of the area that is kept free, in mm.
@@ -201,11 +200,11 @@ impl Ruler {
 
 impl Ruler {
     /// A ruler beside lines below the scales, or below them where it has no room beside.
-    pub(super) fn below(scheme: &Scheme<'_>, lines: &Lines) -> Box<dyn Item> {
-        let ruler = Ruler::new(scheme);
+    pub(super) fn below(context: &SheetContext<'_>, lines: &Lines) -> Box<dyn Item> {
+        let ruler = Ruler::new(context);
         let width = |line: &RichText| line.width(CAPTION) + PAD;
         let widest = lines.lines.iter().take(LINES_BESIDE).map(width).fold(0.0, f64::max);
-        match widest + ruler.width() <= scheme.dims.width_below() {
+        match widest + ruler.width() <= context.surface.dims.width_below() {
             true => Box::new(ruler),
             false => Box::new(RulerBelow { before: lines.height(), ruler }),
         }

@@ -5,7 +5,7 @@ use super::key::{key_rows, key_sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Solution, Tolerance};
 use crate::drawing::{
-    Drawing, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales, shows_special_points,
+    Drawing, FigureSheets, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales, shows_special_points,
 };
 use crate::mechanism::mechanism;
 use crate::position::{pose, with_nearest_sides};
@@ -121,7 +121,7 @@ impl Exercise {
             figure.set_scales(scales);
         }
         is_long_enough(&solution.construction, &scales)?;
-        if !(solution.overflow_warnings().is_empty() && shows_special_points(&solution)) {
+        if !(FigureSheets::new(&solution).overflow_warnings().is_empty() && shows_special_points(&solution)) {
             return Err(Refusal::Sheet);
         }
         let pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());

@@ -2,7 +2,7 @@
 
 use kinegon::check::{AnswerKey, LATITUDE};
 use kinegon::construction::Tolerance;
-use kinegon::drawing::{Drawing, Stage, Steps};
+use kinegon::drawing::{Drawing, HeldLayout, Steps};
 use kinegon::{Error, Scene, Solution, solve};
 
 /// A scene's text, solved.
@@ -17,6 +17,6 @@ pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
 
 /// The stepwise figures of positions on one stage, that of the position of an index.
 pub fn staged(positions: &[Solution], own: usize) -> Vec<Drawing> {
-    let stage = Stage::new(&positions[own], Some(Steps::Fine), None);
+    let stage = HeldLayout::new(&positions[own], Some(Steps::Fine), None);
     positions.iter().map(|position| stage.draw(position, None)).collect()
 }

@@ -3,9 +3,9 @@
 use super::own::{Overlay, OwnKind, OwnLine, OwnPoint, WrongStep};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_segment, holds};
+use crate::drawing::context::SheetContext;
 use crate::drawing::panel::Layer;
-use crate::drawing::plan_panel::is_hidden;
-use crate::drawing::scheme::Scheme;
+use crate::drawing::plan::sight::is_hidden;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;
@@ -22,7 +22,7 @@ const CROSS: f64 = 1.1;
 /// The layer of a student's drawing in a panel of the right figure.
 pub(in crate::drawing) struct OwnLayer<'a> {
     pub overlay: &'a Overlay,
-    pub scheme: &'a Scheme<'a>,
+    pub context: &'a SheetContext<'a>,
     pub panel: Sheet,
 }
 
@@ -47,7 +47,7 @@ impl Layer for OwnLayer<'_> {
         let mut places: Vec<(Point, Vec<String>, &OwnPoint)> = Vec::new();
         for point in self.points() {
             let at = view.at(point.at);
-            let label = format!("{}^*", self.scheme.shown(&point.name, self.scheme.plan(self.panel)));
+            let label = format!("{}^*", self.context.shown(&point.name, self.context.plan(self.panel)));
             let label = point.is_named.then_some(label);
             match places.iter_mut().find(|(place, ..)| (*place - at).hypot() < SHARED) {
                 Some((_, labels, _)) => labels.extend(label),
@@ -163,7 +163,7 @@ impl<'a> OwnLayer<'a> {
             let shape = canvas.arrow(tail, edge);
             canvas.draw_named(&name, Pen::StudentPoint, shape);
         }
-        let words = self.scheme.words;
+        let words = self.context.words;
         let mm = words.write((target - edge).hypot(), NumberStyle::decimals(0));
         let words = words.language.check_beyond(label, &mm);
         let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
@@ -181,18 +181,18 @@ impl<'a> OwnLayer<'a> {
 
     /// Whether the right figure shows a point of that name.
     fn shows(&self, name: &str) -> bool {
-        let scheme = self.scheme;
-        match scheme.plan(self.panel) {
-            None => scheme.mechanism.point(name).is_some() || scheme.special().any(|special| special.name == name),
-            Some(plan) => plan.points.contains_key(name) && !is_hidden(scheme.figure, plan, name),
+        let context = self.context;
+        match context.plan(self.panel) {
+            None => context.mechanism().point(name).is_some() || context.special().any(|special| special.name == name),
+            Some(plan) => plan.points.contains_key(name) && !is_hidden(context.figure(), plan, name),
         }
     }
 
     /// Whether a mark appears with a step and belongs to the link with the wrong rate.
     fn belongs_to(&self, mark: &Mark, wrong: &WrongStep) -> bool {
         let link = |name: &String| {
-            let id = self.scheme.mechanism.link(name);
-            id.is_some() && mark.number == id.and_then(|id| self.scheme.number(id))
+            let id = self.context.mechanism().link(name);
+            id.is_some() && mark.number == id.and_then(|id| self.context.number(id))
         };
         // The factor of an enlarged detail belongs to no step.
         let is_scale = mark.pen == Pen::Label && mark.id.is_none();

@@ -1,10 +1,12 @@
 //! Arrows beside driven links and sliders: the senses of their drives.
 
-use super::super::canvas::Canvas;
-use super::super::shape::Shape;
-use super::super::sheet::Pen;
-use super::super::view::{View, on_sheet};
-use super::Scheme;
+use super::on_paper::SchemeOnPaper;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::context::Purpose;
+use crate::drawing::shape::Shape;
+use crate::drawing::sheet::Pen;
+use crate::drawing::values::drive_value;
+use crate::drawing::view::on_sheet;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
 use kurbo::{Point, Vec2};
 use std::f64::consts::PI;
@@ -12,16 +14,16 @@ use std::f64::consts::PI;
 /// Radius of the arrow of a solved rate, in mm.
 pub(super) const RATE_RADIUS: f64 = 5.0;
 
-impl Scheme<'_> {
-    pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
+impl SchemeOnPaper<'_> {
+    pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>) {
         for (link, body) in self.mechanism.links() {
             if let Role::Driver { pivot, omega, .. } = body.role {
-                self.rotation_arrow(canvas, view, link, pivot, omega);
+                self.rotation_arrow(canvas, link, pivot, omega);
             }
         }
     }
 
-    pub(super) fn slide_arrows(&self, canvas: &mut Canvas<'_>, view: &View) {
+    pub(super) fn slide_arrows(&self, canvas: &mut Canvas<'_>) {
         for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
             let name = self.mechanism.push_name(slider);
             match self.mechanism.slider(slider).drive {
@@ -29,20 +31,13 @@ impl Scheme<'_> {
                     let label = format!("v_{{{}}}", canvas.shown(&name, &name));
                     self.slide_arrow(
                         canvas,
-                        view,
                         slider,
                         drive.speed,
                         [&format!("speed-{name}"), &format!("speed({name})"), &label],
                     );
                 }
-                None if self.shows_senses => {
-                    self.slide_arrow(
-                        canvas,
-                        view,
-                        slider,
-                        1.0,
-                        [&format!("sense-{name}"), &format!("sense({name})"), "+"],
-                    );
+                None if self.context.purpose == Purpose::Exercise => {
+                    self.slide_arrow(canvas, slider, 1.0, [&format!("sense-{name}"), &format!("sense({name})"), "+"]);
                 }
                 _ => {}
             }
@@ -51,23 +46,23 @@ impl Scheme<'_> {
 
     /// Draws the senses of the angular rates that a step yields, unless they are there with their values: a curved arrow
     /// around the centre of each link.
-    pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, view: &View, step: u16, unknowns: &[(String, f64)]) {
-        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.values.is_empty()) {
+    pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, step: u16, unknowns: &[(String, f64)]) {
+        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.context.values.is_empty()) {
             let link = name.split_once('(').map(|(_, link)| link.trim_end_matches(')'));
             let link = link.and_then(|link| self.mechanism.link(link));
             let Some(link) = link.filter(|_| !name.contains("_r(")) else {
                 continue;
             };
-            if let Some(shape) = self.rate_arrow(view, link, RATE_RADIUS, *value) {
+            if let Some(shape) = self.rate_arrow(link, RATE_RADIUS, *value) {
                 canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
             }
         }
     }
 
     /// A curved arrow in the sense of a rate around the centre of a link; none for a link without points.
-    pub(super) fn rate_arrow(&self, view: &View, link: BodyId, radius: f64, rate: f64) -> Option<Shape> {
+    pub(super) fn rate_arrow(&self, link: BodyId, radius: f64, rate: f64) -> Option<Shape> {
         const SWEEP: f64 = 4.2;
-        let places: Vec<Point> = self.mechanism.body(link).points.iter().map(|&point| self.at(view, point)).collect();
+        let places: Vec<Point> = self.mechanism.body(link).points.iter().map(|&point| self.at(point)).collect();
         let center = match places.as_slice() {
             [] => return None,
             // Off the link's name.
@@ -80,30 +75,30 @@ impl Scheme<'_> {
             radius,
             start: -0.5 * PI - 0.5 * sense * SWEEP,
             sweep: sense * SWEEP,
-            head: self.dims.head,
+            head: self.dims().head,
         })
     }
 
     /// The arm of a driven link from its pivot: to another point, else to a block on it, else along its axis.
-    fn arm_of(&self, view: &View, link: BodyId, pivot: PointId) -> Vec2 {
+    fn arm_of(&self, link: BodyId, pivot: PointId) -> Vec2 {
         const LONG: f64 = 10.0;
-        let center = self.at(view, pivot);
+        let center = self.at(pivot);
         let points = self.mechanism.body(link).points.iter().copied();
         let blocks = self.mechanism.sliders.iter().filter(|slider| slider.on == link).map(|slider| slider.at);
-        let mut arms = points.chain(blocks).map(|point| self.at(view, point) - center);
+        let mut arms = points.chain(blocks).map(|point| self.at(point) - center);
         let far = arms.find(|arm| arm.hypot() >= 1.0);
         let axis = || self.pose.axes[link.0].map_or(Vec2::new(1.0, 0.0), on_sheet).normalize() * LONG;
         far.unwrap_or_else(axis)
     }
 
     /// Draws the sense of rotation of a driven link.
-    fn rotation_arrow(&self, canvas: &mut Canvas<'_>, view: &View, link: BodyId, pivot: PointId, omega: f64) {
+    fn rotation_arrow(&self, canvas: &mut Canvas<'_>, link: BodyId, pivot: PointId, omega: f64) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
         let body = self.mechanism.body(link);
         let name = body.name.as_str();
-        let center = self.at(view, pivot);
-        let arm = self.arm_of(view, link, pivot);
+        let center = self.at(pivot);
+        let arm = self.arm_of(link, pivot);
         if omega == 0.0 {
             return;
         }
@@ -118,7 +113,7 @@ impl Scheme<'_> {
             head,
         };
         // Within the panel and, if possible, off the pivot's hatching: ahead of the link, behind it, or smaller.
-        let (bounds, foot) = (canvas.bounds(), self.pivot_box(view, pivot));
+        let (bounds, foot) = (canvas.bounds(), self.pivot_box(pivot));
         let behind = -0.35 - SWEEP;
         let tries = [(RADIUS, 0.35), (RADIUS, behind), (0.8 * RADIUS, 0.35), (0.8 * RADIUS, behind)];
         let fits = |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
@@ -140,25 +135,25 @@ impl Scheme<'_> {
         let name = format!("omega({name})");
         let label = canvas.label(&name, &label, anchor, 0.8, Some(direction), 2);
         label.number = self.number(link);
-        if let Some(value) = self.drive_value(link) {
+        if let Some(value) = drive_value(self.context, link) {
             label.short = Some(std::mem::replace(&mut label.request.text, value.text()));
         }
     }
 
     /// Draws an arrow beside a block along its guide, in the sense of `speed` relative to the guide's body; with the ids
     /// of arrow and label, and the label's markup.
-    fn slide_arrow(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId, speed: f64, texts: [&str; 3]) {
+    fn slide_arrow(&self, canvas: &mut Canvas<'_>, id: SliderId, speed: f64, texts: [&str; 3]) {
         const LENGTH: f64 = 10.0;
         const BESIDE: f64 = 2.0;
         let [arrow_id, label_id, label] = texts;
         let slider = self.mechanism.slider(id);
         let along = on_sheet(self.pose.guide(id));
-        let (block, half) = (self.at(view, slider.at), self.half(id));
+        let (block, half) = (self.at(slider.at), self.half(id));
         let free = match slider.on {
-            GROUND => -self.ground_side(view, id),
+            GROUND => -self.ground_side(id),
             _ => Vec2::new(along.y, -along.x),
         };
-        let outward = self.outward(view, block).unwrap_or(free);
+        let outward = self.outward(block).unwrap_or(free);
         let sides = match (slider.on == GROUND, free.dot(outward) > 0.0) {
             (true, _) => [free, free],
             (false, true) => [free, -free],

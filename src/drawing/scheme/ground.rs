@@ -1,10 +1,12 @@
 //! The ground: pivots, ground lines and their hatching.
 
-use super::super::canvas::Canvas;
-use super::super::shape::Shape;
-use super::super::sheet::Pen;
-use super::super::view::View;
-use super::Scheme;
+use super::on_paper::SchemeOnPaper;
+use super::sight::extent;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::context::SheetContext;
+use crate::drawing::shape::Shape;
+use crate::drawing::sheet::Pen;
+use crate::drawing::view::View;
 use crate::mechanism::{Body, BodyId, GROUND, PointId};
 use kurbo::{Point, Rect, Vec2};
 
@@ -14,16 +16,16 @@ const PIVOT_HALF: f64 = 4.2;
 /// Height of the hatching under a ground line, in mm.
 pub(super) const HATCH: f64 = 1.7;
 
-impl Scheme<'_> {
+impl SchemeOnPaper<'_> {
     /// Draws a pivot on the ground: below the point, or above it where that is out of the links' way.
-    pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, view: &View, point: PointId) {
+    pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, point: PointId) {
         const HALF: f64 = 2.3;
-        let apex = self.at(view, point);
+        let apex = self.at(point);
         if !self.is_pin(point) {
             self.fixed_point(canvas, apex);
             return;
         }
-        let down = self.down(view, point);
+        let down = self.down(point);
         let base = apex + down * PIVOT;
         let across = Vec2::new(1.0, 0.0);
         let triangle = vec![apex, base - across * HALF, base + across * HALF];
@@ -31,14 +33,7 @@ impl Scheme<'_> {
         let (a, b) = (base - across * PIVOT_HALF, base + across * PIVOT_HALF);
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, down);
-        canvas.keep_off(self.pivot_box(view, point));
-    }
-
-    /// White that supports above their pivots need between a panel's heading and the mechanism, in mm.
-    pub(in crate::drawing) fn above(&self) -> f64 {
-        let view = View::new(1.0, &self.extent(), Rect::ZERO);
-        let mut fixed = self.mechanism.body(GROUND).points.iter();
-        if fixed.any(|&point| self.is_pin(point) && self.down(&view, point).y < 0.0) { 2.0 } else { 0.0 }
+        canvas.keep_off(self.pivot_box(point));
     }
 
     /// Draws a fixed point without a link: a piece of the ground with the point on it.
@@ -50,23 +45,23 @@ impl Scheme<'_> {
     }
 
     /// The box around the ground line under a pivot and its hatching.
-    pub(super) fn pivot_box(&self, view: &View, point: PointId) -> Rect {
-        let (apex, down) = (self.at(view, point), self.down(view, point));
+    pub(super) fn pivot_box(&self, point: PointId) -> Rect {
+        let (apex, down) = (self.at(point), self.down(point));
         let across = Vec2::new(PIVOT_HALF, 0.0);
         Rect::from_points(apex + down * PIVOT - across, apex + down * (PIVOT + HATCH) + across)
     }
 
     /// Unit vector from a pivot to its ground: downwards, but upwards where links hang down and none stands up.
-    pub(super) fn down(&self, view: &View, point: PointId) -> Vec2 {
+    pub(super) fn down(&self, point: PointId) -> Vec2 {
         // Cosine of the largest angle from the vertical at which a link is in the way.
         let steep = libm::cos(50.0_f64.to_radians());
-        let links = self.looked_up.holders[point.0].iter().filter(|link| self.number(**link).is_some());
+        let links = self.context.facts.holders[point.0].iter().filter(|link| self.number(**link).is_some());
         let at_pivot: Vec<(BodyId, &Body)> = links.map(|&link| (link, self.mechanism.body(link))).collect();
         let is_at_pivot = |link: BodyId| at_pivot.iter().any(|(id, _)| *id == link);
         let blocks = self.mechanism.sliders.iter().filter(|s| is_at_pivot(s.on));
         let places = at_pivot.iter().flat_map(|(_, body)| &body.points).copied();
         let places = places.chain(blocks.map(|slider| slider.at));
-        let arms = places.map(|other| self.at(view, other) - self.at(view, point));
+        let arms = places.map(|other| self.at(other) - self.at(point));
         let arms = arms.filter(|arm| arm.hypot() > 0.0);
         let downwards: Vec<f64> = arms.map(|arm| arm.y / arm.hypot()).collect();
         let hang = downwards.iter().any(|&y| y > steep);
@@ -92,4 +87,12 @@ pub(super) fn strokes(a: Point, b: Point, away: Vec2) -> impl Iterator<Item = (P
         let from = a + run * ((k as f64 + 0.75) / count);
         (from, from + away * HATCH - along * HATCH)
     })
+}
+
+/// White that supports above their pivots need between a panel's heading and the mechanism, in mm.
+pub(in crate::drawing) fn above(context: &SheetContext<'_>) -> f64 {
+    let view = View::new(1.0, &extent(context), Rect::ZERO);
+    let scheme = SchemeOnPaper::new(context, &view);
+    let mut fixed = scheme.mechanism.body(GROUND).points.iter();
+    if fixed.any(|&point| scheme.is_pin(point) && scheme.down(point).y < 0.0) { 2.0 } else { 0.0 }
 }

@@ -1,14 +1,13 @@
 //! Guides and the blocks on them.
 
-use super::super::canvas::Canvas;
-use super::super::clip::clipped_segment;
-use super::super::shape::{Shape, corners};
-use super::super::sheet::Pen;
-use super::super::view::{View, on_sheet};
-use super::Scheme;
 use super::ground::{HATCH, hatch, strokes};
-use super::links::{ON_LINE, is_on};
-use crate::geometry::{self, span};
+use super::link_shape::{ON_LINE, is_on};
+use super::on_paper::SchemeOnPaper;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::clipped_segment;
+use crate::drawing::shape::{Shape, corners};
+use crate::drawing::sheet::Pen;
+use crate::drawing::view::on_sheet;
 use crate::mechanism::{GROUND, Mark, SliderId};
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
@@ -19,22 +18,11 @@ pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
 /// Half the width of a slot in mm: narrower than a block.
 const SLOT: f64 = 1.25;
 
-impl Scheme<'_> {
-    /// Points that extend the scheme for guides on the ground.
-    pub(super) fn guide_ends(&self) -> impl Iterator<Item = geometry::Point> {
-        const SHARE: f64 = 0.06;
-        let reach = SHARE * span(self.pose.points.iter().copied());
-        let sliders = (0..self.mechanism.sliders.len()).map(SliderId);
-        sliders.filter(|&id| self.mechanism.slider(id).on == GROUND).flat_map(move |id| {
-            let at = self.pose.point(self.mechanism.slider(id).at);
-            let arm = self.pose.guide(id) * reach;
-            [at - arm, at + arm]
-        })
-    }
-
+impl SchemeOnPaper<'_> {
     /// The sliders in drawing order: those on the ground are behind.
     pub(super) fn sliders(&self) -> Vec<SliderId> {
-        let blocks = self.marks().filter_map(|mark| match mark {
+        let marks = self.mechanism.joints.iter().flat_map(|joint| joint.marks.iter().copied());
+        let blocks = marks.filter_map(|mark| match mark {
             Mark::Block(slider) => Some(slider),
             Mark::Circle { .. } => None,
         });
@@ -48,7 +36,7 @@ impl Scheme<'_> {
     pub(super) fn half(&self, id: SliderId) -> Vec2 {
         const BEHIND: f64 = 1.5;
         if self.mechanism.body(self.mechanism.slider(id).link).block {
-            return Vec2::new(2.2 * BLOCK.x, self.dims.joint + 0.2);
+            return Vec2::new(2.2 * BLOCK.x, self.dims().joint + 0.2);
         }
         let at = |id: SliderId| self.mechanism.slider(id).at;
         let later = self.sliders().into_iter().skip_while(|other| *other != id);
@@ -58,17 +46,17 @@ impl Scheme<'_> {
 
     /// Unit vector from a block to the ground line of its guide: clockwise from the guide's direction (below a
     /// horizontal one), but away from the links at the block.
-    pub(super) fn ground_side(&self, view: &View, id: SliderId) -> Vec2 {
+    pub(super) fn ground_side(&self, id: SliderId) -> Vec2 {
         // Sine of the angle, about 9°, above which a link counts as on one side.
         const CLEARLY: f64 = 0.15;
         let slider = self.mechanism.slider(id);
         let along = on_sheet(self.pose.guide(id));
         let side = Vec2::new(-along.y, along.x);
-        let at = self.at(view, slider.at);
+        let at = self.at(slider.at);
         let mut towards = 0.0;
         for (link, body) in self.mechanism.links() {
             if link != slider.link && body.points.contains(&slider.at) {
-                let arms = body.points.iter().map(|&p| self.at(view, p) - at);
+                let arms = body.points.iter().map(|&p| self.at(p) - at);
                 let arms = arms.filter(|arm| arm.hypot() > 0.0);
                 towards += arms.map(|arm| arm.dot(side) / arm.hypot()).sum::<f64>();
             }
@@ -79,11 +67,11 @@ impl Scheme<'_> {
     /// Draws a guide without its line between points of its body: a slot about the block, connected with these points;
     /// likewise a guide that extends beyond them. It stays on the panel: an arm whose foot would be far off goes to the
     /// guide's end.
-    pub(super) fn guide(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
+    pub(super) fn guide(&self, canvas: &mut Canvas<'_>, id: SliderId) {
         let reach = 3.0 * BLOCK.x;
         let half = self.half(id);
         let slider = self.mechanism.slider(id);
-        let (at, along) = (self.at(view, slider.at), on_sheet(self.pose.guide(id)));
+        let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
         // White for the ground line and its hatching beside the block.
         let bounds = canvas.bounds().inset(-(half.y + HATCH));
@@ -91,7 +79,7 @@ impl Scheme<'_> {
             return;
         };
         if slider.on == GROUND {
-            let side = self.ground_side(view, id);
+            let side = self.ground_side(id);
             let (a, b) = (a + side * half.y, b + side * half.y);
             canvas.draw(Pen::Ground, Shape::Line(a, b));
             hatch(canvas, a, b, side);
@@ -102,7 +90,7 @@ impl Scheme<'_> {
         }
         let (mut low, mut high) = ((a - at).dot(along), (b - at).dot(along));
         let points = &self.mechanism.body(slider.on).points;
-        let offsets = points.iter().map(|&point| self.at(view, point) - at);
+        let offsets = points.iter().map(|&point| self.at(point) - at);
         let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
             offsets.partition(|offset| offset.dot(across).abs() <= ON_LINE);
         let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
@@ -126,10 +114,10 @@ impl Scheme<'_> {
     }
 
     /// Draws a block or a slot, and over it the links on its pin.
-    pub(super) fn block(&self, canvas: &mut Canvas<'_>, view: &View, id: SliderId) {
+    pub(super) fn block(&self, canvas: &mut Canvas<'_>, id: SliderId) {
         let slider = self.mechanism.slider(id);
         let half = self.half(id);
-        let (at, along) = (self.at(view, slider.at), on_sheet(self.pose.guide(id)));
+        let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
         let on_sheet = |p: Point| at + along * p.x + across * p.y;
         let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
@@ -139,7 +127,7 @@ impl Scheme<'_> {
         block.number = self.number(slider.link);
         let others = self.mechanism.links().map(|(link, _)| link);
         for link in others.filter(|&link| link != slider.link && link != slider.on) {
-            let lines = self.shape(view, link).lines();
+            let lines = self.shape(link).lines();
             for [a, b] in lines.into_iter().filter(|&ends| is_on(ends, at)) {
                 let in_block = |p: Point| Point::new((p - at).dot(along), (p - at).dot(across));
                 if let Some((a, b)) = clipped_segment(area, in_block(a), in_block(b)) {

@@ -1,66 +1,24 @@
 //! Special points and the cut lines that cross there.
 
-use super::super::canvas::Canvas;
-use super::super::clip::clipped_segment;
-use super::super::shape::Shape;
-use super::super::sheet::Pen;
-use super::super::view::{View, on_sheet, towards};
-use super::Scheme;
+use super::on_paper::SchemeOnPaper;
+use super::sight::is_near;
 use crate::construction::Special;
-use crate::geometry::{Place, Point as Point2, span};
-use crate::scene::ConstructionShown;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::clipped_segment;
+use crate::drawing::shape::Shape;
+use crate::drawing::sheet::Pen;
+use crate::drawing::view::{on_sheet, towards};
+use crate::geometry::Place;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
-/// Largest size of the scheme with a special point over that without it; more distant points are not drawn at their
-/// places: they would make the mechanism small.
-const REACH: f64 = 1.4;
-/// The same on sheets where the student finds the point, and in figures as in the source paper.
-const REACH_OF_PENCIL: f64 = 2.5;
-
-/// Room for the arrow towards a distant one, in parts of the mechanism's size.
-const ARROW: f64 = 0.12;
-
-/// Number style of the distances of these.
+/// Number style of the distances of special points far away.
 const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
 
-impl Scheme<'_> {
-    pub(in crate::drawing) fn special(&self) -> impl Iterator<Item = &Special> {
-        let shown = self.figure.special_points;
-        self.construction.special.iter().flatten().filter(move |s| shown && s.is_assur)
-    }
-
-    /// Whether a special point is near enough to be drawn at its place.
-    pub(in super::super) fn is_near(&self, special: &Special) -> bool {
-        let size = span(self.pose.points.iter().copied());
-        let reach = if self.has_far_points() { REACH_OF_PENCIL } else { REACH };
-        special.place.finite().is_some_and(|place| {
-            let points = self.pose.points.iter().copied();
-            span(points.chain([place])) <= reach * size
-        })
-    }
-
-    /// Whether special points far from the mechanism are at their places.
-    fn has_far_points(&self) -> bool {
-        self.is_for_pencil || self.figure.construction == ConstructionShown::Paper
-    }
-
-    /// A place that the extent of the scheme reaches for a special point: its own or, of a distant one, the end of its
-    /// arrow.
-    pub(super) fn reached(&self, special: &Special) -> Option<Point2> {
-        let place = special.place.finite()?;
-        if self.is_near(special) {
-            return Some(place);
-        }
-        let start = special.cuts.iter().find_map(|cut| cut.start()).filter(|_| !self.has_far_points())?;
-        let start = self.pose.point(start);
-        let size = span(self.pose.points.iter().copied());
-        Some(start + (place - start).normalize() * (ARROW * size))
-    }
-
+impl SchemeOnPaper<'_> {
     /// The cut lines of a special point, from their joints to it.
-    pub(super) fn cuts(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
-        if !self.figure.construction.has_lines() {
+    pub(super) fn cuts(&self, canvas: &mut Canvas<'_>, special: &Special) {
+        if !self.context.figure().construction.has_lines() {
             return;
         }
         let bounds = canvas.room();
@@ -68,16 +26,16 @@ impl Scheme<'_> {
             let (Some(start), Some(direction)) = (cut.start(), cut.line.direction()) else {
                 continue;
             };
-            let from = self.at(view, start);
+            let from = self.at(start);
             // For a distant special point the cut line runs towards it to the panel's edge.
             let to = match special.place {
-                Place::At(place) => view.at(place),
+                Place::At(place) => self.view.at(place),
                 Place::AtInfinity(_) => from + on_sheet(direction) * (bounds.width() + bounds.height()),
             };
             let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
             // A special point may coincide with the joint.
             let way = towards(from, to, on_sheet(direction));
-            let end = if self.is_near(special) { to + way * 3.0 } else { to };
+            let end = if is_near(self.context, special) { to + way * 3.0 } else { to };
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
@@ -96,17 +54,17 @@ impl Scheme<'_> {
     }
 
     /// Draws a special point at its place, or a distant one as an arrow with its distance.
-    pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, view: &View, special: &Special) {
-        let label = self.names.markup(&special.name);
-        if self.is_near(special) {
+    pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, special: &Special) {
+        let label = self.context.facts.markup(&special.name);
+        if is_near(self.context, special) {
             let Some(place) = special.place.finite() else {
                 return;
             };
-            let center = view.at(place);
+            let center = self.view.at(place);
             let name = format!("point-{}", special.name);
-            let shape = Shape::Circle { center, radius: self.dims.joint };
+            let shape = Shape::Circle { center, radius: self.dims().joint };
             canvas.draw_named(&name, Pen::Special, shape);
-            canvas.label(&special.name, &label, center, self.dims.joint + 0.7, None, 3);
+            canvas.label(&special.name, &label, center, self.dims().joint + 0.7, None, 3);
             return;
         }
         // The arrow is on the first cut line with a direction.
@@ -115,9 +73,9 @@ impl Scheme<'_> {
         let Some((start, direction)) = start else {
             return;
         };
-        let from = self.at(view, start);
+        let from = self.at(start);
         let towards = match special.place {
-            Place::At(place) => view.at(place) - from,
+            Place::At(place) => self.view.at(place) - from,
             Place::AtInfinity(_) => on_sheet(direction),
         };
         let far = from + towards.normalize() * (bounds.width() + bounds.height());
@@ -129,10 +87,10 @@ impl Scheme<'_> {
             Place::At(place) => {
                 let distance = (place - self.pose.point(start)).norm();
                 let name = self.mechanism.point_name(start);
-                let distance = self.words.write(distance, DISTANCE);
-                self.words.language.far_away(&label, &distance, name)
+                let distance = self.context.words.write(distance, DISTANCE);
+                self.context.words.language.far_away(&label, &distance, name)
             }
-            Place::AtInfinity(_) => self.words.language.at_infinity(&label),
+            Place::AtInfinity(_) => self.context.words.language.at_infinity(&label),
         };
         let name = format!("point-{}", special.name);
         canvas.draw_named(&name, Pen::Special, canvas.arrow(tail, edge));

@@ -3,7 +3,7 @@ use crate::gesture::Gesture;
 use crate::refused::Refused;
 use kinegon::Sheet;
 use kinegon::cycle::{self, OtherModes, Pull};
-use kinegon::drawing::{Stage, Steps};
+use kinegon::drawing::{HeldLayout, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Asked, Quantity};
@@ -33,7 +33,7 @@ pub struct Kept {
 pub struct Staged {
     view: View,
     pub own: Solution,
-    pub stage: Stage,
+    pub stage: HeldLayout,
     pub modes: Option<OtherModes>,
 }
 
@@ -115,7 +115,7 @@ impl Kept {
                 }
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
                 let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
-                let stage = Stage::new(&own, steps, modes.as_ref());
+                let stage = HeldLayout::new(&own, steps, modes.as_ref());
                 Staged { view: view.clone(), own, stage, modes }
             }
         };

@@ -4,7 +4,7 @@ use crate::refused::Refused;
 use kinegon::Sheet;
 use kinegon::construction::{Action, NumberedStep, Teller, shown_text};
 use kinegon::cycle::every_name;
-use kinegon::drawing::{RichText, SheetLabels};
+use kinegon::drawing::{FigureSheets, RichText, SheetLabels};
 use kinegon::editing;
 use kinegon::format::{self, html_text};
 use kinegon::position::counted_poses;
@@ -51,7 +51,11 @@ impl Desk {
             vectors: quantities.iter().filter(is_vector).cloned().collect(),
             quantities,
             structure: format::structure(mechanism, &words),
-            warnings: solution.warnings().chain(solution.overflow_warnings()).chain(too_large).collect(),
+            warnings: solution
+                .warnings()
+                .chain(FigureSheets::new(solution).overflow_warnings())
+                .chain(too_large)
+                .collect(),
             is_drawn: scene.given_by == GivenBy::Drawing,
         })
     }

@@ -37,7 +37,7 @@ impl Staged {
         let cut = panels.iter().filter(|panel| panel.is_cut);
         let words = solution.wording().language;
         let notes = cut.map(|panel| format!("{}: {}", panel.name, words.cut_at_edge())).collect();
-        let panel = |panel: &drawing::StagePanel| Panel {
+        let panel = |panel: &drawing::HeldPanel| Panel {
             name: panel.name.clone(),
             key: panel.panel.as_str(),
             area: [panel.frame.x0, panel.frame.y0, panel.frame.width(), panel.frame.height()],

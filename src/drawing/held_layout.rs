@@ -1,14 +1,17 @@
 //! A sheet whose panels and scales are held while its mechanism moves, for a hand on the picture.
 
 use super::compose::Composition;
-use super::figure::{Contents, Steps, composed, described, extents, extents_of_images};
+use super::context::{Purpose, SheetContext};
+use super::figure::{Contents, composed, described};
+use super::figure_sheets::{FigureSheets, extents_to_fit};
 use super::held::Held;
 use super::layout::{Layout, Placed};
-use super::plan_panel;
-use super::scheme::Scheme;
+use super::panels::{Extents, extent_of_images, extents};
+use super::plan;
 use super::sheet::Drawing;
+use super::step_numbers::Steps;
 use super::view::{Extent, View, next_scale};
-use crate::construction::{Solution, shown_text};
+use crate::construction::{Plan, Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
@@ -34,24 +37,24 @@ const TRIED: usize = 6;
 ///
 /// ```
 /// use kinegon::cycle::Pull;
-/// use kinegon::drawing::Stage;
+/// use kinegon::drawing::HeldLayout;
 ///
 /// let scene = kinegon::Scene::read(include_str!("../../templates/four-bar.json"))?;
 /// let own = kinegon::solve(&scene)?;
-/// let stage = Stage::new(&own, None, None);
+/// let layout = HeldLayout::new(&own, None, None);
 /// let mut pull = Pull::new(&own, None)?;
 /// for degrees in [60.0, 61.0, 62.0] {
 ///     let moved = own.moved(pull.to_value(degrees).pose)?;
-///     let svg = stage.draw(&moved, None).svg();
+///     let svg = layout.draw(&moved, None).svg();
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub struct Stage {
+pub struct HeldLayout {
     layout: Layout,
     /// The scales that were chosen, by panel.
     mu: Scales,
     /// By panel: the extent of all positions.
-    extents: Vec<(Sheet, Extent)>,
+    extents: Extents,
     /// The extent of the scheme in the own position, which is held in sight.
     scheme: Option<Extent>,
     steps: Option<Steps>,
@@ -76,7 +79,7 @@ pub struct Handle {
 
 /// A panel of a drawing.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StagePanel {
+pub struct HeldPanel {
     /// Its name in the figure's language.
     pub name: String,
     /// Which panel it is.
@@ -87,71 +90,73 @@ pub struct StagePanel {
     pub is_cut: bool,
 }
 
-impl Stage {
-    /// The stage of a scene in its own position: for its finished figure, or with room for the words of steps; with room
+impl HeldLayout {
+    /// The layout of a scene in its own position: for its finished figure, or with room for the words of steps; with room
     /// for other modes, if they are to be seen.
     #[must_use]
-    pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> Stage {
+    pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> HeldLayout {
         let traces = Arc::new(Traces::of(own));
-        let mut own_scheme = with_modes(Scheme::with(own, Arc::clone(&traces)).with_scales_of(steps), modes);
+        let mut context = with_modes(FigureSheets::with_traces(own, Arc::clone(&traces)).context_of(steps), modes);
         let animation = Animation::new(own, None, POSITIONS).ok();
         let positions = animation.as_ref().map_or(&[][..], |animation| &animation.positions);
-        let schemes: Vec<Scheme<'_>> = positions
-            .iter()
-            .map(|solution| Scheme { mu: own_scheme.mu, ..Scheme::with(solution, Arc::clone(&traces)) })
-            .collect();
-        let own_extents = extents(&own_scheme);
-        let extents: Vec<(Sheet, Extent)> = match own.scene.figure.scales {
-            ScalesFor::Cycle => own_scheme.extents_to_fit(),
+        let own_extents = extents(&context);
+        let extents: Extents = match own.scene.figure.scales {
+            ScalesFor::Cycle => extents_to_fit(&context),
             _ => {
-                let own = own_extents.iter();
-                own.map(|&(panel, extent)| (panel, extent.with_most(extents_of_images(&schemes, panel)))).collect()
+                let with_most = |&(panel, extent): &(Sheet, Extent)| {
+                    let others = positions.iter().filter_map(|position| extent_of_images(position, panel));
+                    (panel, extent.with_most(others))
+                };
+                own_extents.iter().map(with_most).collect()
             }
         };
-        let sheet = Contents { steps, table: None };
-        let heights = schemes.iter().step_by(WORDS_OF).map(|scheme| composed(scheme, &extents, sheet).height_below());
-        let below = heights.fold(composed(&own_scheme, &extents, sheet).height_below(), f64::max);
-        let (layout, extents) = laid_out(&mut own_scheme, &own_extents, extents, sheet, below);
+        let contents = Contents { steps, ..Contents::default() };
+        let height = |context: &SheetContext<'_>| composed(context, &extents, contents).height_below();
+        let mu = context.surface.mu;
+        let others = positions.iter().step_by(WORDS_OF).map(|position| height(&at_scales(position, &traces, mu)));
+        let below = others.fold(height(&context), f64::max);
+        let (layout, extents) = laid_out(&mut context, &own_extents, extents, contents, below);
         let scheme = own_extents.iter().find(|(panel, _)| *panel == Sheet::Scheme).map(|(_, extent)| *extent);
-        let (mu, mechanism) = (own_scheme.mu, own.mechanism.clone());
-        Stage { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
+        let (mu, mechanism) = (context.surface.mu, own.mechanism.clone());
+        HeldLayout { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
     }
 
     /// The figure in a position of the same mechanism, or of one with other lengths; with other modes, pale. With steps
     /// [`Drawing::after_step`] gives the sheet after one of them.
     #[must_use]
     pub fn draw(&self, solution: &Solution, modes: Option<&OtherModes>) -> Drawing {
-        let scheme = self.scheme_of(solution, modes);
-        let drawing = described(&scheme, self.composed(&scheme)).draw(&self.layout);
+        let context = self.context_of(solution, modes);
+        let drawing = described(&context, self.composed(&context, None)).draw(&self.layout);
         match self.steps {
-            Some(Steps::Coarse) => drawing.in_passages(&scheme, &solution.construction.passages()),
+            Some(Steps::Coarse) => drawing.in_passages(&context, &solution.construction.passages()),
             _ => drawing,
         }
     }
 
-    /// The same while a hand moves the mechanism, quicker: names stay beside their points where they were in the picture
-    /// before, and only the words of a step are written. It is the sheet after that step; without a step the finished
-    /// figure. The first picture is [`Self::draw`]'s, and so should be the last.
+    /// The figure while a hand moves the mechanism, drawn quicker: names stay beside their points where they were in the
+    /// picture before, and only the words of a step are written. It is the sheet after that step; without a step the
+    /// finished figure. The first picture is [`Self::draw`]'s, and so should be the last.
     #[must_use]
     pub fn drag(&mut self, solution: &Solution, modes: Option<&OtherModes>, step: Option<usize>) -> Drawing {
         let mut held = std::mem::take(&mut self.held);
+        let construction = &solution.construction;
         let count = match self.steps {
-            Some(Steps::Coarse) => solution.construction.passages().len(),
-            _ => solution.construction.step_count(),
+            Some(Steps::Coarse) => construction.passages().len(),
+            _ => construction.step_count(),
         };
         let step = step.map(|step| step.clamp(1, count.max(1)));
-        let scheme = Scheme { only_step: step, ..self.scheme_of(solution, modes) };
-        let mut sheet = self.composed(&scheme);
-        sheet.steps = vec![String::new(); scheme.construction.step_count()];
-        if let Some(step) = step.and_then(|number| scheme.construction.numbered_step(number)) {
-            sheet.steps[step.number - 1] = shown_text(&scheme.teller().caption(&step), step.plan, &scheme.words);
+        let context = self.context_of(solution, modes);
+        let mut sheet = self.composed(&context, step);
+        sheet.steps = vec![String::new(); construction.step_count()];
+        if let Some(step) = step.and_then(|number| construction.numbered_step(number)) {
+            sheet.steps[step.number - 1] = shown_text(&context.teller().caption(&step), step.plan, &context.words);
         }
         let mut drawing = sheet.draw_holding(&self.layout, Some(&mut held));
         self.held = held;
         match (self.steps, step) {
             (Some(steps), Some(step)) => {
                 if steps == Steps::Coarse {
-                    drawing = drawing.in_passages(&scheme, &solution.construction.passages());
+                    drawing = drawing.in_passages(&context, &construction.passages());
                 }
                 drawing.after_step(step)
             }
@@ -165,13 +170,13 @@ impl Stage {
         Some(self.placed(panel)?.1.mu)
     }
 
-    /// The panels of one of the stage's drawings.
+    /// The panels of one of the layout's drawings.
     #[must_use]
-    pub fn panels(&self, drawing: &Drawing) -> Vec<StagePanel> {
+    pub fn panels(&self, drawing: &Drawing) -> Vec<HeldPanel> {
         let panel = |((panel, _), (name, frame)): (&(Sheet, Extent), &(String, Rect))| {
             let says = format!("{}-cut", panel.as_str());
             let is_cut = drawing.marks.iter().any(|mark| mark.id.as_ref() == Some(&says));
-            StagePanel { name: name.clone(), panel: *panel, frame: *frame, is_cut }
+            HeldPanel { name: name.clone(), panel: *panel, frame: *frame, is_cut }
         };
         self.extents.iter().zip(&drawing.panels).map(panel).collect()
     }
@@ -202,7 +207,7 @@ impl Stage {
         let plans = self.plan_views(solution);
         let handles = plans.into_iter().flat_map(|(panel, plan, view)| {
             let shown =
-                plan.points.iter().filter(|(name, _)| !plan_panel::is_hidden(&solution.scene.figure, plan, name));
+                plan.points.iter().filter(|(name, _)| !plan::sight::is_hidden(&solution.scene.figure, plan, name));
             shown.map(move |(name, point)| Handle {
                 panel,
                 name: name.clone(),
@@ -221,21 +226,21 @@ impl Stage {
         Some(geometry::Vector::new(off.x, -off.y))
     }
 
-    /// The scene with the scales of the stage.
-    fn scheme_of<'a>(&self, solution: &'a Solution, modes: Option<&'a OtherModes>) -> Scheme<'a> {
+    /// The context of a position at the scales of the layout.
+    fn context_of<'a>(&self, solution: &'a Solution, modes: Option<&'a OtherModes>) -> SheetContext<'a> {
         let traces = match has_lengths_of(&solution.mechanism, &self.mechanism) {
             true => Arc::clone(&self.traces),
             false => Arc::new(Traces::of(solution)),
         };
-        with_modes(Scheme { mu: self.mu, ..Scheme::with(solution, traces) }, modes)
+        with_modes(at_scales(solution, &traces, self.mu), modes)
     }
 
-    fn composed<'a>(&self, scheme: &'a Scheme<'a>) -> Composition<'a> {
-        let sheet = Contents { steps: self.steps, table: None };
-        let mut composition = composed(scheme, &self.extents, sheet);
-        for (panel, (name, _)) in composition.panels.iter_mut().zip(&self.extents) {
+    fn composed<'a>(&self, context: &'a SheetContext<'a>, only_step: Option<usize>) -> Composition<'a> {
+        let contents = Contents { steps: self.steps, only_step, table: None };
+        let mut composition = composed(context, &self.extents, contents);
+        for (panel, (sheet, _)) in composition.panels.iter_mut().zip(&self.extents) {
             // The frame stands still, where the scene's own position is in sight.
-            if *name == Sheet::Scheme {
+            if *sheet == Sheet::Scheme {
                 panel.content = self.scheme;
             }
         }
@@ -248,16 +253,11 @@ impl Stage {
     }
 
     /// The plans that are shown, with their views.
-    fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a crate::construction::Plan, View)> {
-        let construction = &solution.construction;
-        let plans = [
-            (Sheet::Velocity, Some(&construction.velocity)),
-            (Sheet::Acceleration, construction.acceleration.as_ref()),
-        ];
-        let shown = plans.into_iter().filter_map(|(panel, plan)| {
-            let (plan, (extent, placed)) = (plan?, self.placed(panel)?);
-            let content = plan_panel::extent(plan, solution.scene.figure.construction);
-            Some((panel, plan, placed.view(&extent, Some(content))))
+    fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a Plan, View)> {
+        let shown = Sheet::PLANS.into_iter().filter_map(|sheet| {
+            let (plan, (extent, placed)) = (solution.construction.plan_on(sheet)?, self.placed(sheet)?);
+            let content = plan::sight::extent(plan, solution.scene.figure.construction);
+            Some((sheet, plan, placed.view(&extent, Some(content))))
         });
         shown.collect()
     }
@@ -273,40 +273,46 @@ impl Stage {
     }
 }
 
-/// The layout in which the own position is seen whole and no joint leaves the scheme on its way, because a hand holds it: at the
-/// finest scale of the scheme that allows it, with room for the plans of all positions, else of the own one. The scale is put
-/// into the scheme. Where there is no such layout it is the own position's, as on the sheets of its steps. With the extents that
-/// it has room for.
+/// The layout in which the own position is seen whole and no joint leaves the scheme on its way, because a hand holds it: at
+/// the finest scale of the scheme that allows it, with room for the plans of all positions, else of the own one. The scale is
+/// put into the context. Where there is no such layout it is the own position's, as on the sheets of its steps. With the
+/// extents that it has room for.
 fn laid_out(
-    own: &mut Scheme<'_>,
-    own_extents: &[(Sheet, Extent)],
-    all: Vec<(Sheet, Extent)>,
-    sheet: Contents,
+    own: &mut SheetContext<'_>,
+    own_extents: &Extents,
+    all: Extents,
+    contents: Contents,
     below: f64,
-) -> (Layout, Vec<(Sheet, Extent)>) {
+) -> (Layout, Extents) {
+    // Plans: the shown position only; scheme: the whole cycle.
     let joints = |(all, own): (&(Sheet, Extent), &(Sheet, Extent))| if own.0 == Sheet::Scheme { *all } else { *own };
-    let least: Vec<(Sheet, Extent)> = all.iter().zip(own_extents).map(joints).collect();
-    let scale = own.mu[Sheet::Scheme];
-    let tried =
-        if own.figure.mu_l.is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme) { TRIED } else { 1 };
+    let least: Extents = all.iter().zip(own_extents).map(joints).collect();
+    let scale = own.surface.mu[Sheet::Scheme];
+    let is_free = own.figure().mu_l.is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme);
     let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
-    for mu in std::iter::successors(Some(scale), coarser).take(tried) {
-        own.mu[Sheet::Scheme] = mu;
+    for mu in std::iter::successors(Some(scale), coarser).take(if is_free { TRIED } else { 1 }) {
+        own.surface.mu[Sheet::Scheme] = mu;
         for extents in [&all, &least] {
-            let layout = composed(own, extents, sheet).layout_above(below);
-            // Of a plan what the own position has, of the scheme all.
+            let layout = composed(own, extents, contents).layout_above(below);
             let seen = least.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
             if seen {
                 return (layout, extents.clone());
             }
         }
     }
-    own.mu[Sheet::Scheme] = scale;
-    (composed(own, own_extents, sheet).layout_above(below), all)
+    own.surface.mu[Sheet::Scheme] = scale;
+    (composed(own, own_extents, contents).layout_above(below), all)
 }
 
-fn with_modes<'a>(scheme: Scheme<'a>, modes: Option<&'a OtherModes>) -> Scheme<'a> {
-    Scheme { modes: modes.unwrap_or(scheme.modes), ..scheme }
+/// The context of a position at scales that are given.
+fn at_scales<'a>(solution: &'a Solution, traces: &Arc<Traces>, mu: Scales) -> SheetContext<'a> {
+    let mut context = SheetContext::with_traces(solution, Purpose::Figure, Arc::clone(traces)).with_values();
+    context.surface.mu = mu;
+    context
+}
+
+fn with_modes<'a>(context: SheetContext<'a>, modes: Option<&'a OtherModes>) -> SheetContext<'a> {
+    SheetContext { modes: modes.unwrap_or(context.modes), ..context }
 }
 
 /// Whether two mechanisms of the same links have the same lengths.

@@ -1,20 +1,31 @@
+//! Steps of a construction, and which of them makes what is drawn.
+
 use crate::construction::{Action, Construction, Plan};
 use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
 
+/// How finely a construction is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// Every step by itself.
+    Fine,
+    /// Steps that belong together at once.
+    Coarse,
+}
+
 /// For points, rays and vectors the step of the construction that makes them. Steps count from 1, through the scheme,
 /// the velocity plan and the acceleration plan.
-pub(super) struct Stages {
+pub(super) struct StepNumbers {
     /// Special points on the scheme.
     special: IndexMap<String, u16>,
     /// Solved rates, by the names of their quantities.
     rates: IndexMap<String, u16>,
-    plans: PerSheet<PlanStages>,
+    plans: PerSheet<PlanSteps>,
 }
 
 /// The steps that make a plan's points, rays and vectors.
 #[derive(Default)]
-pub(super) struct PlanStages {
+pub(super) struct PlanSteps {
     /// The plan's last step.
     last: u16,
     points: IndexMap<String, u16>,
@@ -22,7 +33,7 @@ pub(super) struct PlanStages {
     vectors: IndexMap<[String; 2], u16>,
 }
 
-impl Stages {
+impl StepNumbers {
     pub(super) fn new(construction: &Construction) -> Self {
         let mut before = construction.scheme.len();
         let special = (1..).zip(&construction.scheme).filter_map(|(number, step)| match &step.action {
@@ -31,9 +42,9 @@ impl Stages {
         });
         let special = special.collect();
         let mut plan = |plan: Option<&Plan>| {
-            let stages = plan.map(|plan| PlanStages::new(plan, before));
+            let steps = plan.map(|plan| PlanSteps::new(plan, before));
             before += plan.map_or(0, |plan| plan.steps.len());
-            stages.unwrap_or_default()
+            steps.unwrap_or_default()
         };
         let solved = construction.numbered_steps().filter_map(|step| match &step.step.action {
             Action::Solve { unknowns, .. } => Some((step.number as u16, unknowns)),
@@ -53,19 +64,20 @@ impl Stages {
         self.rates.get(name).copied().unwrap_or(self.plan(plan).last)
     }
 
-    pub(super) fn plan(&self, sheet: Sheet) -> &PlanStages {
+    /// The steps of a plan.
+    pub(super) fn plan(&self, sheet: Sheet) -> &PlanSteps {
         &self.plans[sheet]
     }
 }
 
-impl PlanStages {
+impl PlanSteps {
     fn new(plan: &Plan, before: usize) -> Self {
         let number = |index: usize| (before + index + 1) as u16;
-        let mut stages = Self { last: number(plan.steps.len().saturating_sub(1)), ..Self::default() };
+        let mut steps = Self { last: number(plan.steps.len().saturating_sub(1)), ..Self::default() };
         for (index, step) in plan.steps.iter().enumerate() {
             let number = number(index);
             let mut made = |point: &String| {
-                stages.points.entry(point.clone()).or_insert(number);
+                steps.points.entry(point.clone()).or_insert(number);
             };
             match &step.action {
                 Action::Pole { images } => {
@@ -76,19 +88,19 @@ impl PlanStages {
                 Action::LayOff(arrow) => {
                     [&arrow.from, &arrow.to].into_iter().for_each(made);
                     let ends = [arrow.from.clone(), arrow.to.clone()];
-                    stages.vectors.entry(ends).or_insert(number);
+                    steps.vectors.entry(ends).or_insert(number);
                 }
                 Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
                     made(point)
                 }
                 Action::Ray(ray) => {
                     let ends = [ray.through.clone(), ray.to.clone()];
-                    stages.rays.entry(ends).or_insert(number);
+                    steps.rays.entry(ends).or_insert(number);
                 }
                 _ => {}
             }
         }
-        stages
+        steps
     }
 
     /// The step that makes a point; the plan's last for a point without a step.

@@ -1,0 +1,180 @@
+//! What the layers of a sheet ask: the solution with what is looked up in it once, the surface on which the sheet is
+//! laid out, and what the sheet is for.
+
+use super::dims::Dims;
+use super::facts::Facts;
+use super::markers::Signs;
+use super::value::Value;
+use crate::construction::{Construction, Plan, Solution, Special, Teller};
+use crate::cycle::{OtherModes, Traces};
+use crate::mechanism::{BodyId, Mechanism};
+use crate::position::Pose;
+use crate::scene::{Figure, Page, PageSize, Scene};
+use crate::sheet::{Scales, Sheet};
+use crate::text::Untrusted;
+use crate::words::Wording;
+use std::sync::Arc;
+
+/// No other modes.
+const NO_MODES: &OtherModes = &OtherModes { shown: Vec::new(), has_more: false, own: None };
+
+/// Made once for a solution. What is looked up is shared by all copies, so another surface costs nothing.
+#[derive(Clone)]
+pub(super) struct SheetContext<'a> {
+    pub solution: &'a Solution,
+    pub facts: Arc<Facts>,
+    pub words: Wording,
+    pub surface: Surface,
+    pub purpose: Purpose,
+    /// The paths and ghosts that the figure asks for.
+    pub traces: Arc<Traces>,
+    /// The other assembly modes to be drawn.
+    pub modes: &'a OtherModes,
+    /// The values to be written at links and vectors; none on a student's sheet, where they would tell the results.
+    pub values: Arc<[Value]>,
+}
+
+/// Where a sheet is laid out.
+///
+/// Everything that a sheet asks of its page it asks here, so that another kind of surface is made here alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Surface {
+    pub page: Page,
+    pub dims: Dims,
+    /// The scales of the panels, in units per mm of paper: given, or chosen for all sheets of a figure; a panel without
+    /// one gets the finest that fits.
+    pub mu: Scales,
+}
+
+/// What a sheet is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// To be shown: special points far from the mechanism are arrows to them.
+    Figure,
+    /// To be compared with a student's drawing, where these points stand at their places.
+    Drawing,
+    /// To be drawn on: these points have room at their places, and sliders show the sense that counts as positive.
+    Exercise,
+}
+
+impl Surface {
+    /// The page of a figure, at the scales that the scene gives.
+    pub(super) fn of(figure: &Figure) -> Surface {
+        Surface { page: figure.page, dims: Dims::of(figure), mu: figure.given_scales() }
+    }
+
+    /// Another page for the same figure, at scales of its own.
+    pub(super) fn on_page(page: Page, figure: &Figure, mu: Scales) -> Surface {
+        Surface { page, dims: Dims::on_page(page, figure), mu }
+    }
+
+    /// The same page with room for markers along its edges.
+    pub(super) fn with_markers(self) -> Surface {
+        Surface { dims: self.dims.with_markers(), ..self }
+    }
+}
+
+impl<'a> SheetContext<'a> {
+    /// The context of a solution for a sheet without values.
+    pub(super) fn new(solution: &'a Solution, purpose: Purpose) -> Self {
+        Self::with_traces(solution, purpose, Arc::new(Traces::of(solution)))
+    }
+
+    /// The context of a solution whose paths and ghosts are known.
+    pub(super) fn with_traces(solution: &'a Solution, purpose: Purpose, traces: Arc<Traces>) -> Self {
+        Self {
+            solution,
+            facts: Arc::new(Facts::of(solution)),
+            words: solution.wording(),
+            surface: Surface::of(&solution.scene.figure),
+            purpose,
+            traces,
+            modes: NO_MODES,
+            values: Arc::new([]),
+        }
+    }
+
+    /// The same sheet on another surface.
+    pub(super) fn on(&self, surface: Surface) -> Self {
+        Self { surface, ..self.clone() }
+    }
+
+    pub(super) fn scene(&self) -> &'a Scene {
+        &self.solution.scene
+    }
+
+    pub(super) fn figure(&self) -> &'a Figure {
+        &self.solution.scene.figure
+    }
+
+    pub(super) fn mechanism(&self) -> &'a Mechanism {
+        &self.solution.mechanism
+    }
+
+    pub(super) fn pose(&self) -> &'a Pose {
+        &self.solution.pose
+    }
+
+    pub(super) fn construction(&self) -> &'a Construction {
+        &self.solution.construction
+    }
+
+    /// The plan of a sheet; none for the scheme.
+    pub(super) fn plan(&self, sheet: Sheet) -> Option<&'a Plan> {
+        self.construction().plan_on(sheet)
+    }
+
+    /// The writer of captions in the figure's language.
+    pub(super) fn teller(&self) -> Teller<'_> {
+        Teller::new(self.solution, &self.words)
+    }
+
+    /// The title of its sheets.
+    pub(super) fn title(&self) -> Untrusted {
+        self.scene().title.clone().unwrap_or_else(|| self.words.language.title().into())
+    }
+
+    /// Whether the sheet is for a projector: wide, or with large letters.
+    pub(super) fn is_projected(&self) -> bool {
+        self.surface.page.size == PageSize::Wide || self.surface.dims.unit > 1.0
+    }
+
+    /// Whether a sheet to be drawn on has markers on this page, where there is room for them.
+    pub(super) fn wants_markers(&self) -> bool {
+        self.figure().markers && self.surface.page.size != PageSize::Wide
+    }
+
+    /// What the small code of a sheet says besides its panels.
+    pub(super) fn signs(&self, number: u16, name: &str) -> Signs {
+        Signs { page: self.surface.page, number, scene: self.scene().fingerprint(), name: name.to_owned() }
+    }
+
+    /// The markup of a point's name, on the mechanism or within a plan: the scene's own, or else that of the figure's
+    /// notation.
+    pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
+        if let Some(renamed) = self.figure().labels.get(name) {
+            return renamed.for_setting();
+        }
+        let written = self.facts.markup(name);
+        match plan {
+            Some(plan) => plan.shown(name, written, self.words.notation),
+            None => written,
+        }
+    }
+
+    /// Number of a link, by which a style picks its colour; none for the ground and for blocks without name.
+    pub(super) fn number(&self, link: BodyId) -> Option<usize> {
+        self.facts.numbers[link.0]
+    }
+
+    /// The Assur points, in a figure that shows them.
+    pub(super) fn special(&self) -> impl Iterator<Item = &'a Special> {
+        let shown = self.figure().special_points;
+        self.construction().special.iter().flatten().filter(move |special| shown && special.is_assur)
+    }
+
+    /// The values of a panel.
+    pub(super) fn values_of(&self, sheet: Sheet) -> impl Iterator<Item = &Value> {
+        self.values.iter().filter(move |value| value.panel == sheet)
+    }
+}

@@ -1,0 +1,101 @@
+//! What is looked up in a solution once, for all its sheets.
+
+use super::step_numbers::StepNumbers;
+use super::view::Extent;
+use crate::construction::{Construction, Solution, Special, display, image_name, point_on};
+use crate::geometry;
+use crate::mechanism::{BodyId, Mark, Mechanism};
+use indexmap::IndexMap;
+
+/// Answers by name, by body and by point.
+pub(super) struct Facts {
+    /// Markup of names that have another than [`display`] gives them.
+    markup: IndexMap<String, String>,
+    pub steps: StepNumbers,
+    /// By body: its number among the links, none for the ground and for blocks without name.
+    pub numbers: Vec<Option<usize>>,
+    /// By point: whether it is a pin.
+    pub pins: Vec<bool>,
+    /// By point: whether a slider is there.
+    pub slides: Vec<bool>,
+    /// By point: the bodies that have it.
+    pub holders: Vec<Vec<BodyId>>,
+    /// The middle of all points.
+    pub middle: geometry::Point,
+}
+
+impl Facts {
+    pub(super) fn of(solution: &Solution) -> Self {
+        let Solution { mechanism, pose, construction, .. } = solution;
+        let mut numbers = vec![None; mechanism.bodies.len()];
+        for (number, (link, _)) in mechanism.links().enumerate() {
+            numbers[link.0] = Some(number);
+        }
+        let mut pins = vec![false; mechanism.points.len()];
+        for mark in mechanism.joints.iter().flat_map(|joint| &joint.marks) {
+            if let Mark::Circle { center, .. } = mark {
+                pins[center.0] = true;
+            }
+        }
+        let mut slides = vec![false; mechanism.points.len()];
+        mechanism.sliders.iter().for_each(|slider| slides[slider.at.0] = true);
+        let extent = Extent::of(pose.points.iter().copied());
+        Self {
+            markup: markup(mechanism, construction),
+            steps: StepNumbers::new(construction),
+            numbers,
+            pins,
+            slides,
+            holders: mechanism.holders(),
+            middle: nalgebra::center(&extent.low, &extent.high),
+        }
+    }
+
+    /// The markup of a name.
+    pub(super) fn markup(&self, name: &str) -> String {
+        self.markup.get(name).cloned().unwrap_or_else(|| display(name))
+    }
+}
+
+/// Markup of the names that [`display`] would set without commas between a special point's links, where these have names
+/// longer than a letter: `S24` as `S_{24}`, `Srodarm` of the legs rod and arm as `S_{rod,arm}`, `n_b_rodC` as
+/// `n_{b_{rod}C}`.
+fn markup(mechanism: &Mechanism, construction: &Construction) -> IndexMap<String, String> {
+    let mut shown = IndexMap::new();
+    for special in construction.special.iter().flatten() {
+        let links = links(mechanism, special);
+        let long = links.iter().any(|link| link.chars().count() > 1);
+        let low = links.join(if long { "," } else { "" });
+        if special.is_assur {
+            shown.insert(special.name.clone(), format!("S_{{{low}}}"));
+            shown.insert(image_name(&special.name), format!("s_{{{low}}}"));
+        }
+        let normals = special.normal_names(mechanism);
+        for (side, (cut, name)) in special.cuts.iter().zip(normals).enumerate() {
+            let Some(start) = cut.start() else { continue };
+            let start = point_on(mechanism, cut.leg.base, start);
+            let image = display(&image_name(&start));
+            if let Some(slide) = cut.slide(mechanism) {
+                let entered = &mechanism.body(slide.to).name;
+                shown.insert(special.coriolis_name(mechanism, side), format!("k_{{{image}{entered}}}"));
+            }
+            let end = match (special.is_assur, long) {
+                (true, true) => format!(",{low}"),
+                (true, false) => low.clone(),
+                (false, _) => display(&special.name),
+            };
+            let letter = name.split('_').next().unwrap_or("n");
+            let markup = format!("{letter}_{{{image}{end}}}");
+            shown.insert(name, markup);
+        }
+    }
+    shown
+}
+
+/// The links in a special point's name: those of its legs, or its own link.
+fn links<'a>(mechanism: &'a Mechanism, special: &'a Special) -> Vec<&'a str> {
+    let name = special.name.strip_prefix('S').unwrap_or(&special.name);
+    let legs = special.cuts.each_ref().map(|cut| cut.carrier);
+    let legs = legs.map(|link| mechanism.body(link).name.as_str());
+    if legs.concat() == name { legs.to_vec() } else { vec![name] }
+}
