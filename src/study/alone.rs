@@ -1,31 +1,15 @@
 //! One mechanism followed by itself: exactly, with its limits, and slowly.
 
-use super::Status;
-use super::figures::Summary;
-use super::plan::{Study, Wanted};
 use super::samples::{mean, unwrap};
+use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Curves, CycleError, Drive, Extreme, Path, Steps, Sweep};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
-/// How far a mechanism goes, and what is known of each quantity that is wanted.
-pub(super) struct Outcome {
-    pub status: Status,
-    pub reach: Option<[f64; 2]>,
-    pub summaries: Vec<Summary>,
-}
-
-impl Outcome {
-    /// Of a mechanism that does not move.
-    pub fn without_motion(status: Status, study: &Study) -> Outcome {
-        Outcome { status, reach: None, summaries: vec![Summary::default(); study.wanted.len()] }
-    }
-}
-
 /// Follows one mechanism along its branch.
-pub(super) fn follow(study: &Study, mechanism: &Mechanism, pose: &Pose) -> Outcome {
-    let none = |status| Outcome::without_motion(status, study);
-    let round = &study.round;
+pub(super) fn follow(task: &Task, mechanism: &Mechanism, pose: &Pose) -> Outcome {
+    let none = |status| Outcome::without_motion(status, task);
+    let round = &task.round;
     let Ok(drive) = Drive::new(mechanism, Some(&round.drive)) else {
         return none(Status::NoMechanism);
     };
@@ -41,8 +25,8 @@ pub(super) fn follow(study: &Study, mechanism: &Mechanism, pose: &Pose) -> Outco
     let whole = path.low() <= low && path.high() >= high;
     let mut outcome = none(if whole { Status::Whole } else { Status::Part });
     outcome.reach = Some(reach(&path, [low, high]));
-    for (wanted, summary) in study.wanted.iter().zip(&mut outcome.summaries) {
-        *summary = summarised(&path, study, wanted);
+    for (wanted, summary) in task.wanted.iter().zip(&mut outcome.summaries) {
+        *summary = summarised(&path, task, wanted);
     }
     outcome
 }
@@ -55,10 +39,10 @@ fn reach(path: &Path, [low, high]: [f64; 2]) -> [f64; 2] {
     [below.max(low), above.min(high)]
 }
 
-fn summarised(path: &Path, study: &Study, wanted: &Wanted) -> Summary {
+fn summarised(path: &Path, task: &Task, wanted: &Wanted) -> Summary {
     let names = [wanted.name.clone()];
     let mut summary = Summary { at_scene: sampled(path, None, wanted).first().copied(), ..Summary::default() };
-    let round = &study.round;
+    let round = &task.round;
     if let Ok(curves) = Curves::new(path, [round.from, round.to], Some(&names))
         && let Some(curve) = curves.curves.first()
     {

@@ -1,8 +1,7 @@
 //! The study file, version 1, key by key.
 
-use super::error::StudyError;
-use super::figures::Figure;
-use crate::scene::{FileKind, Scene, SceneError, SceneTree, read_as, schema_of};
+use super::task::Figure;
+use crate::scene::{FileKind, SceneError, SceneTree, read_as, schema_of};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use jsonc_parser::ast::Value as Node;
@@ -189,13 +188,5 @@ impl StudyFile {
     #[must_use]
     pub fn schema() -> Json {
         schema_of::<Keys>("Kinegon study, version 1")
-    }
-
-    /// The study of this scene.
-    ///
-    /// # Errors
-    /// It asks for what the scene does not have, with its place in the study; or the scene cannot be moved.
-    pub fn of(&self, scene: Scene) -> Result<super::Study, StudyError> {
-        super::Study::new(self, scene)
     }
 }

@@ -1,10 +1,29 @@
-use super::Status;
-use super::error::StudyError;
+//! One mechanism of a study in its position, and the values of its quantities.
+
 use super::number::has_links;
-use crate::mechanism::{Mechanism, mechanism};
-use crate::position::{Pose, pose, with_nearest_sides};
+use super::task::Status;
+use crate::cycle::CycleError;
+use crate::mechanism::{Mechanism, StructureError, mechanism};
+use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
 use crate::quantity::{Asked, Quantity, State};
-use crate::scene::{Scene, SizeLimit};
+use crate::scene::{Scene, SceneError, SizeLimit};
+
+/// Why a study cannot be made of a scene.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// The study asks for what the scene does not have; the place is in the study.
+    #[error(transparent)]
+    Study(#[from] SceneError),
+    /// The scene is no mechanism that can be solved.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// The scene cannot be assembled.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// The scene cannot be moved.
+    #[error(transparent)]
+    Cycle(#[from] CycleError),
+}
 
 /// The mechanism of a varied scene, in its position; else what became of it.
 pub(super) fn member(scene: &Scene) -> Result<(Mechanism, Pose), Status> {

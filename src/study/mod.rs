@@ -3,21 +3,16 @@
 //! the study and its own index alone.
 
 mod alone;
-mod draws;
-mod error;
-mod figures;
 mod file;
 mod member;
 mod number;
-mod peak;
 mod plan;
-mod rows;
 mod samples;
+mod task;
 mod together;
 mod vary;
 
-pub use error::StudyError;
-pub use figures::Figure;
 pub use file::{SceneGiven, StudyFile};
+pub use member::StudyError;
 pub use plan::Study;
-pub use rows::{Column, Content, Status};
+pub use task::{Column, Content, Figure, Status};

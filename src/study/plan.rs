@@ -1,10 +1,10 @@
-use super::alone::{self, Outcome};
-use super::error::StudyError;
-use super::figures::Figure;
+//! A study of its scene: which numbers vary and how, and the rows of its table.
+
+use super::alone;
 use super::file::StudyFile;
-use super::member::{member, posed};
+use super::member::{StudyError, member, posed};
 use super::number::{Named, numbers};
-use super::rows::{Column, Content, Status};
+use super::task::{Column, Content, Outcome, Round, Status, Task, Wanted};
 use super::together;
 use super::vary::{Values, Varied};
 use crate::Problem;
@@ -34,66 +34,16 @@ pub struct Study {
     shots: u64,
     seed: u64,
     rows: u64,
-    pub(super) round: Round,
-    pub(super) wanted: Vec<Wanted>,
+    task: Task,
 }
 
-/// The motion of every mechanism.
-#[derive(Clone, Debug)]
-pub(super) struct Round {
-    /// The drive's name.
-    pub drive: String,
-    /// Its name as a quantity.
-    pub quantity: String,
-    pub from: f64,
-    pub to: f64,
-    pub steps: Steps,
-    /// Whether the drive turns.
-    pub is_angle: bool,
-    /// Whether it is one whole turn of a crank.
-    pub is_turn: bool,
-    /// Whether other drives stand still.
-    pub alone: bool,
-}
-
-impl Round {
-    /// Its lowest and highest value.
-    pub fn ends(&self) -> [f64; 2] {
-        [self.from.min(self.to), self.from.max(self.to)]
-    }
-}
-
-/// A quantity with the figures that are wanted of it.
-#[derive(Clone, Debug)]
-pub(super) struct Wanted {
-    pub name: String,
-    pub asked: Asked,
-    pub figures: Vec<Figure>,
-}
-
-impl Wanted {
-    /// Whether its values are angles.
-    pub fn turns(&self) -> bool {
-        self.asked.kind() == Kind::Angle
-    }
-
-    pub fn has_mean(&self) -> bool {
-        self.figures.contains(&Figure::Mean)
-    }
-
-    /// Whether its greatest (`sign` 1) or least value is looked for.
-    pub fn has_extreme(&self, sign: f64) -> bool {
-        let one = if sign > 0.0 { Figure::Max } else { Figure::Min };
-        self.figures.iter().any(|f| *f == one || matches!(f, Figure::MaxAbs | Figure::Range))
-    }
-}
-
-impl Study {
+impl StudyFile {
     /// The study of this scene.
     ///
     /// # Errors
     /// It asks for what the scene does not have, with its place in the study; or the scene cannot be moved.
-    pub(super) fn new(file: &StudyFile, scene: Scene) -> Result<Study, StudyError> {
+    pub fn of(&self, scene: Scene) -> Result<Study, StudyError> {
+        let file = self;
         if scene.given_by == GivenBy::Drawing {
             return Err(CycleError::Drawn.into());
         }
@@ -127,9 +77,11 @@ impl Study {
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
-        Ok(Study { scene, varied, shots, seed: file.seed(), rows, round, wanted })
+        Ok(Study { scene, varied, shots, seed: file.seed(), rows, task: Task { round, wanted } })
     }
+}
 
+impl Study {
     /// How many rows it has.
     #[must_use]
     pub fn count(&self) -> u64 {
@@ -139,7 +91,7 @@ impl Study {
     /// How many positions of each mechanism are computed.
     #[must_use]
     pub fn positions(&self) -> usize {
-        self.round.steps.count()
+        self.task.round.steps.count()
     }
 
     /// The columns of its table.
@@ -148,12 +100,12 @@ impl Study {
         let column = |name: &str, content, unit: String| Column { name: name.to_owned(), content, unit };
         let number = |name: &str, unit: &str| column(name, Content::Number, unit.to_owned());
         let units = self.scene.units;
-        let drive = if self.round.is_angle { Kind::Angle } else { Kind::Position }.unit(units);
+        let drive = if self.task.round.is_angle { Kind::Angle } else { Kind::Position }.unit(units);
         let mut columns = vec![column("index", Content::Index, String::new())];
         columns.extend(self.varied.iter().map(|v| number(&v.name, &v.number.unit(units))));
         columns.push(column("status", Content::Status, String::new()));
         columns.extend(["reach_from", "reach_to"].map(|name| number(name, &drive)));
-        for wanted in &self.wanted {
+        for wanted in &self.task.wanted {
             for figure in &wanted.figures {
                 let name = format!("{}.{}", wanted.name, figure.name());
                 columns.push(number(&name, &wanted.asked.kind().unit(units)));
@@ -204,23 +156,27 @@ impl Study {
             let member = member(&scene);
             failed.push(member.as_ref().err().copied());
             if let Ok((mechanism, pose)) = member {
-                mechanisms.push(if self.round.alone { alone_moving(&mechanism, &self.round.drive) } else { mechanism });
+                mechanisms.push(if self.task.round.alone {
+                    alone_moving(&mechanism, &self.task.round.drive)
+                } else {
+                    mechanism
+                });
                 poses.push(pose);
             }
         }
-        let moved = together::follow(self, &mechanisms, &poses).into_iter().zip(mechanisms.iter().zip(&poses));
+        let moved = together::follow(&self.task, &mechanisms, &poses).into_iter().zip(mechanisms.iter().zip(&poses));
         // Side by side where that is sure, else each by itself.
-        let mut moved = moved.map(|(outcome, (m, pose))| outcome.unwrap_or_else(|| alone::follow(self, m, pose)));
+        let mut moved = moved.map(|(outcome, (m, pose))| outcome.unwrap_or_else(|| alone::follow(&self.task, m, pose)));
         let outcomes = failed.into_iter().map(|status| match status {
-            None => moved.next().unwrap_or_else(|| Outcome::without_motion(Status::NoMechanism, self)),
-            Some(status) => Outcome::without_motion(status, self),
+            None => moved.next().unwrap_or_else(|| Outcome::without_motion(Status::NoMechanism, &self.task)),
+            Some(status) => Outcome::without_motion(status, &self.task),
         });
         for ((row, values), outcome) in rows.zip(varied).zip(outcomes) {
             numbers.push(row as f64);
             numbers.extend(values);
             numbers.push(outcome.status.number());
             numbers.extend(outcome.reach.unwrap_or([f64::NAN; 2]));
-            for (wanted, summary) in self.wanted.iter().zip(&outcome.summaries) {
+            for (wanted, summary) in self.task.wanted.iter().zip(&outcome.summaries) {
                 for figure in &wanted.figures {
                     let (value, at) = summary.figure(*figure);
                     numbers.push(value.unwrap_or(f64::NAN));

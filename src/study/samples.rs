@@ -1,4 +1,7 @@
-//! Values of one quantity at equal steps of the drive; NaN where it has none.
+//! What equally spaced values of one quantity tell: their mean, and where between them it is greatest. NaN stands where it has none.
+
+/// Newton steps for the vertex of a quartic; the parabola's is near.
+const STEPS: usize = 4;
 
 /// The mean over the drive's values by the trapezoidal rule, which for a whole turn is exact but for the harmonics that the steps do not
 /// resolve.
@@ -26,4 +29,97 @@ pub(super) fn unwrap(samples: &mut [f64]) {
 /// The angle in degrees plus the whole turns that bring it nearest to another.
 pub(super) fn near(angle: f64, other: f64) -> f64 {
     angle + 360.0 * ((other - angle) / 360.0).round()
+}
+
+/// Samples of a smooth quantity.
+pub(super) struct Spaced<'a> {
+    pub values: &'a [f64],
+    /// 1 for greatest values, −1 for least ones.
+    pub sign: f64,
+    /// Whether the last sample is the first one, a turn later.
+    pub periodic: bool,
+}
+
+/// A place between samples: the sample next to it, and the distance from that in steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Spot {
+    pub sample: usize,
+    pub beyond: f64,
+}
+
+impl Spaced<'_> {
+    /// The place of the greatest value, from the quartics through five samples each; at ends from parabolas. `None` where a sample has no
+    /// value.
+    pub fn peak(&self) -> Option<Spot> {
+        if self.values.iter().any(|y| !y.is_finite()) {
+            return None;
+        }
+        let count = self.values.len() - usize::from(self.periodic);
+        let local = (0..count).filter(|&k| self.is_local(k));
+        let best = local.map(|k| (k, self.vertex(k))).max_by(|a, b| a.1[1].total_cmp(&b.1[1]));
+        best.map(|(sample, [beyond, _])| Spot { sample, beyond })
+    }
+
+    /// A sample by its place, which may lie beyond the ends of a period.
+    fn at(&self, place: isize) -> Option<f64> {
+        let count = self.values.len() as isize;
+        let place = if self.periodic { place.rem_euclid(count - 1) } else { place };
+        usize::try_from(place).ok().and_then(|place| self.values.get(place)).map(|y| self.sign * y)
+    }
+
+    fn is_local(&self, k: usize) -> bool {
+        if let Some(&[before, own, after]) = k.checked_sub(1).and_then(|first| self.values.get(first..k + 2)) {
+            return self.sign * own > self.sign * before && self.sign * own >= self.sign * after;
+        }
+        let k = k as isize;
+        let own = self.at(k);
+        // Of equal neighbours the first counts.
+        self.at(k - 1).is_none_or(|y| own > Some(y)) && self.at(k + 1).is_none_or(|y| own >= Some(y))
+    }
+
+    /// The vertex next to a sample: its distance in steps, and the value there.
+    fn vertex(&self, k: usize) -> [f64; 2] {
+        let k = k as isize;
+        let Some(y) = self.at(k) else {
+            return [0.0, f64::NEG_INFINITY];
+        };
+        let (Some(before), Some(after)) = (self.at(k - 1), self.at(k + 1)) else {
+            return self.end(k, y);
+        };
+        let slope = 0.5 * (after - before);
+        let bend = after - 2.0 * y + before;
+        let (slope, bend, third, fourth) = match (self.at(k - 2), self.at(k + 2)) {
+            (Some(first), Some(last)) => (
+                (first - 8.0 * before + 8.0 * after - last) / 12.0,
+                (16.0 * (before + after) - first - last - 30.0 * y) / 12.0,
+                0.5 * (last - 2.0 * after + 2.0 * before - first),
+                first - 4.0 * before + 6.0 * y - 4.0 * after + last,
+            ),
+            _ => (slope, bend, 0.0, 0.0),
+        };
+        let mut t = if bend < 0.0 { (-slope / bend).clamp(-1.0, 1.0) } else { 0.0 };
+        for _ in 0..STEPS {
+            let rate = slope + t * (bend + t * (third / 2.0 + t * fourth / 6.0));
+            let by = bend + t * (third + t * fourth / 2.0);
+            if by < 0.0 {
+                t = (t - rate / by).clamp(-1.0, 1.0);
+            }
+        }
+        [t, y + t * (slope + t * (bend / 2.0 + t * (third / 6.0 + t * fourth / 24.0)))]
+    }
+
+    /// The vertex next to an end: that of the parabola through the three samples there, if it lies between them.
+    fn end(&self, k: isize, y: f64) -> [f64; 2] {
+        let inward = if k == 0 { 1 } else { -1 };
+        let (Some(next), Some(third)) = (self.at(k + inward), self.at(k + 2 * inward)) else {
+            return [0.0, y];
+        };
+        let bend = third - 2.0 * next + y;
+        let slope = next - y - bend / 2.0;
+        if slope <= 0.0 || bend >= 0.0 {
+            return [0.0, y];
+        }
+        let t = (-slope / bend).min(1.0);
+        [t * inward as f64, y + t * (slope + t * bend / 2.0)]
+    }
 }

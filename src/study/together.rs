@@ -1,12 +1,8 @@
 //! Mechanisms followed side by side from position to position, as long as each surely stays on its branch.
 
-use super::Status;
-use super::alone::Outcome;
-use super::figures::Summary;
 use super::member::value;
-use super::peak::{Spaced, Spot};
-use super::plan::{Study, Wanted};
-use super::samples::{mean, near, unwrap};
+use super::samples::{Spaced, Spot, mean, near, unwrap};
+use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Drive, Kept, Position, Variants};
 use crate::geometry::Many;
 use crate::mechanism::Mechanism;
@@ -16,23 +12,23 @@ use crate::position::Pose;
 const SAME: f64 = 1e-9;
 
 /// What becomes of mechanisms; `None` of those that have to be followed by themselves.
-pub(super) fn follow(study: &Study, mechanisms: &[Mechanism], poses: &[Pose]) -> Vec<Option<Outcome>> {
+pub(super) fn follow(task: &Task, mechanisms: &[Mechanism], poses: &[Pose]) -> Vec<Option<Outcome>> {
     let nothing = mechanisms.iter().map(|_| None).collect();
-    if mechanisms.is_empty() || study.wanted.iter().any(|w| w.asked.needs_construction()) {
+    if mechanisms.is_empty() || task.wanted.iter().any(|w| w.asked.needs_construction()) {
         return nothing;
     }
-    let Ok(drive) = Drive::new(&mechanisms[0], Some(&study.round.drive)) else {
+    let Ok(drive) = Drive::new(&mechanisms[0], Some(&task.round.drive)) else {
         return nothing;
     };
     let Ok(variants) = Variants::new(mechanisms, poses) else {
         return nothing;
     };
-    Walk::new(study, variants, drive).map_or(nothing, Walk::outcomes)
+    Walk::new(task, variants, drive).map_or(nothing, Walk::outcomes)
 }
 
 /// Mechanisms on their way through the cycle.
 struct Walk<'a> {
-    study: &'a Study,
+    task: &'a Task,
     variants: Variants<'a>,
     drive: Drive,
     /// The step next to the scene's position.
@@ -51,8 +47,8 @@ struct Walk<'a> {
 impl<'a> Walk<'a> {
     /// The mechanisms in their first position; `None` where the scene's position lies outside the cycle, or the drive's rates are such that
     /// they do not tell how far the next position is.
-    fn new(study: &'a Study, variants: Variants<'a>, drive: Drive) -> Option<Self> {
-        let round = &study.round;
+    fn new(task: &'a Task, variants: Variants<'a>, drive: Drive) -> Option<Self> {
+        let round = &task.round;
         let (count, last) = (variants.count(), round.steps.count() - 1);
         let origin = variants.start(0, &drive);
         let first = ((origin - round.from) / (round.to - round.from) * last as f64).round();
@@ -61,9 +57,9 @@ impl<'a> Walk<'a> {
         if !is_inside || !starts_there || !(0..count).all(|i| variants.runs_evenly(i, &drive)) {
             return None;
         }
-        let quantities = study.wanted.len();
+        let quantities = task.wanted.len();
         let mut walk = Walk {
-            study,
+            task,
             drive,
             first: first as usize,
             origin,
@@ -75,14 +71,14 @@ impl<'a> Walk<'a> {
         };
         for (mechanism, at_scene) in walk.at_scene.iter_mut().enumerate() {
             let position = walk.variants.position(mechanism);
-            at_scene.extend(study.wanted.iter().map(|wanted| read(wanted, position.as_ref())));
+            at_scene.extend(task.wanted.iter().map(|wanted| read(wanted, position.as_ref())));
         }
         Some(walk)
     }
 
     fn outcomes(mut self) -> Vec<Option<Outcome>> {
         let start = self.variants.kept();
-        let steps = self.study.round.steps;
+        let steps = self.task.round.steps;
         for sure in 0..self.sure.len() {
             self.sure[sure] = self.variants.position(sure).is_some();
         }
@@ -95,8 +91,8 @@ impl<'a> Walk<'a> {
         self.go(&start, (0..self.first).rev().collect());
         let mut outcomes = self.summed();
         for sign in [1.0, -1.0] {
-            for quantity in 0..self.study.wanted.len() {
-                if self.study.wanted[quantity].has_extreme(sign) {
+            for quantity in 0..self.task.wanted.len() {
+                if self.task.wanted[quantity].has_extreme(sign) {
                     self.refine(quantity, sign, &mut outcomes);
                 }
             }
@@ -109,7 +105,7 @@ impl<'a> Walk<'a> {
         let mut last = None;
         let mut was = self.origin;
         for step in steps {
-            let value = self.study.round.steps.value(step);
+            let value = self.task.round.steps.value(step);
             for mechanism in (0..self.sure.len()).filter(|i| self.sure[*i]) {
                 self.variants.set_along(mechanism, &self.drive, value);
             }
@@ -132,7 +128,7 @@ impl<'a> Walk<'a> {
                     continue;
                 }
                 let position = self.variants.position(mechanism);
-                for (wanted, samples) in self.study.wanted.iter().zip(&mut self.samples[mechanism]) {
+                for (wanted, samples) in self.task.wanted.iter().zip(&mut self.samples[mechanism]) {
                     samples[step] = read(wanted, position.as_ref());
                 }
             }
@@ -144,11 +140,11 @@ impl<'a> Walk<'a> {
 
     /// What the samples tell.
     fn summed(&mut self) -> Vec<Option<Outcome>> {
-        let round = &self.study.round;
+        let round = &self.task.round;
         let mut outcomes = Vec::new();
         for (mechanism, sure) in self.sure.iter().enumerate() {
             let mut summaries = Vec::new();
-            for (quantity, wanted) in self.study.wanted.iter().enumerate() {
+            for (quantity, wanted) in self.task.wanted.iter().enumerate() {
                 let samples = &mut self.samples[mechanism][quantity];
                 if wanted.turns() {
                     unwrap(samples);
@@ -165,7 +161,7 @@ impl<'a> Walk<'a> {
 
     /// Finds the greatest values of a quantity (`sign` 1), or the least ones: each mechanism is moved to where its samples let it expect.
     fn refine(&mut self, quantity: usize, sign: f64, outcomes: &mut [Option<Outcome>]) {
-        let (round, wanted) = (&self.study.round, &self.study.wanted[quantity]);
+        let (round, wanted) = (&self.task.round, &self.task.wanted[quantity]);
         let spots: Vec<Option<Spot>> = (0..self.sure.len()).map(|i| self.peak(i, quantity, sign, wanted)).collect();
         let step = round.steps.value(1) - round.steps.value(0);
         let at = |spot: Spot| round.steps.value(spot.sample) + spot.beyond * step;
@@ -200,7 +196,7 @@ impl<'a> Walk<'a> {
         let values = &self.samples[mechanism][quantity];
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], y| [l.min(*y), h.max(*y)]);
         let closes = (values[0] - values[values.len() - 1]).abs() <= SAME * (high - low);
-        let periodic = self.study.round.is_turn && closes && !wanted.turns();
+        let periodic = self.task.round.is_turn && closes && !wanted.turns();
         Spaced { values, sign, periodic }.peak()
     }
 }

@@ -1,0 +1,210 @@
+//! What is asked of each mechanism of a study, and what becomes of it.
+
+use crate::cycle::Steps;
+use crate::quantity::{Asked, Kind};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+/// The motion that every mechanism makes, and what is wanted of it.
+#[derive(Clone, Debug)]
+pub(super) struct Task {
+    pub round: Round,
+    pub wanted: Vec<Wanted>,
+}
+
+/// The motion of every mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Round {
+    /// The drive's name.
+    pub drive: String,
+    /// Its name as a quantity.
+    pub quantity: String,
+    pub from: f64,
+    pub to: f64,
+    pub steps: Steps,
+    /// Whether the drive turns.
+    pub is_angle: bool,
+    /// Whether it is one whole turn of a crank.
+    pub is_turn: bool,
+    /// Whether other drives stand still.
+    pub alone: bool,
+}
+
+impl Round {
+    /// Its lowest and highest value.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.from.min(self.to), self.from.max(self.to)]
+    }
+}
+
+/// A quantity with the figures that are wanted of it.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    pub name: String,
+    pub asked: Asked,
+    pub figures: Vec<Figure>,
+}
+
+impl Wanted {
+    /// Whether its values are angles.
+    pub fn turns(&self) -> bool {
+        self.asked.kind() == Kind::Angle
+    }
+
+    pub fn has_mean(&self) -> bool {
+        self.figures.contains(&Figure::Mean)
+    }
+
+    /// Whether its greatest (`sign` 1) or least value is looked for.
+    pub fn has_extreme(&self, sign: f64) -> bool {
+        let one = if sign > 0.0 { Figure::Max } else { Figure::Min };
+        self.figures.iter().any(|f| *f == one || matches!(f, Figure::MaxAbs | Figure::Range))
+    }
+}
+
+/// What is said of a quantity over the cycle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(rename = "figure")]
+pub enum Figure {
+    /// The greatest value, and the drive's value there.
+    Max,
+    /// The least value, and the drive's value there.
+    Min,
+    /// The greatest magnitude, and the drive's value there.
+    MaxAbs,
+    /// The greatest value less the least.
+    Range,
+    /// The mean over the drive's values.
+    Mean,
+    /// The value at the scene's own position.
+    AtScene,
+}
+
+impl Figure {
+    /// Its name in a study, and behind the quantity's name in a table.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Figure::Max => "max",
+            Figure::Min => "min",
+            Figure::MaxAbs => "max_abs",
+            Figure::Range => "range",
+            Figure::Mean => "mean",
+            Figure::AtScene => "at_scene",
+        }
+    }
+
+    /// Whether it happens somewhere.
+    #[must_use]
+    pub fn has_place(self) -> bool {
+        matches!(self, Figure::Max | Figure::Min | Figure::MaxAbs)
+    }
+}
+
+/// What is known of a quantity over the cycle of one mechanism; `None` where it has no value or grows without bound.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Summary {
+    /// The drive's value and the greatest value there.
+    pub max: Option<[f64; 2]>,
+    /// The drive's value and the least value there.
+    pub min: Option<[f64; 2]>,
+    pub mean: Option<f64>,
+    pub at_scene: Option<f64>,
+}
+
+impl Summary {
+    /// A figure, and the drive's value where it happens if it happens somewhere.
+    pub fn figure(&self, figure: Figure) -> (Option<f64>, Option<f64>) {
+        let placed = |found: Option<[f64; 2]>| (found.map(|f| f[1]), found.map(|f| f[0]));
+        match figure {
+            Figure::Max => placed(self.max),
+            Figure::Min => placed(self.min),
+            Figure::MaxAbs => placed(self.max.zip(self.min).map(|(max, min)| {
+                let [at, value] = if max[1].abs() >= min[1].abs() { max } else { min };
+                [at, value.abs()]
+            })),
+            Figure::Range => (self.max.zip(self.min).map(|(max, min)| max[1] - min[1]), None),
+            Figure::Mean => (self.mean, None),
+            Figure::AtScene => (self.at_scene, None),
+        }
+    }
+}
+
+/// How far a mechanism goes, and what is known of each quantity that is wanted.
+pub(super) struct Outcome {
+    pub status: Status,
+    pub reach: Option<[f64; 2]>,
+    pub summaries: Vec<Summary>,
+}
+
+impl Outcome {
+    /// Of a mechanism that does not move.
+    pub fn without_motion(status: Status, task: &Task) -> Outcome {
+        Outcome { status, reach: None, summaries: vec![Summary::default(); task.wanted.len()] }
+    }
+}
+
+/// What became of one mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// It goes through the whole cycle.
+    Whole,
+    /// It goes through a part of the cycle, from `reach_from` to `reach_to`; figures are of that part.
+    Part,
+    /// It cannot come from the scene's position to any part of the cycle.
+    Outside,
+    /// Its position in the scene is singular, so which way it goes on is not decided.
+    Singular,
+    /// It cannot be assembled at the scene's position.
+    NotAssembled,
+    /// It is no mechanism: a length is not positive, three lengths form no triangle, or the like.
+    NoMechanism,
+}
+
+impl Status {
+    /// All of them, by the number that stands for each in a row.
+    pub const ALL: [Status; 6] =
+        [Status::Whole, Status::Part, Status::Outside, Status::Singular, Status::NotAssembled, Status::NoMechanism];
+
+    /// The word that stands in tables.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Status::Whole => "whole",
+            Status::Part => "part",
+            Status::Outside => "outside",
+            Status::Singular => "singular",
+            Status::NotAssembled => "not assembled",
+            Status::NoMechanism => "no mechanism",
+        }
+    }
+
+    /// The number that stands for it in a row.
+    #[must_use]
+    pub(super) fn number(self) -> f64 {
+        Status::ALL.iter().position(|other| *other == self).map_or(f64::NAN, |at| at as f64)
+    }
+}
+
+/// A column of a study's table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Its name.
+    pub name: String,
+    /// What its numbers are.
+    pub content: Content,
+    /// The unit of its numbers, as `rad/s²`; angles are in degrees (°), numbers of rows and words have none.
+    pub unit: String,
+}
+
+/// What the numbers of a column are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Content {
+    /// Whole numbers.
+    Index,
+    /// Numbers; NaN where there is none.
+    Number,
+    /// Places in [`Status::ALL`].
+    Status,
+}
