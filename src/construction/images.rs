@@ -196,6 +196,8 @@ impl Writer<'_> {
                 }
             }
         }
+        // Its operations belong to the steps below, not to the step before.
+        self.step = None;
         let place = self.motion(sheet, body, point);
         // Back to a plan point that is there.
         let (mut at, mut vectors) = (place, Vec::new());
