@@ -263,7 +263,7 @@ impl<'a> Finder<'a> {
             let at = self.over(joint, (base, self.frames[base.0]?), to, &turns)?;
             self.settle(at, to, &mut placed);
         }
-        for angular in self.mechanism.geared(group) {
+        for angular in group.gears(self.mechanism) {
             let constant = crate::geometry::Vector::new(angular.constant.re, angular.constant.im);
             let mut left = Vector::from(constant).unit();
             for &(body, weight) in &angular.terms {

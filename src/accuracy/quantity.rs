@@ -90,7 +90,7 @@ impl Bounds<'_> {
         }
     }
 
-    /// The same of the normal or tangential part of a relative acceleration within a link.
+    /// Bound of the error of the normal or tangential part of a relative acceleration within a link.
     fn of_part(&self, part: Normality, a: &Spot, b: &Spot, link: BodyId) -> Option<f64> {
         let (Spot::Point(_, first, _), Spot::Point(_, second, _)) = (a, b) else {
             return None;

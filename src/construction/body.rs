@@ -1,23 +1,16 @@
 //! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
 //! else from a point of known motion.
 
-use super::images::LaidOff;
 use super::name::{coriolis_name, point_on, slide_name};
-use super::operation::{Along, NumberKind, PlaceId, Product, ProductKind, Rate};
-use super::step::{Action, Added, Arrow, PointRole, RelativePart, VectorOf};
+use super::number::{NumberKind, Product, ProductKind, Rate};
+use super::operation::{Along, PlaceId};
+use super::plan::PointRole;
+use super::record::{Anchor, LaidOff};
+use super::step::{Action, Added, Arrow, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
-use crate::mechanism::{BodyId, DrivenSlide, JointId, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role, SliderId};
 use crate::sheet::Sheet;
-
-/// The joint by which the motion of a body follows from that of a neighbour.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Anchor {
-    /// The joint.
-    pub joint: JointId,
-    /// The neighbour, whose motion is known.
-    pub from: BodyId,
-}
 
 impl Writer<'_> {
     /// Takes the given rates of bodies and of driven sliders from the scene.
@@ -30,16 +23,16 @@ impl Writer<'_> {
                 Role::Driver { omega, alpha, .. } | Role::Moving { omega, alpha, .. } => [omega, alpha],
                 Role::Pushed { .. } | Role::Carrier { .. } | Role::Unsolved | Role::Member => continue,
             };
-            let omega = self.take(Sheet::Velocity, NumberKind::Rate(Rate::Omega(body)), rates[0]);
-            let alpha = self.take(Sheet::Acceleration, NumberKind::Rate(Rate::Alpha(body)), rates[1]);
-            self.construction.spins[body.0] = Some([omega, alpha]);
+            let omega = self.take(true, Sheet::Velocity, NumberKind::Rate(Rate::Omega(body)), rates[0]);
+            let alpha = self.take(true, Sheet::Acceleration, NumberKind::Rate(Rate::Alpha(body)), rates[1]);
+            self.construction.angular_rates[body.0] = Some([omega, alpha]);
         }
         for id in (0..mechanism.sliders.len()).map(SliderId) {
             if let Some(drive) = mechanism.slider(id).drive {
-                let velocity = self.take(Sheet::Velocity, NumberKind::Rate(Rate::SlideVelocity(id)), drive.speed);
+                let velocity = self.take(true, Sheet::Velocity, NumberKind::Rate(Rate::SlideVelocity(id)), drive.speed);
                 let rate = NumberKind::Rate(Rate::SlideAcceleration(id));
-                let acceleration = self.take(Sheet::Acceleration, rate, drive.acceleration);
-                self.construction.slides[id.0] = Some([velocity, acceleration]);
+                let acceleration = self.take(true, Sheet::Acceleration, rate, drive.acceleration);
+                self.construction.slide_rates[id.0] = Some([velocity, acceleration]);
             }
         }
     }
@@ -53,13 +46,14 @@ impl Writer<'_> {
             true => self.known_motion(sheet, body, point),
             false => self.connected_motion(sheet, body, point),
         };
-        let place = place.unwrap_or_else(|| self.motion_not_by_hand(sheet, body, point));
-        self.note_motion(sheet, body, point, place);
+        // No construction reaches it: it is taken from the computed motion.
+        let place = place.unwrap_or_else(|| self.computed_motion(false, sheet, body, point));
+        self.construction.record.note_motion(sheet, body, point, place);
         place
     }
 
     pub(crate) fn place_of_motion(&self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
-        self.motions.get(&(sheet, body, point)).copied()
+        self.construction.record.motions.get(&(sheet, body, point)).copied()
     }
 
     fn known_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
@@ -73,12 +67,13 @@ impl Writer<'_> {
                 self.add_slides(sheet, start, &mechanism.slides_between(root, body))
             }
             // The scene gives the vector itself.
-            _ => Some(self.computed_motion(sheet, body, point)),
+            _ => Some(self.computed_motion(true, sheet, body, point)),
         }
     }
 
-    /// Lays off a vector from the pole with size and direction of the computed motion.
-    fn computed_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
+    /// Lays off a vector from the pole with size and direction of the computed motion; `by_hand` where the scene gives
+    /// it.
+    fn computed_motion(&mut self, by_hand: bool, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
         let (motion, at) = (self.motion.body(body), self.pose.point(point));
         let errors = self.motion.error(body);
         let swing = motion.swing(at).norm();
@@ -97,34 +92,26 @@ impl Writer<'_> {
             }
         };
         let pole = self.pole_of(sheet).expect("every plan has a pole");
-        let Some(number) = self.take(sheet, NumberKind::Size, vector.norm()) else {
+        let Some(number) = self.take(by_hand, sheet, NumberKind::Size, vector.norm()) else {
             return pole;
         };
         let along = Along::given(unit(vector).unwrap_or_default());
         let place = self.lay_off(sheet, pole, vec![Product::plain(number)], along);
         let error = error + 8.0 * UNIT_ROUNDOFF * (vector.norm() + size);
         let Pair { x, y } = Pair::<Ball>::from(vector);
-        self.exact.set_place(place, Pair { x: x.widened(error), y: y.widened(error) });
-        place
-    }
-
-    /// The vector of a point that no construction reaches, from the computed motion; marked as not found by hand.
-    fn motion_not_by_hand(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
-        let by_hand = core::mem::replace(&mut self.by_hand, false);
-        let place = self.computed_motion(sheet, body, point);
-        self.by_hand = by_hand;
+        self.construction.record.exact.set_place(place, Pair { x: x.widened(error), y: y.widened(error) });
         place
     }
 
     /// Constructs the point's motion from another point of the body, from the neighbour to which the body is anchored,
     /// or from a link of the same compound link; `None` where the motion of none of these is in the plan.
     fn connected_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
-        self.construction.spins[body.0]?;
+        self.construction.angular_rates[body.0]?;
         let mechanism = self.mechanism;
-        if let Some(&(from, place)) = self.first_motions.get(&(sheet, body)) {
+        if let Some(&(from, place)) = self.construction.record.first_motions.get(&(sheet, body)) {
             return self.add_rotation(sheet, body, (from, place), point);
         }
-        if let Some(Anchor { joint, from }) = self.anchors[body.0] {
+        if let Some(&Anchor { joint, from }) = self.construction.record.anchors.get(&body) {
             let at = mechanism.joint_point(joint);
             let mut place = self.motion(sheet, from, at);
             if let Some(slider) = mechanism.joint(joint).slider {
@@ -132,13 +119,14 @@ impl Writer<'_> {
                 let slide = DrivenSlide { slider, from, to: body, sign: if guide_first { 1.0 } else { -1.0 } };
                 place = self.add_slides(sheet, place, &[slide])?;
             }
-            self.note_motion(sheet, body, at, place);
+            self.construction.record.note_motion(sheet, body, at, place);
             return self.add_rotation(sheet, body, (at, place), point);
         }
         // Driven sliders connect the body with an anchored link of its compound link.
         let root = mechanism.root(body);
         let mut others = mechanism.compound(root).into_iter();
-        let is_there = |b: &BodyId| self.anchors[b.0].is_some() || self.first_motions.contains_key(&(sheet, *b));
+        let record = &self.construction.record;
+        let is_there = |b: &BodyId| record.anchors.contains_key(b) || record.first_motions.contains_key(&(sheet, *b));
         let other = others.find(|b| *b != body && is_there(b))?;
         let start = self.motion(sheet, other, point);
         self.add_slides(sheet, start, &mechanism.slides_between(other, body))
@@ -153,7 +141,7 @@ impl Writer<'_> {
         (from, place): (PointId, PlaceId),
         to: PointId,
     ) -> Option<PlaceId> {
-        let [omega, alpha] = self.construction.spins[body.0]?;
+        let [omega, alpha] = self.construction.angular_rates[body.0]?;
         let at_rest = omega.is_none() && alpha.is_none();
         // Two pins may coincide.
         if from == to || at_rest || self.pose.arm(from, to).norm() == 0.0 {
@@ -178,14 +166,14 @@ impl Writer<'_> {
     fn lay_off_part(&mut self, sheet: Sheet, start: PlaceId, sum: Vec<Product>, along: Along, of: VectorOf) -> PlaceId {
         let end = self.lay_off(sheet, start, sum, along);
         if end != start {
-            self.laid_off.entry(end).or_insert(LaidOff { start, end, of });
+            self.construction.record.laid_off.entry(end).or_insert(LaidOff { start, end, of });
         }
         end
     }
 
     /// Adds the relative motions of driven sliders, one after another; `None` where a rate is unknown.
-    fn add_slides(&mut self, sheet: Sheet, mut place: PlaceId, way: &[DrivenSlide]) -> Option<PlaceId> {
-        for slide in way {
+    fn add_slides(&mut self, sheet: Sheet, mut place: PlaceId, slides: &[DrivenSlide]) -> Option<PlaceId> {
+        for slide in slides {
             for &added in Added::on(sheet) {
                 place = self.lay_off_slide_part(sheet, place, slide, added)?;
             }
@@ -200,13 +188,13 @@ impl Writer<'_> {
         &mut self,
         sheet: Sheet,
         start: (String, PlaceId),
-        way: &[DrivenSlide],
+        slides: &[DrivenSlide],
         role: PointRole,
         last: Option<&str>,
     ) -> (String, PlaceId) {
         let mut entered = String::new();
         let mut vectors: Vec<(String, DrivenSlide, Added)> = Vec::new();
-        for slide in way {
+        for slide in slides {
             entered.push_str(&self.mechanism.body(slide.to).name);
             for &added in Added::on(sheet) {
                 let name = if added == Added::Coriolis { coriolis_name } else { slide_name };
@@ -220,14 +208,15 @@ impl Writer<'_> {
         }
         let (mut from, mut place) = start;
         for (to, slide, added) in vectors {
-            let known = self.construction.place(sheet, &to).filter(|_| self.plan(sheet).points.contains_key(&to));
+            let known = self.construction.place(sheet, &to).filter(|_| self.shows(sheet, &to));
             place = match known {
                 Some(known) => known,
                 None => {
                     let of = VectorOf::Passed(slide, added);
-                    self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of }));
+                    let step = self.begin(sheet);
                     let place = self.lay_off_slide_part(sheet, place, &slide, added).unwrap_or(place);
                     self.show(sheet, &to, place, role);
+                    self.finish(step, Action::LayOff(Arrow { from, to: to.clone(), of }));
                     place
                 }
             };
@@ -253,19 +242,66 @@ impl Writer<'_> {
     /// The signed size of a slider's relative velocity or acceleration: an empty sum for zero, `None` where a rate is
     /// unknown.
     pub(super) fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
-        let [velocity, acceleration] = self.construction.slides[slide.slider.0]?;
+        let [velocity, acceleration] = self.construction.slide_rates[slide.slider.0]?;
         let sliding = |rate| Product::new(ProductKind::Sliding, slide.sign, &[rate]);
         let product = match added {
             Added::SlidingVelocity => velocity.map(sliding),
             Added::SlidingAcceleration => acceleration.map(sliding),
             Added::Coriolis => {
                 // Both bodies of a slider turn alike.
-                let spins = &self.construction.spins;
-                let [omega, _] = spins[slide.to.0].or(spins[slide.from.0])?;
-                let rates = omega.zip(velocity);
-                rates.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
+                let rates = &self.construction.angular_rates;
+                let [omega, _] = rates[slide.to.0].or(rates[slide.from.0])?;
+                let both = omega.zip(velocity);
+                both.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
             }
         };
         Some(product.into_iter().collect())
+    }
+
+    /// Notes an anchor for each link, whose motion can follow from that joint once the rates are known.
+    pub(super) fn note_anchors(&mut self, group: &Group) {
+        let mechanism = self.mechanism;
+        let legs = || group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg)));
+        for (special, leg) in legs() {
+            let link = leg.carried.map_or_else(|| mechanism.lead(special.link), |carried| carried.carrier);
+            let outer = mechanism.side(leg.outer, link);
+            self.construction.record.anchors.entry(outer).or_insert(Anchor { joint: leg.outer, from: leg.base });
+        }
+        for (special, leg) in legs() {
+            if let Some(Carried { carrier, inner }) = leg.carried {
+                let holder = mechanism.side(inner, mechanism.lead(special.link));
+                let from = mechanism.side(inner, carrier);
+                self.construction.record.anchors.entry(holder).or_insert(Anchor { joint: inner, from });
+            }
+        }
+        for (joint, from, link) in group.hanging(mechanism) {
+            let [from, holder] = [from, link].map(|body| mechanism.side(joint, body));
+            self.construction.record.anchors.entry(holder).or_insert(Anchor { joint, from });
+        }
+        while let Some((link, anchor)) = self.next_anchor(group) {
+            self.construction.record.anchors.insert(link, anchor);
+        }
+    }
+
+    /// A joint of the group from a body that is known or has an anchor to a link that no leg reaches, as in a group of
+    /// higher class. Pins go before sliders.
+    fn next_anchor(&self, group: &Group) -> Option<(BodyId, Anchor)> {
+        let mechanism = self.mechanism;
+        let is_anchored = |body: BodyId| {
+            let mut bodies = mechanism.compound(mechanism.root(body)).into_iter();
+            !group.bodies.contains(&body) || bodies.any(|other| self.construction.record.anchors.contains_key(&other))
+        };
+        let mut joints = mechanism.joints_of(group);
+        joints.retain(|&joint| mechanism.joint(joint).holds_places());
+        joints.sort_by_key(|&joint| mechanism.joint(joint).pin.is_none());
+        joints.into_iter().find_map(|joint| {
+            let [a, b] = mechanism.joint(joint).bodies;
+            let (from, link) = match (is_anchored(a), is_anchored(b)) {
+                (true, false) => (a, b),
+                (false, true) => (b, a),
+                _ => return None,
+            };
+            Some((link, Anchor { joint, from }))
+        })
     }
 }

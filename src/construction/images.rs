@@ -2,10 +2,11 @@
 //! turned and scaled; Mehmke 1883, Burmester 1888) from two images of the link, else by the motion relative to one.
 
 use super::name::{coriolis_name, image_name, normal_name, point_on, slide_name};
-use super::operation::{Along, LineId, Part, PlaceId};
-use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
+use super::operation::{Along, Part, PlaceId};
+use super::plan::PointRole;
+use super::step::{Action, Added, Arrow, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
-use crate::geometry::{Ball, Pair, Vector, cross};
+use crate::geometry::{Ball, Pair, cross};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
 use crate::sheet::Sheet;
 
@@ -33,7 +34,7 @@ impl Writer<'_> {
         for &sheet in self.plans() {
             for &point in &mechanism.body(body).points {
                 let name = image_name(mechanism.point_name(point));
-                if self.plan(sheet).points.contains_key(&name) {
+                if self.shows(sheet, &name) {
                     continue;
                 }
                 let made = self.similar_image(sheet, body, point, &name);
@@ -42,7 +43,6 @@ impl Writer<'_> {
                 }
             }
         }
-        self.step = None;
     }
 
     /// The first points of a body that have an image in a plan.
@@ -55,7 +55,7 @@ impl Writer<'_> {
                 break;
             }
             let name = image_name(&point_on(mechanism, body, point));
-            let is_there = self.plan(sheet).points.contains_key(&name) && found.iter().all(|f| f.point != point);
+            let is_there = self.shows(sheet, &name) && found.iter().all(|f| f.point != point);
             if let (true, Some(place)) = (is_there, self.construction.place(sheet, &name)) {
                 found.push(Imaged { point, name, place });
             }
@@ -90,33 +90,35 @@ impl Writer<'_> {
             true => self.divided_image(sheet, body, point, name, pair),
             false => self.crossed_image(sheet, body, point, name, pair)?,
         };
-        self.note_motion(sheet, body, point, place);
+        self.construction.record.note_motion(sheet, body, point, place);
         Some(())
     }
 
     /// Narrows the bounds of an image to those of the rotation about another point of its link, with the constructed
     /// rates. From crossing to crossing bounds would grow; the place that a hand draws stays the same.
     fn narrow(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        let base = self.first_motions.get(&(sheet, body)).copied();
-        let (Some((from, base)), Some(rates)) = (base, self.construction.spins[body.0]) else {
+        let base = self.construction.record.first_motions.get(&(sheet, body)).copied();
+        let (Some((from, base)), Some(rates)) = (base, self.construction.angular_rates[body.0]) else {
             return;
         };
-        let [omega, alpha] = rates.map(|rate| rate.map_or(Ball::default(), |rate| self.exact.exact_number(rate)));
+        let [omega, alpha] =
+            rates.map(|rate| rate.map_or(Ball::default(), |rate| self.construction.record.exact.exact_number(rate)));
         let arm = Pair::between(self.pose.point(from), self.pose.point(point));
         let turned = match sheet {
             Sheet::Acceleration => arm.quarter_turn() * alpha - arm * (omega * omega),
             _ => arm.quarter_turn() * omega,
         };
-        let rotated = self.exact.exact_place(base) + turned;
-        if rotated.errors().norm() < self.exact.exact_place(place).errors().norm() {
-            self.exact.set_place(place, rotated);
+        let rotated = self.construction.record.exact.exact_place(base) + turned;
+        if rotated.errors().norm() < self.construction.record.exact.exact_place(place).errors().norm() {
+            self.construction.record.exact.set_place(place, rotated);
         }
     }
 
     /// Whether two plan points are so far apart that the image of their link can be drawn from them, in parts of the
     /// plan drawn so far.
     fn are_apart(&mut self, sheet: Sheet, a: PlaceId, b: PlaceId) -> bool {
-        let between = (self.exact.exact_place(b) - self.exact.exact_place(a)).rounded();
+        let between =
+            (self.construction.record.exact.exact_place(b) - self.construction.record.exact.exact_place(a)).rounded();
         between.norm() > LEAST_BASE * self.plan(sheet).largest
     }
 
@@ -125,11 +127,12 @@ impl Writer<'_> {
         let [first, second] = pair;
         let points = [first.point, second.point, point];
         let between = [first.name.clone(), second.name.clone()];
-        self.begin(sheet, Action::Divide { point: name.to_owned(), between, points });
+        let step = self.begin(sheet);
         let like = points.map(|point| self.plot(point));
         let place = self.divide(sheet, [first.place, second.place], like);
         self.narrow(sheet, body, point, place);
         self.show(sheet, name, place, PointRole::Image);
+        self.finish(step, Action::Divide { point: name.to_owned(), between, points });
         place
     }
 
@@ -147,8 +150,7 @@ impl Writer<'_> {
             self.join_places(from, to, Part::Line)
         };
         let side = self.join(pair[0].point, pair[1].point);
-        let mut lines: Vec<LineId> = Vec::new();
-        for (end, other) in [(pair[0], pair[1]), (pair[1], pair[0])] {
+        let rays = [(pair[0], pair[1]), (pair[1], pair[0])].map(|(end, other)| {
             let arm = self.join(end.point, point);
             let (along, relation) = match sheet {
                 Sheet::Acceleration => (Along::angle(base, [side, arm]), Relation::Angle),
@@ -156,20 +158,20 @@ impl Writer<'_> {
             };
             let of = RayOf::Arm { link: body, from: end.point, to: point, other: other.point };
             let (through, to) = (end.name.clone(), name.to_owned());
-            self.begin(sheet, Action::Ray(Ray { through, to, direction: Vector::x(), relation, of }));
+            let step = self.begin(sheet);
             let line = self.draw(sheet, Part::Ray, end.place, along);
-            self.set_direction(sheet, line);
-            lines.push(line);
-        }
+            let direction = self.construction.record.exact.exact_direction(line).rounded();
+            (line, self.written(step), Ray { through, to, direction, relation, of })
+        });
         let [a, b] = pair.map(|end| self.pose.arm(end.point, point));
         let sine = cross(a, b) / (a.norm() * b.norm());
         let from = pair.map(|end| end.name.clone());
-        self.begin(sheet, Action::Cross { point: name.to_owned(), from, sine });
-        let Some(place) = self.cross(sheet, Part::Image, [lines[0], lines[1]]) else {
-            let steps = &mut self.plan(sheet).steps;
-            steps.truncate(steps.len() - 3);
-            return None;
-        };
+        let step = self.begin(sheet);
+        let place = self.cross(true, sheet, Part::Image, rays.each_ref().map(|(line, ..)| *line))?;
+        for (_, written, ray) in rays {
+            self.take_step(written, Action::Ray(ray));
+        }
+        self.finish(step, Action::Cross { point: name.to_owned(), from, sine });
         self.narrow(sheet, body, point, place);
         self.show(sheet, name, place, PointRole::Image);
         Some(place)
@@ -180,7 +182,7 @@ impl Writer<'_> {
     pub(super) fn relative_image(&mut self, sheet: Sheet, body: BodyId, point: PointId) {
         let mechanism = self.mechanism;
         let name = image_name(&point_on(mechanism, body, point));
-        if self.plan(sheet).points.contains_key(&name) {
+        if self.shows(sheet, &name) {
             return;
         }
         if body == GROUND {
@@ -188,7 +190,7 @@ impl Writer<'_> {
             self.show(sheet, &name, pole, PointRole::Pole);
             return;
         }
-        if let Some(anchor) = self.anchors[body.0] {
+        if let Some(anchor) = self.construction.record.anchors.get(&body).copied() {
             let at = mechanism.joint_point(anchor.joint);
             if at != point {
                 for body in [anchor.from, body] {
@@ -196,8 +198,6 @@ impl Writer<'_> {
                 }
             }
         }
-        // Its operations belong to the steps below, not to the step before.
-        self.step = None;
         let place = self.motion(sheet, body, point);
         // Back to a plan point that is there.
         let (mut at, mut vectors) = (place, Vec::new());
@@ -205,7 +205,7 @@ impl Writer<'_> {
             if let Some(name) = self.shown_name(sheet, at) {
                 break Some(name);
             }
-            match self.laid_off.get(&at).cloned() {
+            match self.construction.record.laid_off.get(&at).cloned() {
                 Some(laid) => {
                     at = laid.start;
                     vectors.push(laid);
@@ -215,16 +215,15 @@ impl Writer<'_> {
         };
         let Some(mut from) = start else {
             // The scene gives the vector, or no construction does.
-            let from = self.plan(sheet).kind.pole().to_owned();
-            let of = VectorOf::Point(body, point);
-            self.begin(sheet, Action::LayOff(Arrow { from, to: name.clone(), of }));
             self.show(sheet, &name, place, PointRole::Image);
-            self.claim(place);
+            let (from, of) = (sheet.pole().to_owned(), VectorOf::Point(body, point));
+            self.add_step_of(sheet, Arrow { from, to: name, of }, place);
             return;
         };
         if vectors.is_empty() {
-            self.begin(sheet, Action::Coincide { point: name.clone(), with: from, link: body });
             self.show(sheet, &name, place, PointRole::Image);
+            let step = self.begin(sheet);
+            self.finish(step, Action::Coincide { point: name, with: from, link: body });
             return;
         }
         while let Some(laid) = vectors.pop() {
@@ -232,23 +231,22 @@ impl Writer<'_> {
                 true => (name.clone(), PointRole::Image),
                 false => (self.free_name(sheet, part_name(mechanism, &from, &laid.of)), part_role(&laid.of)),
             };
-            self.begin(sheet, Action::LayOff(Arrow { from, to: to.clone(), of: laid.of }));
             self.show(sheet, &to, laid.end, role);
-            self.claim(laid.end);
+            self.add_step_of(sheet, Arrow { from, to: to.clone(), of: laid.of }, laid.end);
             from = to;
         }
     }
 
-    /// The name of the plan point at a place.
-    fn shown_name(&mut self, sheet: Sheet, place: PlaceId) -> Option<String> {
-        let names = self.names.get(place.0).cloned().unwrap_or_default();
-        let points = &self.plan(sheet).points;
-        names.into_iter().find(|(on, name)| *on == sheet && points.contains_key(name)).map(|(_, name)| name)
+    /// Adds the step of a vector that has been laid off to a place already.
+    fn add_step_of(&mut self, sheet: Sheet, arrow: Arrow, end: PlaceId) {
+        let step = self.begin(sheet);
+        let step = self.finish(step, Action::LayOff(arrow));
+        self.claim(step, end);
     }
 
     /// The name, with primes if another plan point has it.
     pub(super) fn free_name(&mut self, sheet: Sheet, mut name: String) -> String {
-        while self.plan(sheet).points.contains_key(&name) {
+        while self.shows(sheet, &name) {
             name = match name.contains('_') {
                 true => name.replacen('_', "'_", 1),
                 false => format!("{name}'"),
@@ -256,14 +254,6 @@ impl Writer<'_> {
         }
         name
     }
-}
-
-/// A vector laid off in a plan.
-#[derive(Clone, Debug)]
-pub(super) struct LaidOff {
-    pub start: PlaceId,
-    pub end: PlaceId,
-    pub of: VectorOf,
 }
 
 /// The name of the end of a part of a relative motion that leads on, laid off from the plan point `from`.

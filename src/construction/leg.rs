@@ -2,10 +2,10 @@
 //! to 38 of Quintero et al., 2011), normal parts and Coriolis accelerations.
 
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
-use super::operation::{
-    Along, End, Equation, LineId, MeasuredAs, NumberId, NumberKind, Part, PlaceId, Product, ProductKind,
-};
-use super::step::{Action, Added, Arrow, PointRole, VectorOf};
+use super::number::{End, Equation, NumberId, NumberKind, Product, ProductKind};
+use super::operation::{Along, LineId, MeasuredAs, Part, PlaceId};
+use super::plan::PointRole;
+use super::step::{Action, Added, Arrow, VectorOf};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, AngularTerms, BodyId, LoopEquations, PointId, SliderId};
@@ -114,7 +114,7 @@ impl Writer<'_> {
                 Summand::Turn(link, length) => match equations.angular_unknown(link) {
                     Some(unknown) => left.push((unknown, Product::plain(length))),
                     None => {
-                        if let Some(rate) = self.construction.spins[link.0]?[sheet.order()] {
+                        if let Some(rate) = self.construction.angular_rates[link.0]?[sheet.order()] {
                             right.push(Product::new(ProductKind::Turning, -1.0, &[rate, length]));
                         }
                     }
@@ -129,14 +129,14 @@ impl Writer<'_> {
         Some(Equation { left, right })
     }
 
-    /// The equation of a tie of rotations; `None` where the rate of a known body has no number.
-    pub(super) fn tie_equation(&self, sheet: Sheet, terms: &AngularTerms) -> Option<Equation> {
+    /// The equation of a relation between angles, as of gears; `None` where the rate of a known body has no number.
+    pub(super) fn angular_equation(&self, sheet: Sheet, terms: &AngularTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
-        for &(spin, weight) in terms {
-            match spin {
+        for &(rate, weight) in terms {
+            match rate {
                 AngularRate::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
                 AngularRate::Known(body) => {
-                    let rate = self.construction.spins[body.0]?[sheet.order()];
+                    let rate = self.construction.angular_rates[body.0]?[sheet.order()];
                     right.extend(rate.map(|rate| Product::new(ProductKind::Plain, -weight, &[rate])));
                 }
             }
@@ -163,17 +163,19 @@ impl Writer<'_> {
             let name = drawn.special.coriolis_name(self.mechanism, side);
             let name = self.free_name(sheet, name);
             let of = VectorOf::Passed(slide, Added::Coriolis);
-            self.begin(sheet, Action::LayOff(Arrow { from: at.0, to: name.clone(), of }));
+            let step = self.begin(sheet);
             let end = self.lay_off_slide_part(sheet, at.1, &slide, Added::Coriolis)?;
             self.show(sheet, &name, end, PointRole::Slid);
+            self.finish(step, Action::LayOff(Arrow { from: at.0, to: name.clone(), of }));
             at = (name, end);
         }
         let normal = self.normal_part(drawn, side)?;
         if !normal.is_empty() {
             let of = VectorOf::Normal(drawn.id, side);
-            self.begin(sheet, Action::LayOff(Arrow { from: at.0, to: usual.clone(), of }));
+            let step = self.begin(sheet);
             let end = self.lay_off(sheet, at.1, normal, drawn.legs[side].along);
             self.show(sheet, &usual, end, PointRole::Normal);
+            self.finish(step, Action::LayOff(Arrow { from: at.0, to: usual.clone(), of }));
             at = (usual.clone(), end);
         }
         self.construction.known_parts.insert(usual, [start, at.0.clone()]);
@@ -185,7 +187,7 @@ impl Writer<'_> {
         let mut sum = Vec::new();
         for summand in self.summands(drawn, side) {
             if let Summand::Turn(link, length) = summand
-                && let Some(omega) = self.construction.spins[link.0]?[0]
+                && let Some(omega) = self.construction.angular_rates[link.0]?[0]
             {
                 sum.push(Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
             }

@@ -5,20 +5,32 @@
 //! repeated with a hand's errors or with mistakes ([`Values`]). Drawings, texts and checks read steps and values and
 //! construct nothing again. A [`Solution`] holds all results of a scene.
 //!
-//! In reading order: `cut` (cut lines and special points), `operation`, `run`, `writer`, `body`, `leg`, `group`,
-//! `construct`; `step` and `sentence` for captions and equations.
+//! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
+//! carried out by `run`; `writer`, which writes them down in `record` and in the [`Construction`]; what is drawn: `body`,
+//! `leg`, `group`, `joint_images`, `images`; `construct`, which goes through all groups. `step`, `plan`, `sentence`,
+//! `equations` and `passage` are for captions.
+//!
+//! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
+//! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
+//! done; steps, bands, forms, checks and drawings read what it puts down.
 
-mod agreement;
 mod body;
 mod construct;
+mod construction;
 mod cut;
+mod equations;
 mod formula;
 mod group;
 mod images;
+mod joint_images;
 mod leg;
+mod markup;
 mod name;
+mod number;
 mod operation;
 mod passage;
+mod plan;
+mod record;
 mod run;
 mod sentence;
 mod solution;
@@ -26,23 +38,19 @@ mod step;
 mod vectors;
 mod writer;
 
-pub use agreement::Agreement;
-pub(crate) use construct::construction_writer;
-pub use construct::{Construction, Extent, NumberedStep, construct};
+pub use construct::construct;
+pub use construction::{Agreement, Construction, Extent, NumberedStep};
 pub use cut::{Course, CutLine, Special, SpecialId, Term, special_points};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
-pub use name::{coincident_name, coriolis_name, display, image_name, normal_name, point_on, slide_name};
-pub use operation::{
-    Along, End, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId,
-    Product, ProductKind, Rate, Reference, StepId,
-};
+pub use markup::{display, plain_text, rate_symbol, shown_text};
+pub use name::{coincident_name, coriolis_name, image_name, normal_name, point_on, slide_name};
+pub use number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
+pub use operation::{Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, Part, PlaceId, Reference, StepId};
 pub use passage::{Aim, Passage};
+pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
 pub use run::{Change, Disturbance, Drawable, Tolerance, Values};
-pub use sentence::{Teller, plain_text, rate_symbol, shown_text};
+pub use sentence::Teller;
 pub use solution::Solution;
-pub use step::{
-    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation,
-    RelativePart, Step, VectorOf,
-};
+pub use step::{Action, Added, Arrow, ArrowKind, LegEquation, Ray, RayOf, Relation, RelativePart, Step, VectorOf};
 pub use vectors::PlanVector;
 pub(crate) use writer::Writer;

@@ -54,24 +54,10 @@ pub fn point_on(mechanism: &Mechanism, body: BodyId, point: PointId) -> String {
     if body.has(point) { name.to_owned() } else { coincident_name(name, &body.name) }
 }
 
-/// A name with its subscript in braces: the part after the first `_`, else trailing digits, as in `n_{b3}`, `S_{3}`.
-#[must_use]
-pub fn display(name: &str) -> String {
-    let (base, low) = match name.split_once('_') {
-        Some((base, low)) => (base, low),
-        None => {
-            let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-            name.split_at(digits)
-        }
-    };
-    // The last digit of a pair of links, as in 2/1, is no subscript.
-    let is_name = base.ends_with(|c: char| c.is_alphabetic() || c == '\'');
-    if low.is_empty() || !is_name { name.to_owned() } else { format!("{base}_{{{low}}}") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::construction::display;
 
     #[test]
     fn names_as_on_the_blackboard() {

@@ -1,8 +1,10 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
-use super::construct::{Construction, NumberedStep};
-use super::sentence::{Teller, marked, rate_symbol};
-use super::step::{Action, Arrow, PointRole, RayOf, Relation, VectorOf};
+use super::construction::{Construction, NumberedStep};
+use super::markup::{marked, rate_symbol};
+use super::plan::PointRole;
+use super::sentence::Teller;
+use super::step::{Action, Arrow, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
 use crate::words::Language;
 

@@ -1,8 +1,7 @@
 //! Carries out operations, in f64 with a hand's errors and mistakes, or with bounds of the rounding errors.
 
-use super::operation::{
-    Along, Equation, ErrorUnit, LineId, MeasuredAs, NumberId, Operation, OperationKind, PlaceId, Product, Reference,
-};
+use super::number::{Equation, NumberId, Product};
+use super::operation::{Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, PlaceId, Reference};
 use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees};
 use crate::sheet::PerSheet;
 use smallvec::SmallVec;

@@ -1,5 +1,6 @@
-use super::construct::{Construction, Extent, construct};
-use super::sentence::{no_construction, plain_text};
+use super::construct::construct;
+use super::construction::{Construction, Extent};
+use super::markup::{no_construction, plain_text};
 use crate::mechanism::Mechanism;
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;

@@ -3,8 +3,9 @@
 
 use super::formula::{Known, NamedPart};
 use super::name::{coincident_name, image_name};
+use super::plan::{Plan, PointRole};
 use super::sentence::Teller;
-use super::step::{Action, ArrowKind, Plan, PointRole, RayOf, VectorOf};
+use super::step::{Action, ArrowKind, RayOf, VectorOf};
 use crate::mechanism::{BodyId, Mechanism};
 
 /// A vector between two plan points.

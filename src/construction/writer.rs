@@ -1,90 +1,57 @@
-//! Writes operations one after another, carries out each at once, and keeps an index of what has been drawn.
+//! Writes operations one after another, carries out each at once, and draws nothing twice.
 
-use super::body::Anchor;
-use super::construct::{Construction, Extent};
-use super::images::LaidOff;
+use super::construction::{Construction, Extent};
 use super::name::image_name;
-use super::operation::{
-    Along, End, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, Part, PlaceId, Product, Rate,
-    StepId,
-};
-use super::run::Values;
-use super::step::{Action, Plan, PlanPoint, PointRole, Step};
+use super::number::{End, Equation, NumberId, NumberKind, Product, Rate};
+use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, Part, PlaceId, StepId};
+use super::plan::{Plan, PlanPoint, PointRole};
+use super::step::{Action, Step};
 use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::sheet::Sheet;
-use indexmap::IndexMap;
+use core::ops::Range;
 
 /// Number of roundings in a guide's unit direction, computed from the scene's direction.
 const GUIDE_ROUNDINGS: f64 = 4.0;
 
-/// A construction in progress.
+/// A construction in progress, and what it is a construction of.
 pub(crate) struct Writer<'a> {
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
     pub motion: &'a Motion,
-    /// The operations and steps written so far.
+    /// What has been written so far.
     pub construction: Construction,
-    /// The results of the operations, with bounds of their rounding errors.
-    pub(super) exact: Values<Ball>,
-    /// Places in the plans of the motions of bodies' points.
-    pub(super) motions: IndexMap<(Sheet, BodyId, PointId), PlaceId>,
-    /// By plan and body: the point whose motion was there first, and its place.
-    pub(super) first_motions: IndexMap<(Sheet, BodyId), (PointId, PlaceId)>,
-    /// The vectors laid off between images of points, by their ends.
-    pub(super) laid_off: IndexMap<PlaceId, LaidOff>,
-    /// By place: its names on the sheets.
-    pub(super) names: Vec<Vec<(Sheet, String)>>,
-    /// By body: the joint by which its motion follows from a known one.
-    pub(super) anchors: Vec<Option<Anchor>>,
     /// Tolerance for a point on a line and for coincident points, in units of length.
     pub near: f64,
-    /// The current step, to which operations belong.
-    pub step: Option<StepId>,
-    /// False while rates are taken from the computed motion: operations then are not done by hand.
-    pub(super) by_hand: bool,
-    guides: Vec<Option<LineId>>,
-    joins: IndexMap<[PlaceId; 2], LineId>,
-    lengths: IndexMap<[PointId; 2], NumberId>,
-    /// By place: the lines drawn through it in a direction.
-    rays: IndexMap<PlaceId, Vec<(Along, LineId)>>,
-    /// By place: the operation that makes it.
-    makers: Vec<usize>,
     /// By point: the bodies that have it.
     holders: Vec<Vec<BodyId>>,
-    /// Results that depend on rates taken from the computed motion, which ruler and pencil do not find: by place, by
-    /// line, by number.
-    not_by_hand: [Vec<bool>; 3],
+}
+
+/// Where a step begins among the operations: those that follow on its sheet may become its own.
+#[derive(Clone, Copy, Debug)]
+#[must_use]
+pub(super) struct Begun {
+    sheet: Sheet,
+    first: usize,
+}
+
+/// The operations of a step. Only when it has been [taken](Writer::take_step) do they belong to it, and it to the plan:
+/// a step whose lines do not cross is left out.
+#[derive(Clone, Debug)]
+#[must_use]
+pub(super) struct Written {
+    sheet: Sheet,
+    operations: Range<usize>,
 }
 
 impl<'a> Writer<'a> {
     /// A writer with the poles of the plans and the rates that the scene gives.
     pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion, extent: Extent) -> Self {
         let origin = pose.points.first().copied().unwrap_or_default();
-        let mut writer = Writer {
-            mechanism,
-            pose,
-            motion,
-            construction: Construction::empty(mechanism, motion.order, origin, extent),
-            exact: Values::default(),
-            motions: IndexMap::new(),
-            first_motions: IndexMap::new(),
-            laid_off: IndexMap::new(),
-            names: Vec::new(),
-            anchors: vec![None; mechanism.bodies.len()],
-            near: 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied()),
-            step: None,
-            by_hand: true,
-            guides: vec![None; mechanism.sliders.len()],
-            joins: IndexMap::new(),
-            lengths: IndexMap::new(),
-            rays: IndexMap::new(),
-            makers: Vec::new(),
-            holders: mechanism.holders(),
-            not_by_hand: Default::default(),
-        };
+        let empty = Construction::empty(mechanism, motion.order, origin, extent);
+        let mut writer = Writer::continued(mechanism, pose, motion, empty);
         for &sheet in writer.plans() {
             writer.begin_plan(sheet);
         }
@@ -92,18 +59,28 @@ impl<'a> Writer<'a> {
         writer
     }
 
+    /// A writer that adds operations to a construction of this motion.
+    pub(crate) fn continued(
+        mechanism: &'a Mechanism,
+        pose: &'a Pose,
+        motion: &'a Motion,
+        construction: Construction,
+    ) -> Self {
+        let near = 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied());
+        Writer { mechanism, pose, motion, construction, near, holders: mechanism.holders() }
+    }
+
     /// Draws the pole of a plan, the image of all fixed points.
     fn begin_plan(&mut self, sheet: Sheet) {
         let grounded = &self.mechanism.body(GROUND).points;
         let images: Vec<String> = grounded.iter().map(|&p| image_name(self.mechanism.point_name(p))).collect();
-        let pole = self.plan(sheet).kind.pole();
-        let place = self.pole(sheet, pole, Vector::zeros());
-        self.show(sheet, pole, place, PointRole::Pole);
+        let place = self.pole(sheet, sheet.pole(), Vector::zeros());
+        self.show(sheet, sheet.pole(), place, PointRole::Pole);
         for image in &images {
             self.show(sheet, image, place, PointRole::Pole);
         }
-        self.begin(sheet, Action::Pole { images });
-        self.step = None;
+        let step = self.begin(sheet);
+        self.finish(step, Action::Pole { images });
     }
 
     /// The plans that are drawn.
@@ -119,51 +96,52 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Begins a step, to which the operations that follow belong.
-    pub(super) fn begin(&mut self, sheet: Sheet, action: Action) {
+    /// Whether a plan shows a point of that name.
+    pub(super) fn shows(&self, sheet: Sheet, name: &str) -> bool {
+        self.construction.plan_on(sheet).is_some_and(|plan| plan.points.contains_key(name))
+    }
+
+    /// Begins a step on a sheet.
+    pub(super) fn begin(&self, sheet: Sheet) -> Begun {
+        Begun { sheet, first: self.construction.operations.len() }
+    }
+
+    /// The operations of a step that has been carried out.
+    pub(super) fn written(&self, Begun { sheet, first }: Begun) -> Written {
+        Written { sheet, operations: first..self.construction.operations.len() }
+    }
+
+    /// Adds a step that has done this to its sheet; its operations belong to it, unless several steps may use them.
+    pub(super) fn take_step(&mut self, Written { sheet, operations }: Written, action: Action) -> StepId {
         let steps = match sheet {
             Sheet::Scheme => &mut self.construction.scheme,
             _ => &mut self.plan(sheet).steps,
         };
-        let index = steps.len();
+        let id = StepId { sheet, index: steps.len() };
         steps.push(Step { action });
-        self.step = Some(StepId { sheet, index });
-    }
-
-    /// Assigns the operation that made a place to the current step, if it belongs to none.
-    pub(super) fn claim(&mut self, place: PlaceId) {
-        let step = self.step;
-        let made = self.makers.get(place.0).and_then(|&index| self.construction.operations.get_mut(index));
-        if let Some(operation) = made.filter(|operation| operation.step.is_none()) {
-            operation.step = step;
+        for operation in &mut self.construction.operations[operations] {
+            if operation.sheet == sheet && operation.step.is_none() && !operation.kind.is_shared() {
+                operation.step = Some(id);
+            }
         }
+        id
     }
 
-    /// Sets the value of the last step, a measurement.
-    pub(super) fn set_measured(&mut self, sheet: Sheet, measured: f64) {
-        if let Some(Action::Measure { value, .. }) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
-            *value = measured;
-        }
+    /// Ends a step that has done this.
+    pub(super) fn finish(&mut self, begun: Begun, action: Action) -> StepId {
+        self.take_step(self.written(begun), action)
     }
 
-    /// Sets the direction of the last step, a ray, to that of its line.
-    pub(super) fn set_direction(&mut self, sheet: Sheet, line: LineId) {
-        let along = self.exact.exact_direction(line).rounded();
-        if let Some(Action::Ray(ray)) = self.plan(sheet).steps.last_mut().map(|step| &mut step.action) {
-            ray.direction = along;
-        }
-    }
-
-    /// Notes the place of the motion of a body's point in a plan.
-    pub(super) fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        self.motions.entry((sheet, body, point)).or_insert(place);
-        self.first_motions.entry((sheet, body)).or_insert((point, place));
+    /// Assigns the operation that made a place to a step, if it belongs to none.
+    pub(super) fn claim(&mut self, step: StepId, place: PlaceId) {
+        let maker = self.construction.record.makers[0][place.0];
+        self.construction.operations[maker].step.get_or_insert(step);
     }
 
     /// Adds a point to a plan; an existing point of that name stays.
     pub(super) fn show(&mut self, sheet: Sheet, name: &str, place: PlaceId, role: PointRole) {
         self.name_place(sheet, name, place);
-        let point = PlanPoint { vector: self.exact.exact_place(place).rounded(), role };
+        let point = PlanPoint { vector: self.construction.record.exact.exact_place(place).rounded(), role };
         let plan = self.plan(sheet);
         if !plan.points.contains_key(name) {
             plan.largest = plan.largest.max(point.vector.norm());
@@ -173,80 +151,73 @@ impl<'a> Writer<'a> {
 
     /// Adds an operation and carries it out.
     fn push(&mut self, sheet: Sheet, part: Part, kind: OperationKind) {
+        self.push_by(true, sheet, part, kind);
+    }
+
+    /// Adds an operation and carries it out. `by_hand` says whether a hand can do it with what it uses; if that is not
+    /// found by hand, neither is this.
+    fn push_by(&mut self, by_hand: bool, sheet: Sheet, part: Part, kind: OperationKind) {
+        let Construction { operations, record, .. } = &mut self.construction;
+        let [of_places, of_lines, of_numbers] = &record.makers;
         let (places, lines) = kind.places_and_lines_read();
-        let mut by_hand = self.by_hand;
-        by_hand &= !places.iter().any(|p| self.not_by_hand[0][p.0]) && !lines.iter().any(|l| self.not_by_hand[1][l.0]);
-        kind.each_number_read(|n| by_hand &= !self.not_by_hand[2][n.0]);
-        let counts = self.construction.counts;
-        for (not_by_hand, count) in self.not_by_hand.iter_mut().zip(counts) {
-            not_by_hand.resize(count, false);
-        }
-        let not_by_hand = !by_hand;
-        if let Some(place) = kind.place() {
-            self.not_by_hand[0][place.0] = not_by_hand;
-            self.makers.resize(counts[0], 0);
-            self.makers[place.0] = self.construction.operations.len();
-        }
-        if let Some(line) = kind.line() {
-            self.not_by_hand[1][line.0] = not_by_hand;
-        }
-        for number in kind.numbers() {
-            self.not_by_hand[2][number.0] = not_by_hand;
-        }
-        self.exact.resize(counts);
-        self.exact.run(&kind, [0.0; 2], 1.0);
-        // Given numbers, sums and joining lines may be used by several steps: they belong to none.
-        let belongs_to_step = matches!(
-            kind,
-            OperationKind::Draw { .. }
-                | OperationKind::Cross { .. }
-                | OperationKind::Divide { .. }
-                | OperationKind::LayOff { .. }
-                | OperationKind::Measure { .. }
-                | OperationKind::Solve { .. }
-        );
-        let step = self.step.filter(|step| belongs_to_step && step.sheet == sheet);
-        self.construction.operations.push(Operation { sheet, step, part, kind, by_hand });
+        let mut by_hand = by_hand
+            && places.iter().all(|place| operations[of_places[place.0]].by_hand)
+            && lines.iter().all(|line| operations[of_lines[line.0]].by_hand);
+        kind.each_number_read(|number| by_hand &= operations[of_numbers[number.0]].by_hand);
+        let index = operations.len();
+        record.makers[0].extend(kind.place().map(|_| index));
+        record.makers[1].extend(kind.line().map(|_| index));
+        record.makers[2].extend(kind.numbers().iter().map(|_| index));
+        record.exact.resize(record.counts());
+        record.exact.run(&kind, [0.0; 2], 1.0);
+        operations.push(Operation { sheet, step: None, part, kind, by_hand });
     }
 
-    /// Whether a number cannot be found with ruler and pencil.
-    pub(crate) fn is_not_by_hand(&self, number: NumberId) -> bool {
-        self.not_by_hand[2][number.0]
+    /// Whether a number can be found with ruler and pencil.
+    pub(crate) fn is_by_hand(&self, number: NumberId) -> bool {
+        self.construction.operations[self.construction.record.makers[2][number.0]].by_hand
     }
 
-    /// Whether a place cannot be found with ruler and pencil.
-    pub(crate) fn is_place_not_by_hand(&self, place: PlaceId) -> bool {
-        self.not_by_hand[0][place.0]
+    /// Whether a place can be found with ruler and pencil.
+    pub(crate) fn is_place_by_hand(&self, place: PlaceId) -> bool {
+        self.construction.operations[self.construction.record.makers[0][place.0]].by_hand
     }
 
-    fn new_place(&mut self) -> PlaceId {
-        self.construction.counts[0] += 1;
-        PlaceId(self.construction.counts[0] - 1)
+    /// The place that the next operation makes.
+    fn next_place(&self) -> PlaceId {
+        PlaceId(self.construction.record.makers[0].len())
     }
 
-    fn new_line(&mut self) -> LineId {
-        self.construction.counts[1] += 1;
-        LineId(self.construction.counts[1] - 1)
+    /// The line that the next operation makes.
+    fn next_line(&self) -> LineId {
+        LineId(self.construction.record.makers[1].len())
     }
 
     fn new_number(&mut self, kind: NumberKind) -> NumberId {
-        self.construction.counts[2] += 1;
         self.construction.numbers.push(kind);
-        NumberId(self.construction.counts[2] - 1)
+        NumberId(self.construction.numbers.len() - 1)
     }
 
     /// Names a place. A place may have several names; a name keeps its first place.
     pub(super) fn name_place(&mut self, sheet: Sheet, name: &str, place: PlaceId) {
+        let Construction { places, record, .. } = &mut self.construction;
         let key = (sheet, name.to_owned());
-        if !self.construction.places.contains_key(&key) {
-            self.names.resize(self.names.len().max(place.0 + 1), Vec::new());
-            self.names[place.0].push(key.clone());
-            self.construction.places.insert(key, place);
+        if !places.contains_key(&key) {
+            record.names.resize(record.names.len().max(place.0 + 1), Vec::new());
+            record.names[place.0].push(places.len());
+            places.insert(key, place);
         }
     }
 
+    /// The name of the plan point at a place.
+    pub(super) fn shown_name(&self, sheet: Sheet, place: PlaceId) -> Option<String> {
+        let names = self.construction.record.names.get(place.0)?.iter();
+        let mut names = names.filter_map(|&index| Some(self.construction.places.get_index(index)?.0));
+        names.find(|(on, name)| *on == sheet && self.shows(sheet, name)).map(|(_, name)| name.clone())
+    }
+
     pub(crate) fn pole(&mut self, sheet: Sheet, name: &str, at: Vector) -> PlaceId {
-        let place = self.new_place();
+        let place = self.next_place();
         self.push(sheet, Part::Pole, OperationKind::Pole { place, at });
         self.name_place(sheet, name, place);
         place
@@ -266,13 +237,13 @@ impl<'a> Writer<'a> {
         if let Some(place) = self.construction.place(Sheet::Scheme, name) {
             return place;
         }
-        let place = self.new_place();
+        let place = self.next_place();
         let at = self.pose.point(point) - self.construction.origin;
-        // Joints are plotted by hand in any case.
-        let by_hand = core::mem::replace(&mut self.by_hand, true);
         self.push(Sheet::Scheme, Part::Joint(point), OperationKind::Plot { place, at });
-        self.by_hand = by_hand;
-        self.exact.set_place(place, Pair::between(self.construction.origin, self.pose.point(point)));
+        self.construction
+            .record
+            .exact
+            .set_place(place, Pair::between(self.construction.origin, self.pose.point(point)));
         self.name_place(Sheet::Scheme, name, place);
         place
     }
@@ -285,39 +256,39 @@ impl<'a> Writer<'a> {
 
     /// The line through two places.
     pub(crate) fn join_places(&mut self, from: PlaceId, towards: PlaceId, part: Part) -> LineId {
-        if let Some(line) = self.joins.get(&[from, towards]) {
+        if let Some(line) = self.construction.record.joins.get(&[from, towards]) {
             return *line;
         }
-        let line = self.new_line();
-        self.joins.insert([from, towards], line);
+        let line = self.next_line();
+        self.construction.record.joins.insert([from, towards], line);
         self.push(Sheet::Scheme, part, OperationKind::Join { line, from, towards });
         line
     }
 
     pub(super) fn draw(&mut self, sheet: Sheet, part: Part, through: PlaceId, along: Along) -> LineId {
-        let line = self.new_line();
-        self.rays.entry(through).or_default().push((along, line));
+        let line = self.next_line();
+        self.construction.record.rays.entry(through).or_default().push((along, line));
         self.push(sheet, part, OperationKind::Draw { line, through, along });
         line
     }
 
     /// The line that is drawn already through a place in a direction.
     pub(super) fn drawn(&self, through: PlaceId, along: Along) -> Option<LineId> {
-        let lines = self.rays.get(&through)?;
+        let lines = self.construction.record.rays.get(&through)?;
         lines.iter().find(|(other, _)| *other == along).map(|(_, line)| *line)
     }
 
-    /// The crossing of two lines; `None` for parallel lines.
-    pub(super) fn cross(&mut self, sheet: Sheet, part: Part, lines: [LineId; 2]) -> Option<PlaceId> {
-        let place = self.new_place();
-        self.push(sheet, part, OperationKind::Cross { place, lines });
-        let at = self.exact.exact_place(place);
+    /// The crossing of two lines; `None` for parallel lines. `by_hand` says whether it is drawn at all.
+    pub(super) fn cross(&mut self, by_hand: bool, sheet: Sheet, part: Part, lines: [LineId; 2]) -> Option<PlaceId> {
+        let place = self.next_place();
+        self.push_by(by_hand, sheet, part, OperationKind::Cross { place, lines });
+        let at = self.construction.record.exact.exact_place(place);
         (is_known(at.x) && is_known(at.y)).then_some(place)
     }
 
     /// The point that divides the line between two plan points as the third of `like` divides that of the other two.
     pub(super) fn divide(&mut self, sheet: Sheet, ends: [PlaceId; 2], like: [PlaceId; 3]) -> PlaceId {
-        let place = self.new_place();
+        let place = self.next_place();
         self.push(sheet, Part::Image, OperationKind::Divide { place, ends, like });
         place
     }
@@ -334,13 +305,29 @@ impl<'a> Writer<'a> {
         number
     }
 
-    /// Takes a number of the scene; none for zero.
-    pub(super) fn take(&mut self, sheet: Sheet, kind: NumberKind, value: f64) -> Option<NumberId> {
+    /// Measures a number as part of a step, if that is done on the same sheet.
+    pub(crate) fn measure_in(
+        &mut self,
+        step: Option<StepId>,
+        sheet: Sheet,
+        kind: NumberKind,
+        ends: [PlaceId; 2],
+        how: MeasuredAs,
+    ) -> NumberId {
+        let number = self.measure(sheet, kind, ends, how);
+        if let Some(operation) = self.construction.operations.last_mut() {
+            operation.step = step.filter(|step| step.sheet == sheet);
+        }
+        number
+    }
+
+    /// Takes a number of the scene, or with `by_hand` false one of the computed motion; none for zero.
+    pub(super) fn take(&mut self, by_hand: bool, sheet: Sheet, kind: NumberKind, value: f64) -> Option<NumberId> {
         if value == 0.0 {
             return None;
         }
         let number = self.new_number(kind);
-        self.push(sheet, Part::Number, OperationKind::Take { number, value });
+        self.push_by(by_hand, sheet, Part::Number, OperationKind::Take { number, value });
         Some(number)
     }
 
@@ -353,23 +340,16 @@ impl<'a> Writer<'a> {
     /// Takes a rate from the computed motion, with the bound of its error.
     pub(super) fn take_computed(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
         let number = self.new_number(NumberKind::Rate(rate));
-        let by_hand = core::mem::replace(&mut self.by_hand, false);
-        self.push(sheet, Part::Number, OperationKind::Take { number, value });
-        self.by_hand = by_hand;
-        self.exact.set_number(number, Ball::from(value).widened(error));
+        self.push_by(false, sheet, Part::Number, OperationKind::Take { number, value });
+        self.construction.record.exact.set_number(number, Ball::from(value).widened(error));
         number
     }
 
     /// Solves linear equations for rates; `None` where they are singular.
-    pub(super) fn solve(
-        &mut self,
-        sheet: Sheet,
-        rates: &[Rate],
-        equations: Vec<super::operation::Equation>,
-    ) -> Option<Vec<NumberId>> {
+    pub(super) fn solve(&mut self, sheet: Sheet, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
         let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
         self.push(sheet, Part::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
-        unknowns.iter().all(|&number| is_known(self.exact.exact_number(number))).then_some(unknowns)
+        unknowns.iter().all(|&number| is_known(self.construction.record.exact.exact_number(number))).then_some(unknowns)
     }
 
     /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
@@ -378,14 +358,15 @@ impl<'a> Writer<'a> {
             return from;
         }
         let size = self.compute(sheet, NumberKind::Size, sum);
-        let place = self.new_place();
+        let place = self.next_place();
         self.push(sheet, Part::Vector, OperationKind::LayOff { place, from, size, along });
         place
     }
 
     /// The distance of two joints: given where both belong to one body, else measured.
     pub(super) fn length(&mut self, a: PointId, b: PointId) -> NumberId {
-        if let Some(number) = self.lengths.get(&[a, b]).or_else(|| self.lengths.get(&[b, a])) {
+        let known = &self.construction.record.lengths;
+        if let Some(number) = known.get(&[a, b]).or_else(|| known.get(&[b, a])) {
             return *number;
         }
         let bodies = self.holders[a.0].iter().map(|&body| self.mechanism.body(body));
@@ -396,21 +377,21 @@ impl<'a> Writer<'a> {
             let number = self.new_number(kind);
             self.push(Sheet::Scheme, Part::Number, OperationKind::Take { number, value });
             let arm = Pair::between(self.pose.point(a), self.pose.point(b));
-            self.exact.set_number(number, arm.dot(arm).sqrt());
+            self.construction.record.exact.set_number(number, arm.dot(arm).sqrt());
             number
         } else {
             let line = self.join(a, b);
             let ends = [self.plot(a), self.plot(b)];
             self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line))
         };
-        self.lengths.insert([a, b], number);
+        self.construction.record.lengths.insert([a, b], number);
         number
     }
 
     /// A slider's guide on the scheme.
     pub(crate) fn guide(&mut self, id: SliderId) -> LineId {
-        if let Some(line) = self.guides[id.0] {
-            return line;
+        if let Some(line) = self.construction.record.guides.get(&id) {
+            return *line;
         }
         let direction = self.pose.guide(id);
         let line = match self.points_of_guide(id) {
@@ -426,8 +407,8 @@ impl<'a> Writer<'a> {
         // The scene gives the direction itself; a join of rounded joints would be less exact.
         let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF + 0.5 * (direction.norm_squared() - 1.0).abs();
         let Pair { x, y } = Pair::<Ball>::from(direction);
-        self.exact.set_direction(line, Pair { x: x.widened(error), y: y.widened(error) });
-        self.guides[id.0] = Some(line);
+        self.construction.record.exact.set_direction(line, Pair { x: x.widened(error), y: y.widened(error) });
+        self.construction.record.guides.insert(id, line);
         line
     }
 

@@ -64,8 +64,8 @@ impl Mechanism {
         if carries { 1.0 } else { -1.0 }
     }
 
-    /// The driven sliders on the way from one body to another of the same compound link, in that order; none from a
-    /// body to itself.
+    /// The driven sliders between one body and another of the same compound link, in the order from the first to the
+    /// second; none from a body to itself.
     #[must_use]
     pub fn slides_between(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
         let (mut up, mut down) = (self.slides_to_root(from), self.slides_to_root(to));

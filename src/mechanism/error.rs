@@ -74,7 +74,7 @@ impl StructureError {
     }
 }
 
-/// The count of freedoms after Grübler, beside the number of drives; `None` where motions are given otherwise than by
+/// The mobility of the joined links without drives, by the count of Grübler, beside the number of drives; `None` where motions are given otherwise than by
 /// drives.
 fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<String> {
     if !scene.known.is_empty() || scene.links.values().any(|link| link.motion.is_some()) {
@@ -83,7 +83,7 @@ fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<String> {
     let turning = scene.links.values().filter(|link| link.drive.is_some()).count();
     let drives = turning + scene.sliders.iter().filter(|slider| slider.drive.is_some()).count();
     let links = scene.links.len();
-    // What the drives leave is the mobility without them.
+    // The freedoms of the links that are joined but not driven: as many as drives, and those missing, less surplus constraints.
     let mobility = (drives + missing) as i64 - surplus as i64;
     let constraints = 3 * links as i64 - mobility;
     let drives = if drives == 1 { "1 drive".to_owned() } else { format!("{drives} drives") };

@@ -1,4 +1,4 @@
-use super::{BodyId, DrivenSlide, JointId, Mechanism, PointId};
+use super::{AngularConstraint, BodyId, DrivenSlide, JointId, Mechanism, PointId};
 use crate::words::Language;
 
 /// The class of an Assur group: class II has two links; class III four, a central link on three legs; class IV four in
@@ -83,7 +83,7 @@ pub struct SpecialPoint {
     pub legs: [Leg; 2],
 }
 
-/// A way from a known body to a link, over one other link at most.
+/// The joints from a known body to a link, over one other link at most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Leg {
     /// The known body.
@@ -162,6 +162,12 @@ impl Group {
             found.push(next);
         }
         found
+    }
+
+    /// The relations between angles that need an equation of their own: all but constant angles between two bodies.
+    pub(crate) fn gears<'a>(&'a self, mechanism: &'a Mechanism) -> impl Iterator<Item = &'a AngularConstraint> {
+        let angular = self.joints.iter().filter_map(|&joint| mechanism.joint(joint).angular.as_ref());
+        angular.filter(|angular| angular.as_fixed_angle().is_none())
     }
 
     /// Outer and inner joint of each leg of a group of class III.

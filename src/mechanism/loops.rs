@@ -145,7 +145,7 @@ impl LoopEquations {
         for chain in &group.loops {
             loops.push(terms(mechanism, chain, &angular_rates, &mut slides, &mut unknowns));
         }
-        let angular = mechanism.geared(group).map(|angular| {
+        let angular = group.gears(mechanism).map(|angular| {
             let terms = angular.terms.iter();
             terms.map(|&(body, weight)| (rate_of(&angular_rates, body), f64::from(weight))).collect()
         });

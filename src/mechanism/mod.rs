@@ -40,7 +40,7 @@ pub struct BodyId(pub usize);
 pub struct JointId(pub usize);
 
 /// Index of a slider in [`Mechanism::sliders`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct SliderId(pub usize);
 
 /// The bodies and joints of a scene, and its Assur groups in solving order.

@@ -6,18 +6,15 @@
 
 mod closed_form;
 mod error;
-mod errors;
 mod known;
 mod moving;
 mod places;
 mod refine;
 mod sides;
-mod singular;
 mod solve;
 
 pub use closed_form::ClosedForm;
 pub use error::MotionError;
-pub use errors::MotionErrors;
 pub use places::Places;
 pub use solve::motion;
 
@@ -74,6 +71,19 @@ impl BodyMotion {
     pub fn normal(&self, p: Point) -> Vector {
         (p - self.at) * -(self.omega * self.omega)
     }
+}
+
+/// Bounds on the errors of a body's motion, the positions taken as exact; zero where the motion is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MotionErrors {
+    /// Bounds on the errors of the components of the velocity at [`BodyMotion::at`].
+    pub velocity: Vector,
+    /// Bounds on the errors of the components of the acceleration there.
+    pub acceleration: Vector,
+    /// Bound on the error of ω.
+    pub omega: f64,
+    /// Bound on the error of α.
+    pub alpha: f64,
 }
 
 /// The motion of a slider along its guide, relative to the guide's body.

@@ -1,5 +1,4 @@
-use super::errors::guide_error;
-use crate::geometry::{Ball, Pair, Point, Vector};
+use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::position::Pose;
 
@@ -64,4 +63,12 @@ impl Places for Pose {
     fn omega(&self, _: BodyId, omega: f64) -> Ball {
         omega.into()
     }
+}
+
+/// Bound of the relative error of a guide's unit vector: roundings since the scene's direction, and the deviation of
+/// its length from 1.
+fn guide_error(u: Vector) -> f64 {
+    const FROM_THE_SCENE: f64 = 4.0;
+    let stretch = 0.5 * (u.norm_squared() - 1.0).abs();
+    FROM_THE_SCENE * UNIT_ROUNDOFF + stretch
 }

@@ -65,7 +65,7 @@ impl<'a, P: Places> Solver<'a, P> {
         let mut uncertain: Numbers = rest.numbers().map(Ball::error).collect();
         self.add_coefficient_errors(&mut uncertain, correction);
         let errors = self.system.error_bound(correction, &right, &uncertain);
-        let growth = if P::UNCERTAIN { 1.0 / (1.0 - self.steepness()).max(0.0) } else { 1.0 };
+        let growth = if P::UNCERTAIN { 1.0 / (1.0 - self.stretch()).max(0.0) } else { 1.0 };
         for (x, error) in solution.iter_mut().zip(errors) {
             *x = x.widened(growth * error);
         }
@@ -73,7 +73,7 @@ impl<'a, P: Places> Solver<'a, P> {
 
     /// By what part of itself the inverse of the matrix may change within the bounds of the places, to first order: at
     /// most the condition times the sum of the columns' relative errors.
-    fn steepness(&self) -> f64 {
+    fn stretch(&self) -> f64 {
         let mut columns = vec![[0.0_f64; 2]; self.equations.unknowns];
         for terms in &self.equations.loops {
             let mut add = |unknown: usize, [exact, error]: [f64; 2]| {

@@ -1,9 +1,9 @@
+use super::error::singular;
 use super::known::{driven_motion, known_motion, motion_across};
 use super::moving::{BoundedMotion, BoundedSlide, State};
 use super::places::Places;
 use super::refine::Solver;
 use super::sides::{acceleration_sides, velocity_sides};
-use super::singular::singular;
 use super::{GroupAccuracy, Motion, MotionError};
 use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, SliderId};

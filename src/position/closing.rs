@@ -36,7 +36,7 @@ struct Surroundings {
     bodies: Vec<BodyId>,
     /// The points of its links.
     points: Vec<PointId>,
-    /// The lengths that its loops add up: those of its bodies, with the zeros of their guides.
+    /// The lengths that its loops add up: the spans of its bodies, and the distances of the zeros of their guides from their origins.
     lengths: f64,
     /// The length of its shortest link that has one.
     shortest: f64,
@@ -162,7 +162,7 @@ impl<'a> Closer<'a> {
         (gap / size).max(turn)
     }
 
-    /// What Newton's steps change.
+    /// The unknowns of the group, which Newton's steps change: cosine and sine of angles, and slides.
     fn state(&self, group: usize) -> Vec<Vector> {
         let unknowns = self.kernel.unknowns[group].iter();
         let value = |unknown: &Unknown| match *unknown {
@@ -258,7 +258,7 @@ fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
             shortest: spans.clone().filter(|&length| length > 0.0).fold(f64::INFINITY, f64::min),
             lengths: spans.sum::<f64>() + sliders.iter().map(zero).sum::<f64>(),
             sliders,
-            is_geared: mechanism.geared(group).next().is_some(),
+            is_geared: group.gears(mechanism).next().is_some(),
         }
     });
     around.collect()
@@ -293,7 +293,7 @@ impl Extent {
         Extent::default().with(points)
     }
 
-    /// The box of these points, too.
+    /// The box of its points and these.
     pub(super) fn with(mut self, points: impl IntoIterator<Item = Point>) -> Extent {
         for p in points {
             let [low, high] = self.corners.unwrap_or([p, p]);
@@ -302,7 +302,7 @@ impl Extent {
         self
     }
 
-    /// The box of both.
+    /// The box of its points and those of another.
     pub(super) fn joined(self, other: Extent) -> Extent {
         self.with(other.corners.into_iter().flatten())
     }

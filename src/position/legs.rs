@@ -248,7 +248,7 @@ fn translations(rows: &[Row; 2]) -> Vec<Vector> {
     let centre = -circle.arm;
     let distance = line.constant / length - normal.dot(&centre);
     let half = (circle.constant - distance) * (circle.constant + distance);
-    // A circle that deviations the line by rounding counts as tangent; closing the loops decides.
+    // A circle that misses the line only by rounding counts as tangent; closing the loops decides.
     if half < -1e-9 * circle.constant * circle.constant {
         return Vec::new();
     }

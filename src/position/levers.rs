@@ -52,7 +52,7 @@ impl Lever {
             && self.sliders.iter().all(is_through_point)
     }
 
-    /// The same assembly with the lever turned by 180°.
+    /// An assembly with the lever turned by 180°.
     pub(super) fn reversed(&self, mechanism: &Mechanism, assembled: &Assembled) -> Assembled {
         let mut reversed = assembled.clone();
         for &link in &self.links {

@@ -8,7 +8,7 @@ pub(super) struct Listing<'t, 'a> {
     most_work: usize,
     /// By group that is down, or comes next: its modes, and the index of the one after that which is down.
     levels: Vec<(Vec<Placed>, usize)>,
-    /// Why the group farthest from the first that could not be put down could not: its index, and the reason.
+    /// Of the groups that could not be put down, the one farthest from the first: its index, and the reason.
     failure: Option<(usize, NoMode)>,
     /// Whether the work became too much.
     pub is_stopped: bool,

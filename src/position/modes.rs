@@ -22,7 +22,7 @@ const SEEN: f64 = 4.0;
 /// Largest ratio of the square of the next Newton step, in radians, and a gap that rounding does not explain, in parts of
 /// the group's shortest link. At a root it is much less; where loops miss each other by a little, as beyond a limit
 /// position, it is about 1 at least.
-const SHARP: f64 = 1e-2;
+const QUADRATIC: f64 = 1e-2;
 
 /// Two assemblies are the same mode if their points differ by less than this part of the mechanism's size and their
 /// one-point links by less than [`SAME_TURN`].
@@ -32,10 +32,10 @@ const SAME: f64 = 1e-8;
 /// between them closes, too, as far as rounding can tell.
 const NEIGHBOURS: f64 = 1e-4;
 
-/// In radians; at a double root angles are only as exact as the square root of a rounding.
+/// Largest difference of angles, in radians, of assemblies that are one mode; at a double root angles are only as exact as the square root of a rounding.
 const SAME_TURN: f64 = 1e-6;
 
-/// The same for assemblies that may be one double root.
+/// Largest difference of angles, in radians, of assemblies that may be one double root.
 const NEAR_TURN: f64 = 1e-3;
 
 /// Condition number above which the group counts as movable at fixed drives: with gaps of [`CLOSED`] a movable group
@@ -62,7 +62,7 @@ pub(super) struct Assembler<'a> {
     pub work: usize,
 }
 
-/// What is the same for all assemblies of a group.
+/// What all assemblies of a group have in common.
 struct Prepared {
     equations: LoopEquations,
     levers: Vec<Lever>,
@@ -175,7 +175,7 @@ impl<'s, 'a> Modes<'s, 'a> {
         let size = self.size(&points);
         let is_known = (0..self.found.len()).any(|other| self.is_same(other, &assembled, &points, size));
         if !is_known {
-            // Only a search asks for it.
+            // Only a search stops by it.
             self.is_regular = self.is_regular || group.class == Class::Higher && self.condition(&assembled) < MOVABLE;
             self.found.push(assembled);
             self.points.push(points);
@@ -189,7 +189,7 @@ impl<'s, 'a> Modes<'s, 'a> {
         let Assembler { closer, .. } = &mut *self.assembler;
         gap <= ROUNDINGS * closer.rounding(self.index, assembled) || {
             let missed = gap * (size / closer.shortest(self.index)).max(1.0);
-            closer.next_step(self.index, assembled).powi(2) <= SHARP * missed
+            closer.next_step(self.index, assembled).powi(2) <= QUADRATIC * missed
         }
     }
 

@@ -57,7 +57,7 @@ struct Search {
 }
 
 impl Search {
-    /// Goes on to a part of what is being tried: a group with all that hangs on it.
+    /// Starts on a part of what is being tried: a group with all that hangs on it.
     fn enter(&mut self, tree: &mut Tree<'_>, wishes: &Wishes, group: usize) {
         let Some((level, trial)) =
             self.levels.last_mut().and_then(|level| Some((level.bounds(), level.trial.as_ref()?)))

@@ -3,7 +3,7 @@
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
     Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Product, ProductKind,
-    Solution, SpecialId, StepId, Writer, construction_writer, image_name, normal_name,
+    Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::sheet::Sheet;
@@ -25,7 +25,7 @@ pub struct Reading {
 pub enum Sense {
     /// The sign belongs to the quantity.
     Signed,
-    /// The quantity is the magnitude, although the construction goes on with the sign.
+    /// The quantity is the magnitude, although the construction continues with the sign.
     Magnitude,
     /// The number is an angle, of period 360°.
     Angle,
@@ -72,9 +72,8 @@ pub enum Unread {
 /// direction and a length are measured once more, with errors of their own.
 #[must_use]
 pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
-    let writer =
-        construction_writer(&solution.mechanism, &solution.pose, &solution.motion, solution.construction.extent);
-    let mut reader = Reader { steps: writer.construction.steps_of_quantities(), writer };
+    let Solution { mechanism, pose, motion, construction, .. } = solution;
+    let mut reader = Reader { steps: None, writer: Writer::continued(mechanism, pose, motion, construction.clone()) };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
     let mut construction = reader.writer.construction;
     construction.operations.retain(|operation| operation.by_hand);
@@ -83,8 +82,8 @@ pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<
 
 struct Reader<'a> {
     writer: Writer<'a>,
-    /// The step that gives each quantity, by its name.
-    steps: IndexMap<String, StepId>,
+    /// The step that gives each quantity, by its name; once it has been asked for.
+    steps: Option<IndexMap<String, StepId>>,
 }
 
 /// A vector as a segment of a plan, or by its computed size along a line.
@@ -96,9 +95,9 @@ enum Drawn {
 impl Reader<'_> {
     fn reading(&mut self, asked: &Asked) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
-        match self.writer.is_not_by_hand(number) {
-            true => Err(Unread::NoConstruction),
-            false => Ok(Reading { number, sense, sheet: asked.sheet() }),
+        match self.writer.is_by_hand(number) {
+            false => Err(Unread::NoConstruction),
+            true => Ok(Reading { number, sense, sheet: asked.sheet() }),
         }
     }
 
@@ -136,7 +135,7 @@ impl Reader<'_> {
         let sheet = asked.sheet();
         let ends = match (drawn, component) {
             // A segment of zero length, as of a point at rest, is not measured.
-            (Drawn::Segment(ends), _) if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) => {
+            (Drawn::Segment(ends), _) if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) => {
                 return Err(Unread::NoConstruction);
             }
             (Drawn::Segment([from, to]), _) if from == to => return Err(Unread::Given),
@@ -159,8 +158,10 @@ impl Reader<'_> {
 
     /// Measures a number with errors of its own, as part of the step that gives the quantity `name`.
     fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
-        self.writer.step = self.steps.get(name).copied();
-        self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how)
+        let construction = &self.writer.construction;
+        let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());
+        let step = steps.get(name).copied();
+        self.writer.measure_in(step, sheet, NumberKind::Reading(name.to_owned()), ends, how)
     }
 
     /// The vector of a place in a plan, relative to another place if there is one.
@@ -195,15 +196,14 @@ impl Reader<'_> {
     /// Whether the rotation of a link is given, its own or that of a body with which sliders make it turn alike.
     fn is_given(&self, link: BodyId) -> bool {
         let mechanism = self.writer.mechanism;
-        let spins = &self.writer.construction.spins;
+        let rates = &self.writer.construction.angular_rates;
         let mut known = mechanism.body_ids().filter(|&b| mechanism.is_known(b));
-        let spin = spins[link.0];
-        mechanism.is_known(link) || spin.is_some_and(|spin| known.any(|b| spins[b.0] == Some(spin)))
+        mechanism.is_known(link) || rates[link.0].is_some() && known.any(|b| rates[b.0] == rates[link.0])
     }
 
     /// The angular velocity (order 0) or acceleration (order 1) of a link; `None` if it is given as zero.
     fn rate_or_given(&self, link: BodyId, order: usize) -> Result<Option<NumberId>, Unread> {
-        let rates = self.writer.construction.spins[link.0];
+        let rates = self.writer.construction.angular_rates[link.0];
         Ok(rates.ok_or(Unread::NoConstruction)?[order])
     }
 
@@ -215,7 +215,7 @@ impl Reader<'_> {
     }
 
     fn slide_rate_or_given(&self, id: SliderId, order: usize) -> Result<Option<NumberId>, Unread> {
-        let rates = self.writer.construction.slides[id.0];
+        let rates = self.writer.construction.slide_rates[id.0];
         Ok(rates.ok_or(Unread::NoConstruction)?[order])
     }
 
@@ -283,7 +283,7 @@ impl Reader<'_> {
         }
         let place = |name: &str| self.writer.construction.place(sheet, name).ok_or(Unread::NoConstruction);
         let ends = [place(from)?, place(to)?];
-        if ends.iter().any(|&end| self.writer.is_place_not_by_hand(end)) {
+        if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) {
             return Err(Unread::NoConstruction);
         }
         if ends[0] == ends[1] {
@@ -324,7 +324,7 @@ impl Reader<'_> {
     /// The end of a place's vector in a plan: the image that the construction has found, else one laid off.
     fn plan_point(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
         let named = self.writer.construction.place(sheet, &image_name(spot.name()));
-        match (named.filter(|&place| !self.writer.is_place_not_by_hand(place)), spot) {
+        match (named.filter(|&place| self.writer.is_place_by_hand(place)), spot) {
             (Some(place), _) => Ok(place),
             (None, Spot::Point(body, point, _)) => {
                 let holder = self.holder(sheet, *body, *point);

@@ -8,7 +8,7 @@ mod slider;
 
 pub use slider::{DrivenSlide, Guide, Slider};
 
-use super::{BodyId, Group, JointId, Mechanism, PointId, SliderId};
+use super::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::geometry::{Point, Turn};
 use crate::scene::Scene;
 use smallvec::{SmallVec, smallvec};
@@ -114,13 +114,6 @@ impl Mechanism {
     #[must_use]
     pub fn joint(&self, id: JointId) -> &Joint {
         &self.joints[id.0]
-    }
-
-    /// The relations between angles in a group that need an equation of their own: all but constant angles between two
-    /// bodies.
-    pub(crate) fn geared<'a>(&'a self, group: &'a Group) -> impl Iterator<Item = &'a AngularConstraint> {
-        let angular = group.joints.iter().filter_map(|&joint| self.joint(joint).angular.as_ref());
-        angular.filter(|angular| angular.as_fixed_angle().is_none())
     }
 
     /// The point of a joint: the pin, or the slider's point on the guide.

@@ -63,7 +63,7 @@ impl Slider {
     }
 }
 
-/// A driven slider that is passed on the way between two links of a compound link.
+/// A driven slider between two links of a compound link, and the direction in which it is passed.
 ///
 /// The two bodies of a driven slider have one rotation, and their sliding is given: their relative motion is known. So
 /// all links that driven sliders join, directly or over others, are one *compound link* to groups and loops, with

@@ -1,0 +1,230 @@
+//! Equations of legs: the vector equation behind a ray, the normal part, and the rates in a measured segment.
+
+use super::cut::{CutLine, Special, Term};
+use super::formula::{Formula, Known, NamedPart};
+use super::markup::{marked, measured, subscript};
+use super::name::{image_name, point_on};
+use super::sentence::Teller;
+use super::step::{LegEquation, Ray, RayOf};
+use crate::geometry::{Vector, quarter_turn};
+use crate::mechanism::{BodyId, DrivenSlide, GROUND, PointId};
+use crate::sheet::Sheet;
+
+impl Teller<'_> {
+    /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
+    pub(super) fn ray_equation(&self, kind: Sheet, ray: &Ray) -> Formula {
+        let (special, side) = match ray.of {
+            RayOf::Leg(special, side) => (self.construction.special(special), side),
+            RayOf::Arm { link, from, to, .. } => return self.arm_equation(kind, link, [from, to]),
+        };
+        let cut = &special.cuts[side];
+        let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
+        let mut formula = match kind {
+            Sheet::Acceleration => self.relative_acceleration(special, cut, &start),
+            _ => self.leg_velocity(special, cut, &start),
+        };
+        // A point of the ground under a slider is at rest: it is left out, with a plus behind it.
+        let ground = self.mechanism.body(GROUND);
+        let is_under = cut.leg.base == GROUND && cut.start().is_some_and(|start| !ground.points.contains(&start));
+        if is_under && formula.terms.len() > 3 {
+            let end = if formula.terms[3].markup == " + " { 4 } else { 3 };
+            formula.terms.drain(2..end);
+        }
+        formula
+    }
+
+    /// The vector equation behind a ray for the image of a further point of a link.
+    fn arm_equation(&self, kind: Sheet, link: BodyId, ends: [PointId; 2]) -> Formula {
+        let [from, to] = ends.map(|point| point_on(self.mechanism, link, point));
+        match kind {
+            Sheet::Acceleration => Formula::default(),
+            _ => self.relative_velocity(&to, &from),
+        }
+    }
+
+    /// The vector equation of the velocity of one point by that of another of the same link.
+    fn relative_velocity(&self, to: &str, from: &str) -> Formula {
+        let mut formula = Formula::default();
+        formula.vector(format!("v{}", subscript(&[to])), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(format!("v{}", subscript(&[from])), Known::Entirely, None);
+        formula.sign(" + ");
+        formula.vector(format!("v{}", subscript(&[to, from])), Known::Direction, None);
+        formula
+    }
+
+    /// The vector equation behind a velocity ray: what driven sliders on the way add, then the velocity along the ray,
+    /// which is a sliding velocity where nothing else moves.
+    fn leg_velocity(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
+        let mut formula = self.relative_velocity(&point.name, start);
+        let along = formula.terms.split_off(formula.terms.len() - 2);
+        let r = self.words.notation.relative;
+        let sliding = |slide: &DrivenSlide| format!("v_{r}({})", self.mechanism.slider_name(slide.slider));
+        for slide in &cut.slides {
+            formula.sign(&format!(" {} ", plus_or_minus(slide)));
+            formula.vector(sliding(slide), Known::Entirely, Some(NamedPart::Sliding));
+        }
+        let turns = cut.terms.iter().any(|term| self.turning(point, term).is_some());
+        match cut.slide(self.mechanism).filter(|_| !turns) {
+            Some(slide) => {
+                formula.sign(&format!(" {} ", plus_or_minus(&slide)));
+                formula.vector(sliding(&slide), Known::Direction, Some(NamedPart::Sliding));
+            }
+            None => formula.terms.extend(along),
+        }
+        formula
+    }
+
+    /// The vector equation behind an acceleration ray: what the sliders on the way add, normal and tangential part.
+    /// Parts that are zero in every position are left out.
+    fn relative_acceleration(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
+        let notation = self.words.notation;
+        let mut formula = Formula::default();
+        formula.vector(format!("a{}", subscript(&[&point.name])), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(format!("a{}", subscript(&[start])), Known::Entirely, None);
+        let slider = |slide: &DrivenSlide| self.mechanism.slider_name(slide.slider);
+        let mut add = |sign: char, markup: String, known: Known, part: NamedPart| {
+            formula.sign(&format!(" {sign} "));
+            formula.vector(markup, known, Some(part));
+        };
+        let (relative, coriolis) = (notation.relative, notation.coriolis);
+        for slide in &cut.slides {
+            add(plus_or_minus(slide), format!("a_{relative}({})", slider(slide)), Known::Entirely, NamedPart::Sliding);
+            if self.has_coriolis(slide) {
+                let added = format!("a_{coriolis}({})", slider(slide));
+                add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+            }
+        }
+        let passed = cut.slide(self.mechanism);
+        if let Some(slide) = passed.as_ref().filter(|slide| self.has_coriolis(slide)) {
+            let added = format!("a_{coriolis}({})", slider(slide));
+            add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+        }
+        let points = subscript(&[&point.name, start]);
+        let turning = || cut.terms.iter().filter_map(|term| self.turning(point, term));
+        if turning().any(|link| self.turns(link)) {
+            add('+', format!("a^{}{points}", notation.normal), Known::Entirely, NamedPart::Normal);
+        }
+        if turning().next().is_some() {
+            add('+', format!("a^{}{points}", notation.tangential), Known::Direction, NamedPart::Tangential);
+        }
+        if let Some(slide) = passed {
+            add(
+                plus_or_minus(&slide),
+                format!("a_{relative}({})", slider(&slide)),
+                Known::Direction,
+                NamedPart::Sliding,
+            );
+        }
+        formula
+    }
+
+    /// The link of a turning term, unless its arm has no length.
+    fn turning(&self, point: &Special, term: &Term) -> Option<BodyId> {
+        match *term {
+            Term::Turn { link, from, to } => {
+                (to.is_some() || self.arm(point, from, to) != Vector::zeros()).then_some(link)
+            }
+            Term::Slide { .. } => None,
+        }
+    }
+
+    /// Whether a link has an angular velocity other than a given one of zero.
+    fn turns(&self, link: BodyId) -> bool {
+        self.construction.angular_rates[link.0].is_none_or(|[omega, _]| omega.is_some())
+    }
+
+    /// Whether a slider has a Coriolis acceleration: its guide turns, and something slides.
+    fn has_coriolis(&self, slide: &DrivenSlide) -> bool {
+        let slides = self.construction.slide_rates[slide.slider.0];
+        self.turns(slide.from) && self.turns(slide.to) && slides.is_none_or(|[velocity, _]| velocity.is_some())
+    }
+
+    /// Equation and caption of a leg's normal part.
+    pub(super) fn normal_part(&self, point: &Special, side: usize, from: &str, to: &str) -> (Formula, String) {
+        let (mechanism, words, s) = (self.mechanism, self.words, &point.name);
+        let cut = &point.cuts[side];
+        let mut normals = Vec::new();
+        let mut centre = "";
+        for term in &cut.terms {
+            if let Term::Turn { link, from, to } = *term
+                && self.turning(point, term).is_some_and(|link| self.turns(link))
+            {
+                let to = to.map_or(s.as_str(), |to| mechanism.point_name(to));
+                let arm = subscript(&[to, mechanism.point_name(from)]);
+                normals.push(format!("ω_{}^2 L{arm}", mechanism.body(link).name));
+                centre = mechanism.point_name(from);
+            }
+        }
+        let language = words.language;
+        let start = cut.start().map_or("", |start| mechanism.point_name(start));
+        let mut formula = Formula::default();
+        formula.vector(format!("a^{}{}", words.notation.normal, subscript(&[s, start])), Known::Entirely, None);
+        let both = normals.len() == 2;
+        let mut between = language.made_from();
+        for part in normals {
+            formula.words(between);
+            formula.sign(&part);
+            between = language.and();
+        }
+        let line = cut.name(words, mechanism, s);
+        let caption = match both {
+            true => language.lay_off_normal_parts(&line, &marked(from), &marked(to)),
+            false => language.lay_off_normal_part(&line, centre, &marked(from), &marked(to)),
+        };
+        (formula, caption)
+    }
+
+    /// The arm of a rotation term, to joint `to` or else to the sought point; zero for a point at infinity.
+    fn arm(&self, point: &Special, from: PointId, to: Option<PointId>) -> Vector {
+        let to_point = || point.crossing.vector_from(self.pose.point(from)).unwrap_or_else(Vector::zeros);
+        to.map_or_else(to_point, |to| self.pose.arm(from, to))
+    }
+
+    /// The equation of a leg: rates, counter-clockwise positive, times lengths, equal to the measured segment.
+    ///
+    /// Each term has the sign of its component along the segment from its start to the special point's image.
+    #[must_use]
+    pub fn equation(&self, kind: Sheet, LegEquation { special, side, from, segment }: &LegEquation) -> String {
+        let (rate, slide) = (kind.rate(), kind.vector());
+        let mechanism = self.mechanism;
+        let point = self.construction.special(*special);
+        let cut = &point.cuts[*side];
+        let direction = cut.line.direction().unwrap_or_else(Vector::zeros);
+        let mut left = String::new();
+        for term in &cut.terms {
+            let (along, written) = match *term {
+                Term::Turn { link, from, to } => {
+                    let end = to.map_or(point.name.as_str(), |to| mechanism.point_name(to));
+                    let length = subscript(&[end, mechanism.point_name(from)]);
+                    let along = self.arm(point, from, to).dot(&direction);
+                    (along, format!("{rate}_{{{}}} L{length}", mechanism.body(link).name))
+                }
+                Term::Slide { slider, from } => {
+                    let guide = self.pose.guide(slider) * mechanism.slide_sign(slider, from);
+                    let name = mechanism.slider_name(slider);
+                    let along = guide.dot(&quarter_turn(direction));
+                    (along, format!("{slide}_{}({name})", self.words.notation.relative))
+                }
+            };
+            // Terms with a zero length are left out.
+            if along == 0.0 {
+                continue;
+            }
+            let minus = (along < 0.0) != (*segment < 0.0);
+            left.push_str(match (left.is_empty(), minus) {
+                (true, false) => "",
+                (true, true) => "−",
+                (false, false) => " + ",
+                (false, true) => " − ",
+            });
+            left.push_str(&written);
+        }
+        format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
+    }
+}
+
+fn plus_or_minus(slide: &DrivenSlide) -> char {
+    if slide.sign < 0.0 { '−' } else { '+' }
+}

@@ -1,0 +1,93 @@
+//! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high.
+
+use super::plan::Plan;
+use crate::sheet::Sheet;
+use crate::words::Wording;
+
+/// A point's name, marked for a caption.
+pub(super) fn marked(name: &str) -> String {
+    format!("`{name}`")
+}
+
+/// A caption or an equation as plain text: names as they are, subscripts after `_`.
+#[must_use]
+pub fn plain_text(markup: &str) -> String {
+    let mut text = String::with_capacity(markup.len());
+    push_plain(&mut text, markup);
+    text
+}
+
+/// A caption or an equation as plain text, with the names of plan points in the notation of `words`.
+#[must_use]
+pub fn shown_text(markup: &str, plan: Option<&Plan>, words: &Wording) -> String {
+    let mut text = String::with_capacity(markup.len());
+    for (index, piece) in markup.split('`').enumerate() {
+        match (index % 2, plan) {
+            (1, Some(plan)) => {
+                let shown = plan.shown(piece, piece.to_owned(), words.notation);
+                push_plain(&mut text, &shown);
+            }
+            _ => push_plain(&mut text, piece),
+        }
+    }
+    text
+}
+
+/// Adds markup without braces and backticks; `^2` becomes `²`.
+fn push_plain(text: &mut String, markup: &str) {
+    let mut letters = markup.chars().peekable();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '{' | '}' | '`' => {}
+            '^' if letters.next_if_eq(&'2').is_some() => text.push('²'),
+            other => text.push(other),
+        }
+    }
+}
+
+/// A subscript of several names, as in `_{S3B}`.
+pub(super) fn subscript(names: &[&str]) -> String {
+    format!("_{{{}}}", names.concat())
+}
+
+/// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
+#[must_use]
+pub fn rate_symbol(name: &str) -> String {
+    let turning = [("omega(", "ω"), ("alpha(", "α")];
+    let found = turning.into_iter().find_map(|(head, letter)| {
+        let link = name.strip_prefix(head)?.strip_suffix(')')?;
+        Some(format!("{letter}_{{{link}}}"))
+    });
+    found.unwrap_or_else(|| name.to_owned())
+}
+
+/// The sentence that there is no construction; `far` are the names of special points at infinity.
+#[must_use]
+pub fn no_construction(words: &Wording, far: &[String]) -> String {
+    let language = words.language;
+    if far.is_empty() {
+        return language.no_construction().to_owned();
+    }
+    let names: Vec<String> = far.iter().map(|name| marked(name)).collect();
+    language.no_construction_far(&names.join(language.and()))
+}
+
+/// A name with its subscript in braces: the part after the first `_`, else trailing digits, as in `n_{b3}`, `S_{3}`.
+#[must_use]
+pub fn display(name: &str) -> String {
+    let (base, low) = match name.split_once('_') {
+        Some((base, low)) => (base, low),
+        None => {
+            let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+            name.split_at(digits)
+        }
+    };
+    // The last digit of a pair of links, as in 2/1, is no subscript.
+    let is_name = base.ends_with(|c: char| c.is_alphabetic() || c == '\'');
+    if low.is_empty() || !is_name { name.to_owned() } else { format!("{base}_{{{low}}}") }
+}
+
+/// A plan segment times its scale, as written in an equation.
+pub(super) fn measured(kind: Sheet, from: &str, to: &str) -> String {
+    format!("{} ({} {})", kind.scale_symbol(), marked(from), marked(to))
+}

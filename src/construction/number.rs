@@ -1,0 +1,117 @@
+//! Numbers of a construction, and how a calculator makes them from others.
+
+use super::cut::SpecialId;
+use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::sheet::Sheet;
+use smallvec::SmallVec;
+
+/// Index of a number: given, measured or computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NumberId(pub usize);
+
+/// A product of numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Product {
+    /// Its meaning.
+    pub kind: ProductKind,
+    /// A constant, often a sign.
+    pub factor: f64,
+    /// The numbers multiplied.
+    pub of: SmallVec<[NumberId; 3]>,
+}
+
+/// Meaning of a product.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ProductKind {
+    /// A number as it is.
+    Plain,
+    /// A rate of rotation times a length: a relative velocity, a tangential acceleration.
+    Turning,
+    /// ω² times a length: a normal acceleration.
+    Normal,
+    /// Coriolis acceleration 2 ω v_r.
+    Coriolis,
+    /// A slide rate, along its guide.
+    Sliding,
+}
+
+/// An equation for rates: Σ coefficient · unknown = Σ right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equation {
+    /// Indices of unknowns with their coefficients.
+    pub left: Vec<(usize, Product)>,
+    /// The right side.
+    pub right: Vec<Product>,
+}
+
+/// Kind of a number.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum NumberKind {
+    /// The distance of two points of the scheme.
+    Length([End; 2]),
+    /// A segment of the plan on this sheet, with the names of its ends.
+    Segment(Sheet, [String; 2]),
+    /// A rate: given, or solved for.
+    Rate(Rate),
+    /// The signed size of a vector that is laid off.
+    Size,
+    /// A measurement that no later operation uses, with the name of its quantity.
+    Reading(String),
+}
+
+/// An end of a length on the scheme.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// A joint.
+    Joint(PointId),
+    /// A special point.
+    Special(SpecialId),
+}
+
+/// A rate of a link or a slider, in the scene's units, angles in rad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rate {
+    /// Angular velocity.
+    Omega(BodyId),
+    /// Angular acceleration.
+    Alpha(BodyId),
+    /// Velocity along the guide.
+    SlideVelocity(SliderId),
+    /// Acceleration along the guide.
+    SlideAcceleration(SliderId),
+}
+
+impl Rate {
+    /// The name of its quantity, as in `omega(2)`.
+    #[must_use]
+    pub fn name(self, mechanism: &Mechanism) -> String {
+        match self {
+            Rate::Omega(link) => format!("omega({})", mechanism.body(link).name),
+            Rate::Alpha(link) => format!("alpha({})", mechanism.body(link).name),
+            Rate::SlideVelocity(slider) => format!("v_r({})", mechanism.slider_name(slider)),
+            Rate::SlideAcceleration(slider) => format!("a_r({})", mechanism.slider_name(slider)),
+        }
+    }
+}
+
+impl Product {
+    /// A constant times numbers.
+    #[must_use]
+    pub fn new(kind: ProductKind, factor: f64, of: &[NumberId]) -> Product {
+        Product { kind, factor, of: SmallVec::from_slice(of) }
+    }
+
+    /// A number as it is.
+    #[must_use]
+    pub fn plain(number: NumberId) -> Product {
+        Product::new(ProductKind::Plain, 1.0, &[number])
+    }
+
+    /// The same product times `factor`.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Product {
+        Product { factor: self.factor * factor, ..self.clone() }
+    }
+}
