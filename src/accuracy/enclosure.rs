@@ -1,5 +1,5 @@
 use super::given::{Given, Vector};
-use super::placed::{Placed, relative};
+use super::placed::{TruePlaces, relative};
 use crate::construction::{Course, CutLine, Special};
 use crate::geometry::{self, Ball, Pair, Point};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
@@ -14,7 +14,7 @@ use crate::sheet::Sheet;
 /// was read. Nothing else is uncertain, whatever the pose has lost by rounding.
 #[derive(Clone, Debug)]
 pub struct Enclosure {
-    placed: Placed,
+    placed: TruePlaces,
     state: State,
     /// The points from the first one, and the guides, rounded.
     points: Vec<Point>,
@@ -30,7 +30,7 @@ impl Enclosure {
     /// know that errors with one cause cancel. `None` where a drive has no position.
     #[must_use]
     pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Option<Enclosure> {
-        let placed = Placed::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
+        let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
         let points = relative(&placed.points);
         let guides: Vec<geometry::Vector> = placed.guides.iter().map(|guide| guide.rounded()).collect();
         let places = PlacesOf { given: Given { scene, mechanism }, placed: &placed, points: &points, guides: &guides };
@@ -145,7 +145,7 @@ impl Enclosure {
 /// Places with their errors, for the computation of the motion.
 struct PlacesOf<'a> {
     given: Given<'a>,
-    placed: &'a Placed,
+    placed: &'a TruePlaces,
     points: &'a [Point],
     guides: &'a [geometry::Vector],
 }

@@ -20,7 +20,7 @@ const MOST_STRETCH: f64 = 0.5;
 
 /// The true places of points and guides, with the bounds of their errors.
 #[derive(Clone, Debug)]
-pub(super) struct Placed {
+pub(super) struct TruePlaces {
     /// By point.
     pub points: Vec<Vector>,
     /// By slider: the unit direction of its guide.
@@ -31,14 +31,14 @@ pub(super) struct Placed {
     pub turns: Vec<Option<Vector>>,
 }
 
-impl Placed {
+impl TruePlaces {
     /// The true places near `pose`; with infinite bounds for groups where none can be given: next to a limit position,
     /// or where numbers leave the range of f64. `None` where a drive has no position.
-    pub fn new(given: &Given<'_>, pose: &Pose) -> Option<Placed> {
-        if given.is_by_lengths() { Finder::new(*given, pose).placed() } else { Some(Placed::drawn(given)) }
+    pub fn new(given: &Given<'_>, pose: &Pose) -> Option<TruePlaces> {
+        if given.is_by_lengths() { Finder::new(*given, pose).placed() } else { Some(TruePlaces::drawn(given)) }
     }
 
-    fn drawn(given: &Given<'_>) -> Placed {
+    fn drawn(given: &Given<'_>) -> TruePlaces {
         let mechanism = given.mechanism;
         let place = |p: &Option<Point>| p.map_or_else(Vector::default, |p| written([p.x, p.y]));
         let points: Vec<Vector> = mechanism.given.iter().map(place).collect();
@@ -47,7 +47,7 @@ impl Placed {
             let from = slider.counted_from?;
             Some((points[slider.at.0] - points[from.0]).dot(*along))
         });
-        Placed { slides: slides.collect(), turns: vec![None; mechanism.bodies.len()], points, guides }
+        TruePlaces { slides: slides.collect(), turns: vec![None; mechanism.bodies.len()], points, guides }
     }
 }
 
@@ -87,7 +87,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    fn placed(mut self) -> Option<Placed> {
+    fn placed(mut self) -> Option<TruePlaces> {
         for id in self.mechanism.body_ids() {
             let frame = match self.mechanism.body(id).role {
                 Role::Ground => Frame::identity(),
@@ -106,7 +106,7 @@ impl<'a> Finder<'a> {
             }
         }
         let points = self.points();
-        Some(Placed {
+        Some(TruePlaces {
             guides: self.mechanism.slider_ids().map(|id| self.guide(id)).collect(),
             slides: self.slides.iter().copied().map(Some).collect(),
             turns: self.frames.iter().map(|frame| frame.map(|f| f.turn)).collect(),

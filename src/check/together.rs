@@ -1,6 +1,6 @@
 //! Joint errors of a drawing program: displacements of all joints together that leave every link its shape.
 
-use crate::construction::{Construction, OperationKind, Part, Values};
+use crate::construction::{Construction, OperationKind, OperationRole, Values};
 use crate::geometry::{Vector, unit};
 use crate::mechanism::{GROUND, Mechanism, PointId};
 use nalgebra::DMatrix;
@@ -10,8 +10,8 @@ use nalgebra::DMatrix;
 pub(super) fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
     let operations = construction.operations.iter();
     let plots: Vec<(PointId, Vector)> = operations
-        .filter_map(|operation| match (operation.part, &operation.kind) {
-            (Part::Joint(point), OperationKind::Plot { place, .. }) => Some((point, exact.place(*place))),
+        .filter_map(|operation| match (operation.role, &operation.kind) {
+            (OperationRole::Joint(point), OperationKind::Plot { place, .. }) => Some((point, exact.place(*place))),
             _ => None,
         })
         .collect();

@@ -2,7 +2,7 @@
 
 use super::construction::{Agreement, Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
-use super::leg::Drawn;
+use super::leg::DrawnSpecial;
 use super::number::NumberId;
 use super::step::Action;
 use super::writer::Writer;
@@ -54,7 +54,7 @@ impl Writer<'_> {
         let equation_count = 2 * special.len() + equations.angular.len();
         let has_rays = equation_count == equations.unknowns && special.iter().all(has_crossing);
         let ids = (first..).map(SpecialId);
-        let drawn: Vec<Option<Drawn<'_>>> =
+        let drawn: Vec<Option<DrawnSpecial<'_>>> =
             special.iter().zip(ids).map(|(special, id)| self.special_point(special, id, has_rays)).collect();
         let mut starts: Vec<(BodyId, PointId)> = Vec::new();
         let cuts = special.iter().flat_map(|s| &s.cuts);
@@ -66,7 +66,7 @@ impl Writer<'_> {
                 self.plans().iter().for_each(|&sheet| self.known_vector(sheet, base, point));
             }
         }
-        let drawn: Option<Vec<Drawn<'_>>> = drawn.into_iter().collect();
+        let drawn: Option<Vec<DrawnSpecial<'_>>> = drawn.into_iter().collect();
         let constructed = drawn.filter(|_| has_rays).and_then(|drawn| self.rates(group, &equations, &drawn));
         if constructed.is_none() {
             self.without_construction(group, &equations, &special);
@@ -77,7 +77,7 @@ impl Writer<'_> {
     }
 
     /// Constructs both plans; `None` where rays are parallel or the equations have no solution.
-    fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[Drawn<'_>]) -> Option<()> {
+    fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[DrawnSpecial<'_>]) -> Option<()> {
         for &sheet in self.plans() {
             self.rays(sheet, group, equations, drawn)?;
             if sheet == Sheet::Velocity {

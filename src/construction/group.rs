@@ -2,10 +2,10 @@
 //! points.
 
 use super::cut::{CutLine, Special, SpecialId};
-use super::leg::{Drawn, Leg};
+use super::leg::{DrawnSpecial, LegLines};
 use super::name::{image_name, point_on};
 use super::number::{NumberId, NumberKind, Rate};
-use super::operation::{LineId, MeasuredAs, Part, PlaceId};
+use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
 use super::plan::PointRole;
 use super::step::{Action, Arrow, LegEquation, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
@@ -29,7 +29,7 @@ impl Writer<'_> {
         special: &'s Special,
         id: SpecialId,
         has_rays: bool,
-    ) -> Option<Drawn<'s>> {
+    ) -> Option<DrawnSpecial<'s>> {
         let step = self.begin(Sheet::Scheme);
         let found = self.crossed_legs(special, id, has_rays);
         if special.is_assur {
@@ -37,7 +37,7 @@ impl Writer<'_> {
             self.finish(step, Action::SpecialPoint { point: special.name.clone(), special: id, sine });
         }
         let (legs, place) = found?;
-        let mut drawn = Drawn { special, id, legs, place, lengths: [None; 2] };
+        let mut drawn = DrawnSpecial { special, id, legs, place, lengths: [None; 2] };
         for side in 0..2 {
             drawn.lengths[side] = self.measured_length(&drawn, side);
         }
@@ -45,7 +45,7 @@ impl Writer<'_> {
     }
 
     /// The legs of a special point, and its place on the scheme.
-    fn crossed_legs(&mut self, special: &Special, id: SpecialId, has_rays: bool) -> Option<([Leg; 2], PlaceId)> {
+    fn crossed_legs(&mut self, special: &Special, id: SpecialId, has_rays: bool) -> Option<([LegLines; 2], PlaceId)> {
         let leg = |writer: &mut Self, cut: &CutLine| writer.leg(cut, special.target);
         let mut legs = [leg(self, &special.cuts[0])?, leg(self, &special.cuts[1])?];
         if let Some(target) = special.target {
@@ -54,13 +54,13 @@ impl Writer<'_> {
         special.place.finite()?;
         let [first, second] = &mut legs;
         let lines = [self.cut_line(first, &special.cuts[0], id)?, self.cut_line(second, &special.cuts[1], id)?];
-        let place = self.cross(has_rays, Sheet::Scheme, Part::SpecialPoint(id), lines)?;
+        let place = self.cross(has_rays, Sheet::Scheme, OperationRole::SpecialPoint(id), lines)?;
         self.name_place(Sheet::Scheme, &special.name, place);
         Some((legs, place))
     }
 
     /// The length from the joint of a leg to the sought point; to a special point it is measured, in a step of its own.
-    fn measured_length(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
+    fn measured_length(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Option<NumberId> {
         let special = drawn.special;
         let from = special.cuts[side].measured_from()?;
         let step = self.begin(Sheet::Scheme);
@@ -130,7 +130,7 @@ impl Writer<'_> {
         sheet: Sheet,
         group: &Group,
         equations: &LoopEquations,
-        drawn: &[Drawn<'_>],
+        drawn: &[DrawnSpecial<'_>],
     ) -> Option<()> {
         let (mut rows, mut written) = (Vec::new(), Vec::new());
         for point in drawn {
@@ -139,7 +139,7 @@ impl Writer<'_> {
             let from = rays.each_ref().map(|ray| ray.from.0.clone());
             let sine = point.special.crossing.sine();
             let step = self.begin(sheet);
-            let crossing = self.cross(true, sheet, Part::Image, rays.each_ref().map(|ray| ray.line))?;
+            let crossing = self.cross(true, sheet, OperationRole::Image, rays.each_ref().map(|ray| ray.line))?;
             self.finish(step, Action::Cross { point: image.clone(), from, sine });
             let role = if point.special.is_assur { PointRole::Special } else { PointRole::Image };
             self.show(sheet, &image, crossing, role);
@@ -172,7 +172,7 @@ impl Writer<'_> {
 
     /// Notes the image of a dyad's inner joint: it is the image of a pin for both links, of a slider's point for its
     /// own link only.
-    fn note_joint_motion(&mut self, sheet: Sheet, point: &Drawn<'_>, place: PlaceId) {
+    fn note_joint_motion(&mut self, sheet: Sheet, point: &DrawnSpecial<'_>, place: PlaceId) {
         let Some(target) = point.special.target else { return };
         self.construction.record.note_motion(sheet, point.special.link, target, place);
         for Carried { carrier, inner } in point.special.cuts.iter().filter_map(|cut| cut.leg.carried) {
@@ -264,7 +264,7 @@ impl Writer<'_> {
     }
 
     /// Draws the ray of a leg, after the driven sliders' vectors and the normal part that lead to its start.
-    fn ray(&mut self, sheet: Sheet, point: &Drawn<'_>, side: usize) -> Option<DrawnRay> {
+    fn ray(&mut self, sheet: Sheet, point: &DrawnSpecial<'_>, side: usize) -> Option<DrawnRay> {
         let (cut, leg) = (&point.special.cuts[side], &point.legs[side]);
         let base = cut.leg.base;
         let start = cut.start()?;
@@ -285,7 +285,7 @@ impl Writer<'_> {
         let step = self.begin(sheet);
         // Two special points may have a ray in common.
         let drawn = self.drawn(from.1, leg.ray);
-        let line = drawn.unwrap_or_else(|| self.draw(sheet, Part::Ray, from.1, leg.ray));
+        let line = drawn.unwrap_or_else(|| self.draw(sheet, OperationRole::Ray, from.1, leg.ray));
         self.finish(step, Action::Ray(ray));
         Some(DrawnRay { from, line })
     }

@@ -2,7 +2,7 @@
 //! turned and scaled; Mehmke 1883, Burmester 1888) from two images of the link, else by the motion relative to one.
 
 use super::name::{coriolis_name, image_name, normal_name, point_on, slide_name};
-use super::operation::{Along, Part, PlaceId};
+use super::operation::{Along, OperationRole, PlaceId};
 use super::plan::PointRole;
 use super::step::{Action, Added, Arrow, Ray, RayOf, Relation, RelativePart, VectorOf};
 use super::writer::Writer;
@@ -147,7 +147,7 @@ impl Writer<'_> {
     ) -> Option<PlaceId> {
         let base = {
             let [from, to] = pair.map(|end| end.place);
-            self.join_places(from, to, Part::Line)
+            self.join_places(from, to, OperationRole::Line)
         };
         let side = self.join(pair[0].point, pair[1].point);
         let rays = [(pair[0], pair[1]), (pair[1], pair[0])].map(|(end, other)| {
@@ -159,7 +159,7 @@ impl Writer<'_> {
             let of = RayOf::Arm { link: body, from: end.point, to: point, other: other.point };
             let (through, to) = (end.name.clone(), name.to_owned());
             let step = self.begin(sheet);
-            let line = self.draw(sheet, Part::Ray, end.place, along);
+            let line = self.draw(sheet, OperationRole::Ray, end.place, along);
             let direction = self.construction.record.exact.exact_direction(line).rounded();
             (line, self.written(step), Ray { through, to, direction, relation, of })
         });
@@ -167,7 +167,7 @@ impl Writer<'_> {
         let sine = cross(a, b) / (a.norm() * b.norm());
         let from = pair.map(|end| end.name.clone());
         let step = self.begin(sheet);
-        let place = self.cross(true, sheet, Part::Image, rays.each_ref().map(|(line, ..)| *line))?;
+        let place = self.cross(true, sheet, OperationRole::Image, rays.each_ref().map(|(line, ..)| *line))?;
         for (_, written, ray) in rays {
             self.take_step(written, Action::Ray(ray));
         }

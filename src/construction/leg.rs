@@ -3,7 +3,7 @@
 
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::number::{End, Equation, NumberId, NumberKind, Product, ProductKind};
-use super::operation::{Along, LineId, MeasuredAs, Part, PlaceId};
+use super::operation::{Along, LineId, MeasuredAs, OperationRole, PlaceId};
 use super::plan::PointRole;
 use super::step::{Action, Added, Arrow, VectorOf};
 use super::writer::Writer;
@@ -13,7 +13,7 @@ use crate::sheet::Sheet;
 
 /// Directions of a leg on the sheets.
 #[derive(Clone, Copy)]
-pub(super) struct Leg {
+pub(super) struct LegLines {
     /// Direction of the cut line.
     pub along: Along,
     /// Direction of the rays, a quarter turn counter-clockwise from the cut line.
@@ -23,10 +23,10 @@ pub(super) struct Leg {
 }
 
 /// A special point on the scheme, with its legs.
-pub(super) struct Drawn<'a> {
+pub(super) struct DrawnSpecial<'a> {
     pub special: &'a Special,
     pub id: SpecialId,
-    pub legs: [Leg; 2],
+    pub legs: [LegLines; 2],
     /// Its place on the scheme.
     pub place: PlaceId,
     /// By leg: the length from its joint to the point, where an equation contains it.
@@ -44,27 +44,27 @@ enum Summand {
 impl Writer<'_> {
     /// The directions of a leg; `None` for a cut line at infinity. A cut line through two pins is drawn through them,
     /// one normal to a guide is set to the guide.
-    pub(super) fn leg(&mut self, cut: &CutLine, target: Option<PointId>) -> Option<Leg> {
+    pub(super) fn leg(&mut self, cut: &CutLine, target: Option<PointId>) -> Option<LegLines> {
         cut.line.direction()?;
         match cut.course {
             Course::Through(from, to) => {
                 let line = self.join(from, to.or(target)?);
                 let along = Along::line(line);
-                Some(Leg { along, ray: along.turned(1), line: Some(line) })
+                Some(LegLines { along, ray: along.turned(1), line: Some(line) })
             }
             Course::Normal(slider, _) => {
                 let guide = Along::line(self.guide(slider));
-                Some(Leg { along: guide.turned(1), ray: guide.turned(2), line: None })
+                Some(LegLines { along: guide.turned(1), ray: guide.turned(2), line: None })
             }
             Course::AtInfinity => None,
         }
     }
 
     /// The cut line of a leg; draws it on the scheme unless it is there.
-    pub(super) fn cut_line(&mut self, leg: &mut Leg, cut: &CutLine, special: SpecialId) -> Option<LineId> {
+    pub(super) fn cut_line(&mut self, leg: &mut LegLines, cut: &CutLine, special: SpecialId) -> Option<LineId> {
         if leg.line.is_none() {
             let through = self.plot(cut.start()?);
-            let line = self.draw(Sheet::Scheme, Part::CutLine(special), through, leg.along);
+            let line = self.draw(Sheet::Scheme, OperationRole::CutLine(special), through, leg.along);
             leg.along = Along::line(line);
             leg.line = Some(line);
         }
@@ -73,7 +73,7 @@ impl Writer<'_> {
 
     /// The length from a leg's joint to the sought point, where an equation contains it; to a special point it is
     /// measured along the cut line.
-    pub(super) fn length_to_point(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<NumberId> {
+    pub(super) fn length_to_point(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Option<NumberId> {
         let from = drawn.special.cuts[side].measured_from()?;
         if let Some(target) = drawn.special.target {
             return (target != from).then(|| self.length(from, target));
@@ -85,7 +85,7 @@ impl Writer<'_> {
     }
 
     /// The terms of a leg with their numbers; arms of length zero are left out.
-    fn summands(&mut self, drawn: &Drawn<'_>, side: usize) -> Vec<Summand> {
+    fn summands(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Vec<Summand> {
         let cut = &drawn.special.cuts[side];
         let summand = |term: &Term| match *term {
             Term::Turn { link, from, to: Some(to) } => Some(Summand::Turn(link, self.length(from, to))),
@@ -104,7 +104,7 @@ impl Writer<'_> {
         &mut self,
         sheet: Sheet,
         equations: &LoopEquations,
-        drawn: &Drawn<'_>,
+        drawn: &DrawnSpecial<'_>,
         side: usize,
         segment: NumberId,
     ) -> Option<Equation> {
@@ -149,7 +149,7 @@ impl Writer<'_> {
     /// Coriolis acceleration on a guide that never turns, has no step. Returns name and place of the end.
     pub(super) fn known_parts(
         &mut self,
-        drawn: &Drawn<'_>,
+        drawn: &DrawnSpecial<'_>,
         side: usize,
         from: (String, PlaceId),
     ) -> Option<(String, PlaceId)> {
@@ -183,7 +183,7 @@ impl Writer<'_> {
     }
 
     /// The signed size of a leg's normal part, against the cut line: an empty sum where nothing turns.
-    fn normal_part(&mut self, drawn: &Drawn<'_>, side: usize) -> Option<Vec<Product>> {
+    fn normal_part(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Option<Vec<Product>> {
         let mut sum = Vec::new();
         for summand in self.summands(drawn, side) {
             if let Summand::Turn(link, length) = summand

@@ -45,7 +45,9 @@ pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use markup::{display, plain_text, rate_symbol, shown_text};
 pub use name::{coincident_name, coriolis_name, image_name, normal_name, point_on, slide_name};
 pub use number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
-pub use operation::{Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, Part, PlaceId, Reference, StepId};
+pub use operation::{
+    Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
+};
 pub use passage::{Aim, Passage};
 pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
 pub use run::{Change, Disturbance, Drawable, Tolerance, Values};

@@ -30,7 +30,7 @@ pub struct Operation {
     /// The step that it belongs to; none for what precedes all steps or is only a reading.
     pub step: Option<StepId>,
     /// Its role in the construction.
-    pub part: Part,
+    pub role: OperationRole,
     /// What is done.
     pub kind: OperationKind,
     /// Whether it can be done with ruler and pencil: false where it uses rates taken from the computed motion.
@@ -40,7 +40,7 @@ pub struct Operation {
 /// Role of an operation in the construction; mistakes, steps and sentences refer to it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Part {
+pub enum OperationRole {
     /// The origin of a plan.
     Pole,
     /// A joint of the mechanism.

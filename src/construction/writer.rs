@@ -3,7 +3,7 @@
 use super::construction::{Construction, Extent};
 use super::name::image_name;
 use super::number::{End, Equation, NumberId, NumberKind, Product, Rate};
-use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, Part, PlaceId, StepId};
+use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, StepId};
 use super::plan::{Plan, PlanPoint, PointRole};
 use super::step::{Action, Step};
 use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
@@ -150,13 +150,13 @@ impl<'a> Writer<'a> {
     }
 
     /// Adds an operation and carries it out.
-    fn push(&mut self, sheet: Sheet, part: Part, kind: OperationKind) {
-        self.push_by(true, sheet, part, kind);
+    fn push(&mut self, sheet: Sheet, role: OperationRole, kind: OperationKind) {
+        self.push_by(true, sheet, role, kind);
     }
 
     /// Adds an operation and carries it out. `by_hand` says whether a hand can do it with what it uses; if that is not
     /// found by hand, neither is this.
-    fn push_by(&mut self, by_hand: bool, sheet: Sheet, part: Part, kind: OperationKind) {
+    fn push_by(&mut self, by_hand: bool, sheet: Sheet, role: OperationRole, kind: OperationKind) {
         let Construction { operations, record, .. } = &mut self.construction;
         let [of_places, of_lines, of_numbers] = &record.makers;
         let (places, lines) = kind.places_and_lines_read();
@@ -170,7 +170,7 @@ impl<'a> Writer<'a> {
         record.makers[2].extend(kind.numbers().iter().map(|_| index));
         record.exact.resize(record.counts());
         record.exact.run(&kind, [0.0; 2], 1.0);
-        operations.push(Operation { sheet, step: None, part, kind, by_hand });
+        operations.push(Operation { sheet, step: None, role, kind, by_hand });
     }
 
     /// Whether a number can be found with ruler and pencil.
@@ -218,7 +218,7 @@ impl<'a> Writer<'a> {
 
     pub(crate) fn pole(&mut self, sheet: Sheet, name: &str, at: Vector) -> PlaceId {
         let place = self.next_place();
-        self.push(sheet, Part::Pole, OperationKind::Pole { place, at });
+        self.push(sheet, OperationRole::Pole, OperationKind::Pole { place, at });
         self.name_place(sheet, name, place);
         place
     }
@@ -239,7 +239,7 @@ impl<'a> Writer<'a> {
         }
         let place = self.next_place();
         let at = self.pose.point(point) - self.construction.origin;
-        self.push(Sheet::Scheme, Part::Joint(point), OperationKind::Plot { place, at });
+        self.push(Sheet::Scheme, OperationRole::Joint(point), OperationKind::Plot { place, at });
         self.construction
             .record
             .exact
@@ -251,24 +251,24 @@ impl<'a> Writer<'a> {
     /// The line through two joints, from the first towards the second.
     pub(crate) fn join(&mut self, from: PointId, towards: PointId) -> LineId {
         let (from, towards) = (self.plot(from), self.plot(towards));
-        self.join_places(from, towards, Part::Line)
+        self.join_places(from, towards, OperationRole::Line)
     }
 
     /// The line through two places.
-    pub(crate) fn join_places(&mut self, from: PlaceId, towards: PlaceId, part: Part) -> LineId {
+    pub(crate) fn join_places(&mut self, from: PlaceId, towards: PlaceId, role: OperationRole) -> LineId {
         if let Some(line) = self.construction.record.joins.get(&[from, towards]) {
             return *line;
         }
         let line = self.next_line();
         self.construction.record.joins.insert([from, towards], line);
-        self.push(Sheet::Scheme, part, OperationKind::Join { line, from, towards });
+        self.push(Sheet::Scheme, role, OperationKind::Join { line, from, towards });
         line
     }
 
-    pub(super) fn draw(&mut self, sheet: Sheet, part: Part, through: PlaceId, along: Along) -> LineId {
+    pub(super) fn draw(&mut self, sheet: Sheet, role: OperationRole, through: PlaceId, along: Along) -> LineId {
         let line = self.next_line();
         self.construction.record.rays.entry(through).or_default().push((along, line));
-        self.push(sheet, part, OperationKind::Draw { line, through, along });
+        self.push(sheet, role, OperationKind::Draw { line, through, along });
         line
     }
 
@@ -279,9 +279,15 @@ impl<'a> Writer<'a> {
     }
 
     /// The crossing of two lines; `None` for parallel lines. `by_hand` says whether it is drawn at all.
-    pub(super) fn cross(&mut self, by_hand: bool, sheet: Sheet, part: Part, lines: [LineId; 2]) -> Option<PlaceId> {
+    pub(super) fn cross(
+        &mut self,
+        by_hand: bool,
+        sheet: Sheet,
+        role: OperationRole,
+        lines: [LineId; 2],
+    ) -> Option<PlaceId> {
         let place = self.next_place();
-        self.push_by(by_hand, sheet, part, OperationKind::Cross { place, lines });
+        self.push_by(by_hand, sheet, role, OperationKind::Cross { place, lines });
         let at = self.construction.record.exact.exact_place(place);
         (is_known(at.x) && is_known(at.y)).then_some(place)
     }
@@ -289,7 +295,7 @@ impl<'a> Writer<'a> {
     /// The point that divides the line between two plan points as the third of `like` divides that of the other two.
     pub(super) fn divide(&mut self, sheet: Sheet, ends: [PlaceId; 2], like: [PlaceId; 3]) -> PlaceId {
         let place = self.next_place();
-        self.push(sheet, Part::Image, OperationKind::Divide { place, ends, like });
+        self.push(sheet, OperationRole::Image, OperationKind::Divide { place, ends, like });
         place
     }
 
@@ -301,7 +307,7 @@ impl<'a> Writer<'a> {
         how: MeasuredAs,
     ) -> NumberId {
         let number = self.new_number(kind);
-        self.push(sheet, Part::Number, OperationKind::Measure { number, from, to, how });
+        self.push(sheet, OperationRole::Number, OperationKind::Measure { number, from, to, how });
         number
     }
 
@@ -327,20 +333,20 @@ impl<'a> Writer<'a> {
             return None;
         }
         let number = self.new_number(kind);
-        self.push_by(by_hand, sheet, Part::Number, OperationKind::Take { number, value });
+        self.push_by(by_hand, sheet, OperationRole::Number, OperationKind::Take { number, value });
         Some(number)
     }
 
     pub(crate) fn compute(&mut self, sheet: Sheet, kind: NumberKind, sum: Vec<Product>) -> NumberId {
         let number = self.new_number(kind);
-        self.push(sheet, Part::Number, OperationKind::Compute { number, sum });
+        self.push(sheet, OperationRole::Number, OperationKind::Compute { number, sum });
         number
     }
 
     /// Takes a rate from the computed motion, with the bound of its error.
     pub(super) fn take_computed(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
         let number = self.new_number(NumberKind::Rate(rate));
-        self.push_by(false, sheet, Part::Number, OperationKind::Take { number, value });
+        self.push_by(false, sheet, OperationRole::Number, OperationKind::Take { number, value });
         self.construction.record.exact.set_number(number, Ball::from(value).widened(error));
         number
     }
@@ -348,7 +354,7 @@ impl<'a> Writer<'a> {
     /// Solves linear equations for rates; `None` where they are singular.
     pub(super) fn solve(&mut self, sheet: Sheet, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
         let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
-        self.push(sheet, Part::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
+        self.push(sheet, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
         unknowns.iter().all(|&number| is_known(self.construction.record.exact.exact_number(number))).then_some(unknowns)
     }
 
@@ -359,7 +365,7 @@ impl<'a> Writer<'a> {
         }
         let size = self.compute(sheet, NumberKind::Size, sum);
         let place = self.next_place();
-        self.push(sheet, Part::Vector, OperationKind::LayOff { place, from, size, along });
+        self.push(sheet, OperationRole::Vector, OperationKind::LayOff { place, from, size, along });
         place
     }
 
@@ -375,7 +381,7 @@ impl<'a> Writer<'a> {
         let number = if given {
             let value = self.pose.arm(a, b).norm();
             let number = self.new_number(kind);
-            self.push(Sheet::Scheme, Part::Number, OperationKind::Take { number, value });
+            self.push(Sheet::Scheme, OperationRole::Number, OperationKind::Take { number, value });
             let arm = Pair::between(self.pose.point(a), self.pose.point(b));
             self.construction.record.exact.set_number(number, arm.dot(arm).sqrt());
             number
@@ -397,11 +403,11 @@ impl<'a> Writer<'a> {
         let line = match self.points_of_guide(id) {
             Some(ends) => {
                 let [from, towards] = ends.map(|point| self.plot(point));
-                self.join_places(from, towards, Part::Guide(id))
+                self.join_places(from, towards, OperationRole::Guide(id))
             }
             None => {
                 let at = self.plot(self.mechanism.slider(id).at);
-                self.draw(Sheet::Scheme, Part::Guide(id), at, Along::given(direction))
+                self.draw(Sheet::Scheme, OperationRole::Guide(id), at, Along::given(direction))
             }
         };
         // The scene gives the direction itself; a join of rounded joints would be less exact.

@@ -26,7 +26,7 @@ pub(super) struct Closer<'a> {
     kernel: Kernel,
     block: Single,
     /// The points of the bodies of known position, relative to the kernel's origin.
-    known: Extent,
+    known: BoundingBox,
     surroundings: Vec<Surroundings>,
 }
 
@@ -55,7 +55,7 @@ impl<'a> Closer<'a> {
         Closer {
             mechanism,
             block: Single::new(&kernel),
-            known: Extent::of(places.map(|(_, place)| place - origin)),
+            known: BoundingBox::of(places.map(|(_, place)| place - origin)),
             surroundings: surroundings(mechanism, origin),
             kernel,
         }
@@ -108,7 +108,7 @@ impl<'a> Closer<'a> {
         }
         let members = self.mechanism.groups[group].bodies.iter().copied();
         let places = assembled.frames.places(self.mechanism, members);
-        let own = Extent::of(places.map(|(_, place)| place - self.kernel.origin));
+        let own = BoundingBox::of(places.map(|(_, place)| place - self.kernel.origin));
         let slides: f64 = sliders.iter().map(|id| assembled.slides[id.0].abs()).sum();
         // Coordinates far from either origin are rounded by more.
         let origins = [Point::origin(), Point::from(-self.kernel.origin)];
@@ -283,18 +283,18 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
 
 /// The bounding box of points.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Extent {
+pub(super) struct BoundingBox {
     /// Its lower left and upper right corner; none without points.
     corners: Option<[Point; 2]>,
 }
 
-impl Extent {
-    pub(super) fn of(points: impl IntoIterator<Item = Point>) -> Extent {
-        Extent::default().with(points)
+impl BoundingBox {
+    pub(super) fn of(points: impl IntoIterator<Item = Point>) -> BoundingBox {
+        BoundingBox::default().with(points)
     }
 
     /// The box of its points and these.
-    pub(super) fn with(mut self, points: impl IntoIterator<Item = Point>) -> Extent {
+    pub(super) fn with(mut self, points: impl IntoIterator<Item = Point>) -> BoundingBox {
         for p in points {
             let [low, high] = self.corners.unwrap_or([p, p]);
             self.corners = Some([low.inf(&p), high.sup(&p)]);
@@ -303,7 +303,7 @@ impl Extent {
     }
 
     /// The box of its points and those of another.
-    pub(super) fn joined(self, other: Extent) -> Extent {
+    pub(super) fn joined(self, other: BoundingBox) -> BoundingBox {
         self.with(other.corners.into_iter().flatten())
     }
 

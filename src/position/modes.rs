@@ -1,6 +1,6 @@
 use std::cmp::Ordering;
 
-use super::closing::{Assembled, Closer, Extent, places};
+use super::closing::{Assembled, BoundingBox, Closer, places};
 use super::frames::Frames;
 use super::levers::Lever;
 use super::platform::Platform;
@@ -57,7 +57,7 @@ pub(super) struct Assembler<'a> {
     closer: Closer<'a>,
     groups: Vec<Prepared>,
     /// The points of the bodies of known position.
-    known: Extent,
+    known: BoundingBox,
     /// The work done so far: bodies of the mechanism, times starts from which loops have been closed.
     pub work: usize,
 }
@@ -81,7 +81,7 @@ impl<'a> Assembler<'a> {
             rough,
             closer: Closer::new(mechanism, known),
             groups: mechanism.groups.iter().map(prepared).collect(),
-            known: Extent::of(places.map(|(_, place)| place)),
+            known: BoundingBox::of(places.map(|(_, place)| place)),
             work: 0,
         }
     }

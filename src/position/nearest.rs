@@ -1,4 +1,4 @@
-use super::closing::{Extent, places};
+use super::closing::{BoundingBox, places};
 use super::rough::{Rough, chord};
 use super::tree::{Placed, Tree, WholeAssembly};
 use crate::geometry::Point;
@@ -140,7 +140,7 @@ struct Best {
 /// What decides the weight of rough angles, which hang on the size of the whole.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Laid {
-    pub extent: Extent,
+    pub extent: BoundingBox,
     /// The sum of squared chords at radius 1.
     pub chords: f64,
 }
@@ -266,7 +266,7 @@ impl Wishes {
         };
         if rough.has_angles() {
             let known = mechanism.point_ids().filter(|point| !is_sought(*point));
-            wishes.laid.extent = Extent::of(known.map(|point| places[point.0]));
+            wishes.laid.extent = BoundingBox::of(known.map(|point| places[point.0]));
         }
         wishes
     }

@@ -2,8 +2,8 @@
 
 use super::name::{Asked, Component, Normality, Spot, What};
 use crate::construction::{
-    Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, Part, PlaceId, Product, ProductKind,
-    Solution, SpecialId, StepId, Writer, image_name, normal_name,
+    Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
+    ProductKind, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::sheet::Sheet;
@@ -87,7 +87,7 @@ struct Reader<'a> {
 }
 
 /// A vector as a segment of a plan, or by its computed size along a line.
-enum Drawn {
+enum VectorSource {
     Segment([PlaceId; 2]),
     Computed(NumberId, Along),
 }
@@ -130,19 +130,19 @@ impl Reader<'_> {
     }
 
     /// One number of a vector: measured from the segment, or computed.
-    fn component(&mut self, asked: &Asked, drawn: Drawn) -> Result<(NumberId, Sense), Unread> {
+    fn component(&mut self, asked: &Asked, drawn: VectorSource) -> Result<(NumberId, Sense), Unread> {
         let component = asked.component().ok_or(Unread::Vector)?;
         let sheet = asked.sheet();
         let ends = match (drawn, component) {
             // A segment of zero length, as of a point at rest, is not measured.
-            (Drawn::Segment(ends), _) if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) => {
+            (VectorSource::Segment(ends), _) if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) => {
                 return Err(Unread::NoConstruction);
             }
-            (Drawn::Segment([from, to]), _) if from == to => return Err(Unread::Given),
-            (Drawn::Segment(ends), _) => ends,
-            (Drawn::Computed(size, _), Component::Size) => return Ok((size, Sense::Magnitude)),
+            (VectorSource::Segment([from, to]), _) if from == to => return Err(Unread::Given),
+            (VectorSource::Segment(ends), _) => ends,
+            (VectorSource::Computed(size, _), Component::Size) => return Ok((size, Sense::Magnitude)),
             // Its direction and components are measured after it has been laid off.
-            (Drawn::Computed(size, along), _) => {
+            (VectorSource::Computed(size, along), _) => {
                 let pole = self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?;
                 [pole, self.writer.lay_off(sheet, pole, vec![Product::plain(size)], along)]
             }
@@ -165,16 +165,16 @@ impl Reader<'_> {
     }
 
     /// The vector of a place in a plan, relative to another place if there is one.
-    fn vector(&mut self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<Drawn, Unread> {
+    fn vector(&mut self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<VectorSource, Unread> {
         let to = self.plan_point(sheet, a)?;
         let from = match b {
             Some(b) => self.plan_point(sheet, b)?,
             None => self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?,
         };
-        Ok(Drawn::Segment([from, to]))
+        Ok(VectorSource::Segment([from, to]))
     }
 
-    fn coriolis(&mut self, id: SliderId, on: BodyId) -> Result<Drawn, Unread> {
+    fn coriolis(&mut self, id: SliderId, on: BodyId) -> Result<VectorSource, Unread> {
         let omega = self.rate_or_given(on, 0)?;
         let velocity = self.slide_rate_or_given(id, 0)?;
         let (Some(omega), Some(velocity)) = (omega, velocity) else {
@@ -182,7 +182,7 @@ impl Reader<'_> {
         };
         let product = Product::new(ProductKind::Coriolis, 2.0, &[omega, velocity]);
         let size = self.writer.compute(Sheet::Acceleration, NumberKind::Size, vec![product]);
-        Ok(Drawn::Computed(size, Along::line(self.writer.guide(id)).turned(1)))
+        Ok(VectorSource::Computed(size, Along::line(self.writer.guide(id)).turned(1)))
     }
 
     /// The angular velocity (order 0) or acceleration (order 1) of a link that is solved for; given rates are not read.
@@ -345,7 +345,14 @@ impl Reader<'_> {
     }
 
     /// A part of a relative acceleration: a segment if the construction lays it off, else computed.
-    fn part(&mut self, name: &str, part: Normality, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<Drawn, Unread> {
+    fn part(
+        &mut self,
+        name: &str,
+        part: Normality,
+        a: &Spot,
+        b: &Spot,
+        link: Option<BodyId>,
+    ) -> Result<VectorSource, Unread> {
         let sheet = Sheet::Acceleration;
         if let Spot::Special(special) = a {
             let construction = &self.writer.construction;
@@ -357,20 +364,20 @@ impl Reader<'_> {
                 };
                 let place = |name: &str| construction.place(sheet, name);
                 let ends = place(from).zip(place(to)).ok_or(Unread::NoConstruction)?;
-                return Ok(Drawn::Segment([ends.0, ends.1]));
+                return Ok(VectorSource::Segment([ends.0, ends.1]));
             }
         }
         let link = link.ok_or(Unread::NotDrawn)?;
         let order = usize::from(part == Normality::Tangential);
         let rate = self.rate_or_given(link, order)?.ok_or(Unread::Given)?;
         let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
-        let line = self.writer.join_places(from, to, Part::Line);
+        let line = self.writer.join_places(from, to, OperationRole::Line);
         let length = self.measure(Sheet::Scheme, name, [from, to], MeasuredAs::Along(line));
         let (product, turns) = match part {
             Normality::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),
             Normality::Tangential => (Product::new(ProductKind::Turning, 1.0, &[rate, length]), 1),
         };
         let size = self.writer.compute(sheet, NumberKind::Size, vec![product]);
-        Ok(Drawn::Computed(size, Along::line(line).turned(turns)))
+        Ok(VectorSource::Computed(size, Along::line(line).turned(turns)))
     }
 }

@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::site::Site;
 use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
-use crate::construction::{Action, Along, LineId, NumberId, OperationKind, Part, PlaceId, RayOf, Reference};
+use crate::construction::{Action, Along, LineId, NumberId, OperationKind, OperationRole, PlaceId, RayOf, Reference};
 use crate::geometry::Vector;
 use crate::sheet::Sheet;
 
@@ -89,7 +89,7 @@ fn triangles(site: &Site<'_>) -> Vec<Triangle> {
         })
     };
     let crossed = site.operations().filter_map(|(_, operation)| {
-        let (Part::Image, &OperationKind::Cross { place, lines }) = (operation.part, &operation.kind) else {
+        let (OperationRole::Image, &OperationKind::Cross { place, lines }) = (operation.role, &operation.kind) else {
             return None;
         };
         let [Some(first), Some(second)] = lines.map(|line| arm_ray(site, line)) else { return None };

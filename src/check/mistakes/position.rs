@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::site::Site;
 use super::told::{Blank, tell};
 use crate::check::model::Edit;
-use crate::construction::{Along, OperationKind, Part, Reference};
+use crate::construction::{Along, OperationKind, OperationRole, Reference};
 use crate::mechanism::{BodyId, Role};
 use crate::position::{Pose, pose};
 
@@ -58,11 +58,11 @@ pub(super) fn crank_angle(site: &Site<'_>) -> Vec<Candidate> {
 fn in_pose(site: &Site<'_>, pose: &Pose) -> Vec<(usize, Edit)> {
     let origin = site.model.construction.origin;
     let plotted = site.operations().filter_map(|(index, operation)| {
-        let kind = match (operation.part, &operation.kind) {
-            (Part::Joint(point), &OperationKind::Plot { place, .. }) => {
+        let kind = match (operation.role, &operation.kind) {
+            (OperationRole::Joint(point), &OperationKind::Plot { place, .. }) => {
                 OperationKind::Plot { place, at: pose.point(point) - origin }
             }
-            (Part::Guide(slider), &OperationKind::Draw { line, through, along }) => match along.reference {
+            (OperationRole::Guide(slider), &OperationKind::Draw { line, through, along }) => match along.reference {
                 Reference::Given(_) => {
                     let given = Along::given(pose.guide(slider));
                     OperationKind::Draw { line, through, along: Along { quarter_turns: along.quarter_turns, ..given } }

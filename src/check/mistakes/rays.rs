@@ -4,14 +4,14 @@ use super::candidate::Candidate;
 use super::site::Site;
 use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
-use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, Part};
+use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole};
 use crate::sheet::Sheet;
 
 /// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
 fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
     let step = site.key.solution.construction.step(operation.step?)?;
     match &step.action {
-        Action::Ray(ray) if operation.part == Part::Ray => Some([&ray.through, &ray.to]),
+        Action::Ray(ray) if operation.role == OperationRole::Ray => Some([&ray.through, &ray.to]),
         _ => None,
     }
 }
@@ -93,8 +93,8 @@ fn rate_along(site: &Site<'_>, line: LineId) -> Option<(usize, NumberId)> {
 }
 
 pub(super) fn turned_cut_line(site: &Site<'_>) -> Vec<Candidate> {
-    let turned = |(index, operation): (usize, &Operation)| match (operation.part, &operation.kind) {
-        (Part::CutLine(special), OperationKind::Draw { through, .. }) => {
+    let turned = |(index, operation): (usize, &Operation)| match (operation.role, &operation.kind) {
+        (OperationRole::CutLine(special), OperationKind::Draw { through, .. }) => {
             let special = site.model.construction.special(special).name.as_str();
             turn(site, tell::turned_cut_line(site.place(*through), special.into()), index)
         }
@@ -149,7 +149,8 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, operation) in site.operations() {
-        let (Part::SpecialPoint(special), &OperationKind::Cross { place, lines }) = (operation.part, &operation.kind)
+        let (OperationRole::SpecialPoint(special), &OperationKind::Cross { place, lines }) =
+            (operation.role, &operation.kind)
         else {
             continue;
         };
@@ -172,12 +173,16 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
 /// A line of the scheme: its role, or two of its points.
 fn line_name(site: &Site<'_>, line: LineId) -> Blank {
     let drawn = site.operations().find(|(_, operation)| operation.kind.line() == Some(line));
-    match drawn.map(|(_, operation)| (operation.part, &operation.kind)) {
+    match drawn.map(|(_, operation)| (operation.role, &operation.kind)) {
         Some((_, OperationKind::Join { from, towards, .. })) => {
             Blank::LineThrough(format!("{}{}", site.place_name(*from), site.place_name(*towards)))
         }
-        Some((Part::CutLine(special), _)) => Blank::CutLine(site.model.construction.special(special).name.clone()),
-        Some((Part::Guide(slider), _)) => Blank::Guide(site.key.solution.mechanism.slider_name(slider).to_owned()),
+        Some((OperationRole::CutLine(special), _)) => {
+            Blank::CutLine(site.model.construction.special(special).name.clone())
+        }
+        Some((OperationRole::Guide(slider), _)) => {
+            Blank::Guide(site.key.solution.mechanism.slider_name(slider).to_owned())
+        }
         _ => Blank::LineThrough(String::new()),
     }
 }
