@@ -5,7 +5,7 @@
 //! matches on [`Sheet`], and the compiler names it.
 
 use schemars::JsonSchema;
-use serde::{Deserialize, Serializer};
+use serde::Deserialize;
 use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
@@ -209,11 +209,6 @@ impl Scales {
     /// The scales that are there.
     pub fn given(&self) -> impl Iterator<Item = (Sheet, f64)> {
         self.iter().filter_map(|(sheet, scale)| Some((sheet, (*scale)?)))
-    }
-
-    /// Writes the scales that are there by their keys, as `mu_v`, into the object that has them.
-    pub(crate) fn by_key<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.given().map(|(sheet, scale)| (sheet.scale_key(), scale)))
     }
 }
 

@@ -1,10 +1,10 @@
 //! The boxes of a form, for a page that shows them one by one.
 
 use super::answer_key::AnswerKey;
-use super::entry::{Names, Reader};
+use super::names::{Names, Reader};
+use super::rows::FormNames;
 use super::sheet::Measured;
 use super::shown::ShownNames;
-use super::template::FormNames;
 use crate::construction::{Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
 use crate::quantity::{Asked, What};

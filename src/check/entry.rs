@@ -1,14 +1,11 @@
 use super::answer_key::AnswerKey;
-use super::precision::{Precision, most_digits, whole_rounding};
+use super::names::{Names, Reader};
+use super::precision::{Precision, most_digits, number, whole_rounding};
 use super::sheet::{CheckError, Given, Measured, Positive};
-use super::shown::ShownNames;
-use super::template::{FormNames, UNDER_SLIDER};
 use super::unit;
-use crate::construction::image_name;
-use crate::quantity::{Asked, Kind, Quantity, QuantityError, What};
+use crate::quantity::{Asked, Kind, What};
 use crate::sheet::{Scales, Sheet};
 use crate::text;
-use indexmap::IndexMap;
 
 /// A written value and the quantity it stands for.
 #[derive(Clone, Debug)]
@@ -67,14 +64,7 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
         return Err(CheckError::new(format!("a form has at most {MOST_VALUES} values, and here are {count}"), hint));
     }
     let mut faults = measured.faults.clone();
-    for (sheet, mu) in measured.mu.given() {
-        if !(mu.is_finite() && mu > 0.0) {
-            faults.push(CheckError::new(
-                format!("{} is no scale", sheet.scale_key()),
-                "a scale is a positive number: units of the scene per millimetre of paper",
-            ));
-        }
-    }
+    faults.extend(measured.bad_scales());
     let reader = Reader { measured, key, names };
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
@@ -127,26 +117,6 @@ pub fn faults(measured: &Measured, key: &AnswerKey<'_>) -> Vec<(usize, CheckErro
     measured.values.iter().enumerate().filter_map(fault).collect()
 }
 
-/// The names of a scene's quantities.
-#[derive(Debug)]
-pub(super) struct Names {
-    /// All quantities of the steps, in order, with the numbers of their steps.
-    pub order: IndexMap<String, usize>,
-    /// Those that the form asks for.
-    pub rows: FormNames,
-}
-
-impl Names {
-    pub fn new(key: &AnswerKey<'_>) -> Names {
-        let construction = &key.solution.construction;
-        let steps = construction.steps_of_quantities().into_iter();
-        Names {
-            order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
-            rows: FormNames::new(construction),
-        }
-    }
-}
-
 /// Sets the precision and rounding of each entry from all values of its kind.
 fn find_precisions(entries: &mut [Entry]) {
     let digits = most_digits(entries.iter().map(|entry| entry.text.as_str()));
@@ -165,12 +135,6 @@ fn find_precisions(entries: &mut [Entry]) {
     }
 }
 
-pub(super) struct Reader<'a> {
-    pub measured: &'a Measured,
-    pub key: &'a AnswerKey<'a>,
-    pub names: &'a Names,
-}
-
 impl Reader<'_> {
     fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
         let number = number(&given.text)?;
@@ -179,7 +143,7 @@ impl Reader<'_> {
             Some(name) => (name, true),
             None => (compact.as_str(), false),
         };
-        let (asked, expected, sheet, step) = self.quantity(self.under_slider(name).unwrap_or(name))?;
+        let (asked, expected, sheet, step) = self.meant(name)?;
         let kind = asked.kind();
         let has_length = asked.is_length_on_sheet();
         let on_paper =
@@ -216,25 +180,6 @@ impl Reader<'_> {
         })
     }
 
-    /// The row of the form that a name means which has the pole in place of the image of the ground under a slider. In
-    /// forms that have names with that image the pole is itself.
-    fn under_slider(&self, name: &str) -> Option<&str> {
-        if self.measured.values.iter().any(|given| given.name.contains(UNDER_SLIDER)) {
-            return None;
-        }
-        let solution = self.key.solution;
-        self.names.rows.row_with_pole(&solution.construction, &ShownNames::of(solution).usual(name))
-    }
-
-    /// The name of the form's row that a written name means, and whether `/mu` stands behind it; `None` for no quantity.
-    pub fn row(&self, written: &str) -> Option<(String, bool)> {
-        let compact: String = written.chars().filter(|c| !c.is_whitespace()).collect();
-        let name = compact.strip_suffix("/mu").unwrap_or(&compact);
-        let (asked, ..) = self.quantity(self.under_slider(name).unwrap_or(name)).ok()?;
-        let row = self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned();
-        Some((row, name != compact))
-    }
-
     /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.
     /// `paper`: the sheet on which it was measured in millimetres, if it was.
     fn factors(&self, given: &Given, name: &str, kind: Kind, paper: Option<Sheet>) -> Result<(f64, f64), CheckError> {
@@ -268,114 +213,4 @@ impl Reader<'_> {
     fn scales(&self) -> Scales {
         self.measured.mu.or(self.key.scales)
     }
-
-    /// The quantity that a name stands for, its exact value, its sheet and the number of its step.
-    pub fn quantity(&self, name: &str) -> Result<(Asked, f64, Sheet, usize), CheckError> {
-        let solution = self.key.solution;
-        let wrong = |mut error: QuantityError| {
-            let own = match &mut error {
-                QuantityError::Unknown { nearest, .. } => nearest.take().map(|near| format!("did you mean `{near}`?")),
-                _ => None,
-            };
-            let all = "`kinegon check SCENE --template` lists the names";
-            let names = self.names.order.keys().map(String::as_str);
-            let (message, near) = match error {
-                QuantityError::Form(_) => (
-                    format!("`{}` is no quantity of this scene", text::shown(name)),
-                    crate::scene::nearest(name, names),
-                ),
-                error => (error.problem().message, None),
-            };
-            let near = near.map(|n| format!("the nearest name is `{n}`; {all}"));
-            let hint = own.or(near).unwrap_or_else(|| all.to_owned());
-            CheckError::new(message, hint)
-        };
-        let shown = ShownNames::of(self.key.solution);
-        let name = &shown.usual(name);
-        if let Some(error) = lost_pole(name, &shown, &self.names.order) {
-            return Err(error);
-        }
-        let usual = self.usual(name);
-        let name = usual.as_deref().unwrap_or(name);
-        let mut asked = Asked::new(name, &solution.mechanism).map_err(wrong)?;
-        if asked.is_vector() {
-            asked = Asked::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
-        }
-        let value = asked.value(&solution.snapshot(), Some(&solution.construction), None);
-        let expected = match value.map_err(wrong)? {
-            Quantity::Number(x) => x,
-            Quantity::Vector(v) => v.norm(),
-        };
-        let sheet = asked.sheet();
-        let step = self.names.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
-        Ok((asked, expected, sheet, step))
-    }
-
-    /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had
-    /// a normal part; `None` for other names.
-    fn usual(&self, name: &str) -> Option<String> {
-        if self.names.order.contains_key(name) {
-            return None;
-        }
-        let (head, rest) = name.split_once('(')?;
-        let (from, to) = rest.strip_suffix(')')?.split_once(',')?;
-        let named = |point| match head {
-            "aplan" => self.key.solution.construction.plan_name(Sheet::Acceleration, point),
-            _ => point,
-        };
-        let (from, to) = (named(from), named(to));
-        [[from, to], [to, from]]
-            .map(|[a, b]| format!("{head}({a},{b})"))
-            .into_iter()
-            .find(|n| self.names.order.contains_key(n))
-    }
-
-    /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
-    /// point, or else the last of its sheet. 0 on the scheme.
-    fn step_of(&self, asked: &Asked, sheet: Sheet) -> usize {
-        if sheet == Sheet::Scheme {
-            return 0;
-        }
-        let point = asked.subject().split(['/', ',']).next().unwrap_or("");
-        let image = image_name(point);
-        let steps = || self.key.solution.construction.numbered_steps();
-        let maker = steps().find(|s| s.sheet() == sheet && s.step.action.image() == Some(image.as_str()));
-        let last = steps().filter(|s| s.sheet() <= sheet).last();
-        maker.or(last).map_or(0, |s| s.number)
-    }
-}
-
-/// The error of a name whose π has become a question mark: an encoding without Greek letters lost it.
-fn lost_pole(name: &str, shown: &ShownNames<'_>, order: &IndexMap<String, usize>) -> Option<CheckError> {
-    let lost = name.contains(['?', '\u{fffd}']);
-    let restored = name.replace(['?', '\u{fffd}'], "π");
-    let is_known = |name: &str| order.contains_key(&shown.usual(name));
-    let reversed = || {
-        let (head, ends) = restored.split_once('(')?;
-        let (from, to) = ends.trim_end_matches(')').split_once(',')?;
-        Some(format!("{head}({to},{from})"))
-    };
-    let was_pole = lost && (is_known(&restored) || reversed().is_some_and(|name| is_known(&name)));
-    was_pole.then(|| {
-        let message = format!("the letter π was lost in `{}`", text::shown(name));
-        CheckError::new(message, "save as CSV UTF-8, or write pi")
-    })
-}
-
-/// The number in a form's cell.
-fn number(text: &str) -> Result<f64, CheckError> {
-    // Rust reads the words NaN and infinity as numbers too.
-    let has_digits = text.contains(|c: char| c.is_ascii_digit());
-    let number = if has_digits { text.parse::<f64>().ok() } else { None };
-    let number = number.ok_or_else(|| {
-        CheckError::new(
-            format!("`{}` is no number", text::shown(text)),
-            "write digits with a decimal point, as 61.5; leave blank what you have not measured",
-        )
-    })?;
-    if !(number.is_finite() && number.abs() <= 1e100) {
-        let hint = "is a digit or an exponent wrong?";
-        return Err(CheckError::new(format!("`{}` is too large", text::shown(text)), hint));
-    }
-    Ok(number)
 }

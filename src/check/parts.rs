@@ -3,8 +3,8 @@
 use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::report::ReportText;
+use super::rows::FormNames;
 use super::shown::ShownNames;
-use super::template::FormNames;
 use crate::words::{Medium, Wording};
 
 /// A report in parts, in the markup of [`Overlay::set`](crate::drawing::Overlay::set). What is right and what was

@@ -1,6 +1,7 @@
 //! Values from the places of plan points on paper.
 
-use super::entry::{Entry, Reader};
+use super::entry::Entry;
+use super::names::Reader;
 use super::precision::Precision;
 use super::sheet::{CheckError, PointsOf};
 use crate::construction::Plan;

@@ -1,3 +1,8 @@
+//! Numbers as they are written: their values, and how finely people write.
+
+use super::sheet::CheckError;
+use crate::text::shown;
+
 /// The decimals and the significant digits to which somebody writes values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Precision {
@@ -63,6 +68,24 @@ fn counts(text: &str) -> (i32, i32) {
     let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
     let digits = text.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
     (decimals as i32, digits as i32)
+}
+
+/// The number in a form's cell.
+pub(super) fn number(text: &str) -> Result<f64, CheckError> {
+    // Rust reads the words NaN and infinity as numbers too.
+    let has_digits = text.contains(|c: char| c.is_ascii_digit());
+    let number = if has_digits { text.parse::<f64>().ok() } else { None };
+    let number = number.ok_or_else(|| {
+        CheckError::new(
+            format!("`{}` is no number", shown(text)),
+            "write digits with a decimal point, as 61.5; leave blank what you have not measured",
+        )
+    })?;
+    if !(number.is_finite() && number.abs() <= 1e100) {
+        let hint = "is a digit or an exponent wrong?";
+        return Err(CheckError::new(format!("`{}` is too large", shown(text)), hint));
+    }
+    Ok(number)
 }
 
 #[cfg(test)]

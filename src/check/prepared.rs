@@ -3,8 +3,9 @@
 
 use super::answer_key::AnswerKey;
 use super::covariance::Groups;
-use super::entry::{Entry, Names};
+use super::entry::Entry;
 use super::model::Model;
+use super::names::Names;
 use super::search::other_modes;
 use super::sheet::CheckError;
 use crate::quantity::Band;

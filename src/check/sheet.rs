@@ -2,6 +2,7 @@ use crate::scene::Figure;
 use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
+use serde::{Deserialize, Serialize};
 
 /// The values that somebody has read from a drawing, as they were written down.
 #[derive(Clone, Debug, Default)]
@@ -26,6 +27,17 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// The scales that are none.
+    pub(super) fn bad_scales(&self) -> impl Iterator<Item = CheckError> {
+        let bad = self.mu.given().filter(|(_, mu)| !(mu.is_finite() && *mu > 0.0));
+        bad.map(|(sheet, _)| {
+            CheckError::new(
+                format!("{} is no scale", sheet.scale_key()),
+                "a scale is a positive number: units of the scene per millimetre of paper",
+            )
+        })
+    }
+
     /// Asks for a figure at the scales of the student's own sheet, as far as the form has them.
     pub fn put_scales_into(&self, figure: &mut Figure) {
         figure.set_scales(self.mu.or(figure.given_scales()));
@@ -77,6 +89,11 @@ impl PointsOf {
         self.places.insert(name, at);
     }
 
+    /// The points with their places and radii.
+    pub(super) fn all(&self) -> impl Iterator<Item = (&str, [f64; 2], Option<f64>)> {
+        self.places.iter().map(|(name, at)| (name.as_str(), *at, self.bands.get(name).copied()))
+    }
+
     /// The name that the pole has among the places.
     #[must_use]
     pub fn pole(&self) -> Option<&'static str> {
@@ -86,12 +103,31 @@ impl PointsOf {
 }
 
 /// Which sense of rotation counts as positive.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Positive {
     /// As in scenes and results.
     CounterClockwise,
     /// Opposite to scenes and results.
     Clockwise,
+}
+
+impl Positive {
+    /// Both senses.
+    const ALL: [Positive; 2] = [Positive::CounterClockwise, Positive::Clockwise];
+
+    /// The sense of this word, as forms have it.
+    pub(super) fn from_word(word: &str) -> Option<Positive> {
+        Positive::ALL.into_iter().find(|sense| sense.as_str() == word)
+    }
+
+    /// The word for it in forms.
+    pub(super) fn as_str(self) -> &'static str {
+        match self {
+            Positive::CounterClockwise => "counter-clockwise",
+            Positive::Clockwise => "clockwise",
+        }
+    }
 }
 
 /// Why values cannot be checked: what, and what to try.

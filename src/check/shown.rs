@@ -3,11 +3,12 @@
 //! Quantities keep their names in results; a form writes `vplan(o,b)` where the figure's notation calls the pole o. A
 //! form may have either name, and the usual ones of poles in all notations.
 
-use super::template::FormNames;
+use super::rows::FormNames;
+use super::sheet::CheckError;
 use crate::construction::{Plan, Solution};
 use crate::quantity::{Asked, Spot, What};
 use crate::sheet::Sheet;
-use crate::text::Untrusted;
+use crate::text::{Untrusted, shown};
 use crate::words::{Notation, Wording, with_prime};
 
 /// Names of a solved scene's quantities in its figure's notation, with its labels.
@@ -96,6 +97,26 @@ impl<'a> ShownNames<'a> {
         };
         let ends = parts.ends.iter().map(|end| self.usual_point(sheet, end));
         parts.with_ends(&ends.collect::<Vec<String>>())
+    }
+
+    /// The error of a name whose π has become a question mark: an encoding without Greek letters lost it. `is_usual`:
+    /// whether the steps have a quantity of that usual name.
+    pub fn lost_pole(&self, name: &str, is_usual: impl Fn(&str) -> bool) -> Option<CheckError> {
+        if !name.contains(['?', '\u{fffd}']) {
+            return None;
+        }
+        let restored = name.replace(['?', '\u{fffd}'], "π");
+        let is_known = |name: &str| is_usual(&self.usual(name));
+        let reversed = || {
+            let (head, ends) = restored.split_once('(')?;
+            let (from, to) = ends.trim_end_matches(')').split_once(',')?;
+            Some(format!("{head}({to},{from})"))
+        };
+        let was_pole = is_known(&restored) || reversed().is_some_and(|name| is_known(&name));
+        was_pole.then(|| {
+            let message = format!("the letter π was lost in `{}`", shown(name));
+            CheckError::new(message, "save as CSV UTF-8, or write pi")
+        })
     }
 
     /// The usual name of a point of a sheet written in any notation.

@@ -2,7 +2,7 @@
 
 use super::sheet::{CheckError, Given, Measured, PointsOf, Positive, WIDEST};
 use crate::sheet::Sheet;
-use crate::text::shown;
+use crate::text::{Untrusted, cell, shown};
 
 impl Measured {
     /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
@@ -78,16 +78,12 @@ impl Measured {
             "name" => self.name = Some(written.into()),
             "exercise" => self.exercise = Some(written.into()),
             "positive" => {
-                self.positive = Some(match value.as_str() {
-                    "clockwise" => Positive::Clockwise,
-                    "counter-clockwise" => Positive::CounterClockwise,
-                    other => {
-                        return Err(CheckError::new(
-                            format!("`{}` is no sense of rotation", shown(other)),
-                            "write `clockwise` or `counter-clockwise`",
-                        ));
-                    }
-                });
+                self.positive = Some(Positive::from_word(&value).ok_or_else(|| {
+                    CheckError::new(
+                        format!("`{}` is no sense of rotation", shown(&value)),
+                        "write `clockwise` or `counter-clockwise`",
+                    )
+                })?);
             }
             "in" => {
                 self.in_mm = match value.as_str() {
@@ -110,6 +106,35 @@ impl Measured {
         }
         Ok(())
     }
+}
+
+/// A form as a table: its head, its values as name, digits and unit, the places of its points.
+pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v str; 3]>) -> String {
+    let blank_or_quoted = |text: &str| if text.is_empty() { String::new() } else { quoted(text) };
+    let own = |text: &Untrusted| blank_or_quoted(&text.for_cell());
+    let mut lines = vec!["quantity,value,unit".to_owned()];
+    lines.extend(measured.name.as_ref().map(|name| format!("name,{},", own(name))));
+    lines.extend(measured.exercise.as_ref().map(|exercise| format!("exercise,{},", own(exercise))));
+    lines.extend(measured.mu.given().map(|(sheet, mu)| format!("{},{mu},", sheet.scale_key())));
+    lines.extend(measured.positive.map(|sense| format!("positive,{},", sense.as_str())));
+    lines.extend(measured.in_mm.then(|| "in,mm,".to_owned()));
+    lines.extend(
+        values
+            .map(|[name, digits, unit]| format!("{},{},{}", quoted(name), cell(digits), blank_or_quoted(&cell(unit)))),
+    );
+    for plan in &measured.points {
+        let line = |(name, at, band): (&str, [f64; 2], Option<f64>)| {
+            let numbers: String = at.iter().chain(&band).map(|x| format!(",{x}")).collect();
+            quoted(&format!("{}:{name}", plan.kind.as_str())) + &numbers
+        };
+        lines.extend(plan.all().map(line));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The text of a cell, in quotes.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
 }
 
 /// The plan and the point that the name of a place means, as `velocity:b`; `None` for other names.

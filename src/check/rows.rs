@@ -1,10 +1,7 @@
-//! Empty forms: every quantity of the steps, in the order of the construction.
+//! The rows of a form: every quantity of the steps once, in the order of the construction.
 
-use super::shown::ShownNames;
-use crate::construction::{Construction, PlaceId, Solution};
-use crate::sheet::{Scales, Sheet};
-use indexmap::IndexMap;
-use serde::Serialize;
+use crate::construction::{Construction, PlaceId};
+use crate::sheet::Sheet;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
 ///
@@ -109,76 +106,4 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
         }
     }
     rows
-}
-
-/// A form without values.
-#[derive(Clone, Copy, Debug)]
-pub struct EmptyForm<'a> {
-    /// The scene whose quantities are asked for.
-    pub solution: &'a Solution,
-    /// The scales that stand in it.
-    pub scales: Scales,
-    /// The name of the exercise that it belongs to.
-    pub exercise: Option<&'a str>,
-}
-
-/// The sense of rotation that counts as positive in every form, as in scenes and results; a slide is positive along its
-/// guide.
-const POSITIVE: &str = "counter-clockwise";
-
-/// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
-#[derive(Debug, Serialize)]
-struct FormFile<'a> {
-    kinegon_measured: u64,
-    name: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    exercise: Option<&'a str>,
-    #[serde(flatten, serialize_with = "Scales::by_key")]
-    scales: Scales,
-    positive: &'static str,
-    values: IndexMap<String, &'static str>,
-}
-
-impl EmptyForm<'_> {
-    /// The form as JSON.
-    #[must_use]
-    pub fn json(&self) -> String {
-        crate::format::json(&FormFile {
-            kinegon_measured: 1,
-            name: "",
-            exercise: self.exercise,
-            scales: self.scales,
-            positive: POSITIVE,
-            values: self.names().into_iter().map(|name| (name, "")).collect(),
-        })
-    }
-
-    /// The form as a table.
-    #[must_use]
-    pub fn csv(&self) -> String {
-        let mut text = String::from("quantity,value,unit\nname,,\n");
-        if let Some(exercise) = self.exercise {
-            text.push_str(&format!("exercise,{},\n", quoted(exercise)));
-        }
-        for (sheet, scale) in self.scales.given() {
-            text.push_str(&format!("{},{scale},\n", sheet.scale_key()));
-        }
-        text.push_str(&format!("positive,{POSITIVE},\n"));
-        for name in self.names() {
-            text.push_str(&format!("{},,\n", quoted(&name)));
-        }
-        text
-    }
-
-    /// The names of the quantities, in the notation of the figure.
-    fn names(&self) -> Vec<String> {
-        let shown = ShownNames::of(self.solution);
-        let rows = FormNames::new(&self.solution.construction);
-        rows.names().map(|name| shown.in_form(name, &rows)).collect()
-    }
-}
-
-/// The text of a cell, in quotes.
-pub(super) fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
 }
