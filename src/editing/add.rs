@@ -1,5 +1,7 @@
 //! New links, points and sliders, with lengths and places measured in the present position.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 
 use super::document::Document;
@@ -8,9 +10,58 @@ use super::names::Names;
 use super::number::Decimals;
 use super::present::Present;
 use super::rename::no_such;
-use super::{Along, NewLink, NewPoint, NewSlider};
 use crate::geometry::Point;
 use crate::scene::{LengthUnit, SceneError, Units, why_not};
+
+/// A new link.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NewLink {
+    /// Its points. One that the scene has already becomes a joint.
+    pub points: Vec<PlacedPoint>,
+}
+
+/// A point where it is, or is to be, in the present position.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlacedPoint {
+    /// Its name.
+    pub name: String,
+    /// Its place in the fixed frame, in units of length.
+    pub at: [f64; 2],
+}
+
+/// A further point of a link.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NewPoint {
+    /// The link, or `ground`.
+    pub link: String,
+    /// The point's name.
+    pub name: String,
+    /// Its place in the present position, in the fixed frame.
+    pub at: [f64; 2],
+}
+
+/// A new slider.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct NewSlider {
+    /// The sliding link; empty for a pin in a slot.
+    pub link: String,
+    /// The point of it that is on the guide, or the pin.
+    pub at: String,
+    /// What carries the guide: a link, or `ground`.
+    pub on: String,
+    /// The guide's direction: degrees, or two points of its carrier as `BE`.
+    pub along: Along,
+}
+
+/// The direction of a new guide.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Along {
+    /// From +x on the ground, from the carrier's axis otherwise.
+    Degrees(f64),
+    /// Two points of the carrier.
+    Points(String),
+}
 
 /// The text of a scene without links, to begin with: two fixed points A and D.
 #[must_use]

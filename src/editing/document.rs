@@ -5,8 +5,8 @@ use jsonc_parser::common::Ranged;
 use serde_json::Value as Json;
 use std::ops::Range;
 
-use super::layout::{Layout, indent, order, quoted};
-use crate::scene::{SceneError, SceneTree};
+use super::layout::{Layout, indent, quoted};
+use crate::scene::{SceneError, SceneTree, key_order};
 
 /// A text in the course of changes. Paths are JSON paths; an index of a list is written in digits.
 #[derive(Clone, Debug)]
@@ -284,7 +284,7 @@ impl<T: Ranged> Part for T {
 /// Where a new key belongs: behind those that people write before it, else before those that they write after it, else
 /// last, but before a note.
 fn place(object: &Object<'_>, key: &str, path: &[&str]) -> usize {
-    let order = order(path);
+    let order = key_order(path);
     let rank = |name: &str| order.iter().position(|known| *known == name);
     let names: Vec<&str> = object.properties.iter().map(|property| property.name.as_str()).collect();
     let before = rank(key).and_then(|own| names.iter().rposition(|name| rank(name).is_some_and(|rank| rank < own)));

@@ -2,12 +2,11 @@
 
 use serde_json::{Value as Json, json};
 
-use super::Named;
 use super::document::Document;
-use super::names::Names;
+use super::names::{Named, Names};
 use super::quantity_names::Renamer;
 use super::rename::no_such;
-use crate::scene::{SceneError, pair};
+use crate::scene::{JOINTS, Meaning, SceneError, meaning, pair};
 
 /// Removes a link, its sliders, and the points that nothing else has.
 pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
@@ -16,8 +15,11 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
         return Err(no_such(document, "link", name, &names.links.keys().cloned().collect::<Vec<_>>()));
     };
     document.remove(&["links", name])?;
-    let sliders = |slider: &Json| slider["link"] == *name || slider["on"] == *name;
-    remove_sliders(document, &sliders)?;
+    for list in JOINTS {
+        let names_it =
+            |(key, value): (&String, &Json)| *value == *name && meaning(&[list, "", key], false) == Some(Meaning::Link);
+        remove_entries(document, list, &|joint| joint.as_object().into_iter().flatten().any(names_it))?;
+    }
     document.remove(&["near", &format!("angle({name})")])?;
     remove_named(document, &names, Named::Link, name)?;
     let is_elsewhere = |point: &String| {
@@ -35,7 +37,7 @@ pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), Scene
     if !names.has_point(name) {
         return Err(no_such(document, "point", name, &names.points()));
     }
-    remove_sliders(document, &|slider| slider["at"] == *name || slider["pin"] == *name)?;
+    remove_entries(document, "sliders", &|slider| slider["at"] == *name || slider["pin"] == *name)?;
     remove_guides(document, &names, name)?;
     for (link, points) in names.links.iter().filter(|(_, points)| points.iter().any(|point| point == name)) {
         take_from_link(document, link, points, name)?;
@@ -91,7 +93,7 @@ fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], na
 
 /// Removes what only says something of a point: its place, its known motion, its label, its path.
 fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), SceneError> {
-    remove_sliders(document, &|slider| slider["pin"] == *name)?;
+    remove_entries(document, "sliders", &|slider| slider["pin"] == *name)?;
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
@@ -103,11 +105,12 @@ fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), 
     remove_named(document, names, Named::Point, name)
 }
 
-fn remove_sliders(document: &mut Document<'_>, is_gone: &dyn Fn(&Json) -> bool) -> Result<(), SceneError> {
+/// Removes entries of a list at the top.
+fn remove_entries(document: &mut Document<'_>, list: &str, is_gone: &dyn Fn(&Json) -> bool) -> Result<(), SceneError> {
     let scene = document.json();
-    let sliders = scene["sliders"].as_array().into_iter().flatten().enumerate();
-    let gone: Vec<String> = sliders.filter(|(_, slider)| is_gone(slider)).map(|(index, _)| index.to_string()).collect();
-    gone.iter().rev().try_for_each(|index| document.remove(&["sliders", index]))
+    let entries = scene[list].as_array().into_iter().flatten().enumerate();
+    let gone: Vec<String> = entries.filter(|(_, entry)| is_gone(entry)).map(|(index, _)| index.to_string()).collect();
+    gone.iter().rev().try_for_each(|index| document.remove(&[list, index]))
 }
 
 /// Lets guides that a point defines go on without it: in the direction that coordinates give, else along the axis.
@@ -153,9 +156,5 @@ fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &
     for (label, _) in labels.filter(|(label, _)| renamer.plan_name(label).is_some()) {
         document.remove(&["figure", "labels", label])?;
     }
-    let wanted = scene["want"].as_array().into_iter().flatten().enumerate();
-    let is_gone = |quantity: &Json| quantity.as_str().is_some_and(|quantity| renamer.quantity(quantity).is_some());
-    let gone: Vec<String> =
-        wanted.filter(|(_, quantity)| is_gone(quantity)).map(|(index, _)| index.to_string()).collect();
-    gone.iter().rev().try_for_each(|index| document.remove(&["want", index]))
+    remove_entries(document, "want", &|quantity| quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some()))
 }

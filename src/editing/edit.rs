@@ -4,7 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
+use super::add::{NewLink, NewPoint, NewSlider};
 use super::document::Document;
+use super::names::Named;
 use super::{add, drop, rename};
 use crate::scene::SceneError;
 
@@ -77,66 +79,6 @@ impl From<&str> for Key {
     fn from(name: &str) -> Key {
         Key::Name(name.to_owned())
     }
-}
-
-/// What has a name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum Named {
-    /// A point.
-    Point,
-    /// A link.
-    Link,
-}
-
-/// A new link.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct NewLink {
-    /// Its points. One that the scene has already becomes a joint.
-    pub points: Vec<PlacedPoint>,
-}
-
-/// A point where it is, or is to be, in the present position.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct PlacedPoint {
-    /// Its name.
-    pub name: String,
-    /// Its place in the fixed frame, in units of length.
-    pub at: [f64; 2],
-}
-
-/// A further point of a link.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct NewPoint {
-    /// The link, or `ground`.
-    pub link: String,
-    /// The point's name.
-    pub name: String,
-    /// Its place in the present position, in the fixed frame.
-    pub at: [f64; 2],
-}
-
-/// A new slider.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct NewSlider {
-    /// The sliding link; empty for a pin in a slot.
-    pub link: String,
-    /// The point of it that is on the guide, or the pin.
-    pub at: String,
-    /// What carries the guide: a link, or `ground`.
-    pub on: String,
-    /// The guide's direction: degrees, or two points of its carrier as `BE`.
-    pub along: Along,
-}
-
-/// The direction of a new guide.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
-pub enum Along {
-    /// From +x on the ground, from the carrier's axis otherwise.
-    Degrees(f64),
-    /// Two points of the carrier.
-    Points(String),
 }
 
 /// The text of a scene after some changes, one after the other. It need not be a scene that can be solved, neither before

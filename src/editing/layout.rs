@@ -61,17 +61,3 @@ pub(super) fn indent<'a>(body: &'a str, part: &impl Ranged) -> Option<&'a str> {
     let before = &body[start..part.start()];
     before.chars().all(char::is_whitespace).then_some(before)
 }
-
-/// The keys of a scene, its links, drives and sliders in the order in which people write them; of other objects none.
-pub(super) fn order(path: &[&str]) -> &'static [&'static str] {
-    match path {
-        [] => &[
-            "$schema", "kinegon", "title", "units", "ground", "points", "known", "links", "sliders", "near", "figure",
-            "want",
-        ],
-        ["links", _] => &["points", "lengths", "shape", "drive", "angle", "motion"],
-        [.., "drive"] => &["angle", "omega", "rpm", "alpha", "position", "speed", "acceleration"],
-        ["sliders", _] => &["link", "at", "pin", "on", "through", "along", "turned", "drive"],
-        _ => &[],
-    }
-}

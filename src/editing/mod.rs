@@ -24,9 +24,10 @@ mod rename;
 #[doc(hidden)] // for tests
 pub mod reshape;
 
-pub use add::blank;
+pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
 pub use drive::{with_mode, with_position};
-pub use edit::{Along, Edit, Key, Named, NewLink, NewPoint, NewSlider, PlacedPoint, apply};
+pub use edit::{Edit, Key, apply};
 pub use figure::with_figure;
+pub use names::Named;
 pub use present::places;
 pub use reshape::{Pins, Reshape, Reshaped};

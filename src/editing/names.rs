@@ -1,9 +1,21 @@
 //! The names in a scene's text, whether it can be solved or not.
 
 use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
 use crate::scene::pair;
+
+/// What has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Named {
+    /// A point.
+    Point,
+    /// A link.
+    Link,
+}
 
 /// The names of points and links that a text gives.
 #[derive(Clone, Debug, Default)]

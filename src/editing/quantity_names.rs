@@ -1,7 +1,6 @@
 //! Names of points and links within names of quantities, of points of the plans and of parts of the construction.
 
-use super::Named;
-use super::names::Names;
+use super::names::{Named, Names};
 use crate::construction::image_name;
 
 /// Where such names mean one point or one link, and the new name of it.

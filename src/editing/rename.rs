@@ -1,10 +1,9 @@
 //! Another name for a point or a link, everywhere.
 
-use super::Named;
 use super::document::{Document, Word};
-use super::names::{Names, joined_like};
+use super::names::{Named, Names, joined_like};
 use super::quantity_names::Renamer;
-use crate::scene::{Scene, SceneError, nearest, pair, why_not};
+use crate::scene::{Meaning, Scene, SceneError, meaning, nearest, pair, why_not};
 
 /// Gives a point or a link another name, in all places where the scene means it.
 ///
@@ -63,40 +62,18 @@ impl Renaming<'_> {
     /// The new form of a word of the scene.
     fn word(&self, Word { path, is_key, word }: Word<'_>) -> Option<String> {
         let path: Vec<&str> = path.iter().map(String::as_str).collect();
-        match (path.as_slice(), is_key) {
-            (["figure", "labels"], true) => return self.renamer.plan_name(word),
-            (["want", _], false) => return self.renamer.quantity(word),
-            _ => {}
+        let is = |name: &str| name == self.from;
+        let angle = |link: &str| format!("angle({link})");
+        match (meaning(&path, is_key)?, self.what) {
+            (Meaning::OfPlan, _) => return self.renamer.plan_name(word),
+            (Meaning::Quantity, _) => return self.renamer.quantity(word),
+            (Meaning::PairOfLink(link), Named::Point) => return self.pair(link, word),
+            (Meaning::PairOfGuide(slider), Named::Point) => return self.pair(self.names.carrier(slider), word),
+            (Meaning::PointOrAngle, Named::Link) => (word == angle(self.from)).then(|| angle(self.to)),
+            (Meaning::Point | Meaning::PointOrAngle, Named::Point) => is(word).then(|| self.to.to_owned()),
+            (Meaning::Link, Named::Link) => is(word).then(|| self.to.to_owned()),
+            _ => None,
         }
-        match self.what {
-            Named::Point => self.in_place_of_point(&path, is_key, word),
-            Named::Link => self.in_place_of_link(&path, is_key, word),
-        }
-    }
-
-    fn in_place_of_point(&self, path: &[&str], is_key: bool, word: &str) -> Option<String> {
-        let is_name = match (path, is_key) {
-            (["ground" | "points" | "known" | "near"] | ["links", _, "shape"], true) => true,
-            (["ground", _] | ["links", _, _] | ["links", _, "points", _], false) => true,
-            (["links", _, "motion", "at"] | ["sliders", _, "at" | "pin" | "through"], false) => true,
-            (["figure", "trace", _], false) => true,
-            (["links", link, "lengths"], true) => return self.pair(link, word),
-            (["sliders", slider, "along"], false) => return self.pair(self.names.carrier(slider), word),
-            _ => false,
-        };
-        (is_name && word == self.from).then(|| self.to.to_owned())
-    }
-
-    fn in_place_of_link(&self, path: &[&str], is_key: bool, word: &str) -> Option<String> {
-        let is_name = match (path, is_key) {
-            (["links"], true) | (["sliders", _, "link" | "on"], false) => true,
-            (["near"], true) => {
-                let is_angle = word.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')')) == Some(self.from);
-                return is_angle.then(|| format!("angle({})", self.to));
-            }
-            _ => false,
-        };
-        (is_name && word == self.from).then(|| self.to.to_owned())
     }
 
     /// The key of two points of a carrier with the new name.

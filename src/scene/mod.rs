@@ -21,6 +21,7 @@ mod given;
 mod kinds;
 mod known;
 mod link;
+mod meaning;
 mod name;
 mod names;
 mod page;
@@ -55,6 +56,7 @@ pub use units::{LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
 pub(crate) use figure::figure_keys;
+pub(crate) use meaning::{JOINTS, Meaning, key_order, meaning};
 pub(crate) use name::{pair, why_not};
 pub(crate) use schema::schema_of;
 pub(crate) use text::{FileKind, SceneTree};
