@@ -8,13 +8,11 @@ use super::figure::composition;
 use super::layout::Layout;
 use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
-use super::panels::{content, extents, hints, panels};
+use super::panels::{Extents, content, extents, hints, panels};
 use super::sheet::Drawing;
 use super::style::Style;
-use super::view::Extent;
 use crate::construction::Solution;
 use crate::scene::Figure;
-use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::Wording;
 
@@ -75,7 +73,7 @@ pub fn overlay_words(figure: &Figure, title: &Untrusted, overlay: &Overlay) -> V
 fn sheet<'a>(
     context: &'a SheetContext<'a>,
     overlay: &'a Overlay,
-    extents: &[(Sheet, Extent)],
+    extents: &Extents,
     notes: Notes<'a>,
 ) -> Composition<'a> {
     let student_layer = |panel| Box::new(OwnLayer { overlay, context, panel });
@@ -92,11 +90,11 @@ fn sheet<'a>(
 fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Division<'a> {
     let page = context.surface.dims.page;
     let notes = |place| Notes { overlay, words: context.words, page, place };
-    let division = |extents: &[(Sheet, Extent)], place: WordsPlace| {
+    let division = |extents: &Extents, place: WordsPlace| {
         let sheet = sheet(context, overlay, extents, notes(place));
         Division { place, layout: sheet.layout(), sheet }
     };
-    let divisions_for = |extents: &[(Sheet, Extent)]| {
+    let divisions_for = |extents: &Extents| {
         let mut words = division(extents, WordsPlace::Below);
         for part in BESIDE {
             let beside = division(extents, WordsPlace::Beside(part * page[0]));
@@ -114,17 +112,24 @@ fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Div
     // Panels extended for the student's points: all, then all but one, all but two …, none.
     let mut kept: Vec<u32> = (0..1 << right_extents.len()).collect();
     kept.sort_by_key(|panels| std::cmp::Reverse(panels.count_ones()));
+    let mut tried: Vec<Extents> = Vec::new();
     for panels in kept {
         let extents = right_extents.iter().enumerate().map(|(index, &(panel, extent))| {
             let is_given = context.figure().mu(panel).is_some();
             let is_kept = panels & (1 << index) != 0;
             (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
         });
-        for division in divisions_for(&extents.collect::<Vec<_>>()) {
+        let extents: Extents = extents.collect();
+        // Where the student's points are within the right content it makes no difference which panels are extended.
+        if tried.contains(&extents) {
+            continue;
+        }
+        for division in divisions_for(&extents) {
             if best.as_ref().is_none_or(|best| shows(&division) > shows(best)) {
                 best = Some(division);
             }
         }
+        tried.push(extents);
     }
     best.expect("there is a way to keep no panel's points")
 }

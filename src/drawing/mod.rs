@@ -4,7 +4,6 @@
 //! order with every text measured and every label placed. The formats write that list and decide nothing.
 
 mod arrow;
-mod blank;
 mod canvas;
 mod clip;
 mod compose;
@@ -53,7 +52,6 @@ mod words;
 mod worksheet;
 
 pub use arrow::arrow_head;
-pub use blank::SheetLabels;
 pub use correction::{overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
@@ -61,14 +59,16 @@ pub use figure_sheets::FigureSheets;
 pub use fonts::{ITALIC, REGULAR};
 pub use held_layout::{Handle, HeldLayout, HeldPanel};
 pub use key_table::KeyRow;
-pub use labels::{LabelRequest, Obstacles, PlacedLabel, place};
+pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};
 pub use markup::{Run, Script};
+pub use obstacles::Obstacles;
 pub use over_photo::{SeenPoint, over_photo};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use pen::Pen;
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark};
+pub use sheet_notes::SheetLabels;
 pub use step_numbers::Steps;
 pub use style::Style;
 pub use text::{Anchor, PlacedRun, PlacedText, RichText};

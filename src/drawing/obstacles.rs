@@ -1,9 +1,19 @@
 //! What marks and labels of a panel keep off.
 
 use super::grid::Grid;
-use super::labels::Obstacles;
 use super::shape::overlap;
 use kurbo::{Line, ParamCurveNearest, Point, Rect};
+
+/// Obstacles for labels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Obstacles {
+    /// Joints, arrowheads, boxes: never touched.
+    pub boxes: Vec<Rect>,
+    /// Lines: crossing one costs by the length inside the label's box.
+    pub lines: Vec<(Point, Point)>,
+    /// The panel: no label leaves it.
+    pub bounds: Rect,
+}
 
 /// The obstacles of a panel, and where they lie.
 #[derive(Clone, Debug)]

@@ -1,14 +1,14 @@
-//! Notes on an exercise's sheets: room for a name, the paper that the plans need, which sense is positive, what the
+//! How sheets of exercises write quantities, and their notes: room for a name, the paper that the plans need, which sense is positive, what the
 //! auxiliary points of the plans are.
 
 use super::compose::TITLE_SIZE;
-use super::context::SheetContext;
+use super::context::{Purpose, SheetContext};
 use super::dims::MARGIN;
 use super::layout::{Item, Layout};
 use super::plan::sight::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
-use crate::construction::Plan;
+use crate::construction::{Plan, Solution};
 use crate::quantity::{Asked, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::Sheet;
@@ -21,7 +21,50 @@ const WHITE: f64 = 10.0;
 /// Least white between the title and the fields beside it, in mm.
 const GAP: f64 = 8.0;
 
+/// How the sheets of a scene write quantities and plan points.
+pub struct SheetLabels<'a>(SheetContext<'a>);
+
+impl<'a> SheetLabels<'a> {
+    /// The labels of a scene.
+    #[must_use]
+    pub fn of(solution: &'a Solution) -> SheetLabels<'a> {
+        SheetLabels(SheetContext::new(solution, Purpose::Drawing))
+    }
+
+    /// A quantity: a segment or length by its ends, a rate by its symbol.
+    #[must_use]
+    pub fn quantity(&self, asked: &Asked) -> RichText {
+        RichText::math(&self.0.quantity(asked))
+    }
+
+    /// Which sense is positive, and what the auxiliary points are that the quantities name.
+    #[must_use]
+    pub fn notes(&self, asked: &[Asked]) -> Vec<RichText> {
+        self.0.notes(asked).iter().map(|note| RichText::plain(note)).collect()
+    }
+
+    /// A point of a plan.
+    #[must_use]
+    pub fn plan_point(&self, plan: &Plan, name: &str) -> RichText {
+        RichText::math(&self.0.shown(name, Some(plan)))
+    }
+}
+
 impl SheetContext<'_> {
+    /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
+    pub(super) fn quantity(&self, asked: &Asked) -> String {
+        let plan = match asked.what() {
+            What::Segment { kind, .. } => self.construction().plans().find(|plan| plan.kind == *kind),
+            _ => None,
+        };
+        let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
+        match asked.what() {
+            What::Segment { from, to, .. } => between(from, to),
+            What::Length(from, to) => between(from.name(), to.name()),
+            _ => asked.symbol(self.mechanism(), self.words.notation, &|name| self.shown(name, None)),
+        }
+    }
+
     /// The notes for a sheet with these quantities: senses, and auxiliary points.
     pub(super) fn notes(&self, asked: &[Asked]) -> Vec<String> {
         std::iter::once(self.note_on_senses(asked)).chain(self.note_on_points(asked)).collect()

@@ -1,5 +1,5 @@
-//! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction,
-//! and a ruler by which the size of a print is checked.
+//! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction, or
+//! with boxes to be filled in; and a ruler by which the size of a print is checked.
 
 use super::context::SheetContext;
 use super::dims::Dims;
@@ -13,7 +13,7 @@ use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Table};
 use super::text::{CAPTION, RichText};
 use crate::construction::{Action, Plan};
-use crate::quantity::Kind;
+use crate::quantity::{Asked, Kind, What};
 use crate::sheet::Sheet;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
@@ -46,8 +46,11 @@ pub(super) enum TablePlace {
     Apart,
 }
 
+/// Widths of the boxes for millimetres and values, in mm.
+const BOXES: [f64; 2] = [15.0, 21.0];
+
 /// Number of cells: name, millimetres, scale, value, unit.
-pub(super) const CELLS: usize = 5;
+const CELLS: usize = 5;
 /// Index of the cell of millimetres.
 const MILLIMETRES: usize = 1;
 
@@ -99,6 +102,21 @@ impl Worksheet {
         Self { table, lengths, words, dims: context.surface.dims, place: TablePlace::Anywhere }
     }
 
+    /// A table with boxes for the quantities to be found.
+    pub(super) fn blank(context: &SheetContext<'_>, asked: &[Asked]) -> Self {
+        let language = context.words.language;
+        let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(context, asked, number)).collect();
+        let mut table = table(language.exercise_quantity(), language.value(), rows);
+        [table.widths[1], table.widths[3]] = BOXES;
+        Self {
+            table,
+            lengths: Vec::new(),
+            words: context.words,
+            dims: context.surface.dims,
+            place: TablePlace::Anywhere,
+        }
+    }
+
     /// The table with millimetres at a layout's scales.
     fn at_scales(&self, layout: &Layout) -> Table<CELLS> {
         let mut table = self.table.clone();
@@ -113,6 +131,26 @@ impl Worksheet {
     /// The same without room for a ruler.
     pub(super) fn filled(&self, layout: &Layout) -> Table<CELLS> {
         Table { foot: ([0.0; 2], 0), ..self.at_scales(layout) }
+    }
+}
+
+/// The row of a quantity to be found. Only lengths on paper have a scale.
+fn blank_row(context: &SheetContext<'_>, asked: &Asked, number: usize) -> Cells<CELLS> {
+    let name = context.quantity(asked);
+    let is_length = matches!(asked.what(), What::Segment { .. } | What::Length(..));
+    let scale = if is_length { symbol(asked.kind()) } else { "" };
+    Cells {
+        texts: [
+            RichText::math(&name),
+            RichText::plain(""),
+            RichText::math(scale),
+            RichText::plain(""),
+            RichText::plain(&asked.kind().unit(context.scene().units)),
+        ],
+        id: Some(format!("box-{number}")),
+        since: 0,
+        stands_out: false,
+        boxes: [false, is_length, false, true, false],
     }
 }
 
@@ -146,7 +184,7 @@ pub(super) fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
 }
 
 /// A table with these headings over names and values, and room for the ruler.
-pub(super) fn table(name: &str, value: &str, rows: Vec<Cells<CELLS>>) -> Table<CELLS> {
+fn table(name: &str, value: &str, rows: Vec<Cells<CELLS>>) -> Table<CELLS> {
     let head = [name, "mm", "μ", value, ""].map(RichText::plain);
     let names = ["name", "mm", "scale", "value", "unit"];
     Table { foot: (RULER_ROOM, RULER_ROWS), ..Table::new(head, [false, true, false, true, false], names, rows) }

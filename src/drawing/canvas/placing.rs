@@ -2,8 +2,9 @@
 
 use super::{Canvas, Wanted, ascii};
 use crate::drawing::clip::{clipped, clipped_segment, holds, is_within};
-use crate::drawing::labels::{LabelRequest, Obstacles, place_among, place_near};
+use crate::drawing::labels::{LabelRequest, place_among, place_near};
 use crate::drawing::layout::HEADING;
+use crate::drawing::obstacles::Obstacles;
 use crate::drawing::shape::{Shape, overlap};
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::{CAPTION, LABEL, PlacedText, RichText};

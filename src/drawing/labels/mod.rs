@@ -15,10 +15,10 @@ mod moves;
 mod places;
 mod search;
 
-use super::obstacles::Taken;
+use super::obstacles::{Obstacles, Taken};
 use super::text::{Anchor, PlacedText};
 use places::Spot;
-pub use places::{LabelRequest, Obstacles, PlacedLabel};
+pub use places::{LabelRequest, PlacedLabel};
 use search::Search;
 
 /// The places of the labels, in the order of the requests.

@@ -22,17 +22,6 @@ pub struct LabelRequest {
     pub priority: u8,
 }
 
-/// Obstacles for labels.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Obstacles {
-    /// Joints, arrowheads, boxes: never touched.
-    pub boxes: Vec<Rect>,
-    /// Lines: crossing one costs by the length inside the label's box.
-    pub lines: Vec<(Point, Point)>,
-    /// The panel: no label leaves it.
-    pub bounds: Rect,
-}
-
 /// A label at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlacedLabel {
