@@ -5,14 +5,14 @@
 //! matches on [`Sheet`], and the compiler names it.
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
 ///
 /// Sheets are ordered as they are drawn, and each needs those before it: motion that is computed up to
 /// [`Sheet::Velocity`] has no accelerations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "Panel", description = "A part of the figure.")]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]

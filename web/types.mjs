@@ -10,7 +10,8 @@ const read = (key, value) =>
   value?.description !== undefined && Object.keys(value).every((word) => ["description", "default"].includes(word))
     ? { ...value, tsType: "unknown" }
     : value;
-const types = await compile(JSON.parse(readFileSync(schema, "utf8"), read), "Engine", {
+const { sheets, ...engine } = JSON.parse(readFileSync(schema, "utf8"), read);
+const types = await compile(engine, "Engine", {
   additionalProperties: false,
   bannerComment: "// What goes into the engine and comes out of it. Made from engine/schema.json by types.mjs: web/README.md says how.\n",
   unreachableDefinitions: true,
@@ -21,8 +22,10 @@ const text = types
   .replace(/export interface Engine \{[^}]*\}\n/, "")
   .replace(/\n?\/\*\*\n \* This interface was referenced by `Engine`'s JSON-Schema\n \* via the `definition` "\w+"\.\n \*\//g, "")
   .replace(/\n \*\n \* This interface was referenced by `Engine`'s JSON-Schema\n \* via the `definition` "\w+"\./g, "");
+/** What is known of sheets is a value, not a type. */
+const written = `${text}\n/**\n * The sheets in the order in which they are drawn: their words, the keys of their scales, the letters of their vectors.\n */\nexport const SHEETS = ${JSON.stringify(sheets, null, 2)} as const;\n`;
 if (!process.argv.includes("--check")) {
-  writeFileSync(output, text);
-} else if (readFileSync(output, "utf8") !== text) {
+  writeFileSync(output, written);
+} else if (readFileSync(output, "utf8") !== written) {
   throw new Error("page/engine/types.ts is not that of engine/schema.json: web/build --types");
 }

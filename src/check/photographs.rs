@@ -3,6 +3,8 @@
 use crate::geometry::Point;
 use crate::photo::{PhotoSheet, Stroke, crossing};
 use crate::sheet::Sheet;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// Radius that holds a place at which a hand has aimed with 95 %, in mm.
 const AIMED: f64 = 0.5;
@@ -43,13 +45,16 @@ pub struct PlacedPoint {
 }
 
 /// What the place of a point in a photograph tells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(rename = "PlaceVerdict")]
 pub enum PointVerdict {
     /// It is where an honest hand would have it.
     Right,
     /// It is elsewhere.
     Off,
     /// The picture cannot tell: the place could be right or off.
+    #[serde(rename = "open")]
     CannotTell,
 }
 

@@ -85,7 +85,9 @@ fn tables_and_curves_have_the_bytes_of_the_program() {
         let drawn = parsed(curves);
         let arguments = ["curves", "-", "-o", "-", "--format", "svg"];
         assert_eq!(drawn["svg"].as_str().map(str::as_bytes), Some(&*printed(&arguments, &text)), "{name}: curves");
-        let [point, vector] = ["traceable", "vectors"].map(|key| opened[key][0].as_str().expect("a name").to_owned());
+        let quantities = opened["quantities"].as_array().expect("a list");
+        let vector = &quantities.iter().find(|one| one["is_vector"] == true).expect("a vector")["name"];
+        let [point, vector] = [&opened["traceable"][0], vector].map(|name| name.as_str().expect("a name").to_owned());
         for (of, option, wanted) in [("path", "--path", point), ("hodograph", "--hodograph", vector)] {
             let made = file(&mut engine, &text, "svg", json!({ of: [&wanted] }));
             let arguments = ["curves", "-", option, &wanted, "-o", "-", "--format", "svg"];

@@ -1,3 +1,4 @@
+use kinegon::Sheet;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -20,16 +21,47 @@ pub struct Opened {
     pub passage_captions: Vec<String>,
     /// Names of points whose paths can be drawn.
     pub traceable: Vec<String>,
-    /// Names of quantities for curves, tables and values.
-    pub quantities: Vec<String>,
-    /// Names of vectors for hodographs.
-    pub vectors: Vec<String>,
+    /// Quantities for curves, tables and values; vectors for hodographs, too.
+    pub quantities: Vec<Quantity>,
+    /// Those that the scene wants by itself.
+    pub wanted: Vec<Quantity>,
     /// The Assur groups in solving order, as `kinegon structure` prints them.
     pub structure: String,
     /// Warnings of all stages.
     pub warnings: Vec<String>,
     /// Whether it is a drawn configuration, which cannot be moved.
     pub is_drawn: bool,
+}
+
+/// A quantity by its name, and what the name says.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Quantity {
+    /// Its whole name, as `v(D).size`.
+    pub name: String,
+    /// What stands before the parenthesis, as `v`.
+    pub head: String,
+    /// What stands in it, as `D`.
+    pub inside: String,
+    /// What stands behind it, as `.size`; mostly nothing.
+    pub part: String,
+    /// What kind of thing has it, which `inside` names.
+    pub of: Owner,
+    /// Whether it is a vector.
+    pub is_vector: bool,
+}
+
+/// A kind of thing that has quantities.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Owner {
+    /// A link.
+    Link,
+    /// A slider.
+    Slider,
+    /// A point.
+    Point,
+    /// Several, or a plan.
+    Others,
 }
 
 /// A drive and where it stands.
@@ -58,8 +90,8 @@ pub struct Step {
     pub caption: String,
     /// Its equation in plain text, or empty.
     pub equation: String,
-    /// `scheme`, `velocity`, `acceleration`.
-    pub panel: &'static str,
+    /// The panel in which it is drawn.
+    pub panel: Sheet,
 }
 
 /// How a scene is shown besides what its `figure` says.
@@ -71,10 +103,9 @@ pub struct View {
     pub coarse: bool,
     /// Whether all other assembly modes are drawn pale.
     pub modes: bool,
-    /// The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows
-    /// the scheme alone.
+    /// The panels that are shown in place of the figure's: a student's link shows the scheme alone. What is no panel is passed over.
     #[serde(default)]
-    #[schemars(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<Sheet>>", skip_serializing_if = "Option::is_none")]
     pub panels: Option<Vec<String>>,
 }
 
@@ -110,11 +141,12 @@ pub struct Picture {
 
 /// A panel of a picture.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "PicturePanel")]
 pub struct Panel {
     /// Its name in words.
     pub name: String,
-    /// `scheme`, `velocity`, `acceleration`.
-    pub key: &'static str,
+    /// Which panel it is.
+    pub key: Sheet,
     /// [x, y, width, height] in mm.
     #[serde(rename = "box")]
     pub area: [f64; 4],
@@ -127,8 +159,8 @@ pub struct Panel {
 pub struct Handle {
     /// The point's name.
     pub name: String,
-    /// The panel in which it is: `scheme`, `velocity`, `acceleration`.
-    pub panel: &'static str,
+    /// The panel in which it is.
+    pub panel: Sheet,
     /// On the sheet, in mm from its upper left corner.
     pub at: [f64; 2],
     /// Whether it never moves: a point of the ground, or a pole.
@@ -161,6 +193,8 @@ pub struct Mode {
 pub struct ValueRow {
     /// Its name, as `v(D).size`.
     pub name: String,
+    /// The quantity.
+    pub quantity: Quantity,
     /// As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
     pub label: String,
     /// Those digits that are certain.

@@ -1,5 +1,5 @@
 use crate::desk::Desk;
-use crate::forms::{measured, usual_key};
+use crate::forms::measured;
 use crate::refused::Refused;
 use kinegon::check::{
     AnswerKey, CheckError, CheckResult, Feedback, Marks, Measured, ReportParts, check, check_result, faults, redrawn,
@@ -121,13 +121,12 @@ impl From<CheckError> for Refused {
 }
 
 impl CheckOptions {
-    /// What values are compared with, as for `kinegon check` with these options.
-    fn key<'a>(&self, key: AnswerKey<'a>) -> AnswerKey<'a> {
-        let usual = key.tolerance;
-        let is_given = self.pencil_mm.is_some() || self.pencil_degrees.is_some();
-        let tolerance =
+    /// The limits of the hand's errors, if one is given.
+    fn hand(&self) -> Option<Tolerance> {
+        let usual = Tolerance::default();
+        let given =
             Tolerance { mm: self.pencil_mm.unwrap_or(usual.mm), degrees: self.pencil_degrees.unwrap_or(usual.degrees) };
-        AnswerKey { tolerance, latitude: if is_given { 1.0 } else { key.latitude }, ..key }
+        (self.pencil_mm.is_some() || self.pencil_degrees.is_some()).then_some(given)
     }
 }
 
@@ -141,7 +140,7 @@ impl Desk {
             return Err(Refused::whole(message));
         }
         let solution = self.solution(text)?;
-        let key = options.key(usual_key(solution));
+        let key = AnswerKey::new(solution, options.hand());
         let words = solution.wording();
         let scheme = options.marks.as_ref().map(|marks| {
             let read = Marks::read(marks).map_err(|error| Refused::of(marks, error))?;

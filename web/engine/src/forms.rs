@@ -2,27 +2,22 @@ use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::Sheet;
 use kinegon::Solution;
-use kinegon::check::{
-    AnswerKey, DEPTH, EmptyForm, FilledForm, FormBox, LATITUDE, Measured, form_boxes, further_boxes, plan_points,
-};
-use kinegon::construction::Tolerance;
+use kinegon::check::{AnswerKey, EmptyForm, FilledForm, FormBox, Measured, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
+use kinegon::quantity::What;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The form of a scene.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Form {
     /// Its boxes in the order of the construction; behind them those of further values that a filled form has.
     pub rows: Vec<FormRow>,
-    /// Scale of the scheme in units per mm of paper.
-    pub mu_l: Option<f64>,
-    /// Scale of the velocity plan.
-    pub mu_v: Option<f64>,
-    /// Scale of the acceleration plan.
-    pub mu_a: Option<f64>,
-    /// By plan: the pole and the points whose places can be given.
-    pub points: PlanPoints,
+    /// By sheet: its scale, in units per mm of paper.
+    pub scales: BTreeMap<Sheet, Option<f64>>,
+    /// By plan: the pole and the points whose places can be given, by the names of the form file.
+    pub points: BTreeMap<Sheet, Vec<PlanPoint>>,
     /// The empty form, as `kinegon check --template` writes it.
     pub json: String,
     /// The same as a table.
@@ -38,8 +33,8 @@ pub struct FormRow {
     pub label: String,
     /// The scene's unit of it.
     pub unit: String,
-    /// `scheme`, `velocity`, `acceleration`.
-    pub panel: &'static str,
+    /// The sheet from which it is read.
+    pub panel: Sheet,
     /// The step that gives it.
     pub step: usize,
     /// That step's caption.
@@ -50,17 +45,10 @@ pub struct FormRow {
     pub turns: bool,
     /// Whether it can be given in millimetres of paper, with `/mu` behind its name.
     pub on_paper: bool,
+    /// Whether it is a length of the scheme or a segment of a plan, which `"in": "mm"` makes millimetres of paper.
+    pub is_segment: bool,
     /// Whether the empty form asks for it.
     pub is_asked: bool,
-}
-
-/// Points whose places on paper can be given, by the names of the form file; the pole first.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct PlanPoints {
-    /// Of the velocity plan.
-    pub velocity: Vec<PlanPoint>,
-    /// Of the acceleration plan.
-    pub acceleration: Vec<PlanPoint>,
 }
 
 /// A point of a plan.
@@ -83,8 +71,7 @@ pub fn measured(text: &str) -> Result<Measured, Refused> {
 
 /// What values are compared with: the scene with a careful hand.
 pub fn usual_key(solution: &Solution) -> AnswerKey<'_> {
-    let (scales, tolerance) = (solution.scales(), Tolerance::default());
-    AnswerKey { solution, scales, tolerance, latitude: LATITUDE, depth: DEPTH }
+    AnswerKey::new(solution, None)
 }
 
 impl Desk {
@@ -97,12 +84,13 @@ impl Desk {
             move |found: FormBox| FormRow {
                 label: html_text(&found.label),
                 unit: found.asked.kind().unit(solution.scene.units),
-                panel: panel(found.sheet),
+                panel: found.sheet,
                 step: found.step,
                 caption: found.step.checked_sub(1).and_then(|at| figure.steps.get(at)).cloned().unwrap_or_default(),
                 has_sense: found.asked.is_rate(),
                 turns: found.asked.turns(),
                 on_paper: found.asked.is_length_on_sheet(),
+                is_segment: matches!(found.asked.what(), What::Segment { .. } | What::Length(..)),
                 is_asked: asked,
                 name: found.name,
             }
@@ -114,16 +102,12 @@ impl Desk {
         }
         let scales = solution.scales();
         let empty = EmptyForm { solution, scales, exercise: None };
-        let [velocity, acceleration] = plan_points(solution).map(|points| {
-            let point = |(name, label)| PlanPoint { name, label: html_text(&label) };
-            points.into_iter().map(point).collect()
-        });
+        let point = |(name, label)| PlanPoint { name, label: html_text(&label) };
+        let points = Sheet::PLANS.into_iter().zip(plan_points(solution));
         Ok(Form {
             rows,
-            mu_l: scales[Sheet::Scheme],
-            mu_v: scales[Sheet::Velocity],
-            mu_a: scales[Sheet::Acceleration],
-            points: PlanPoints { velocity, acceleration },
+            scales: Sheet::ALL.into_iter().map(|sheet| (sheet, scales[sheet])).collect(),
+            points: points.map(|(plan, points)| (plan, points.into_iter().map(point).collect())).collect(),
             json: empty.json(),
             csv: empty.csv(),
         })
@@ -143,13 +127,5 @@ impl Desk {
         let measured = measured(form)?;
         let solution = self.solution(text)?;
         Ok(FilledForm { measured: &measured, key: &usual_key(solution) }.csv())
-    }
-}
-
-fn panel(sheet: Sheet) -> &'static str {
-    match sheet {
-        Sheet::Scheme => "scheme",
-        Sheet::Velocity => "velocity",
-        _ => "acceleration",
     }
 }

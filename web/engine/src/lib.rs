@@ -24,6 +24,7 @@ pub use schema::schema;
 
 use desk::Desk;
 use exercises::Series;
+use kinegon::Sheet;
 use kinegon::drawing::{ITALIC, REGULAR};
 use kinegon::editing::{self, Edit};
 use kinegon::exercise::Exercise;
@@ -273,7 +274,12 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
-        answer(self.photograph().and_then(|(photo, desk)| photo.tapped(desk, plan, [x, y], reach)))
+        let plan = Sheet::from_word(plan);
+        let tapped = |(photo, desk): (&mut Photograph, &mut Desk)| match plan {
+            Some(plan) => photo.tapped(desk, plan, [x, y], reach),
+            None => Ok(None),
+        };
+        answer(self.photograph().and_then(tapped))
     }
 
     /// How points of the student's plans stand in the photograph.

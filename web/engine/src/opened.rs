@@ -1,4 +1,4 @@
-use crate::answers::{Mode, Opened, Place, Step, ValueRow};
+use crate::answers::{Mode, Opened, Owner, Place, Quantity, Step, ValueRow};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::Sheet;
@@ -7,8 +7,9 @@ use kinegon::cycle::every_name;
 use kinegon::drawing::{FigureSheets, RichText, SheetLabels};
 use kinegon::editing;
 use kinegon::format::{self, html_text};
+use kinegon::mechanism::Mechanism;
 use kinegon::position::counted_poses;
-use kinegon::quantity::{Asked, measured_names};
+use kinegon::quantity::{Asked, What, measured_names};
 use kinegon::scene::{GivenBy, SizeLimit};
 use kinegon::words::Wording;
 use kinegon::{Solution, order_of_result};
@@ -34,7 +35,7 @@ impl Desk {
         let (scene, mechanism) = (&solution.scene, &solution.mechanism);
         let mut quantities = every_name(mechanism);
         quantities.extend(measured_names(&solution.construction));
-        let is_vector = |name: &&String| Asked::new(name, mechanism).is_ok_and(|asked| asked.is_vector());
+        let named = |name: &String| quantity(name, mechanism);
         let is_traceable = |name: &&String| scene.check_traced(&[(*name).clone()], None).is_ok();
         let title = scene.title.clone().unwrap_or_else(|| words.language.title().into());
         Ok(Opened {
@@ -48,8 +49,8 @@ impl Desk {
             passage_captions: captions.collect(),
             passages: passages.iter().map(|passage| passage.steps).collect(),
             traceable: mechanism.points.iter().filter(is_traceable).cloned().collect(),
-            vectors: quantities.iter().filter(is_vector).cloned().collect(),
-            quantities,
+            quantities: quantities.iter().map(named).collect(),
+            wanted: scene.want.iter().flatten().map(named).collect(),
             structure: format::structure(mechanism, &words),
             warnings: solution
                 .warnings()
@@ -85,6 +86,7 @@ impl Desk {
         };
         let rows = solution.digit_rows().into_iter().map(|row| ValueRow {
             label: label(&row.name),
+            quantity: quantity(&row.name, &solution.mechanism),
             error: row.bound.strip_prefix("± ").map(str::to_owned),
             name: row.name,
             value: row.value,
@@ -92,6 +94,23 @@ impl Desk {
         });
         Ok(rows.collect())
     }
+}
+
+/// What the name of a quantity says.
+fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
+    let asked = Asked::new(name, mechanism).ok();
+    let of = asked.as_ref().map_or(Owner::Others, |asked| match asked.what() {
+        What::Omega(_) | What::Alpha(_) | What::Angle(_) => Owner::Link,
+        What::SlidePosition(_) | What::SlideVelocity(_) | What::SlideAcceleration(_) | What::Coriolis(..) => {
+            Owner::Slider
+        }
+        What::Coordinate(..) | What::Velocity(_, None) | What::Acceleration(_, None) => Owner::Point,
+        _ => Owner::Others,
+    });
+    let (head, rest) = name.split_once('(').unwrap_or((name, ""));
+    let (inside, part) = rest.rsplit_once(')').unwrap_or((rest, ""));
+    let is_vector = asked.is_some_and(|asked| asked.is_vector());
+    Quantity { name: name.to_owned(), head: head.into(), inside: inside.into(), part: part.into(), of, is_vector }
 }
 
 /// Where the points are, as far as that is known.
@@ -114,7 +133,7 @@ fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
         number: step.number,
         caption: shown_text(&teller.caption(&step), step.plan, words),
         equation: shown_text(&equations(&step).join("; "), step.plan, words),
-        panel: step.sheet().as_str(),
+        panel: step.sheet(),
     };
     solution.construction.numbered_steps().map(step).collect()
 }

@@ -94,7 +94,6 @@ fn turned([x, y]: [f64; 2], [width, height]: [f64; 2], quarters: u8) -> [f64; 2]
 
 /// A plan on the sheet.
 struct PlanInPhoto {
-    key: &'static str,
     kind: Sheet,
     panel: PlacedPanel,
     points: Vec<RightPoint>,
@@ -154,7 +153,7 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
     let mut labels = plan_points(solution);
     let found = code.panels.iter().filter_map(|panel| {
         let index = Sheet::PLANS.into_iter().position(|plan| plan == panel.panel)?;
-        let (key, plan) = (panel.panel.as_str(), construction.plan_on(panel.panel)?);
+        let plan = construction.plan_on(panel.panel)?;
         let named = std::mem::take(&mut labels[index]);
         // Images of points at rest are the pole itself.
         let is_asked =
@@ -169,7 +168,7 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
             })
         });
         let points = points.collect();
-        Some(PlanInPhoto { key, kind: plan.kind, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
+        Some(PlanInPhoto { kind: plan.kind, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
     });
     found.collect()
 }
@@ -218,7 +217,7 @@ impl PlanInPhoto {
             places.map(|place| sheet.pixel(self.on_sheet(place))).collect()
         };
         PhotoPlan {
-            plan: self.key,
+            plan: self.kind,
             mu: self.panel.mu,
             points: self.points.iter().map(point).collect(),
             lines: self.lines.iter().map(line).collect(),
@@ -234,7 +233,7 @@ impl Photograph {
         let proposed = points.filter_map(|(index, proposal)| {
             let (plan, found) = (&self.plans[*index], proposal.found?);
             let place = self.place(found.at, plan.on_sheet(found.at), found.band, true);
-            Some(Proposed { plan: plan.key, name: proposal.name.clone(), place })
+            Some(Proposed { plan: plan.kind, name: proposal.name.clone(), place })
         });
         Ok(proposed.collect())
     }
@@ -260,11 +259,11 @@ impl Photograph {
         Ok(())
     }
 
-    /// A plan of this key with the pencil lines that were found.
-    fn plan(&self, key: &str) -> Option<(&PlanInPhoto, PencilledPlan<'_>)> {
-        let plan = self.plans.iter().find(|plan| plan.key == key)?;
+    /// A plan on the sheet with the pencil lines that were found.
+    fn plan(&self, kind: Sheet) -> Option<(&PlanInPhoto, PencilledPlan<'_>)> {
+        let plan = self.plans.iter().find(|plan| plan.kind == kind)?;
         let mut pencilled = PencilledPlan::on(&self.sheet.sheet, &self.found.as_ref()?.strokes);
-        Some((plan, pencilled.find(|pencilled| pencilled.kind == plan.kind)?))
+        Some((plan, pencilled.find(|pencilled| pencilled.kind == kind)?))
     }
 
     /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
@@ -272,7 +271,7 @@ impl Photograph {
     pub fn tapped(
         &mut self,
         desk: &mut Desk,
-        plan: &str,
+        plan: Sheet,
         pixel: [f64; 2],
         reach: f64,
     ) -> Result<Option<Tapped>, Refused> {
@@ -301,20 +300,15 @@ impl Photograph {
         self.find(desk)?;
         let place = |point: &PlacedPoint| check::PlacedPoint { at: point.at, band: point.band };
         let verdict = |point: &PlacedPoint| {
-            let (plan, pencilled) = self.plan(&point.plan)?;
+            let (plan, pencilled) = self.plan(point.plan)?;
             let right = plan.point(&point.name)?;
             let own = place(point);
             let pole = plan.points.first().filter(|pole| pole.name != point.name);
-            let pole = pole.and_then(|pole| placed.iter().find(|p| p.plan == plan.key && p.name == pole.name));
+            let pole = pole.and_then(|pole| placed.iter().find(|p| p.plan == plan.kind && p.name == pole.name));
             let (off, verdict) = pencilled.judged(&own, pole.map(place).as_ref(), (right.at, right.tolerance));
-            let verdict = match verdict {
-                check::PointVerdict::Right => "right",
-                check::PointVerdict::Off => "off",
-                check::PointVerdict::CannotTell => "open",
-            };
             let (pixel, band_pixels) = self.circle(plan.on_sheet(point.at), pencilled.band(&own));
             Some(PointVerdict {
-                plan: plan.key,
+                plan: plan.kind,
                 name: point.name.clone(),
                 pixel,
                 band_pixels,

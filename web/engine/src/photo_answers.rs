@@ -1,4 +1,5 @@
 use kinegon::photo::Refusal;
+use kinegon::{Sheet, check};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -63,8 +64,8 @@ pub struct Photo {
 /// The right plan over a photograph.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PhotoPlan {
-    /// `velocity` or `acceleration`.
-    pub plan: &'static str,
+    /// Of which plan.
+    pub plan: Sheet,
     /// The sheet's scale, in units per mm.
     pub mu: f64,
     /// Its points in the order of the construction, the pole first.
@@ -87,8 +88,8 @@ pub struct PhotoPoint {
 /// A point that pencil lines show: a proposal, as lines may mislead.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct Proposed {
-    /// `velocity` or `acceleration`.
-    pub plan: &'static str,
+    /// Of which plan.
+    pub plan: Sheet,
     /// Its name in the form file.
     pub name: String,
     /// Where it seems to be.
@@ -112,9 +113,10 @@ pub struct Tapped {
 
 /// A point of a student's plan.
 #[derive(Debug, Deserialize, JsonSchema)]
+#[schemars(rename = "MarkedPoint")]
 pub struct PlacedPoint {
-    /// `velocity` or `acceleration`.
-    pub plan: String,
+    /// Of which plan.
+    pub plan: Sheet,
     /// Its name in the form file.
     pub name: String,
     /// In mm of paper from the printed pole, x right, y up.
@@ -126,8 +128,8 @@ pub struct PlacedPoint {
 /// How a point of a student's plan stands.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PointVerdict {
-    /// `velocity` or `acceleration`.
-    pub plan: &'static str,
+    /// Of which plan.
+    pub plan: Sheet,
     /// Its name in the form file.
     pub name: String,
     /// Where it is in the picture.
@@ -136,6 +138,6 @@ pub struct PointVerdict {
     pub band_pixels: f64,
     /// How far it is from the right place, in mm.
     pub off: f64,
-    /// `right`, `off`, or `open`: the picture cannot tell.
-    pub verdict: &'static str,
+    /// What its place tells; `open`: the picture cannot tell.
+    pub verdict: check::PointVerdict,
 }

@@ -39,7 +39,7 @@ impl Staged {
         let notes = cut.map(|panel| format!("{}: {}", panel.name, words.cut_at_edge())).collect();
         let panel = |panel: &drawing::HeldPanel| Panel {
             name: panel.name.clone(),
-            key: panel.panel.as_str(),
+            key: panel.panel,
             area: [panel.frame.x0, panel.frame.y0, panel.frame.width(), panel.frame.height()],
             is_cut: panel.is_cut,
         };
@@ -55,7 +55,7 @@ impl Staged {
 
 fn handle(handle: drawing::Handle) -> Handle {
     let drawing::Handle { panel, name, at, is_fixed } = handle;
-    Handle { name, panel: panel.as_str(), at: [at.x, at.y], is_fixed }
+    Handle { name, panel, at: [at.x, at.y], is_fixed }
 }
 
 /// The figure of a scene that is too large to be moved by hand.
@@ -64,7 +64,7 @@ fn still(solution: &Solution, drives: Vec<Drive>) -> Picture {
     let names = solution.scene.figure.shown_panels();
     let panel = |((name, frame), key): (&(String, drawing::Rect), &Sheet)| Panel {
         name: name.clone(),
-        key: key.as_str(),
+        key: *key,
         area: [frame.x0, frame.y0, frame.width(), frame.height()],
         is_cut: false,
     };

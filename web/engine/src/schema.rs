@@ -7,8 +7,8 @@ use crate::gesture::{Grab, To};
 use crate::kinds::Kind;
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Refused;
-use kinegon::Scene;
 use kinegon::editing::Edit;
+use kinegon::{Scene, Sheet};
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
@@ -24,7 +24,12 @@ pub fn schema() -> Value {
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);
     definitions.extend(scene_types());
-    json!({ "title": "Engine", "definitions": definitions })
+    json!({ "title": "Engine", "definitions": definitions, "sheets": Sheet::ALL.map(facts) })
+}
+
+/// What the page is told of a sheet, as a value in place of a type.
+fn facts(sheet: Sheet) -> Value {
+    json!({ "key": sheet, "scale": sheet.scale_key(), "isPlan": sheet.is_plan(), "vector": sheet.vector() })
 }
 
 /// The types of scene files, from their own schema: `SceneFile`, and its parts by their names there behind `Scene`.

@@ -1,71 +1,13 @@
 // What goes into the engine and comes out of it. Made from engine/schema.json by types.mjs: web/README.md says how.
 
 /**
- * A unit of length.
- */
-export type SceneLengthUnit = "m" | "mm" | "cm" | "in" | "ft";
-/**
- * A unit of time.
- */
-export type SceneTimeUnit = "s" | "min";
-export type SceneGround =
-  | {
-      [k: string]: SceneVector;
-    }
-  | string[];
-/**
- * [x, y], or size and angle
- */
-export type SceneVector = [number, number] | SceneSizeAngle;
-export type SceneLink = SceneLinkFields | string[];
-/**
- * Coordinates in the link's own frame; a lone number is the distance along the link's axis
- */
-export type SceneShapePoint = SceneVector | number;
-/**
- * The name of a point, or coordinates
- */
-export type SceneNameOrPlace = string | SceneVector;
-/**
- * Two points of the guide's carrier as "BE" or "B-E"; or degrees; or [dx, dy]
- */
-export type SceneDirection = string | number | SceneVector;
-/**
- * Approximate coordinates of a point; under a key like angle(3), degrees
- */
-export type SceneNearValue = SceneVector | number;
-/**
  * A part of the figure.
  */
-export type ScenePanel = "scheme" | "velocity" | "acceleration";
+export type Panel = "scheme" | "velocity" | "acceleration";
 /**
- * The plans for which scales are chosen that the scene does not give.
+ * A kind of thing that has quantities.
  */
-export type SceneScalesFor = "position" | "sheet" | "cycle";
-/**
- * A drawing style that comes with the program.
- */
-export type SceneStyleName = "paper" | "print" | "lecture" | "board";
-/**
- * Notation of poles, images and parts of accelerations. Names of quantities stay the same.
- */
-export type SceneNotation = "paper" | "english" | "russian" | "german";
-/**
- * A language of headings and captions.
- */
-export type SceneLanguage = "en" | "es";
-/**
- * Decimal mark of the numbers on figures and in the text of steps; results always have points.
- */
-export type SceneDecimal = "point" | "comma";
-/**
- * Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end
- */
-export type SceneConstruction = boolean | "paper";
-/**
- * Whether values stand at vectors and links; a unit of length: in this unit, as "m" for m/s
- */
-export type SceneValues = boolean | ("m" | "mm" | "cm" | "in" | "ft");
+export type Owner = "link" | "slider" | "point" | "others";
 /**
  * What is taken hold of.
  */
@@ -248,6 +190,76 @@ export type OverCycle =
        */
       hodograph: string[];
     };
+/**
+ * What the place of a point in a photograph tells.
+ */
+export type PlaceVerdict = "right" | "off" | "open";
+/**
+ * A unit of length.
+ */
+export type SceneLengthUnit = "m" | "mm" | "cm" | "in" | "ft";
+/**
+ * A unit of time.
+ */
+export type SceneTimeUnit = "s" | "min";
+export type SceneGround =
+  | {
+      [k: string]: SceneVector;
+    }
+  | string[];
+/**
+ * [x, y], or size and angle
+ */
+export type SceneVector = [number, number] | SceneSizeAngle;
+export type SceneLink = SceneLinkFields | string[];
+/**
+ * Coordinates in the link's own frame; a lone number is the distance along the link's axis
+ */
+export type SceneShapePoint = SceneVector | number;
+/**
+ * The name of a point, or coordinates
+ */
+export type SceneNameOrPlace = string | SceneVector;
+/**
+ * Two points of the guide's carrier as "BE" or "B-E"; or degrees; or [dx, dy]
+ */
+export type SceneDirection = string | number | SceneVector;
+/**
+ * Approximate coordinates of a point; under a key like angle(3), degrees
+ */
+export type SceneNearValue = SceneVector | number;
+/**
+ * A part of the figure.
+ */
+export type ScenePanel = "scheme" | "velocity" | "acceleration";
+/**
+ * The plans for which scales are chosen that the scene does not give.
+ */
+export type SceneScalesFor = "position" | "sheet" | "cycle";
+/**
+ * A drawing style that comes with the program.
+ */
+export type SceneStyleName = "paper" | "print" | "lecture" | "board";
+/**
+ * Notation of poles, images and parts of accelerations. Names of quantities stay the same.
+ */
+export type SceneNotation = "paper" | "english" | "russian" | "german";
+/**
+ * A language of headings and captions.
+ */
+export type SceneLanguage = "en" | "es";
+/**
+ * Decimal mark of the numbers on figures and in the text of steps; results always have points.
+ */
+export type SceneDecimal = "point" | "comma";
+/**
+ * Whether construction lines are shown; "paper": shown, and the plans end where the source paper's end
+ */
+export type SceneConstruction = boolean | "paper";
+/**
+ * Whether values stand at vectors and links; a unit of length: in this unit, as "m" for m/s
+ */
+export type SceneValues = boolean | ("m" | "mm" | "cm" | "in" | "ft");
 
 /**
  * Why a text is not understood or a scene gives no result.
@@ -332,13 +344,13 @@ export interface Opened {
    */
   traceable: string[];
   /**
-   * Names of quantities for curves, tables and values.
+   * Quantities for curves, tables and values; vectors for hodographs, too.
    */
-  quantities: string[];
+  quantities: Quantity[];
   /**
-   * Names of vectors for hodographs.
+   * Those that the scene wants by itself.
    */
-  vectors: string[];
+  wanted: Quantity[];
   /**
    * The Assur groups in solving order, as `kinegon structure` prints them.
    */
@@ -351,6 +363,1103 @@ export interface Opened {
    * Whether it is a drawn configuration, which cannot be moved.
    */
   is_drawn: boolean;
+}
+/**
+ * A drive and where it stands.
+ */
+export interface Drive {
+  /**
+   * A driven link, or a slider on a moving link such as 3/2.
+   */
+  name: string;
+  /**
+   * Whether it turns.
+   */
+  is_angle: boolean;
+  /**
+   * In degrees or units of length.
+   */
+  value: number;
+  /**
+   * In words, as `70.0°`.
+   */
+  shown: string;
+  /**
+   * The least value that it can reach; none where it turns all the way round or slides without end.
+   */
+  low: number | null;
+  /**
+   * The greatest.
+   */
+  high: number | null;
+}
+/**
+ * A step of the construction.
+ */
+export interface Step {
+  /**
+   * Counted from 1.
+   */
+  number: number;
+  /**
+   * What is done.
+   */
+  caption: string;
+  /**
+   * Its equation in plain text, or empty.
+   */
+  equation: string;
+  /**
+   * The panel in which it is drawn.
+   */
+  panel: Panel;
+}
+/**
+ * A quantity by its name, and what the name says.
+ */
+export interface Quantity {
+  /**
+   * Its whole name, as `v(D).size`.
+   */
+  name: string;
+  /**
+   * What stands before the parenthesis, as `v`.
+   */
+  head: string;
+  /**
+   * What stands in it, as `D`.
+   */
+  inside: string;
+  /**
+   * What stands behind it, as `.size`; mostly nothing.
+   */
+  part: string;
+  /**
+   * What kind of thing has it, which `inside` names.
+   */
+  of: Owner;
+  /**
+   * Whether it is a vector.
+   */
+  is_vector: boolean;
+}
+/**
+ * How a scene is shown besides what its `figure` says.
+ */
+export interface View {
+  /**
+   * The step after which it is shown, from 1; none for the finished figure.
+   */
+  step: number | null;
+  /**
+   * Whether steps are the passages.
+   */
+  coarse: boolean;
+  /**
+   * Whether all other assembly modes are drawn pale.
+   */
+  modes: boolean;
+  /**
+   * The panels that are shown in place of the figure's: a student's link shows the scheme alone. What is no panel is passed over.
+   */
+  panels?: Panel[] | null;
+}
+/**
+ * A picture of the scene in one position.
+ */
+export interface Picture {
+  /**
+   * The sheet.
+   */
+  svg: string;
+  /**
+   * Width of the sheet in mm.
+   */
+  width: number;
+  /**
+   * Height of the sheet in mm.
+   */
+  height: number;
+  /**
+   * Its panels.
+   */
+  panels: PicturePanel[];
+  /**
+   * What can be taken hold of: the points of the mechanism.
+   */
+  handles: Handle[];
+  /**
+   * The points of the plans that are shown, their poles among them.
+   */
+  plan_points: Handle[];
+  /**
+   * The drives and where they stand.
+   */
+  drives: Drive[];
+  /**
+   * What is to be told: a limit that stops the drive, a panel that is cut.
+   */
+  notes: string[];
+}
+/**
+ * A panel of a picture.
+ */
+export interface PicturePanel {
+  /**
+   * Its name in words.
+   */
+  name: string;
+  /**
+   * Which panel it is.
+   */
+  key: Panel;
+  /**
+   * [x, y, width, height] in mm.
+   *
+   * @minItems 4
+   * @maxItems 4
+   */
+  box: [number, number, number, number];
+  /**
+   * Whether something is cut off at its edge.
+   */
+  is_cut: boolean;
+}
+/**
+ * A place that can be taken hold of.
+ */
+export interface Handle {
+  /**
+   * The point's name.
+   */
+  name: string;
+  /**
+   * The panel in which it is.
+   */
+  panel: Panel;
+  /**
+   * On the sheet, in mm from its upper left corner.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * Whether it never moves: a point of the ground, or a pole.
+   */
+  is_fixed: boolean;
+}
+/**
+ * What stays when a joint is pulled.
+ */
+export interface Pins {
+  /**
+   * Points that stay where they are.
+   */
+  points: string[];
+  /**
+   * Lengths that stay, as `2.BC`: link and length; or a link's angle, as `1.angle`.
+   */
+  lengths: string[];
+}
+/**
+ * A new link.
+ */
+export interface NewLink {
+  /**
+   * Its points. One that the scene has already becomes a joint.
+   */
+  points: PlacedPoint[];
+}
+/**
+ * A point where it is, or is to be, in the present position.
+ */
+export interface PlacedPoint {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * Its place in the fixed frame, in units of length.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * A further point of a link.
+ */
+export interface NewPoint {
+  /**
+   * The link, or `ground`.
+   */
+  link: string;
+  /**
+   * The point's name.
+   */
+  name: string;
+  /**
+   * Its place in the present position, in the fixed frame.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * A new slider.
+ */
+export interface NewSlider {
+  /**
+   * The sliding link; empty for a pin in a slot.
+   */
+  link: string;
+  /**
+   * The point of it that is on the guide, or the pin.
+   */
+  at: string;
+  /**
+   * What carries the guide: a link, or `ground`.
+   */
+  on: string;
+  /**
+   * The guide's direction: degrees, or two points of its carrier as `BE`.
+   */
+  along: Along;
+}
+/**
+ * A point of the scene in its own coordinates.
+ */
+export interface Place {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * Where it is, in units of length.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * A way to assemble the scene.
+ */
+export interface Mode {
+  /**
+   * Its number, as `kinegon modes` counts.
+   */
+  number: number;
+  /**
+   * The places of moving points, and angles of links, in words.
+   */
+  shown: string;
+  /**
+   * Whether it is that of the scene.
+   */
+  is_own: boolean;
+}
+/**
+ * A file as the program writes it.
+ */
+export interface FileRequest {
+  /**
+   * What kind of file.
+   */
+  format: Format;
+  /**
+   * What is drawn.
+   */
+  of: Subject;
+}
+/**
+ * What can be drawn over the cycle.
+ */
+export interface Curves {
+  /**
+   * The sheet.
+   */
+  svg: string;
+  /**
+   * Width of the sheet in mm.
+   */
+  width: number;
+  /**
+   * Height of the sheet in mm.
+   */
+  height: number;
+  /**
+   * Extreme positions, change points, limits, in words.
+   */
+  events: string[];
+  /**
+   * The axis of the drive; none where nothing is drawn over it.
+   */
+  axis: DriveAxis | null;
+}
+/**
+ * Where the values of the drive are in graphs one above the other.
+ */
+export interface DriveAxis {
+  /**
+   * The value at the left edge of the graphs, in degrees or units of length.
+   */
+  low: number;
+  /**
+   * At the right edge.
+   */
+  high: number;
+  /**
+   * The graphs: [x, y, width, height] in mm.
+   */
+  areas: [number, number, number, number][];
+}
+/**
+ * A value of the scene's own position.
+ */
+export interface Value {
+  /**
+   * Its name, as `v(D).size`.
+   */
+  name: string;
+  /**
+   * The quantity.
+   */
+  quantity: Quantity;
+  /**
+   * As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+   */
+  label: string;
+  /**
+   * Those digits that are certain.
+   */
+  value: string;
+  /**
+   * Its unit.
+   */
+  unit: string;
+  /**
+   * How far the value can be from the true one, in the same unit; none where that is not known.
+   */
+  error?: string | null;
+}
+/**
+ * The form of a scene.
+ */
+export interface Form {
+  /**
+   * Its boxes in the order of the construction; behind them those of further values that a filled form has.
+   */
+  rows: FormRow[];
+  /**
+   * By sheet: its scale, in units per mm of paper.
+   */
+  scales: {
+    [k: string]: number | null;
+  };
+  /**
+   * By plan: the pole and the points whose places can be given, by the names of the form file.
+   */
+  points: {
+    [k: string]: PlanPoint[];
+  };
+  /**
+   * The empty form, as `kinegon check --template` writes it.
+   */
+  json: string;
+  /**
+   * The same as a table.
+   */
+  csv: string;
+}
+/**
+ * A box of the form of measured values.
+ */
+export interface FormRow {
+  /**
+   * The name under which its value stands in the form file.
+   */
+  name: string;
+  /**
+   * As the sheet writes it: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+   */
+  label: string;
+  /**
+   * The scene's unit of it.
+   */
+  unit: string;
+  /**
+   * The sheet from which it is read.
+   */
+  panel: Panel;
+  /**
+   * The step that gives it.
+   */
+  step: number;
+  /**
+   * That step's caption.
+   */
+  caption: string;
+  /**
+   * Whether it has a sense, which a sign tells.
+   */
+  has_sense: boolean;
+  /**
+   * Whether that sense is one of rotation.
+   */
+  turns: boolean;
+  /**
+   * Whether it can be given in millimetres of paper, with `/mu` behind its name.
+   */
+  on_paper: boolean;
+  /**
+   * Whether it is a length of the scheme or a segment of a plan, which `"in": "mm"` makes millimetres of paper.
+   */
+  is_segment: boolean;
+  /**
+   * Whether the empty form asks for it.
+   */
+  is_asked: boolean;
+}
+/**
+ * A point of a plan.
+ */
+export interface PlanPoint {
+  /**
+   * The name under which its place stands in the form file.
+   */
+  name: string;
+  /**
+   * As the sheet writes it, in HTML.
+   */
+  label: string;
+}
+/**
+ * A form that was checked.
+ */
+export interface Checked {
+  /**
+   * As `kinegon check --json`; none where no value is understood.
+   */
+  result: CheckResult | null;
+  /**
+   * As `kinegon check`.
+   */
+  report: string;
+  /**
+   * The report piece by piece.
+   */
+  parts: ReportParts | null;
+  /**
+   * Values that are not understood, by their names in the form.
+   */
+  faults: Fault[];
+  /**
+   * The student's drawing over the right one, where it was asked for.
+   */
+  overlays: OverlaySheet[];
+  /**
+   * The page that `--feedback` writes for a browser, where it was asked for.
+   */
+  feedback: string;
+  /**
+   * The marks in words, where a marking scheme was given.
+   */
+  marks: string | null;
+}
+/**
+ * Verdicts and diagnosis of one drawing.
+ */
+export interface CheckResult {
+  /**
+   * Version of the format.
+   */
+  kinegon_check: number;
+  /**
+   * Whose drawing it is.
+   */
+  name?: string | null;
+  /**
+   * Whether no value is off, and no plan mirrored.
+   */
+  passed: boolean;
+  /**
+   * The values in the order of the construction.
+   */
+  values: ValueResult[];
+  /**
+   * What explains them best.
+   */
+  diagnosis: ExplanationResult;
+  /**
+   * What explains them, too.
+   */
+  others: ExplanationResult[];
+  /**
+   * Values that nothing explains.
+   */
+  unexplained: string[];
+  /**
+   * How accurate the drawing is, as the scatter of all values shows; not there where too few values are drawn.
+   */
+  accuracy?: AccuracyResult | null;
+  /**
+   * Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
+   */
+  mirrored?: string[];
+  /**
+   * The marks that the values earn, where a marking scheme is given.
+   */
+  marks?: Awarded | null;
+}
+/**
+ * A value with its verdict.
+ */
+export interface ValueResult {
+  /**
+   * The quantity's name.
+   */
+  quantity: string;
+  /**
+   * The number of the step that gives it.
+   */
+  step: number;
+  /**
+   * The value in the scene's units and senses.
+   */
+  value: number;
+  /**
+   * The exact value.
+   */
+  expected: number;
+  /**
+   * Unit of both.
+   */
+  unit: string;
+  /**
+   * The value less the exact one.
+   */
+  difference: number;
+  /**
+   * The same in millimetres of paper.
+   */
+  difference_mm?: number | null;
+  /**
+   * The same in per cent of the exact value.
+   */
+  percent?: number | null;
+  /**
+   * Largest difference of a value drawn within the tolerance.
+   */
+  allowed?: number | null;
+  /**
+   * "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
+   */
+  verdict: string;
+}
+/**
+ * Mistakes that explain the values together.
+ */
+export interface ExplanationResult {
+  /**
+   * The mistakes in the order of the construction.
+   */
+  mistakes: MistakeResult[];
+  /**
+   * The probability that these were made, or others that the values alone cannot tell from them, from 0 to 1; an
+   * honest share is left for mistakes that the catalogue does not have. Causes are told from 0.6 on. Without mistakes:
+   * the probability that none was made that the catalogue has.
+   */
+  probability: number;
+  /**
+   * Whether the given values alone cannot tell it from the diagnosis.
+   */
+  indistinguishable?: boolean;
+}
+/**
+ * A mistake that was probably made.
+ */
+export interface MistakeResult {
+  /**
+   * Its name in the catalogue.
+   */
+  mistake: string;
+  /**
+   * The number of its step; 0 for the whole drawing.
+   */
+  step: number;
+  /**
+   * What was probably done.
+   */
+  done: string;
+  /**
+   * What it should be.
+   */
+  should_be: string;
+  /**
+   * Values written otherwise than meant.
+   */
+  written?: string[];
+  /**
+   * Values that follow from it and are consistent with it.
+   */
+  follows: string[];
+}
+/**
+ * How accurate somebody draws and computes. Within the limits every error is equally likely.
+ */
+export interface AccuracyResult {
+  /**
+   * Limit of the errors in lengths and places, in mm of paper.
+   */
+  mm: number;
+  /**
+   * Limit of the errors in directions, in degrees.
+   */
+  degrees: number;
+  /**
+   * Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
+   */
+  percent: number;
+}
+/**
+ * The marks that somebody's values earn.
+ */
+export interface Awarded {
+  /**
+   * Marks earned.
+   */
+  earned: number;
+  /**
+   * Marks that could be earned.
+   */
+  of: number;
+  /**
+   * Those of the earned ones that are for values which follow from an earlier mistake.
+   */
+  follow_through: number;
+}
+/**
+ * A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
+ */
+export interface ReportParts {
+  /**
+   * How many values are right, within the tolerance, off.
+   */
+  counts: string;
+  /**
+   * How much is allowed, and how accurate the drawing is.
+   */
+  accuracy: string[];
+  /**
+   * Headings of a value's cells.
+   */
+  columns: string[];
+  /**
+   * The values in the order of `result.values`.
+   */
+  rows: PartsRow[];
+  /**
+   * About rates without a sense.
+   */
+  senses: string | null;
+  /**
+   * The heading of the causes, or the sentence that there are none, or that none can be told.
+   */
+  heading: string;
+  /**
+   * What was probably done.
+   */
+  causes: CauseOf[];
+  /**
+   * How sure that is.
+   */
+  sure: string | null;
+  /**
+   * Which values nothing explains, which plans are mirrored.
+   */
+  further: string[];
+  /**
+   * What else explains the values.
+   */
+  others: string[];
+}
+/**
+ * A value of a report.
+ */
+export interface PartsRow {
+  /**
+   * The name of its box in the form file.
+   */
+  name: string;
+  /**
+   * Name, own value, exact value, difference, the same on paper and in per cent, what is allowed, verdict.
+   */
+  cells: string[];
+}
+/**
+ * A mistake that was probably made.
+ */
+export interface CauseOf {
+  /**
+   * At which step, and what was done.
+   */
+  done: string;
+  /**
+   * That step's caption.
+   */
+  caption: string | null;
+  /**
+   * What it should be.
+   */
+  should: string;
+  /**
+   * Which values follow from it.
+   */
+  follows: string | null;
+}
+/**
+ * A value that is not understood.
+ */
+export interface Fault {
+  /**
+   * Its name as the form has it.
+   */
+  name: string;
+  /**
+   * Why.
+   */
+  message: string;
+  /**
+   * What to try.
+   */
+  hint: string | null;
+}
+/**
+ * A sheet.
+ */
+export interface OverlaySheet {
+  /**
+   * The sheet.
+   */
+  svg: string;
+  /**
+   * Width in mm.
+   */
+  width: number;
+  /**
+   * Height in mm.
+   */
+  height: number;
+}
+/**
+ * How a form is checked.
+ */
+export interface CheckOptions {
+  /**
+   * Marking scheme, as for `kinegon check --marks`.
+   */
+  marks: string | null;
+  /**
+   * Tolerance of the pencil in mm; none for what the sheet shows.
+   */
+  pencil_mm: number | null;
+  /**
+   * The same in degrees.
+   */
+  pencil_degrees: number | null;
+  /**
+   * Whether the student's drawing and the page for the student are made, too.
+   */
+  drawn: boolean;
+}
+/**
+ * An exercise with its files.
+ */
+export interface Exercise {
+  /**
+   * Its scene: scene.json.
+   */
+  text: string;
+  /**
+   * Its name: that of its folder.
+   */
+  name: string;
+  /**
+   * The student's sheet: sheet.svg.
+   */
+  sheet: string;
+  /**
+   * Its width in mm.
+   */
+  width: number;
+  /**
+   * Its height in mm.
+   */
+  height: number;
+  /**
+   * The teacher's key: key.svg.
+   */
+  key: string;
+  /**
+   * Its width in mm.
+   */
+  key_width: number;
+  /**
+   * Its height in mm.
+   */
+  key_height: number;
+  /**
+   * The empty form: form.json.
+   */
+  form: string;
+  /**
+   * The same as a table: form.csv.
+   */
+  form_csv: string;
+  /**
+   * The values of the key: key.json.
+   */
+  key_values: string;
+}
+/**
+ * How exercises are written, as the options of `kinegon exercise`; what is not given is the scene's.
+ */
+export interface ExerciseOptions {
+  /**
+   * The sheet, as `a4-landscape`; none for A4, or A3 where few variants can be drawn well on A4.
+   */
+  page: string | null;
+  /**
+   * Language, as `es`.
+   */
+  language: string | null;
+  /**
+   * Notation.
+   */
+  notation: string | null;
+  /**
+   * Decimal mark.
+   */
+  decimal: string | null;
+}
+/**
+ * What is read from a photograph: one of both.
+ */
+export interface PhotoRead {
+  /**
+   * The sheet in it.
+   */
+  photo: Photo | null;
+  /**
+   * Why none is read.
+   */
+  refused: PhotoRefused | null;
+}
+/**
+ * A sheet in a photograph. Places in the picture are in pixels from its upper left corner, y down, after `turn`.
+ */
+export interface Photo {
+  /**
+   * The exercise or scene that the sheet is of, as its code has it.
+   */
+  name: string;
+  /**
+   * The sheet's number.
+   */
+  number: number;
+  /**
+   * Whether it is a sheet of this scene.
+   */
+  is_own: boolean;
+  /**
+   * By how many quarters the picture is turned clockwise, so that the sheet stands upright.
+   */
+  turn: number;
+  /**
+   * Pixels per mm in the sheet's middle.
+   */
+  per_mm: number;
+  /**
+   * How far the sheet's middle is above or below its edges, in mm.
+   */
+  bend: number;
+  /**
+   * Radius within which places on the sheet are known with 95 %, at the plans' points, in mm.
+   */
+  band: number;
+  /**
+   * The plans on it; none of another scene's sheet.
+   */
+  plans: PhotoPlan[];
+}
+/**
+ * The right plan over a photograph.
+ */
+export interface PhotoPlan {
+  /**
+   * Of which plan.
+   */
+  plan: Panel;
+  /**
+   * The sheet's scale, in units per mm.
+   */
+  mu: number;
+  /**
+   * Its points in the order of the construction, the pole first.
+   */
+  points: PhotoPoint[];
+  /**
+   * Its vectors and rays: places along each in the picture.
+   */
+  lines: [number, number][][];
+}
+/**
+ * A point of the right plan in the picture.
+ */
+export interface PhotoPoint {
+  /**
+   * The name under which its place stands in the form file.
+   */
+  name: string;
+  /**
+   * As the sheet writes it, in HTML.
+   */
+  label: string;
+  /**
+   * Where it should be in the picture.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+}
+/**
+ * Why no sheet is read from a photograph.
+ */
+export interface PhotoRefused {
+  /**
+   * `few-markers`, `not-even`, `blurred`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
+   */
+  why: string;
+  /**
+   * The number in the message: of markers, of mm; 0 where there is none.
+   */
+  number: number;
+  /**
+   * What is wrong, in English.
+   */
+  message: string;
+  /**
+   * What to do, in English.
+   */
+  hint: string;
+}
+/**
+ * A place that was tapped, or is proposed.
+ */
+export interface Tapped {
+  /**
+   * In mm of paper from the printed pole, x right, y up.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * In the picture.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  pixel: [number, number];
+  /**
+   * Whether pencil lines cross there.
+   */
+  is_snapped: boolean;
+  /**
+   * Radius that holds the place with 95 %, in mm.
+   */
+  band: number;
+  /**
+   * The same in pixels.
+   */
+  band_pixels: number;
+}
+/**
+ * A point of a student's plan.
+ */
+export interface MarkedPoint {
+  /**
+   * Of which plan.
+   */
+  plan: Panel;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * In mm of paper from the printed pole, x right, y up.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * Radius that holds it with 95 %, in mm; none where a hand has put it.
+   */
+  band: number | null;
+}
+/**
+ * How a point of a student's plan stands.
+ */
+export interface PointVerdict {
+  /**
+   * Of which plan.
+   */
+  plan: Panel;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * Where it is in the picture.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  pixel: [number, number];
+  /**
+   * Radius that holds it with 95 %, in pixels.
+   */
+  band_pixels: number;
+  /**
+   * How far it is from the right place, in mm.
+   */
+  off: number;
+  /**
+   * What its place tells; `open`: the picture cannot tell.
+   */
+  verdict: PlaceVerdict;
+}
+/**
+ * A point that pencil lines show: a proposal, as lines may mislead.
+ */
+export interface Proposed {
+  /**
+   * Of which plan.
+   */
+  plan: Panel;
+  /**
+   * Its name in the form file.
+   */
+  name: string;
+  /**
+   * Where it seems to be.
+   */
+  place: Tapped;
 }
 /**
  * A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
@@ -410,6 +1519,10 @@ export interface SceneFile {
    * Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
    */
   want?: string[];
+  /**
+   * Where an editor finds this schema; ignored
+   */
+  $schema?: string;
 }
 /**
  * Units of every length and time of the scene.
@@ -704,1161 +1817,27 @@ export interface SceneFigure {
    */
   markers?: boolean;
 }
+
 /**
- * A drive and where it stands.
+ * The sheets in the order in which they are drawn: their words, the keys of their scales, the letters of their vectors.
  */
-export interface Drive {
-  /**
-   * A driven link, or a slider on a moving link such as 3/2.
-   */
-  name: string;
-  /**
-   * Whether it turns.
-   */
-  is_angle: boolean;
-  /**
-   * In degrees or units of length.
-   */
-  value: number;
-  /**
-   * In words, as `70.0°`.
-   */
-  shown: string;
-  /**
-   * The least value that it can reach; none where it turns all the way round or slides without end.
-   */
-  low: number | null;
-  /**
-   * The greatest.
-   */
-  high: number | null;
-}
-/**
- * A step of the construction.
- */
-export interface Step {
-  /**
-   * Counted from 1.
-   */
-  number: number;
-  /**
-   * What is done.
-   */
-  caption: string;
-  /**
-   * Its equation in plain text, or empty.
-   */
-  equation: string;
-  /**
-   * `scheme`, `velocity`, `acceleration`.
-   */
-  panel: string;
-}
-/**
- * How a scene is shown besides what its `figure` says.
- */
-export interface View {
-  /**
-   * The step after which it is shown, from 1; none for the finished figure.
-   */
-  step: number | null;
-  /**
-   * Whether steps are the passages.
-   */
-  coarse: boolean;
-  /**
-   * Whether all other assembly modes are drawn pale.
-   */
-  modes: boolean;
-  /**
-   * The panels that are shown (`scheme`, `velocity`, `acceleration`) in place of the figure's: a student's link shows
-   * the scheme alone.
-   */
-  panels?: string[] | null;
-}
-/**
- * A picture of the scene in one position.
- */
-export interface Picture {
-  /**
-   * The sheet.
-   */
-  svg: string;
-  /**
-   * Width of the sheet in mm.
-   */
-  width: number;
-  /**
-   * Height of the sheet in mm.
-   */
-  height: number;
-  /**
-   * Its panels.
-   */
-  panels: Panel[];
-  /**
-   * What can be taken hold of: the points of the mechanism.
-   */
-  handles: Handle[];
-  /**
-   * The points of the plans that are shown, their poles among them.
-   */
-  plan_points: Handle[];
-  /**
-   * The drives and where they stand.
-   */
-  drives: Drive[];
-  /**
-   * What is to be told: a limit that stops the drive, a panel that is cut.
-   */
-  notes: string[];
-}
-/**
- * A panel of a picture.
- */
-export interface Panel {
-  /**
-   * Its name in words.
-   */
-  name: string;
-  /**
-   * `scheme`, `velocity`, `acceleration`.
-   */
-  key: string;
-  /**
-   * [x, y, width, height] in mm.
-   *
-   * @minItems 4
-   * @maxItems 4
-   */
-  box: [number, number, number, number];
-  /**
-   * Whether something is cut off at its edge.
-   */
-  is_cut: boolean;
-}
-/**
- * A place that can be taken hold of.
- */
-export interface Handle {
-  /**
-   * The point's name.
-   */
-  name: string;
-  /**
-   * The panel in which it is: `scheme`, `velocity`, `acceleration`.
-   */
-  panel: string;
-  /**
-   * On the sheet, in mm from its upper left corner.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-  /**
-   * Whether it never moves: a point of the ground, or a pole.
-   */
-  is_fixed: boolean;
-}
-/**
- * What stays when a joint is pulled.
- */
-export interface Pins {
-  /**
-   * Points that stay where they are.
-   */
-  points: string[];
-  /**
-   * Lengths that stay, as `2.BC`: link and length; or a link's angle, as `1.angle`.
-   */
-  lengths: string[];
-}
-/**
- * A new link.
- */
-export interface NewLink {
-  /**
-   * Its points. One that the scene has already becomes a joint.
-   */
-  points: PlacedPoint[];
-}
-/**
- * A point where it is, or is to be, in the present position.
- */
-export interface PlacedPoint {
-  /**
-   * Its name.
-   */
-  name: string;
-  /**
-   * Its place in the fixed frame, in units of length.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-}
-/**
- * A further point of a link.
- */
-export interface NewPoint {
-  /**
-   * The link, or `ground`.
-   */
-  link: string;
-  /**
-   * The point's name.
-   */
-  name: string;
-  /**
-   * Its place in the present position, in the fixed frame.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-}
-/**
- * A new slider.
- */
-export interface NewSlider {
-  /**
-   * The sliding link; empty for a pin in a slot.
-   */
-  link: string;
-  /**
-   * The point of it that is on the guide, or the pin.
-   */
-  at: string;
-  /**
-   * What carries the guide: a link, or `ground`.
-   */
-  on: string;
-  /**
-   * The guide's direction: degrees, or two points of its carrier as `BE`.
-   */
-  along: Along;
-}
-/**
- * A point of the scene in its own coordinates.
- */
-export interface Place {
-  /**
-   * Its name.
-   */
-  name: string;
-  /**
-   * Where it is, in units of length.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-}
-/**
- * A way to assemble the scene.
- */
-export interface Mode {
-  /**
-   * Its number, as `kinegon modes` counts.
-   */
-  number: number;
-  /**
-   * The places of moving points, and angles of links, in words.
-   */
-  shown: string;
-  /**
-   * Whether it is that of the scene.
-   */
-  is_own: boolean;
-}
-/**
- * A file as the program writes it.
- */
-export interface FileRequest {
-  /**
-   * What kind of file.
-   */
-  format: Format;
-  /**
-   * What is drawn.
-   */
-  of: Subject;
-}
-/**
- * What can be drawn over the cycle.
- */
-export interface Curves {
-  /**
-   * The sheet.
-   */
-  svg: string;
-  /**
-   * Width of the sheet in mm.
-   */
-  width: number;
-  /**
-   * Height of the sheet in mm.
-   */
-  height: number;
-  /**
-   * Extreme positions, change points, limits, in words.
-   */
-  events: string[];
-  /**
-   * The axis of the drive; none where nothing is drawn over it.
-   */
-  axis: DriveAxis | null;
-}
-/**
- * Where the values of the drive are in graphs one above the other.
- */
-export interface DriveAxis {
-  /**
-   * The value at the left edge of the graphs, in degrees or units of length.
-   */
-  low: number;
-  /**
-   * At the right edge.
-   */
-  high: number;
-  /**
-   * The graphs: [x, y, width, height] in mm.
-   */
-  areas: [number, number, number, number][];
-}
-/**
- * A value of the scene's own position.
- */
-export interface Value {
-  /**
-   * Its name, as `v(D).size`.
-   */
-  name: string;
-  /**
-   * As letters with scripts: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
-   */
-  label: string;
-  /**
-   * Those digits that are certain.
-   */
-  value: string;
-  /**
-   * Its unit.
-   */
-  unit: string;
-  /**
-   * How far the value can be from the true one, in the same unit; none where that is not known.
-   */
-  error?: string | null;
-}
-/**
- * The form of a scene.
- */
-export interface Form {
-  /**
-   * Its boxes in the order of the construction; behind them those of further values that a filled form has.
-   */
-  rows: FormRow[];
-  /**
-   * Scale of the scheme in units per mm of paper.
-   */
-  mu_l: number | null;
-  /**
-   * Scale of the velocity plan.
-   */
-  mu_v: number | null;
-  /**
-   * Scale of the acceleration plan.
-   */
-  mu_a: number | null;
-  /**
-   * By plan: the pole and the points whose places can be given.
-   */
-  points: PlanPoints;
-  /**
-   * The empty form, as `kinegon check --template` writes it.
-   */
-  json: string;
-  /**
-   * The same as a table.
-   */
-  csv: string;
-}
-/**
- * A box of the form of measured values.
- */
-export interface FormRow {
-  /**
-   * The name under which its value stands in the form file.
-   */
-  name: string;
-  /**
-   * As the sheet writes it: HTML of `<i>`, `<sub>`, `<sup>` and text alone.
-   */
-  label: string;
-  /**
-   * The scene's unit of it.
-   */
-  unit: string;
-  /**
-   * `scheme`, `velocity`, `acceleration`.
-   */
-  panel: string;
-  /**
-   * The step that gives it.
-   */
-  step: number;
-  /**
-   * That step's caption.
-   */
-  caption: string;
-  /**
-   * Whether it has a sense, which a sign tells.
-   */
-  has_sense: boolean;
-  /**
-   * Whether that sense is one of rotation.
-   */
-  turns: boolean;
-  /**
-   * Whether it can be given in millimetres of paper, with `/mu` behind its name.
-   */
-  on_paper: boolean;
-  /**
-   * Whether the empty form asks for it.
-   */
-  is_asked: boolean;
-}
-/**
- * Points whose places on paper can be given, by the names of the form file; the pole first.
- */
-export interface PlanPoints {
-  /**
-   * Of the velocity plan.
-   */
-  velocity: PlanPoint[];
-  /**
-   * Of the acceleration plan.
-   */
-  acceleration: PlanPoint[];
-}
-/**
- * A point of a plan.
- */
-export interface PlanPoint {
-  /**
-   * The name under which its place stands in the form file.
-   */
-  name: string;
-  /**
-   * As the sheet writes it, in HTML.
-   */
-  label: string;
-}
-/**
- * A form that was checked.
- */
-export interface Checked {
-  /**
-   * As `kinegon check --json`; none where no value is understood.
-   */
-  result: CheckResult | null;
-  /**
-   * As `kinegon check`.
-   */
-  report: string;
-  /**
-   * The report piece by piece.
-   */
-  parts: ReportParts | null;
-  /**
-   * Values that are not understood, by their names in the form.
-   */
-  faults: Fault[];
-  /**
-   * The student's drawing over the right one, where it was asked for.
-   */
-  overlays: OverlaySheet[];
-  /**
-   * The page that `--feedback` writes for a browser, where it was asked for.
-   */
-  feedback: string;
-  /**
-   * The marks in words, where a marking scheme was given.
-   */
-  marks: string | null;
-}
-/**
- * Verdicts and diagnosis of one drawing.
- */
-export interface CheckResult {
-  /**
-   * Version of the format.
-   */
-  kinegon_check: number;
-  /**
-   * Whose drawing it is.
-   */
-  name?: string;
-  /**
-   * Whether no value is off, and no plan mirrored.
-   */
-  passed: boolean;
-  /**
-   * The values in the order of the construction.
-   */
-  values: ValueResult[];
-  diagnosis: ExplanationResult;
-  /**
-   * What explains them, too.
-   */
-  others: ExplanationResult1[];
-  /**
-   * Values that nothing explains.
-   */
-  unexplained: string[];
-  accuracy?: AccuracyResult;
-  /**
-   * Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
-   */
-  mirrored: string[];
-  marks?: Awarded;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * A value with its verdict.
- */
-export interface ValueResult {
-  /**
-   * The quantity's name.
-   */
-  quantity: string;
-  /**
-   * The number of the step that gives it.
-   */
-  step: number;
-  /**
-   * The value in the scene's units and senses.
-   */
-  value: number;
-  /**
-   * The exact value.
-   */
-  expected: number;
-  /**
-   * Unit of both.
-   */
-  unit: string;
-  /**
-   * The value less the exact one.
-   */
-  difference: number;
-  /**
-   * The same in millimetres of paper.
-   */
-  difference_mm?: number;
-  /**
-   * The same in per cent of the exact value.
-   */
-  percent?: number;
-  /**
-   * Largest difference of a value drawn within the tolerance.
-   */
-  allowed?: number;
-  /**
-   * "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
-   */
-  verdict: string;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * What explains them best.
- */
-export interface ExplanationResult {
-  /**
-   * The mistakes in the order of the construction.
-   */
-  mistakes: MistakeResult[];
-  /**
-   * The probability that these were made, or others that the values alone cannot tell from them, from 0 to 1; an
-   * honest share is left for mistakes that the catalogue does not have. Causes are told from 0.6 on. Without mistakes:
-   * the probability that none was made that the catalogue has.
-   */
-  probability: number;
-  /**
-   * Whether the given values alone cannot tell it from the diagnosis.
-   */
-  indistinguishable: boolean;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * A mistake that was probably made.
- */
-export interface MistakeResult {
-  /**
-   * Its name in the catalogue.
-   */
-  mistake: string;
-  /**
-   * The number of its step; 0 for the whole drawing.
-   */
-  step: number;
-  /**
-   * What was probably done.
-   */
-  done: string;
-  /**
-   * What it should be.
-   */
-  should_be: string;
-  /**
-   * Values written otherwise than meant.
-   */
-  written: string[];
-  /**
-   * Values that follow from it and are consistent with it.
-   */
-  follows: string[];
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * Mistakes that explain the values together.
- */
-export interface ExplanationResult1 {
-  /**
-   * The mistakes in the order of the construction.
-   */
-  mistakes: MistakeResult[];
-  /**
-   * The probability that these were made, or others that the values alone cannot tell from them, from 0 to 1; an
-   * honest share is left for mistakes that the catalogue does not have. Causes are told from 0.6 on. Without mistakes:
-   * the probability that none was made that the catalogue has.
-   */
-  probability: number;
-  /**
-   * Whether the given values alone cannot tell it from the diagnosis.
-   */
-  indistinguishable: boolean;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * How accurate the drawing is, as the scatter of all values shows; not there where too few values are drawn.
- */
-export interface AccuracyResult {
-  /**
-   * Limit of the errors in lengths and places, in mm of paper.
-   */
-  mm: number;
-  /**
-   * Limit of the errors in directions, in degrees.
-   */
-  degrees: number;
-  /**
-   * Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
-   */
-  percent: number;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * The marks that the values earn, where a marking scheme is given.
- */
-export interface Awarded {
-  /**
-   * Marks earned.
-   */
-  earned: number;
-  /**
-   * Marks that could be earned.
-   */
-  of: number;
-  /**
-   * Those of the earned ones that are for values which follow from an earlier mistake.
-   */
-  follow_through: number;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
- */
-export interface ReportParts {
-  /**
-   * How many values are right, within the tolerance, off.
-   */
-  counts: string;
-  /**
-   * How much is allowed, and how accurate the drawing is.
-   */
-  accuracy: string[];
-  /**
-   * Headings of a value's cells.
-   */
-  columns: string[];
-  /**
-   * The values in the order of `result.values`.
-   */
-  rows: PartsRow[];
-  /**
-   * About rates without a sense.
-   */
-  senses: string | null;
-  /**
-   * The heading of the causes, or the sentence that there are none, or that none can be told.
-   */
-  heading: string;
-  /**
-   * What was probably done.
-   */
-  causes: CauseOf[];
-  /**
-   * How sure that is.
-   */
-  sure: string | null;
-  /**
-   * Which values nothing explains, which plans are mirrored.
-   */
-  further: string[];
-  /**
-   * What else explains the values.
-   */
-  others: string[];
-}
-/**
- * A value of a report.
- */
-export interface PartsRow {
-  /**
-   * The name of its box in the form file.
-   */
-  name: string;
-  /**
-   * Name, own value, exact value, difference, the same on paper and in per cent, what is allowed, verdict.
-   */
-  cells: string[];
-}
-/**
- * A mistake that was probably made.
- */
-export interface CauseOf {
-  /**
-   * At which step, and what was done.
-   */
-  done: string;
-  /**
-   * That step's caption.
-   */
-  caption: string | null;
-  /**
-   * What it should be.
-   */
-  should: string;
-  /**
-   * Which values follow from it.
-   */
-  follows: string | null;
-}
-/**
- * A value that is not understood.
- */
-export interface Fault {
-  /**
-   * Its name as the form has it.
-   */
-  name: string;
-  /**
-   * Why.
-   */
-  message: string;
-  /**
-   * What to try.
-   */
-  hint: string | null;
-}
-/**
- * A sheet.
- */
-export interface OverlaySheet {
-  /**
-   * The sheet.
-   */
-  svg: string;
-  /**
-   * Width in mm.
-   */
-  width: number;
-  /**
-   * Height in mm.
-   */
-  height: number;
-}
-/**
- * How a form is checked.
- */
-export interface CheckOptions {
-  /**
-   * Marking scheme, as for `kinegon check --marks`.
-   */
-  marks: string | null;
-  /**
-   * Tolerance of the pencil in mm; none for what the sheet shows.
-   */
-  pencil_mm: number | null;
-  /**
-   * The same in degrees.
-   */
-  pencil_degrees: number | null;
-  /**
-   * Whether the student's drawing and the page for the student are made, too.
-   */
-  drawn: boolean;
-}
-/**
- * An exercise with its files.
- */
-export interface Exercise {
-  /**
-   * Its scene: scene.json.
-   */
-  text: string;
-  /**
-   * Its name: that of its folder.
-   */
-  name: string;
-  /**
-   * The student's sheet: sheet.svg.
-   */
-  sheet: string;
-  /**
-   * Its width in mm.
-   */
-  width: number;
-  /**
-   * Its height in mm.
-   */
-  height: number;
-  /**
-   * The teacher's key: key.svg.
-   */
-  key: string;
-  /**
-   * Its width in mm.
-   */
-  key_width: number;
-  /**
-   * Its height in mm.
-   */
-  key_height: number;
-  /**
-   * The empty form: form.json.
-   */
-  form: string;
-  /**
-   * The same as a table: form.csv.
-   */
-  form_csv: string;
-  /**
-   * The values of the key: key.json.
-   */
-  key_values: string;
-}
-/**
- * How exercises are written, as the options of `kinegon exercise`; what is not given is the scene's.
- */
-export interface ExerciseOptions {
-  /**
-   * The sheet, as `a4-landscape`; none for A4, or A3 where few variants can be drawn well on A4.
-   */
-  page: string | null;
-  /**
-   * Language, as `es`.
-   */
-  language: string | null;
-  /**
-   * Notation.
-   */
-  notation: string | null;
-  /**
-   * Decimal mark.
-   */
-  decimal: string | null;
-}
-/**
- * What is read from a photograph: one of both.
- */
-export interface PhotoRead {
-  /**
-   * The sheet in it.
-   */
-  photo: Photo | null;
-  /**
-   * Why none is read.
-   */
-  refused: PhotoRefused | null;
-}
-/**
- * A sheet in a photograph. Places in the picture are in pixels from its upper left corner, y down, after `turn`.
- */
-export interface Photo {
-  /**
-   * The exercise or scene that the sheet is of, as its code has it.
-   */
-  name: string;
-  /**
-   * The sheet's number.
-   */
-  number: number;
-  /**
-   * Whether it is a sheet of this scene.
-   */
-  is_own: boolean;
-  /**
-   * By how many quarters the picture is turned clockwise, so that the sheet stands upright.
-   */
-  turn: number;
-  /**
-   * Pixels per mm in the sheet's middle.
-   */
-  per_mm: number;
-  /**
-   * How far the sheet's middle is above or below its edges, in mm.
-   */
-  bend: number;
-  /**
-   * Radius within which places on the sheet are known with 95 %, at the plans' points, in mm.
-   */
-  band: number;
-  /**
-   * The plans on it; none of another scene's sheet.
-   */
-  plans: PhotoPlan[];
-}
-/**
- * The right plan over a photograph.
- */
-export interface PhotoPlan {
-  /**
-   * `velocity` or `acceleration`.
-   */
-  plan: string;
-  /**
-   * The sheet's scale, in units per mm.
-   */
-  mu: number;
-  /**
-   * Its points in the order of the construction, the pole first.
-   */
-  points: PhotoPoint[];
-  /**
-   * Its vectors and rays: places along each in the picture.
-   */
-  lines: [number, number][][];
-}
-/**
- * A point of the right plan in the picture.
- */
-export interface PhotoPoint {
-  /**
-   * The name under which its place stands in the form file.
-   */
-  name: string;
-  /**
-   * As the sheet writes it, in HTML.
-   */
-  label: string;
-  /**
-   * Where it should be in the picture.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-}
-/**
- * Why no sheet is read from a photograph.
- */
-export interface PhotoRefused {
-  /**
-   * `few-markers`, `not-even`, `blurred`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
-   */
-  why: string;
-  /**
-   * The number in the message: of markers, of mm; 0 where there is none.
-   */
-  number: number;
-  /**
-   * What is wrong, in English.
-   */
-  message: string;
-  /**
-   * What to do, in English.
-   */
-  hint: string;
-}
-/**
- * A place that was tapped, or is proposed.
- */
-export interface Tapped {
-  /**
-   * In mm of paper from the printed pole, x right, y up.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-  /**
-   * In the picture.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  pixel: [number, number];
-  /**
-   * Whether pencil lines cross there.
-   */
-  is_snapped: boolean;
-  /**
-   * Radius that holds the place with 95 %, in mm.
-   */
-  band: number;
-  /**
-   * The same in pixels.
-   */
-  band_pixels: number;
-}
-/**
- * A point of a student's plan.
- */
-export interface PlacedPoint2 {
-  /**
-   * `velocity` or `acceleration`.
-   */
-  plan: string;
-  /**
-   * Its name in the form file.
-   */
-  name: string;
-  /**
-   * In mm of paper from the printed pole, x right, y up.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  at: [number, number];
-  /**
-   * Radius that holds it with 95 %, in mm; none where a hand has put it.
-   */
-  band: number | null;
-}
-/**
- * How a point of a student's plan stands.
- */
-export interface PointVerdict {
-  /**
-   * `velocity` or `acceleration`.
-   */
-  plan: string;
-  /**
-   * Its name in the form file.
-   */
-  name: string;
-  /**
-   * Where it is in the picture.
-   *
-   * @minItems 2
-   * @maxItems 2
-   */
-  pixel: [number, number];
-  /**
-   * Radius that holds it with 95 %, in pixels.
-   */
-  band_pixels: number;
-  /**
-   * How far it is from the right place, in mm.
-   */
-  off: number;
-  /**
-   * `right`, `off`, or `open`: the picture cannot tell.
-   */
-  verdict: string;
-}
-/**
- * A point that pencil lines show: a proposal, as lines may mislead.
- */
-export interface Proposed {
-  /**
-   * `velocity` or `acceleration`.
-   */
-  plan: string;
-  /**
-   * Its name in the form file.
-   */
-  name: string;
-  /**
-   * Where it seems to be.
-   */
-  place: Tapped;
-}
-/**
- * How accurate somebody draws and computes. Within the limits every error is equally likely.
- */
-export interface AccuracyResult1 {
-  /**
-   * Limit of the errors in lengths and places, in mm of paper.
-   */
-  mm: number;
-  /**
-   * Limit of the errors in directions, in degrees.
-   */
-  degrees: number;
-  /**
-   * Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
-   */
-  percent: number;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
-/**
- * The marks that somebody's values earn.
- */
-export interface Awarded1 {
-  /**
-   * Marks earned.
-   */
-  earned: number;
-  /**
-   * Marks that could be earned.
-   */
-  of: number;
-  /**
-   * Those of the earned ones that are for values which follow from an earlier mistake.
-   */
-  follow_through: number;
-  /**
-   * For people; ignored
-   */
-  note?: unknown;
-}
+export const SHEETS = [
+  {
+    "key": "scheme",
+    "scale": "mu_l",
+    "isPlan": false,
+    "vector": ""
+  },
+  {
+    "key": "velocity",
+    "scale": "mu_v",
+    "isPlan": true,
+    "vector": "v"
+  },
+  {
+    "key": "acceleration",
+    "scale": "mu_a",
+    "isPlan": true,
+    "vector": "a"
+  }
+] as const;

@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
 import { byId, takesText } from "../dom/find.ts";
+import { SHEETS } from "../engine/types.ts";
 import type { Drives } from "../motion/drives.ts";
 import type { Play } from "../motion/play.ts";
 import { choose } from "../picture/focus.ts";
@@ -49,9 +50,7 @@ export function keys(app: App, { steps, drives, play, full, store }: KeyParts): 
     "+": () => press("zoom-in"),
     "=": () => press("zoom-in"),
     "-": () => press("zoom-out"),
-    "1": () => choose("scheme"),
-    "2": () => choose("velocity"),
-    "3": () => choose("acceleration"),
+    ...Object.fromEntries(SHEETS.map(({ key }, index) => [String(index + 1), () => choose(key)])),
     a: () => choose(""),
     m: () => press("hand-move"),
     s: () => press("hand-shape"),

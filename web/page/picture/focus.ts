@@ -4,6 +4,7 @@ import { byId } from "../dom/find.ts";
 import type { Picture } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
 import { signal, type Signal } from "../state/signal.ts";
+import { called } from "../sheets.ts";
 import { language } from "../words.ts";
 import type { Box, Viewport } from "./viewport.ts";
 
@@ -15,9 +16,6 @@ export interface Focus {
   /** The next panel to the right or left, as a finger swipes. */
   swipe(by: 1 | -1): void;
 }
-
-/** Panels that have a short name here. */
-const SHORT = { scheme: true, velocity: true, acceleration: true } as const;
 
 /** Screens narrower than this show one panel at a time. */
 const NARROW = 600;
@@ -55,7 +53,7 @@ export function focus(app: App, view: Viewport): Focus {
   }
 
   function build(): void {
-    const plain = panels().map(({ key, name }) => choice(key, key in SHORT ? say(key as keyof typeof SHORT) : name));
+    const plain = panels().map(({ key }) => choice(key, called(key, "short")));
     bar.replaceChildren(choice("", say("all")), ...plain);
     bar.hidden = plain.length < 2;
     mark();
@@ -94,7 +92,7 @@ export function focus(app: App, view: Viewport): Focus {
     on,
     at: ([x, y]) => panels().find(({ box: [left, top, width, height] }) => x >= left && x <= left + width && y >= top && y <= top + height)?.key ?? "",
     swipe(by) {
-      const keys = panels().map(({ key }) => key);
+      const keys: string[] = panels().map(({ key }) => key);
       const next = keys[keys.indexOf(on.value) + by];
       if (on.value === "" || next === undefined) return;
       on.set(next);

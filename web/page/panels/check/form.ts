@@ -1,30 +1,22 @@
 /** The form file: JSON as `kinegon check` reads it. Everything here is text in, text out; the values stay as they were written. */
 
+import type { Scale, Sheet } from "../../sheets.ts";
+
 /** A value as it stands in the file. */
 type Written = string | number | { value: string | number; unit: string };
-
-/** A plan by the name that it has in the file. */
-export type PlanName = "velocity" | "acceleration";
-
-/** The scales of the student's own sheets. */
-export const SCALES = ["mu_l", "mu_v", "mu_a"] as const;
-export type Scale = (typeof SCALES)[number];
 
 /** A place on paper in mm, x to the right, y up; then the radius that holds it with 95 %, where a photograph tells. */
 export type Place = [x: number, y: number, band?: number];
 
-/** A form file. */
-export interface FormFile {
+/** A form file; its head has the scales of the student's own sheets. */
+export interface FormFile extends Partial<Record<Scale, number>> {
   kinegon_measured: 1;
   name?: string;
   exercise?: string;
-  mu_l?: number;
-  mu_v?: number;
-  mu_a?: number;
   positive?: "counter-clockwise" | "clockwise";
   in?: "mm" | "units";
   values?: Record<string, Written>;
-  points?: Partial<Record<PlanName, Record<string, Place>>>;
+  points?: Partial<Record<Sheet, Record<string, Place>>>;
 }
 
 /** A value for the hand: its digits, the unit beside it (null: the scene's), whether it is in mm of paper. */
@@ -116,12 +108,12 @@ export function withHead<Key extends Exclude<keyof FormFile, "values" | "points"
 }
 
 /** The places of a plan's points. */
-export function placesOf(file: FormFile, plan: PlanName): Record<string, Place> {
+export function placesOf(file: FormFile, plan: Sheet): Record<string, Place> {
   return file.points?.[plan] ?? {};
 }
 
 /** The form with a point at another place, or without it. */
-export function withPlace(file: FormFile, plan: PlanName, name: string, at: Place | null): FormFile {
+export function withPlace(file: FormFile, plan: Sheet, name: string, at: Place | null): FormFile {
   const places = { ...placesOf(file, plan) };
   if (at === null) delete places[name];
   else places[name] = at;

@@ -1,7 +1,8 @@
 import { element } from "../../dom/element.ts";
-import type { Form, FormRow } from "../../engine/types.ts";
+import { SHEETS, type Form, type FormRow } from "../../engine/types.ts";
 import { evaluated } from "../../number.ts";
-import { type FormFile, SCALES, type Scale, withHead } from "./form.ts";
+import { called, type Scale, scaleOf, type Sheet } from "../../sheets.ts";
+import { type FormFile, withHead } from "./form.ts";
 import { say } from "./words.ts";
 
 /** The head of the form: name, scales of the student's own sheets, what lengths are written in. */
@@ -13,10 +14,9 @@ export interface Head {
 }
 
 /** The unit of a sheet's lengths: that of a quantity that is read from it. */
-function unitOf(rows: FormRow[], scale: Scale): string {
-  const panel = { mu_l: "scheme", mu_v: "velocity", mu_a: "acceleration" }[scale];
+function unitOf(rows: FormRow[], sheet: Sheet): string {
   const length = rows.find((row) => row.unit.startsWith("mm") || row.on_paper)?.unit.split("/")[0] ?? "";
-  return rows.find((row) => row.panel === panel && row.on_paper)?.unit ?? (scale === "mu_l" ? length : "");
+  return rows.find((row) => row.panel === sheet && row.on_paper)?.unit ?? (sheet === "scheme" ? length : "");
 }
 
 /** A symbol with a low letter, as μ_l. */
@@ -30,9 +30,9 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
   const fields = new Map<Scale | "name", HTMLInputElement>();
   let units: HTMLInputElement[] = [];
 
-  function scaleField(scale: Scale, rows: FormRow[]): HTMLElement {
-    const unit = unitOf(rows, scale);
-    const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${say("scales")}: ${unit}, ${say(scale)}` });
+  function scaleField(sheet: Sheet, rows: FormRow[]): HTMLElement {
+    const [unit, scale] = [unitOf(rows, sheet), scaleOf(sheet)];
+    const input = element("input", { type: "text", inputmode: "decimal", autocomplete: "off", "aria-label": `${say("scales")}: ${unit}, ${called(sheet, "name")}` });
     input.oninput = () => {
       const value = evaluated(input.value);
       const isScale = value !== null && value > 0;
@@ -41,7 +41,7 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     };
     input.onblur = left;
     fields.set(scale, input);
-    const name = element("span", { title: say(scale) }, symbol(scale));
+    const name = element("span", { title: called(sheet, "name") }, symbol(scale));
     return element("label", {}, name, input, element("small", {}, unit));
   }
 
@@ -61,7 +61,7 @@ export function head(change: (how: (file: FormFile) => FormFile, field: string) 
     };
     root.replaceChildren(
       element("label", { class: "name" }, element("span", {}, say("name")), name),
-      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SCALES.map((scale) => scaleField(scale, rows))),
+      element("fieldset", { class: "scales" }, element("legend", {}, say("scales")), ...SHEETS.map(({ key }) => scaleField(key, rows))),
       element("fieldset", { class: "in" }, element("legend", {}, say("in")), choice("mm", say("in_mm")), choice("units", say("in_units"), own)),
     );
   }

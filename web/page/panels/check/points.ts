@@ -1,6 +1,7 @@
 import { element } from "../../dom/element.ts";
 import type { Form, PlanPoint } from "../../engine/types.ts";
-import { type FormFile, type Place, type PlanName, placesOf, withPlace } from "./form.ts";
+import { called, PLANS, scaleOf, type Sheet } from "../../sheets.ts";
+import { type FormFile, type Place, placesOf, withPlace } from "./form.ts";
 import { planSheet } from "./plan_sheet.ts";
 import { pointList } from "./point_list.ts";
 import { say } from "./words.ts";
@@ -10,14 +11,15 @@ type Change = (how: (file: FormFile) => FormFile, gesture: string) => void;
 /** Places of plan points, marked on a sheet of squared paper or typed. */
 export function pointsPart(change: Change, left: () => void, present: () => FormFile): { root: HTMLElement; build(form: Form): void; show(file: FormFile): void } {
   const root = element("details", { class: "points" });
-  let points: Form["points"] = { velocity: [], acceleration: [] };
-  let plan: PlanName = "velocity";
+  let points: Form["points"] = {};
+  let plan: Sheet = PLANS[0]!;
   let chosen = "";
   /** What has been placed last, in words. */
   let placed = "";
 
   const put = (name: string, at: Place | null, gesture: string): void => change((file) => withPlace(file, plan, name, at), gesture);
-  const here = (): PlanPoint[] => points[plan];
+  const pointsOf = (sheet: Sheet): PlanPoint[] => points[sheet] ?? [];
+  const here = (): PlanPoint[] => pointsOf(plan);
   const named = (name: string): PlanPoint => here().find((point) => point.name === name) ?? { name, label: name };
 
   /** The first point without a place after this one, else the first of all. */
@@ -64,7 +66,7 @@ export function pointsPart(change: Change, left: () => void, present: () => Form
   const status = element("p", { class: "chosen", role: "status" });
   root.append(summary, intro, choice, status, sheet.root, list.root);
 
-  function planButton(name: PlanName, words: string): HTMLElement {
+  function planButton(name: Sheet): HTMLElement {
     const input = element("input", { type: "radio", name: "check-plan", value: name });
     input.checked = name === plan;
     input.onchange = () => {
@@ -72,12 +74,12 @@ export function pointsPart(change: Change, left: () => void, present: () => Form
       chosen = next("");
       show(present());
     };
-    return element("label", {}, input, element("span", {}, words));
+    return element("label", {}, input, element("span", {}, called(name, "title")));
   }
 
   function show(file: FormFile): void {
     const places = placesOf(file, plan);
-    const mu = plan === "velocity" ? file.mu_v : file.mu_a;
+    const mu = file[scaleOf(plan)];
     if (chosen !== "" && !here().some((point) => point.name === chosen)) chosen = next("");
     const now = mu === undefined ? say("scale_first") : chosen === "" ? say("all_placed") : say("chosen", { name: named(chosen).label });
     // Words of the page and labels of the engine; names that stand in a file alone are never chosen.
@@ -90,15 +92,15 @@ export function pointsPart(change: Change, left: () => void, present: () => Form
     root,
     build(form) {
       points = form.points;
-      root.hidden = points.velocity.length < 2 && points.acceleration.length < 2;
+      const present = PLANS.filter((sheet, index) => index === 0 || pointsOf(sheet).length > 1);
+      root.hidden = present.every((sheet) => pointsOf(sheet).length < 2);
       summary.textContent = say("by_points");
       intro.textContent = say("points_intro");
       choice.replaceChildren(
         element("legend", {}, say("plan")),
-        planButton("velocity", say("velocity_plan")),
-        ...(points.acceleration.length < 2 ? [] : [planButton("acceleration", say("acceleration_plan"))]),
+        ...present.map(planButton),
       );
-      if (points.acceleration.length < 2) plan = "velocity";
+      if (!present.includes(plan)) plan = PLANS[0]!;
       chosen = next("");
       placed = "";
     },

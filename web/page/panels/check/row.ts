@@ -7,9 +7,6 @@ import { taken, unitsBeside } from "./units.ts";
 import { showVerdict, type Verdict } from "./verdict.ts";
 import { say } from "./words.ts";
 
-/** Names of lengths and segments: `"in": "mm"` makes them millimetres of paper. */
-const SEGMENT = /^(L|vplan|aplan)\(/;
-
 /** What a row tells the panel. */
 export interface RowEvents {
   /** The value is another; `isTyping` while the field has not been left. */
@@ -73,7 +70,7 @@ export function row(of: FormRow, events: RowEvents): Row {
     if (of.on_paper) options.push(new Option(say("on_paper"), "/mu"));
     unit.replaceChildren(...options);
     unit.value = own.onPaper ? "/mu" : own.unit === null || own.unit === of.unit ? "" : own.unit;
-    const isPaper = file.in === "mm" && SEGMENT.test(of.name) && !own.onPaper && own.unit === null;
+    const isPaper = file.in === "mm" && of.is_segment && !own.onPaper && own.unit === null;
     unit.hidden = isPaper;
     paper.hidden = !isPaper;
   }

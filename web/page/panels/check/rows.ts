@@ -1,5 +1,6 @@
 import { element } from "../../dom/element.ts";
-import type { Form, FormRow } from "../../engine/types.ts";
+import { SHEETS, type Form, type FormRow } from "../../engine/types.ts";
+import { called } from "../../sheets.ts";
 import { filledNames, type FormFile } from "./form.ts";
 import type { Judged } from "./judged.ts";
 import { row, type Row, type RowEvents } from "./row.ts";
@@ -54,11 +55,8 @@ export function rows(events: RowEvents & { remove(name: string): void }): Rows {
     build({ rows: boxes }) {
       all = new Map();
       const asked = boxes.filter((box) => box.is_asked);
-      const on = (panel: string): FormRow[] => asked.filter((box) => box.panel === panel);
       root.replaceChildren(
-        ...group(say("scheme"), on("scheme")),
-        ...group(say("velocity"), on("velocity")),
-        ...group(say("acceleration"), on("acceleration")),
+        ...SHEETS.flatMap(({ key }) => group(called(key, "from"), asked.filter((box) => box.panel === key))),
         ...group(say("further"), boxes.filter((box) => !box.is_asked)),
         strays,
       );

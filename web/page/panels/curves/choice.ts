@@ -1,5 +1,4 @@
-import type { Opened, OverCycle } from "../../engine/types.ts";
-import { subjectOf } from "../output/subject.ts";
+import type { Opened, OverCycle, Quantity } from "../../engine/types.ts";
 
 /** What can be drawn over the cycle. */
 export const KINDS = ["curves", "hodograph", "path"] as const;
@@ -14,39 +13,42 @@ export interface Choice {
   beyond: boolean;
 }
 
-/** All names that can be chosen of each kind; points that never move are left out. */
-export function offered({ quantities, vectors, traceable, scene }: Opened): Record<Kind, string[]> {
-  const fixed = new Set(Object.keys((scene["ground"] ?? {}) as object));
-  const moving = (name: string): boolean => {
-    const { kind, name: subject } = subjectOf(name);
-    return kind !== "point" || !fixed.has(subject);
-  };
-  const curves = [...new Set([...quantities.filter(moving), ...wantedBy(scene)])];
-  return { curves, hodograph: vectors.filter(moving), path: traceable };
+/** What can be chosen of each kind; points that never move are left out. */
+export interface Offered {
+  curves: Quantity[];
+  hodograph: Quantity[];
+  path: string[];
 }
 
-/** The quantities that a scene wants by itself. */
-function wantedBy(scene: Opened["scene"]): string[] {
-  const wanted: unknown = scene["want"];
-  return Array.isArray(wanted) ? wanted.filter((name) => typeof name === "string") : [];
+export function offered({ quantities, wanted, traceable, scene }: Opened): Offered {
+  const fixed = new Set(Object.keys(scene.ground ?? {}));
+  const moving = quantities.filter(({ of, inside }) => of !== "point" || !fixed.has(inside));
+  const names = new Set(moving.map(({ name }) => name));
+  const further = wanted.filter(({ name }) => !names.has(name));
+  return { curves: [...moving, ...further], hodograph: moving.filter((one) => one.is_vector), path: traceable };
+}
+
+/** The names of what can be chosen. */
+export function offeredNames(all: Offered): Record<Kind, string[]> {
+  const names = (of: Quantity[]): string[] => of.map(({ name }) => name);
+  return { curves: names(all.curves), hodograph: names(all.hodograph), path: all.path };
 }
 
 /** What is drawn before anybody chose: what the scene wants, else ω of the links that follow the drives. */
-function usual(opened: Opened): Record<Kind, string[]> {
-  const wanted = wantedBy(opened.scene);
-  const driven = new Set(opened.drives.map(({ name }) => `omega(${name})`));
-  const rates = opened.quantities.filter((name) => /^omega\([^)]*\)$/.test(name) && !driven.has(name));
+function usual({ wanted, drives, quantities, traceable }: Opened): Record<Kind, string[]> {
+  const driven = new Set(drives.map(({ name }) => name));
+  const rates = quantities.filter(({ head, inside, part }) => head === "omega" && part === "" && !driven.has(inside));
   const last = (names: string[]): string[] => names.slice(-1);
   return {
-    curves: wanted.length > 0 ? wanted : rates,
-    hodograph: last(opened.vectors.filter((name) => name.startsWith("v("))),
-    path: last(opened.traceable),
+    curves: (wanted.length > 0 ? wanted : rates).map(({ name }) => name),
+    hodograph: last(quantities.filter((one) => one.is_vector && one.head === "v").map(({ name }) => name)),
+    path: last(traceable),
   };
 }
 
 /** A choice for another scene: what it still has; the usual where nothing is left. */
 export function fitted(choice: Choice, opened: Opened): Choice {
-  const [all, else_] = [offered(opened), usual(opened)];
+  const [all, else_] = [offeredNames(offered(opened)), usual(opened)];
   const names = (kind: Kind): string[] => {
     const kept = choice.names[kind].filter((name) => all[kind].includes(name));
     return kept.length > 0 ? kept : else_[kind];

@@ -1,4 +1,5 @@
 import { element } from "../../dom/element.ts";
+import type { Quantity } from "../../engine/types.ts";
 import { bySubject, named } from "../output/subject.ts";
 
 /** Symbols in place of the names of quantities, where there are better ones. */
@@ -13,9 +14,9 @@ const SYMBOLS: Record<string, [string, string?]> = {
 };
 
 /** Names to tick, grouped by link, slider and point; `toggle` hears of each change. */
-export function choices(names: string[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
-  const groups = bySubject(names, (name) => name).map(([subject, members]) => {
-    const boxes = members.map((name) => chip(name, subject.name, chosen.includes(name), toggle));
+export function choices(all: Quantity[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
+  const groups = bySubject(all, (one) => one).map(([subject, members]) => {
+    const boxes = members.map((one) => chip(one.name, symbol(one, subject.name), chosen.includes(one.name), toggle));
     const title = named(subject);
     return element("div", { role: "group", "aria-label": title }, element("span", {}, title), element("div", { class: "chips" }, ...boxes));
   });
@@ -24,7 +25,7 @@ export function choices(names: string[], chosen: string[], toggle: (name: string
 
 /** Points to tick. */
 export function points(names: string[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
-  return element("div", { class: "chips" }, ...names.map((name) => chip(name, "", chosen.includes(name), toggle)));
+  return element("div", { class: "chips" }, ...names.map((name) => chip(name, [name], chosen.includes(name), toggle)));
 }
 
 /** Ticks these names, and no others. */
@@ -32,15 +33,14 @@ export function ticked(root: HTMLElement, chosen: string[]): void {
   for (const box of root.querySelectorAll("input")) box.checked = chosen.includes(box.value);
 }
 
-function chip(name: string, subject: string, on: boolean, toggle: (name: string, on: boolean) => void): HTMLLabelElement {
+function chip(name: string, shown: (Node | string)[], on: boolean, toggle: (name: string, on: boolean) => void): HTMLLabelElement {
   const box = element("input", { type: "checkbox", value: name, checked: on, "aria-label": name, onchange: () => toggle(name, box.checked) });
-  return element("label", { class: "chip", title: name }, box, element("span", {}, ...symbol(name, subject)));
+  return element("label", { class: "chip", title: name }, box, element("span", {}, ...shown));
 }
 
 /** A quantity's symbol, where its subject stands beside: `ω` for `omega(3)`, `v` for `v(D)`. */
-function symbol(name: string, subject: string): (Node | string)[] {
-  const [, head, inside, part = ""] = /^(\w+)\((.*)\)(.*)$/.exec(name) ?? [];
-  if (head === undefined || inside !== subject) return [name];
+function symbol({ name, head, inside, part }: Quantity, subject: string): (Node | string)[] {
+  if (inside !== subject) return [name];
   const [letter, index] = SYMBOLS[head] ?? [head];
   const symbol = element("i", {}, letter);
   return index === undefined ? [symbol, part] : [symbol, element("sub", {}, index), part];

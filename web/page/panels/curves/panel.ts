@@ -10,7 +10,7 @@ import { keepCurrent } from "../output/current.ts";
 import { ENDINGS, type FileFormat, fileOf, PICTURES, TYPES } from "../output/formats.ts";
 import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
-import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, wantedOf } from "./choice.ts";
+import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, offeredNames, wantedOf } from "./choice.ts";
 import { choices, points, ticked } from "./chooser.ts";
 import { follow } from "./follow.ts";
 import { large } from "./large.ts";
@@ -64,11 +64,11 @@ function chooser(app: App, choice: Chosen): HTMLElement {
     summary.textContent = `${say("choose")}: ${chosen[kind].join(", ")}`;
     beyond.label.hidden = kind !== "path";
     if (opened === null) return;
-    const all = offered(opened)[kind];
-    const now = [language.value, kind, ...all].join("\n");
+    const all = offered(opened);
+    const now = [language.value, kind, ...offeredNames(all)[kind]].join("\n");
     if (now === listed) return ticked(names, chosen[kind]);
     listed = now;
-    names.replaceChildren(kind === "path" ? points(all, chosen.path, toggle) : choices(all, chosen[kind], toggle));
+    names.replaceChildren(kind === "path" ? points(all.path, chosen.path, toggle) : choices(all[kind], chosen[kind], toggle));
   }
   choice.on(() => list());
   language.on(() => list());

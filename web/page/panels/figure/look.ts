@@ -1,5 +1,7 @@
 import type { ChoiceField, Field, Group } from "../parts/form.ts";
 import { at, type Draft } from "../parts/scene.ts";
+import { SHEETS } from "../../engine/types.ts";
+import { called } from "../../sheets.ts";
 import { say } from "./words.ts";
 
 function choice(key: string, label: string, options: ChoiceField["options"], open = true): Field {
@@ -37,7 +39,7 @@ export function look(scene: Draft): Group {
 
 /** Panels and the one that is large. */
 export function shown(): Group {
-  const panels = (["scheme", "velocity", "acceleration"] as const).map((value) => ({ value, text: say(value) }));
+  const panels = SHEETS.map(({ key }) => ({ value: key, text: called(key, "panel") }));
   return {
     id: "shown",
     title: say("shown"),

@@ -27,12 +27,12 @@ export const figure: Panel = {
 
 /** The scales at which the scene is drawn at present. */
 function presentScales(app: App): Signal<Scales> {
-  const present = signal<Scales>({ mu_l: null, mu_v: null, mu_a: null });
+  const present = signal<Scales>({});
   app.solved.on(({ text, opened, refused }) => {
     if (opened === null || refused !== null) return;
     app.engine.form(text, "").then(
-      ({ mu_l, mu_v, mu_a }) => present.set({ mu_l, mu_v, mu_a }),
-      () => present.set({ mu_l: null, mu_v: null, mu_a: null }),
+      ({ scales }) => present.set(scales),
+      () => present.set({}),
     );
   });
   return present;

@@ -1,13 +1,11 @@
+import { SHEETS, type Form } from "../../engine/types.ts";
+import { called, scaleOf, type Sheet } from "../../sheets.ts";
 import type { Button, Group, Row } from "../parts/form.ts";
-import { at, unitsOf, type Draft } from "../parts/scene.ts";
+import { at, unitOn, unitsOf, type Draft } from "../parts/scene.ts";
 import { say } from "./words.ts";
 
-/** Units per mm of paper; null where there is none. */
-export interface Scales {
-  mu_l: number | null;
-  mu_v: number | null;
-  mu_a: number | null;
-}
+/** By sheet: units per mm of paper; null where there is none. */
+export type Scales = Form["scales"];
 
 /** The scales: given, or automatic with the present one to hold. */
 export function scales(scene: Draft, present: Scales): Group {
@@ -17,9 +15,7 @@ export function scales(scene: Draft, present: Scales): Group {
     title: say("scales"),
     help: say("scales_help"),
     rows: [
-      scale(scene, "mu_l", "µl", units.length, present.mu_l),
-      scale(scene, "mu_v", "µv", units.velocity, present.mu_v),
-      scale(scene, "mu_a", "µa", units.acceleration, present.mu_a),
+      ...SHEETS.map(({ key }) => scale(scene, key, unitOn(units, key), present[key] ?? null)),
       {
         fields: [
           {
@@ -34,7 +30,8 @@ export function scales(scene: Draft, present: Scales): Group {
   };
 }
 
-function scale(scene: Draft, key: keyof Scales, sign: string, unit: string, present: number | null): Row {
+function scale(scene: Draft, sheet: Sheet, unit: string, present: number | null): Row {
+  const key = scaleOf(sheet);
   const path = ["figure", key];
   const isHeld = at(scene, path) !== undefined;
   const hold: Button[] = present === null ? [] : [{ text: say("take", { value: present }), icon: "pin", pressed: false, edits: [{ set: path, value: present }] }];
@@ -42,7 +39,7 @@ function scale(scene: Draft, key: keyof Scales, sign: string, unit: string, pres
   const per = unit.includes("/") ? `(${unit})/mm` : `${unit}/mm`;
   const usual = present === null ? say("automatic") : String(present);
   const step = (present ?? 1) / 10;
-  return { label: say(key), aligned: true, path, fields: [{ kind: "number", path, label: sign, quiet: true, unit: per, step: roundStep(step), least: 0, usual }], buttons };
+  return { label: called(sheet, "scaled"), aligned: true, path, fields: [{ kind: "number", path, label: key.replace("mu_", "µ"), quiet: true, unit: per, step: roundStep(step), least: 0, usual }], buttons };
 }
 
 /** A step of 1 before zeros. */

@@ -1,7 +1,7 @@
 import { speaker, type Words } from "../../words.ts";
 
 type Key =
-  | "shown" | "panels" | "scheme" | "velocity" | "acceleration" | "focus" | "none" | "scales" | "scales_help" | "mu_l" | "mu_v" | "mu_a" | "automatic" | "take"
+  | "shown" | "panels" | "focus" | "none" | "scales" | "scales_help" | "automatic" | "take"
   | "as_before" | "scales_for" | "position" | "sheet" | "cycle" | "look" | "style" | "paper" | "print" | "lecture" | "board" | "notation" | "n_paper"
   | "english" | "russian" | "german" | "language" | "decimal" | "point" | "comma" | "page" | "page_size" | "landscape" | "portrait" | "direction" | "worksheet"
   | "yes" | "no" | "contents" | "values" | "usual" | "with_unit" | "construction" | "whole" | "as_paper" | "hidden" | "special" | "paths" | "trace"
@@ -12,16 +12,10 @@ const WORDS: Words<Key> = {
   en: {
     shown: "What is shown",
     panels: "Panels",
-    scheme: "Scheme",
-    velocity: "Velocity plan",
-    acceleration: "Acceleration plan",
     focus: "Large",
     none: "All alike",
     scales: "Scales",
     scales_help: "Left empty, the next round scale that fits is taken.",
-    mu_l: "Scheme",
-    mu_v: "Velocity",
-    mu_a: "Acceleration",
     automatic: "automatic",
     take: "Keep the present scale {value}",
     as_before: "Automatic again",
@@ -78,16 +72,10 @@ const WORDS: Words<Key> = {
   es: {
     shown: "Qué se muestra",
     panels: "Paneles",
-    scheme: "Esquema",
-    velocity: "Plan de velocidades",
-    acceleration: "Plan de aceleraciones",
     focus: "Grande",
     none: "Todos igual",
     scales: "Escalas",
     scales_help: "Vacía, se toma la siguiente escala redonda que cabe.",
-    mu_l: "Esquema",
-    mu_v: "Velocidades",
-    mu_a: "Aceleraciones",
     automatic: "automática",
     take: "Mantener la escala actual {value}",
     as_before: "Automática de nuevo",

@@ -1,4 +1,5 @@
 import type { SceneFile } from "../../engine/types.ts";
+import type { Sheet } from "../../sheets.ts";
 
 /** A scene as somebody is writing it: any part may be missing still, and what stands there need not be what it should. */
 export type Draft = Partial<SceneFile>;
@@ -120,4 +121,9 @@ export function unitsOf(scene: Draft): Units {
     omega: `rad/${time}`,
     alpha: `rad/${time}²`,
   };
+}
+
+/** The unit of what a sheet shows. */
+export function unitOn(units: Units, sheet: Sheet): string {
+  return sheet === "scheme" ? units.length : units[sheet];
 }

@@ -12,7 +12,7 @@ export function tableOf(values: Value[], digits: number | null): HTMLTableElemen
   const table = element("table", { class: "values" }, head);
   const shown = values.map((row) => ({ row, text: digits === null ? row.value : shortened(row.value, digits) }));
   const before = Math.max(0, ...shown.map(({ text }) => wholePart(text)));
-  for (const [subject, rows] of bySubject(shown, ({ row }) => row.name)) {
+  for (const [subject, rows] of bySubject(shown, ({ row }) => row.quantity)) {
     const title = element("th", { scope: "rowgroup", colspan: heads.length }, named(subject));
     const lines = rows.map(({ row, text }) => lineOf(row, text.padStart(text.length + before - wholePart(text)), errors));
     table.append(element("tbody", {}, element("tr", {}, title), ...lines));

@@ -34,7 +34,7 @@ export function photoBlock(app: App, view: PhotoView): { root: HTMLElement; show
   return {
     root,
     show(form) {
-      root.hidden = form.points.velocity.length < 2 && form.points.acceleration.length < 2;
+      root.hidden = Object.values(form.points).every((points) => points.length < 2);
     },
   };
 }

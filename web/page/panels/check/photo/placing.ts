@@ -1,18 +1,16 @@
 import type { Photo, PhotoPlan } from "../../../engine/types.ts";
-import { type FormFile, type Place, type PlanName, placesOf, withHead, withPlace } from "../form.ts";
+import { scaleOf } from "../../../sheets.ts";
+import { type FormFile, type Place, placesOf, withHead, withPlace } from "../form.ts";
 
 /** A pole that is farther than this from the printed one, in mm, was measured on other paper. */
 const OTHER_PAPER = 5;
-
-/** A plan by the name that the engine gives it. */
-export const planOf = ({ plan }: { plan: string }): PlanName => (plan === "acceleration" ? "acceleration" : "velocity");
 
 /** A point of a sheet's plan, by its plan and its name. */
 export const keyOf = (plan: string, name: string): string => `${plan}/${name}`;
 
 /** The places of a plan's points in mm from the pole as it is printed. What was measured on other paper is laid on it by its own pole. */
 export function placesOn(file: FormFile, plan: PhotoPlan): Record<string, Place> {
-  const places = placesOf(file, planOf(plan));
+  const places = placesOf(file, plan.plan);
   const pole = places[plan.points[0]?.name ?? ""];
   if (pole === undefined || Math.hypot(pole[0], pole[1]) < OTHER_PAPER) return places;
   const moved = Object.entries(places).map(([name, [x, y, band]]): [string, Place] => [name, placed(x - pole[0], y - pole[1], band)]);
@@ -26,8 +24,8 @@ function placed(x: number, y: number, band?: number): Place {
 
 /** The form with a point at a place of the sheet: its scale and its pole are the printed ones. */
 export function withPoint(file: FormFile, plan: PhotoPlan, { band: sheet }: Photo, name: string, at: [number, number], band: number | null): FormFile {
-  const own = planOf(plan);
-  const scaled = withHead(file, own === "velocity" ? "mu_v" : "mu_a", plan.mu);
+  const own = plan.plan;
+  const scaled = withHead(file, scaleOf(own), plan.mu);
   let next = Object.entries(placesOn(file, plan)).reduce((form, [other, place]) => withPlace(form, own, other, place), scaled);
   const pole = plan.points[0]?.name ?? "";
   const known = (radius: number | null): number | undefined => (radius === null ? undefined : Math.round(100 * radius) / 100);
@@ -37,5 +35,5 @@ export function withPoint(file: FormFile, plan: PhotoPlan, { band: sheet }: Phot
 
 /** The form without a point. */
 export function withoutPoint(file: FormFile, plan: PhotoPlan, name: string): FormFile {
-  return withPlace(file, planOf(plan), name, null);
+  return withPlace(file, plan.plan, name, null);
 }

@@ -1,5 +1,6 @@
 import { element } from "../../../dom/element.ts";
-import type { PlanName } from "../form.ts";
+import { SHEETS, type Panel } from "../../../engine/types.ts";
+import { called } from "../../../sheets.ts";
 import { say, type Saying } from "./words.ts";
 
 /** How a point stands. */
@@ -8,7 +9,7 @@ export type State = "none" | "printed" | "out" | "right" | "off" | "open" | "pro
 /** A point in the bar. */
 export interface Entry {
   key: string;
-  plan: PlanName;
+  plan: Panel;
   label: string;
   state: State;
 }
@@ -32,8 +33,8 @@ export function pointsBar(choose: (key: string) => void): { root: HTMLElement; s
     chips = new Map();
     const plans = [...new Set(entries.map(({ plan }) => plan))];
     const groups = plans.map((plan) => {
-      const group = element("div", { role: "group", "aria-label": say("points", { plan: say(plan) }) });
-      if (plans.length > 1) group.append(element("span", { class: "of", "aria-hidden": "true" }, plan === "velocity" ? "v" : "a"));
+      const group = element("div", { role: "group", "aria-label": say("points", { plan: called(plan, "name") }) });
+      if (plans.length > 1) group.append(element("span", { class: "of", "aria-hidden": "true" }, SHEETS.find(({ key }) => key === plan)!.vector));
       for (const { key, label, plan: of } of entries) {
         if (of !== plan) continue;
         const chip = element("button", { type: "button", "data-key": key });

@@ -1,7 +1,8 @@
 import { element } from "../../../dom/element.ts";
 import { shownNumber } from "../../../number.ts";
 import { language } from "../../../words.ts";
-import { keyOf, planOf } from "./placing.ts";
+import { called, PLANS } from "../../../sheets.ts";
+import { keyOf } from "./placing.ts";
 import { plain } from "./points_bar.ts";
 import type { FormOf, Item, Session } from "./session.ts";
 import { kindOf } from "./stage.ts";
@@ -54,7 +55,7 @@ function ofPoint(own: Session, one: Item, acts: Acts, note: string): Prompt {
   if (one.isPole) return { html: say("at_printed", { name }), how: note !== "" ? note : say(isTouched() ? "move_touch" : "move_how"), actions: [forward] };
   const isGuessed = own.guessOf(one) !== undefined;
   const isBoth = own.photo.plans.length > 1;
-  const html = say(isGuessed ? (isBoth ? "is_here_in" : "is_here") : isBoth ? "tap_in" : "tap", { name, plan: say(planOf(one.plan)) });
+  const html = say(isGuessed ? (isBoth ? "is_here_in" : "is_here") : isBoth ? "tap_in" : "tap", { name, plan: called(one.plan.plan, "name") });
   const skip = button(say("leave_out", { name: plain(name) }), () => acts.leaveOut(one));
   const guessed = own.items.filter((of) => own.guessOf(of) !== undefined);
   if (!isGuessed) {
@@ -73,11 +74,11 @@ function finished(own: Session, form: FormOf, acts: Acts, note: string): Prompt 
   const states = own.items.filter(({ isPole }) => !isPole).map(own.stateOf);
   const counted = (["right", "off", "open", "out"] as const).map((state) => ({ state, count: states.filter((of) => of === state).length }));
   const counts = counted.filter(({ count }) => count > 0).map(({ state, count }) => say(`count_${state}`, { count }));
-  const here = new Set(own.photo.plans.map(planOf));
+  const here = new Set(own.photo.plans.map(({ plan }) => plan));
   const points = form.form()?.points;
   const marked = form.present().points;
-  const missing = (["velocity", "acceleration"] as const).find((plan) => !here.has(plan) && (points?.[plan].length ?? 0) > 1 && marked?.[plan] === undefined);
-  const further = missing === undefined ? [] : [button(say("other_plan", { plan: say(missing) }), acts.another)];
+  const missing = PLANS.find((plan) => !here.has(plan) && (points?.[plan]?.length ?? 0) > 1 && marked?.[plan] === undefined);
+  const further = missing === undefined ? [] : [button(say("other_plan", { plan: called(missing, "name") }), acts.another)];
   const html = say(states.includes("out") ? "none_left" : "all_marked");
   return { html, how: note !== "" ? note : counts.join(", "), actions: [...further, button(say("see_check"), acts.toResult, true)] };
 }

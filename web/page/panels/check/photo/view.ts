@@ -11,7 +11,7 @@ import { aiming } from "./aiming.ts";
 import { frame } from "./frame.ts";
 import { loupe } from "./loupe.ts";
 import { type Photograph, photograph, turned } from "./picture.ts";
-import { keyOf, planOf } from "./placing.ts";
+import { keyOf } from "./placing.ts";
 import { plain, pointsBar } from "./points_bar.ts";
 import { button, millimetres, type Prompt, prompt } from "./prompt.ts";
 import { refusedBy, type Why } from "./refusals.ts";
@@ -227,7 +227,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
     shell.right.classList.toggle("later", !mayShow());
     shell.right.hidden = shell.undo.hidden = photo === null;
     bar.root.hidden = items.length === 0;
-    bar.show(items.map((one) => ({ key: one.key, plan: planOf(one.plan), label: one.label, state: own!.stateOf(one) })), own?.chosen ?? "");
+    bar.show(items.map((one) => ({ key: one.key, plan: one.plan.plan, label: one.label, state: own!.stateOf(one) })), own?.chosen ?? "");
     const marks = (own?.marks ?? []).map((mark) => ({ ...mark, isChosen: keyOf(mark.plan, mark.name) === own?.chosen }));
     const guesses = items.flatMap((one) => {
       const pixel = own?.guessOf(one)?.pixel as Pixel | undefined;
