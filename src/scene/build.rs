@@ -1,9 +1,7 @@
 //! Builds a scene in Rust: fills the types of the scene file key by key.
 
 use super::build_parts::{Guide, NewLink};
-use super::error::SceneError;
-use super::error::Source;
-use super::error::Wrong;
+use super::error::{SceneError, Source, Wrong};
 use super::figure::Figure;
 use super::given::PointMotion;
 use super::link::LinkFile;

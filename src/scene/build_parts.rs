@@ -1,8 +1,7 @@
 //! The parts of a scene that is built in Rust: links, guides, drives.
 
 use super::error::Wrong;
-use super::given::LinkMotion;
-use super::given::{LinkDriveFile, SliderDrive};
+use super::given::{LinkDriveFile, LinkMotion, SliderDrive};
 use super::link::LinkFields;
 use super::slider::SliderFile;
 use super::value::{At, Direction, Entries, ShapePoint};

@@ -15,8 +15,7 @@ use super::page::{Page, PageSize, Sizes};
 use super::schema::without_defaults;
 use super::slider::Slider;
 use super::text::LARGEST;
-use super::words::list;
-use super::words::{number, shortened};
+use super::words::{list, number, shortened};
 use super::write::{write_forms, write_keys};
 use crate::text::Untrusted;
 

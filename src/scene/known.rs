@@ -1,14 +1,23 @@
-//! Given motions: of which points they are, and that none is given twice.
+//! What else is said of a position: given motions, none of them twice, and rough places that choose the assembly.
 
 use indexmap::IndexMap;
 
 use super::error::Wrong;
-use super::given::GivenBy;
-use super::given::PointMotion;
+use super::given::{DRAWN, GivenBy, PointMotion};
+use super::guide::On;
 use super::link::Link;
 use super::names::Names;
-use super::slider::{On, Slider};
-use super::value::{At, Entries};
+use super::slider::Slider;
+use super::value::{At, Entries, NearValue};
+
+/// Approximate positions, which choose the assembly mode.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Near {
+    /// Approximate coordinates of points, in the fixed frame.
+    pub points: IndexMap<String, [f64; 2]>,
+    /// Approximate angles of links from +x by link name, in degrees (`"angle(3)"` in the file).
+    pub angles_deg: IndexMap<String, f64>,
+}
 
 /// The points of given motion.
 pub(super) fn known(
@@ -83,4 +92,35 @@ pub(super) fn check_motions(names: &Names<'_>) -> Result<(), Wrong> {
         }
     }
     Ok(())
+}
+
+/// The approximate places and angles.
+pub(super) fn near(given_by: GivenBy, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
+    if file.is_some() && given_by == GivenBy::Drawing {
+        let message = "a drawn configuration needs no `near`";
+        return Err(Wrong::key(&["near"], message).hint(format!("remove it: {DRAWN}")));
+    }
+    let mut near = Near::default();
+    for (key, value) in file.unwrap_or_default().0 {
+        let path = ["near", &key];
+        let link = key.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')'));
+        match (link, value) {
+            (Some(link), NearValue::Degrees(degrees)) => {
+                names.link(&path, link)?;
+                near.angles_deg.insert(link.to_owned(), degrees);
+            }
+            (Some(_), NearValue::Vector(_)) => {
+                return Err(Wrong::value(&path, format!("{key} is one number, in degrees, not two")));
+            }
+            (None, NearValue::Vector(place)) => {
+                names.point(&path, &key)?;
+                near.points.insert(key, place);
+            }
+            (None, NearValue::Degrees(_)) => {
+                names.point(&path, &key)?;
+                return Err(Wrong::value(&path, format!("point {key} needs two numbers [x, y], found one")));
+            }
+        }
+    }
+    Ok(near)
 }

@@ -5,9 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::Wrong;
-use super::given::LinkMotion;
-use super::given::{DRAWN, GivenBy};
-use super::given::{Drive, LinkDrive, LinkDriveFile, SliderDrive, first_given};
+use super::given::{DRAWN, Drive, GivenBy, LinkDrive, LinkDriveFile, LinkMotion, SliderDrive, first_given};
 use super::name::{check_list, check_name};
 use super::shape::{Shape, lengths, local};
 use super::units::TimeUnit;

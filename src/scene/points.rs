@@ -3,11 +3,11 @@
 use indexmap::IndexMap;
 
 use super::error::Wrong;
-use super::given::{DRAWN, GivenBy};
+use super::given::GivenBy;
 use super::name::{check_list, check_name};
 use super::names::Names;
 use super::shape::check_apart;
-use super::value::{Entries, NamesOr, NearValue, Vector, several_forms};
+use super::value::{Entries, NamesOr, Vector, several_forms};
 use super::words::close;
 use super::write::write_forms;
 
@@ -30,15 +30,6 @@ several_forms!(Ground, "ground", NamesOr {
         { "type": "array", "items": { "type": "string" }, "description": "Names only, in a drawn configuration" },
     ]
 });
-
-/// Approximate positions, which choose the assembly mode.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Near {
-    /// Approximate coordinates of points, in the fixed frame.
-    pub points: IndexMap<String, [f64; 2]>,
-    /// Approximate angles of links from +x by link name, in degrees (`"angle(3)"` in the file).
-    pub angles_deg: IndexMap<String, f64>,
-}
 
 /// Coordinates in the fixed frame, by the name of the point.
 pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
@@ -118,35 +109,4 @@ pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &C
         return Err(Wrong::key(&["points", point], message).hint(hint));
     }
     Ok(())
-}
-
-/// The approximate places and angles.
-pub(super) fn near(given_by: GivenBy, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
-    if file.is_some() && given_by == GivenBy::Drawing {
-        let message = "a drawn configuration needs no `near`";
-        return Err(Wrong::key(&["near"], message).hint(format!("remove it: {DRAWN}")));
-    }
-    let mut near = Near::default();
-    for (key, value) in file.unwrap_or_default().0 {
-        let path = ["near", &key];
-        let link = key.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')'));
-        match (link, value) {
-            (Some(link), NearValue::Degrees(degrees)) => {
-                names.link(&path, link)?;
-                near.angles_deg.insert(link.to_owned(), degrees);
-            }
-            (Some(_), NearValue::Vector(_)) => {
-                return Err(Wrong::value(&path, format!("{key} is one number, in degrees, not two")));
-            }
-            (None, NearValue::Vector(place)) => {
-                names.point(&path, &key)?;
-                near.points.insert(key, place);
-            }
-            (None, NearValue::Degrees(_)) => {
-                names.point(&path, &key)?;
-                return Err(Wrong::value(&path, format!("point {key} needs two numbers [x, y], found one")));
-            }
-        }
-    }
-    Ok(near)
 }

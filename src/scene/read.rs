@@ -4,20 +4,17 @@ use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 
-use super::error::SceneError;
-use super::error::Source;
+use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
-use super::given::GivenBy;
-use super::given::PointMotion;
-use super::known::{check_given_once, check_motions, known};
+use super::given::{GivenBy, PointMotion};
+use super::known::{Near, check_given_once, check_motions, known, near};
 use super::link::{Link, LinkFile, links};
 use super::names::Names;
-use super::points::{Ground, Near, check_points, ground, near};
+use super::points::{Ground, check_points, ground};
 use super::schema::schema_of;
 use super::slider::{Slider, SliderFile, sliders};
 use super::text::FileKind;
 
-use super::error::Wrong;
 use super::typed::read_as;
 use super::units::Units;
 use super::value::{Entries, NearValue, Vector};

@@ -6,13 +6,11 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::Wrong;
-use super::given::SliderDrive;
-use super::given::{DRAWN, GivenBy};
-use super::link::{Link, Pushes};
-use super::name::{checked_pair, no_point};
+use super::given::{DRAWN, GivenBy, SliderDrive};
+use super::guide::{Along, Carrier, On};
+use super::link::Pushes;
 use super::names::Names;
 use super::points::Coordinates;
-use super::shape::Shape;
 use super::value::{At, Direction};
 use super::write::write_keys;
 use crate::text::shown;
@@ -66,26 +64,6 @@ pub struct Slider {
     /// The drive along the guide, if any, whether the file has it in the slider or in the sliding link; it has no
     /// `position` in a drawn configuration.
     pub drive: Option<SliderDrive>,
-}
-
-/// The carrier of a guide.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum On {
-    /// The frame.
-    Ground,
-    /// The link of this name.
-    Link(String),
-}
-
-/// The direction of a guide.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Along {
-    /// From the first to the second of two points of the guide's carrier.
-    Points(String, String),
-    /// An angle in degrees, from +x on the ground, else from the axis of the carrier; zero by default.
-    Degrees(f64),
-    /// A direction, not zero: on the ground and in a drawn configuration in the fixed frame, else in the carrier's own.
-    Direction([f64; 2]),
 }
 
 /// The sliders. `pushes` are the drives written in sliding links, which are moved to their sliders.
@@ -167,23 +145,11 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
 /// Refuses a link, point or pin that cannot slide on the carrier.
 fn check_sliding(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: Option<&str>) -> Result<(), Wrong> {
     match (link, at, pin) {
-        (Some(link), Some(at), None) => {
-            carrier.names.link(&["link"], link)?;
-            if matches!(carrier.on, On::Link(on) if on == link) {
-                return Err(Wrong::value(&["on"], format!("link {link} cannot slide on itself")));
-            }
-            carrier.names.point_of_link(&["at"], link, at)?;
-            carrier.check_free("at", at)
-        }
-        (None, None, Some(pin)) => {
-            carrier.names.point(&["pin"], pin)?;
-            carrier.check_free("pin", pin)
-        }
         (None, None, None) => {
             let hint = r#"give "link" and "at", the link and its point on the guide; or "pin""#;
             Err(Wrong::value(&[], "this slider does not say what slides").hint(hint))
         }
-        (_, _, Some(_)) => {
+        (Some(_), _, Some(_)) | (_, Some(_), Some(_)) => {
             let message = "`pin` stands in place of `link` and `at`, not beside them";
             Err(Wrong::key(&["pin"], message).hint("keep `link` and `at` for a block, `pin` for a bare pin"))
         }
@@ -195,103 +161,17 @@ fn check_sliding(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pi
             let hint = format!(r#"add "link", the sliding link; or write "pin": "{at}" for a pin in a slot"#);
             Err(Wrong::value(&[], "`link` is missing").hint(hint))
         }
-    }
-}
-
-/// The carrier of a guide, with the names of the scene.
-struct Carrier<'a> {
-    given_by: GivenBy,
-    names: &'a Names<'a>,
-    on: &'a On,
-}
-
-impl Carrier<'_> {
-    /// "link 2" or "the ground".
-    fn name(&self) -> String {
-        match self.on {
-            On::Ground => "the ground".into(),
-            On::Link(link) => format!("link {link}"),
-        }
-    }
-
-    /// The link, unless it is the ground.
-    fn link(&self) -> Option<&Link> {
-        match self.on {
-            On::Ground => None,
-            On::Link(link) => self.names.links.get(link),
-        }
-    }
-
-    fn points(&self) -> &[String] {
-        self.link().map_or(self.names.ground, |link| &link.points)
-    }
-
-    fn has(&self, point: &str) -> bool {
-        match self.on {
-            On::Ground => self.names.on_ground(point),
-            On::Link(link) => self.names.on_link(link, point),
-        }
-    }
-
-    /// An error if the sliding point is a point of the carrier.
-    fn check_free(&self, key: &str, point: &str) -> Result<(), Wrong> {
-        if self.has(point) {
-            let message = format!("point {point} is a point of {}, so it cannot slide on it", self.name());
-            return Err(Wrong::value(&[key], message).hint("use another name for the point that slides"));
-        }
-        Ok(())
-    }
-
-    fn through(&self, given: At) -> Result<At, Wrong> {
-        match (&given, self.link()) {
-            (At::Point(point), _) if !self.has(point) => {
-                Err(Wrong::value(&["through"], no_point(&self.name(), point, self.points())))
+        (Some(link), Some(at), None) => {
+            carrier.names.link(&["link"], link)?;
+            if matches!(carrier.on, On::Link(on) if on == link) {
+                return Err(Wrong::value(&["on"], format!("link {link} cannot slide on itself")));
             }
-            (At::Place(_), Some(link)) if !matches!(link.shape, Shape::Local(_)) => {
-                let name = self.name();
-                let message = format!("coordinates need a frame, and {name} has no `shape`");
-                let or = match self.given_by {
-                    GivenBy::Lengths => "give the link a `shape`",
-                    GivenBy::Drawing => "leave `through` out: the guide passes through the slider's point",
-                };
-                Err(Wrong::value(&["through"], message).hint(format!("name a point of {name}, or {or}")))
-            }
-            _ => Ok(given),
+            carrier.names.point_of_link(&["at"], link, at)?;
+            carrier.check_free("at", at)
         }
-    }
-
-    fn along(&self, coordinates: &Coordinates, given: Option<Direction>) -> Result<Along, Wrong> {
-        // Without the key the error is at the slider as a whole.
-        let path: &[&str] = if given.is_some() { &["along"] } else { &[] };
-        match given.unwrap_or(Direction::Degrees(0.0)) {
-            Direction::Points(key) => self.along_points(coordinates, &key),
-            Direction::Vector([0.0, 0.0]) => {
-                Err(Wrong::value(path, "a direction of size zero points nowhere").hint("give [dx, dy] or degrees"))
-            }
-            Direction::Vector(direction) => Ok(Along::Direction(direction)),
-            Direction::Degrees(_)
-                if self.given_by == GivenBy::Drawing && self.link().is_some_and(|link| link.points.is_empty()) =>
-            {
-                let message = format!("{} has no points and so no axis to count degrees from", self.name());
-                Err(Wrong::value(path, message).hint(r#"give the direction as drawn: "along": [dx, dy]"#))
-            }
-            Direction::Degrees(degrees) => Ok(Along::Degrees(degrees)),
-        }
-    }
-
-    fn along_points(&self, coordinates: &Coordinates, key: &str) -> Result<Along, Wrong> {
-        let points = checked_pair("along", key, &self.name(), self.points(), |point| self.has(point));
-        let (from, to) = points.map_err(|Wrong { message, hint, .. }| {
-            let number = key.trim().parse::<f64>().is_ok();
-            let degrees = number.then(|| format!("write {} without quotes for degrees", key.trim()));
-            Wrong::value(&["along"], message).maybe_hint(degrees.or(hint))
-        })?;
-        match (coordinates.get(&from), coordinates.get(&to)) {
-            (Some(a), Some(b)) if a == b => {
-                let message = format!("{from} and {to} are in one place, so they give no direction");
-                Err(Wrong::value(&["along"], message))
-            }
-            _ => Ok(Along::Points(from, to)),
+        (None, None, Some(pin)) => {
+            carrier.names.point(&["pin"], pin)?;
+            carrier.check_free("pin", pin)
         }
     }
 }

@@ -5,9 +5,7 @@ use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
 use serde_json::{Map, Number, Value as Json};
 
-use super::error::SceneError;
-use super::error::Wrong;
-use super::error::{Source, key_range, parse_tree, range_of};
+use super::error::{SceneError, Source, Wrong, key_range, parse_tree, range_of};
 use super::words::shortened;
 
 /// A kind of file: its name in messages and the key with the version of its format.

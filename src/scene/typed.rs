@@ -1,8 +1,6 @@
 //! In: the text of a file. Out: its typed values, or its first error in plain words, with what to try.
 
-use super::error::SceneError;
-use super::error::Source;
-use super::error::Wrong;
+use super::error::{SceneError, Source, Wrong};
 use super::page::Page;
 use super::reader::{Reader, Refusal, Why};
 use super::text;
