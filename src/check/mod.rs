@@ -35,11 +35,13 @@ mod parts;
 #[cfg(feature = "photo")]
 mod photographs;
 mod points;
-mod precision;
+#[doc(hidden)] // for tests
+pub mod precision;
 mod prepared;
 #[cfg(feature = "photo")]
 mod proposed;
-mod redrawn;
+#[doc(hidden)] // for tests
+pub mod redrawn;
 mod report;
 mod result;
 mod rows;
@@ -50,7 +52,8 @@ mod sheet;
 mod shown;
 mod student;
 mod table;
-mod together;
+#[doc(hidden)] // for tests
+pub mod together;
 mod unit;
 mod verdict;
 mod walk;

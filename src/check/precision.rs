@@ -15,7 +15,7 @@ pub struct Precision {
 impl Precision {
     /// The precision of written numbers of one kind. Files drop zeros at the end, so the longest numbers show it; but a
     /// single number with more decimals than all others does not count: its point may have slipped.
-    pub(super) fn of<'t>(texts: impl Iterator<Item = &'t str>) -> Precision {
+    pub fn of<'t>(texts: impl Iterator<Item = &'t str>) -> Precision {
         let plain = texts.filter(|t| !t.is_empty() && !t.contains(['e', 'E']));
         let (mut decimals, digits): (Vec<i32>, Vec<i32>) = plain.map(counts).unzip();
         decimals.sort_unstable_by(|a, b| b.cmp(a));
@@ -27,7 +27,7 @@ impl Precision {
     }
 
     /// Half a unit of the last digit of a number written to this precision, dropped zeros included.
-    pub(super) fn rounding(self, text: &str) -> f64 {
+    pub fn rounding(self, text: &str) -> f64 {
         let unit = |decimals: i32| 0.5 * libm::exp10(-f64::from(decimals));
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, ""));
         if let Ok(exponent) = exponent.parse::<i32>() {
@@ -49,7 +49,7 @@ const WHOLE: i32 = 3;
 /// Half a unit of the last digit of a whole number with fewer digits than others of its form have, which are at most
 /// `digits`: `3` beside `8.36` is 3.00 of which the zeros were dropped, not any number from 2.5 to 3.5. Infinite for
 /// numbers that say their digits.
-pub(super) fn whole_rounding(text: &str, digits: i32) -> f64 {
+pub fn whole_rounding(text: &str, digits: i32) -> f64 {
     let value: f64 = text.parse().unwrap_or(0.0);
     if text.contains(['.', 'e', 'E']) || value == 0.0 {
         return f64::INFINITY;
@@ -59,7 +59,7 @@ pub(super) fn whole_rounding(text: &str, digits: i32) -> f64 {
 }
 
 /// The most significant digits that any of these numbers has.
-pub(super) fn most_digits<'t>(texts: impl Iterator<Item = &'t str>) -> i32 {
+pub fn most_digits<'t>(texts: impl Iterator<Item = &'t str>) -> i32 {
     texts.filter(|text| !text.contains(['e', 'E'])).map(|text| counts(text).1).max().unwrap_or(0)
 }
 
@@ -86,48 +86,4 @@ pub(super) fn number(text: &str) -> Result<f64, CheckError> {
         return Err(CheckError::new(format!("`{}` is too large", shown(text)), hint));
     }
     Ok(number)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Precision, most_digits, whole_rounding};
-
-    #[test]
-    fn zeros_that_a_file_has_dropped_count() {
-        let texts = ["61.53", "100", "7.5", "248.06"];
-        let precision = Precision::of(texts.into_iter());
-        assert_eq!(precision.rounding("100"), 0.005);
-        assert_eq!(precision.rounding("7.5"), 0.005);
-    }
-
-    #[test]
-    fn so_do_significant_digits_where_decimals_differ() {
-        let texts = ["33.2", "0.4746", "-1.105", "0.08613"];
-        let precision = Precision::of(texts.into_iter());
-        assert_eq!(precision.rounding("33.2"), 0.005);
-        assert_eq!(precision.rounding("0.4746"), 0.00005);
-    }
-
-    #[test]
-    fn one_slipped_point_makes_no_other_number_finer() {
-        let texts = ["61.5", "4.85", "138.2", "59.4"];
-        let precision = Precision::of(texts.into_iter());
-        assert_eq!(precision.rounding("61.5"), 0.05);
-        assert_eq!(precision.rounding("48.5"), 0.05);
-        assert_eq!(precision.rounding("4.85"), 0.005);
-    }
-
-    #[test]
-    fn a_short_whole_number_has_the_digits_of_the_others() {
-        let digits = most_digits(["8.364", "110", "3"].into_iter());
-        assert_eq!(whole_rounding("3", digits), 0.005);
-        assert_eq!(whole_rounding("110", digits), 0.5);
-        assert_eq!(whole_rounding("3.0", digits), f64::INFINITY);
-    }
-
-    #[test]
-    fn powers_of_ten_say_their_last_digit() {
-        let precision = Precision::of(["1.5e3"].into_iter());
-        assert_eq!(precision.rounding("1.5e3"), 50.0);
-    }
 }

@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 
 /// A basis of the joint displacements that keep the links' shapes: the null space of the constraints, which are the
 /// distances between points of one link and the places of the ground's points.
-pub(super) fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
+pub fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
     let operations = construction.operations.iter();
     let plots: Vec<(PointId, Vector)> = operations
         .filter_map(|operation| match (operation.role, &operation.kind) {
@@ -44,22 +44,4 @@ pub(super) fn ways_together(construction: &Construction, exact: &Values, mechani
     let largest = eigen.eigenvalues.amax();
     let null_space = eigen.eigenvalues.iter().enumerate().filter(|(_, value)| value.abs() <= 1e-10 * largest);
     null_space.map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect()).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Where no joint is plotted nothing moves together.
-    #[test]
-    fn a_construction_without_joints_has_no_joint_errors() {
-        let text = include_str!("../../templates/four-bar.json");
-        let solution = crate::solve(&crate::scene::Scene::read(text).expect("a scene")).expect("it can be solved");
-        let (mut construction, _) = crate::quantity::read_by_hand(&solution, &[]);
-        let scales = crate::sheet::PerSheet::from_fn(|_| 1.0);
-        let exact = construction.run(scales, &[]);
-        assert!(!ways_together(&construction, &exact, &solution.mechanism).is_empty());
-        construction.operations.clear();
-        assert!(ways_together(&construction, &exact, &solution.mechanism).is_empty());
-    }
 }

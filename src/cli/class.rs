@@ -237,34 +237,3 @@ fn is_report(path: &Path) -> bool {
     let starts = ["file,name,passed,", "file,exercise,name,passed,", "{\n  \"kinegon_class\"", "{\"file\":"];
     read.is_ok() && starts.iter().any(|known| start.starts_with(known))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Class, Form, ReportFormat};
-    use crate::check::ClassColumns;
-    use crate::scene::Figure;
-    use crate::words::Wording;
-    use std::path::Path;
-
-    /// The defect is an exercise that is not there.
-    #[test]
-    fn a_panic_over_a_form_is_its_row() {
-        let path = std::env::temp_dir().join(format!("kinegon-{}-form.json", std::process::id()));
-        std::fs::write(&path, r#"{"kinegon_measured": 1, "values": {"omega(2)": 1}}"#).expect("written");
-        let forms = [Form { path, file: "Ana.json".into(), exercise: Ok(7) }];
-        let class = Class {
-            folder: Path::new("."),
-            forms: &forms,
-            exercises: &[],
-            columns: ClassColumns { exercise: false, marks: false },
-            format: ReportFormat::Csv,
-            output: Path::new("-"),
-            pages: None,
-            words: &Wording::of(&Figure::default()),
-        };
-        let (row, _) = class.row(0);
-        let _ = std::fs::remove_file(&forms[0].path);
-        let row = serde_json::to_string(&row).expect("text keys");
-        assert!(row.contains("the program itself fails on it at src/cli/class.rs"), "{row}");
-    }
-}

@@ -9,13 +9,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The exercises of a folder, in the order of their names.
-pub(super) struct ExerciseFolder {
-    folder: PathBuf,
+pub struct ExerciseFolder {
+    pub folder: PathBuf,
     pub all: Vec<ExerciseFiles>,
 }
 
 /// Where the files of an exercise are.
-pub(super) struct ExerciseFiles {
+pub struct ExerciseFiles {
     /// Its name: that of its folder, or of its scene's file without the ending.
     pub name: String,
     pub scene: PathBuf,
@@ -75,7 +75,7 @@ impl ExerciseFolder {
     /// The index of the exercise that a form belongs to: the one that it names, else the one whose name is in the name
     /// of its file, else in that of the nearest folder; `path` is the form's in the folder of forms. A single exercise
     /// has all forms that name none.
-    pub(super) fn of_form(&self, named: Option<&Untrusted>, path: &Path) -> Result<usize, String> {
+    pub fn of_form(&self, named: Option<&Untrusted>, path: &Path) -> Result<usize, String> {
         if let Some(name) = named {
             return self.named(name);
         }
@@ -180,52 +180,4 @@ fn has_word(text: &str, word: &str) -> bool {
             let after = text[at + word.len()..].chars().next();
             ![before, after].into_iter().flatten().any(char::is_alphanumeric)
         })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn folder(names: &[&str]) -> ExerciseFolder {
-        let one = |name: &&str| ExerciseFiles { name: (*name).to_owned(), scene: PathBuf::new(), folder: None };
-        ExerciseFolder { folder: "class".into(), all: names.iter().map(one).collect() }
-    }
-
-    #[test]
-    fn a_form_belongs_to_the_exercise_that_it_its_file_or_its_folder_names() {
-        let some = folder(&["bar-7-1", "four-bar-7-1", "four-bar-7-12", "four-bar-7-2"]);
-        let of = |named: Option<&str>, path: &str| some.of_form(named.map(Untrusted::from).as_ref(), Path::new(path));
-        assert_eq!(of(Some("four-bar-7-2"), "four-bar-7-1/four-bar-7-1.csv"), Ok(3));
-        assert_eq!(of(Some("Four-Bar-7-2"), "x.csv"), Ok(3));
-        assert_eq!(of(None, "four-bar-7-2 Ana.csv"), Ok(3));
-        assert_eq!(of(None, "Ana_FOUR-BAR-7-12.json"), Ok(2));
-        assert_eq!(of(None, "four-bar-7-1.json"), Ok(1));
-        assert_eq!(of(None, "four-bar-7-1/four-bar-7-2 Ana.csv"), Ok(3));
-        assert_eq!(of(None, "four-bar-7-1/late/Ana.csv"), Ok(1));
-        assert_eq!(of(None, "Ana.four-bar-7-2.csv"), Ok(3));
-    }
-
-    #[test]
-    fn what_is_not_clear_is_said() {
-        let some = folder(&["four-bar-7-1", "four-bar-7-2"]);
-        let of = |named: Option<&str>, path: &str| {
-            some.of_form(named.map(Untrusted::from).as_ref(), Path::new(path)).unwrap_err()
-        };
-        let unknown = of(Some("four-bar-7-3"), "four-bar-7-1.csv");
-        assert!(unknown.contains("`four-bar-7-3` is not in class"), "{unknown}");
-        assert!(unknown.contains("there are four-bar-7-1, four-bar-7-2"), "{unknown}");
-        assert!(of(None, "four-bar-7-1 four-bar-7-2.csv").contains("several exercises: four-bar-7-1, four-bar-7-2"));
-        assert!(of(None, "four-bar-7-13.csv").contains("does not say to which exercise"));
-        assert!(of(None, "Ana.csv").contains("there are four-bar-7-1, four-bar-7-2"));
-        let many: Vec<String> = (1..=30).map(|i| format!("x-{i}")).collect();
-        let many: Vec<&str> = many.iter().map(String::as_str).collect();
-        let none = folder(&many).of_form(None, Path::new("Ana.csv")).unwrap_err();
-        assert!(none.contains("x-6 and 24 more"), "{none}");
-    }
-
-    #[test]
-    fn a_single_exercise_has_all_forms_that_name_none() {
-        assert_eq!(folder(&["a-1"]).of_form(None, Path::new("Ana.csv")), Ok(0));
-        assert!(folder(&["a-1"]).of_form(Some(&"a-2".into()), Path::new("Ana.csv")).is_err());
-    }
 }

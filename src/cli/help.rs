@@ -8,7 +8,7 @@ use std::ffi::OsString;
 use std::fmt::Write;
 
 /// Commands by who asks for them.
-const GROUPS: [(&str, &[&str]); 5] = [
+pub const GROUPS: [(&str, &[&str]); 5] = [
     ("To begin", &["app", "new", "draw"]),
     ("For students", &["steps", "check"]),
     ("For teachers", &["exercise"]),
@@ -30,7 +30,7 @@ Examples:
 `kinegon draw --help` tells the options of `draw`, with further examples.";
 
 /// The description of the whole command line.
-pub(super) fn command() -> Command {
+pub fn command() -> Command {
     let color = "Colours in messages and help; `auto` has them on a terminal where NO_COLOR is not set";
     let mut command = Given::command().after_help(EXAMPLES).mut_arg("color", |arg| arg.help(color));
     // Gives `help` its own line.
@@ -69,47 +69,4 @@ pub(super) fn asked_color(arguments: &[OsString]) -> Color {
         color.color = choice.unwrap_or(color.color);
     }
     color
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{GROUPS, command};
-    use clap::FromArgMatches;
-
-    #[test]
-    fn every_command_is_in_one_group() {
-        let mut grouped: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
-        let command = command();
-        let mut known: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
-        grouped.sort_unstable();
-        known.sort_unstable();
-        assert_eq!(grouped, known);
-    }
-
-    /// The words of a command as a shell would hand them over.
-    fn words(line: &str) -> Vec<String> {
-        let parts = line.split('"').enumerate();
-        let quoted = parts.flat_map(|(index, part)| match index % 2 {
-            0 => part.split(' ').filter(|word| !word.is_empty()).map(str::to_owned).collect(),
-            _ => vec![part.to_owned()],
-        });
-        quoted.collect()
-    }
-
-    #[test]
-    fn every_command_has_examples_that_are_understood() {
-        for known in command().get_subcommands().filter(|known| known.get_name() != "help") {
-            let text = known.get_after_help().expect("it has examples").to_string();
-            let examples = text.split("Examples:\n").nth(1).expect("they come last");
-            for line in examples.lines().filter(|line| line.starts_with("  kinegon")) {
-                // Two spaces, and what it is for.
-                let line = line.trim_start().split("  ").next().expect("a split has a first part");
-                for part in line.split(" | ").filter(|part| part.starts_with("kinegon")) {
-                    let part = part.split(" >").next().expect("a split has a first part");
-                    let matches = command().try_get_matches_from(words(part)).expect(line);
-                    super::Given::from_arg_matches(&matches).expect(line);
-                }
-            }
-        }
-    }
 }

@@ -9,7 +9,7 @@ use std::io::Write;
 
 /// The text of a file that was read.
 #[derive(Clone, Debug)]
-pub(super) struct Source {
+pub struct Source {
     /// The file's name, or `stdin`.
     pub name: String,
     /// The whole text.
@@ -30,7 +30,7 @@ impl Source {
 
 /// Why a command did not do its task.
 #[derive(Debug)]
-pub(super) enum Failure {
+pub enum Failure {
     /// An error of the library about a scene, or about a file that is read as strictly.
     Scene(Source, Box<Error>),
     /// A command or a file that is not understood.
@@ -91,7 +91,7 @@ impl Failure {
     }
 
     /// The failure on one line, without the name of the file `place`; empty if it has no message.
-    pub(super) fn line(&self, place: &str) -> String {
+    pub fn line(&self, place: &str) -> String {
         let (message, hint) = match self {
             Failure::Scene(_, error) => (error.to_string(), None),
             Failure::Misuse(problem) => (problem.message.clone(), problem.hint.as_deref()),

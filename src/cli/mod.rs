@@ -5,7 +5,8 @@
 //! understood; 128 and a signal's number where that has stopped it, as 130 for Ctrl-C.
 
 mod app;
-mod caught;
+#[doc(hidden)] // for tests
+pub mod caught;
 mod check;
 mod class;
 mod completions;
@@ -13,17 +14,22 @@ mod correction;
 mod curves;
 mod draw;
 mod exercise;
-mod exercises;
-mod feedback;
+#[doc(hidden)] // for tests
+pub mod exercises;
+#[doc(hidden)] // for tests
+pub mod feedback;
 mod figures;
 mod files;
 mod forms;
-mod help;
+#[doc(hidden)] // for tests
+pub mod help;
 mod man;
-mod message;
+#[doc(hidden)] // for tests
+pub mod message;
 mod new;
 mod options;
-mod output;
+#[doc(hidden)] // for tests
+pub mod output;
 mod parts;
 mod photo;
 mod photo_class;

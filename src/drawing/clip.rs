@@ -15,7 +15,7 @@ pub(super) fn holds(area: Rect, point: Point) -> bool {
 
 /// The parts of a shape in `area`. Lines are cut at its border; an arrow whose tip is outside becomes a line; round
 /// shapes and texts are kept whole if their centre is inside, else dropped.
-pub(super) fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
+pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     if is_within(area, &shape) {
         return vec![shape];
     }
@@ -106,10 +106,10 @@ fn inside(area: Rect, corners: &[Point]) -> Vec<Point> {
 }
 
 /// Largest distance of the drawn line from the samples, in mm.
-const TOLERANCE: f64 = 0.012;
+pub const TOLERANCE: f64 = 0.012;
 
 /// The parts of a chain of lines within an area.
-pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
+pub fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for ends in points.windows(2) {
         let whole = area.contains(ends[0]) && area.contains(ends[1]);
@@ -124,7 +124,7 @@ pub(super) fn clipped_chain(area: Rect, points: &[Point]) -> Vec<Vec<Point>> {
 }
 
 /// The chain with fewer points, within [`TOLERANCE`] of all points left out.
-pub(super) fn simplified(points: &[Point]) -> Vec<Point> {
+pub fn simplified(points: &[Point]) -> Vec<Point> {
     simplified_to(TOLERANCE, points)
 }
 
@@ -150,73 +150,9 @@ pub(super) fn simplified_to(tolerance: f64, points: &[Point]) -> Vec<Point> {
 }
 
 /// The distance of a point from the straight segment between two others.
-pub(super) fn distance(p: Point, a: Point, b: Point) -> f64 {
+pub fn distance(p: Point, a: Point, b: Point) -> f64 {
     let along = b - a;
     let size = along.hypot2();
     let share = if size > 0.0 { ((p - a).dot(along) / size).clamp(0.0, 1.0) } else { 0.0 };
     (p - (a + along * share)).hypot2().sqrt()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const AREA: Rect = Rect::new(0.0, 0.0, 10.0, 10.0);
-
-    #[test]
-    fn lines_and_arrows_end_at_the_edge() {
-        let (a, b) = (Point::new(5.0, 5.0), Point::new(25.0, 5.0));
-        let cut = vec![Shape::Line(a, Point::new(10.0, 5.0))];
-        assert_eq!(clipped(AREA, Shape::Line(a, b)), cut);
-        assert_eq!(clipped(AREA, Shape::Arrow { from: a, to: b, head: 2.6 }), cut);
-        let back = clipped(AREA, Shape::Arrow { from: b, to: a, head: 2.6 });
-        let from = Point::new(10.0, 5.0);
-        assert_eq!(back, [Shape::Arrow { from, to: a, head: 2.6 }]);
-        let away = Shape::Line(Point::new(11.0, 0.0), Point::new(12.0, 9.0));
-        assert!(clipped(AREA, away).is_empty());
-        let within = Shape::Line(a, Point::new(6.0, 6.0));
-        assert_eq!(clipped(AREA, within.clone()), [within]);
-    }
-
-    #[test]
-    fn polygons_keep_what_is_inside() {
-        let corner = |x: f64, y: f64| Point::new(x, y);
-        let triangle = vec![corner(5.0, 5.0), corner(15.0, 5.0), corner(5.0, 15.0)];
-        let shapes = clipped(AREA, Shape::Polygon(triangle));
-        let [Shape::Polygon(corners)] = shapes.as_slice() else {
-            panic!("{shapes:?}");
-        };
-        // The square from (5, 5) to (10, 10), whose corner (10, 10) the long side just meets.
-        for want in [corner(5.0, 5.0), corner(10.0, 5.0), corner(10.0, 10.0), corner(5.0, 10.0)] {
-            let near = corners.iter().any(|c| (*c - want).hypot() < 1e-9);
-            assert!(near, "{want:?} in {corners:?}");
-        }
-        let all = corners.iter().all(|c| AREA.inflate(1e-9, 1e-9).contains(*c));
-        assert!(all, "{corners:?}");
-    }
-
-    #[test]
-    fn chains_are_cut_at_the_border() {
-        let area = Rect::new(0.0, 0.0, 10.0, 10.0);
-        let points = [(1.0, 5.0), (3.0, 15.0), (5.0, 5.0), (6.0, 5.0)].map(Point::from);
-        let parts = clipped_chain(area, &points);
-        let cut = [vec![(1.0, 5.0), (2.0, 10.0)], vec![(4.0, 10.0), (5.0, 5.0), (6.0, 5.0)]];
-        let cut = cut.map(|part| part.into_iter().map(Point::from).collect::<Vec<_>>());
-        assert_eq!(parts, cut);
-    }
-
-    #[test]
-    fn what_is_left_out_is_not_seen() {
-        let on = |k: i32| {
-            let x = f64::from(k) / 10.0;
-            Point::new(x, 20.0 * libm::sin(x / 10.0))
-        };
-        let points: Vec<Point> = (0..=2000).map(on).collect();
-        let few = simplified(&points);
-        assert!(few.len() < 400, "{}", few.len());
-        for p in &points {
-            let off = few.windows(2).map(|w| distance(*p, w[0], w[1]));
-            assert!(off.fold(f64::INFINITY, f64::min) <= TOLERANCE);
-        }
-    }
 }

@@ -20,7 +20,7 @@ const SLACK: f64 = 1e-3;
 ///
 /// Things outside the area belong to the cells at its edge, so they are found, too, but less quickly.
 #[derive(Clone, Debug)]
-pub(super) struct Grid {
+pub struct Grid {
     origin: Point,
     /// Width and height of its cells.
     cell: [f64; 2],
@@ -57,7 +57,7 @@ struct Seen {
 
 impl Grid {
     /// A grid without things over an area.
-    pub(super) fn new(area: Rect) -> Self {
+    pub fn new(area: Rect) -> Self {
         // One for a length that is no number.
         let count = |length: f64| if length.is_nan() { 1.0 } else { (length / CELL).ceil().clamp(1.0, MOST) };
         let (columns, rows) = (count(area.width()), count(area.height()));
@@ -85,7 +85,7 @@ impl Grid {
     }
 
     /// Adds a thing in a box.
-    pub(super) fn add(&mut self, thing: usize, area: Rect) {
+    pub fn add(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
             self.put(thing, cell);
         }
@@ -114,7 +114,7 @@ impl Grid {
     }
 
     /// Takes a thing out of a box.
-    pub(super) fn remove(&mut self, thing: usize, area: Rect) {
+    pub fn remove(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
             let last = self.last[cell];
             let mut index = last;
@@ -133,7 +133,7 @@ impl Grid {
     }
 
     /// Adds a straight line.
-    pub(super) fn add_line(&mut self, thing: usize, (from, to): (Point, Point)) {
+    pub fn add_line(&mut self, thing: usize, (from, to): (Point, Point)) {
         let is_near = |point: Point| (point.x.abs() < FAR) & (point.y.abs() < FAR);
         if !is_near(from) || !is_near(to) {
             self.everywhere.push(thing as u32);
@@ -162,7 +162,7 @@ impl Grid {
     }
 
     /// What is near a box, in rising order, each once; at least all that touches it.
-    pub(super) fn near(&self, area: Rect) -> Vec<usize> {
+    pub fn near(&self, area: Rect) -> Vec<usize> {
         let mut found: Vec<usize> = self.everywhere.iter().map(|thing| *thing as usize).collect();
         let mut seen = self.seen.borrow_mut();
         let Seen { search, last } = &mut *seen;
@@ -179,65 +179,5 @@ impl Grid {
         }
         found.sort_unstable();
         found
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::Random;
-
-    const AREA: Rect = Rect::new(10.0, 20.0, 110.0, 90.0);
-
-    /// A point within or around the area.
-    fn point(lot: &mut Random) -> Point {
-        Point::new(140.0 * lot.unit(), 120.0 * lot.unit())
-    }
-
-    #[test]
-    fn nothing_that_touches_a_box_is_missed() {
-        let mut lot = Random(5);
-        let mut grid = Grid::new(AREA);
-        let lines: Vec<(Point, Point)> = (0..300).map(|_| (point(&mut lot), point(&mut lot))).collect();
-        for (index, line) in lines.iter().enumerate() {
-            grid.add_line(index, *line);
-        }
-        for _ in 0..300 {
-            let corner = point(&mut lot);
-            let area = Rect::from_origin_size(corner, (6.0 * lot.unit(), 6.0 * lot.unit()));
-            let found = grid.near(area);
-            assert!(found.is_sorted_by(|a, b| a < b));
-            for (index, (a, b)) in lines.iter().enumerate() {
-                // A thousand points of the line stand for it.
-                let touches = (0..=1000).any(|k| {
-                    let at = a.lerp(*b, f64::from(k) / 1000.0);
-                    area.x0 <= at.x && at.x <= area.x1 && area.y0 <= at.y && at.y <= area.y1
-                });
-                assert!(!touches || found.contains(&index), "line {index} of {area:?}");
-            }
-            // Most of the others are not looked at.
-            assert!(found.len() < 60, "{}", found.len());
-        }
-    }
-
-    #[test]
-    fn what_is_taken_out_is_gone() {
-        let mut grid = Grid::new(AREA);
-        let area = Rect::new(30.0, 30.0, 41.0, 33.0);
-        grid.add(3, area);
-        grid.add(4, area);
-        grid.remove(3, area);
-        assert_eq!(grid.near(AREA), [4]);
-    }
-
-    #[test]
-    fn odd_numbers_do_no_harm() {
-        for area in [Rect::ZERO, Rect::new(0.0, 0.0, f64::NAN, 1.0), Rect::new(5.0, 5.0, -5.0, f64::INFINITY)] {
-            let mut grid = Grid::new(area);
-            grid.add(0, Rect::new(f64::NAN, 0.0, f64::INFINITY, 1e300));
-            grid.add_line(1, (Point::new(f64::NAN, 0.0), Point::ORIGIN));
-            grid.add_line(2, (Point::new(1e30, 0.0), Point::ORIGIN));
-            assert!(grid.near(Rect::new(0.0, 0.0, 1.0, 1.0)).ends_with(&[1, 2]));
-        }
     }
 }

@@ -5,18 +5,21 @@
 
 mod arrow;
 mod canvas;
-mod clip;
+#[doc(hidden)] // for tests
+pub mod clip;
 mod compose;
 mod context;
 mod correction;
-mod curves;
+#[doc(hidden)] // for tests
+pub mod curves;
 mod dims;
 mod exercise;
 mod facts;
 mod figure;
 mod figure_sheets;
 mod fonts;
-mod grid;
+#[doc(hidden)] // for tests
+pub mod grid;
 mod held;
 mod held_layout;
 mod inset;
@@ -30,7 +33,8 @@ pub mod markers;
 mod markup;
 mod obstacles;
 mod over_photo;
-mod overlay;
+#[doc(hidden)] // for tests
+pub mod overlay;
 mod panel;
 mod panels;
 mod passages;

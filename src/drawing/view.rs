@@ -147,21 +147,3 @@ pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
 fn power_of_ten(exponent: i32) -> f64 {
     if exponent <= 22 { (0..exponent).fold(1.0, |power, _| power * 10.0) } else { libm::pow(10.0, f64::from(exponent)) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn scale(size: f64, paper: f64) -> f64 {
-        let extent = Extent::of([geometry::Point::origin(), geometry::Point::new(size, 0.0)]);
-        fitting_scale(&extent, Rect::new(0.0, 0.0, paper, paper))
-    }
-
-    #[test]
-    fn scales_are_round() {
-        assert_eq!(scale(100.0, 100.0), 1.0);
-        assert_eq!(scale(101.0, 100.0), 2.0);
-        assert_eq!(scale(2.3, 100.0), 0.025);
-        assert_eq!(scale(3e7, 100.0), 5e5);
-    }
-}

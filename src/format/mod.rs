@@ -46,6 +46,3 @@ pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
 pub use self::table::{csv_header, csv_rows, json_lines, study_header, study_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};
-
-#[cfg(test)]
-pub(crate) use self::svg::ink_in;

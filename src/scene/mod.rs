@@ -16,7 +16,8 @@ mod build_parts;
 mod choices;
 mod error;
 mod figure;
-mod fingerprint;
+#[doc(hidden)] // for tests
+pub mod fingerprint;
 mod given;
 mod guide;
 mod kinds;

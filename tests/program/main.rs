@@ -13,11 +13,13 @@ mod command_line_sizes;
 mod command_line_sweep;
 mod command_line_values;
 mod command_line_variants;
+mod command_parts;
 mod courses;
 #[cfg(feature = "pdf")]
 mod drawing_sheets;
 mod engine;
 mod exercises;
+mod file_sets;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;
 mod installed;

@@ -10,6 +10,7 @@ pub mod faults;
 pub mod files;
 pub mod groups;
 pub mod images;
+pub mod ink;
 pub mod later;
 pub mod outputs;
 pub mod photographs;

@@ -1,7 +1,8 @@
 //! The student's drawing as an overlay on the right figure: points and lines that are elsewhere than they should be,
 //! with sentences.
 
-mod sheets;
+#[doc(hidden)] // for tests
+pub mod sheets;
 
 use super::answer_key::AnswerKey;
 use super::checked::Checked;

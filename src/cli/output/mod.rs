@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 
 /// Files that are written together. Nothing is in its place before [`FileSet::finish`].
 #[derive(Default)]
-pub(super) struct FileSet {
+pub struct FileSet {
     stages: Vec<Stage>,
     files: Vec<Staged>,
     /// What goes to pipes and devices, which cannot be replaced.
@@ -56,7 +56,7 @@ enum Sink {
 
 impl FileSet {
     /// Writes a file, in place of the one that is there.
-    pub(super) fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         let place = Place::of(path).map_err(|error| unwritable(path, &error))?;
         self.write(path, place, bytes, false)
     }
@@ -67,7 +67,7 @@ impl FileSet {
     }
 
     /// Writes a file that does not exist yet; an existing one is refused.
-    pub(super) fn add_first(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    pub fn add_first(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         if path.symlink_metadata().is_ok() && !is_special(path) {
             return Err(is_there_already(path));
         }
@@ -120,7 +120,7 @@ impl FileSet {
     }
 
     /// Puts all files into their places. If that fails, none of them is there.
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    pub fn finish(self) -> Result<(), Failure> {
         for (path, bytes) in &self.direct {
             let mut stream = Stream::direct(path)?;
             stream.write_all(bytes).map_err(|error| unwritable(path, &error))?;
@@ -203,6 +203,3 @@ fn is_there_already(path: &Path) -> Failure {
         "choose another name, or remove the file",
     )
 }
-
-#[cfg(test)]
-mod tests;

@@ -10,7 +10,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// An axis with round values.
 #[derive(Clone, Debug)]
-pub(super) struct Axis {
+pub struct Axis {
     /// Values at its ends.
     pub ends: [f64; 2],
     /// Coordinates of its ends on the sheet, in mm along its direction.
@@ -74,24 +74,4 @@ impl Axis {
 /// Number style of so many digits, without trailing zeros.
 pub(super) const fn significant(digits: usize) -> NumberStyle {
     NumberStyle::significant(digits).trimmed().on(Medium::Figure)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn ticks(ends: [f64; 2], length: f64, degrees: bool) -> Vec<String> {
-        let axis = Axis::new(Wording::default(), ends, [0.0, length], 10.0, degrees);
-        axis.ticks.iter().map(|t| axis.tick(*t)).collect()
-    }
-
-    #[test]
-    fn ticks_are_round() {
-        assert_eq!(ticks([-0.13, 0.31], 45.0, false), ["−0.1", "0.0", "0.1", "0.2", "0.3"]);
-        assert_eq!(ticks([0.0, 360.0], 60.0, true), ["0", "60", "120", "180", "240", "300", "360"]);
-        assert_eq!(ticks([0.0, 360.0], 50.0, true), ["0", "90", "180", "270", "360"]);
-        assert_eq!(ticks([3.0, 9.5], 40.0, true), ["4", "6", "8"]);
-        assert_eq!(ticks([0.0, 4e6], 45.0, false), ["0", "1", "2", "3", "4"]);
-        assert_eq!(ticks([-2e-5, 2e-5], 45.0, false), ["−20", "−10", "0", "10", "20"]);
-    }
 }

@@ -3,7 +3,8 @@
 //! Extreme values, dead centres, limits and the scene's own position are marked; every curve has its name. Nothing of the
 //! motion is computed here.
 
-mod axis;
+#[doc(hidden)] // for tests
+pub mod axis;
 mod chart;
 mod context;
 mod graph;

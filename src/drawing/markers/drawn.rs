@@ -8,7 +8,7 @@ use kurbo::{Point, Rect};
 use std::collections::BTreeMap;
 
 /// A corner of cells: column and row.
-type Corner = [usize; 2];
+pub type Corner = [usize; 2];
 
 /// What the code of a sheet says besides its panels.
 #[derive(Clone, Debug)]
@@ -52,7 +52,7 @@ fn draw_cells(drawing: &mut Drawing, id: &str, place: Rect, white: f64, cells: &
 
 /// The borders of the black cells as closed chains of corners, with black on the right of each: areas run clockwise to
 /// the eye, holes the other way.
-fn outlines(cells: &[Vec<bool>]) -> Vec<Vec<Corner>> {
+pub fn outlines(cells: &[Vec<bool>]) -> Vec<Vec<Corner>> {
     let black = |column: usize, row: usize| cells.get(row).and_then(|row| row.get(column)) == Some(&true);
     // Sides of cells with white on the other side, by their starts.
     let mut sides: BTreeMap<Corner, Vec<Corner>> = BTreeMap::new();
@@ -98,34 +98,4 @@ fn without_middles(chain: &[Corner]) -> Vec<Corner> {
         !(0..2).any(|axis| before[axis] == here[axis] && here[axis] == after[axis])
     };
     (0..count).filter(turns).map(|index| chain[index]).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Twice the signed area within chains, in cells; positive clockwise to the eye.
-    fn doubled(chains: &[Vec<Corner>]) -> i64 {
-        let cross = |a: Corner, b: Corner| a[0] as i64 * b[1] as i64 - b[0] as i64 * a[1] as i64;
-        let chain = |chain: &Vec<Corner>| -> i64 {
-            (0..chain.len()).map(|k| cross(chain[k], chain[(k + 1) % chain.len()])).sum()
-        };
-        chains.iter().map(chain).sum()
-    }
-
-    #[test]
-    fn outlines_hold_the_black_cells() {
-        for code in CODES {
-            let cells = cells(code).map(|row| row.to_vec());
-            // 20 cells of the ring and those of the code.
-            assert_eq!(doubled(&outlines(&cells)), 2 * i64::from(20 + code.count_ones()), "{code:#06x}");
-        }
-        let ring = [[true, true, true], [true, false, true], [true, true, true]].map(|row| row.to_vec());
-        let mut ring = outlines(&ring);
-        ring.sort_by_key(|chain| chain[0]);
-        assert_eq!(ring, [vec![[0, 0], [3, 0], [3, 3], [0, 3]], vec![[1, 1], [1, 2], [2, 2], [2, 1]]]);
-        // Cells that touch at a corner.
-        let diagonal = [[true, false], [false, true]].map(|row| row.to_vec());
-        assert_eq!(doubled(&outlines(&diagonal)), 4);
-    }
 }

@@ -3,7 +3,8 @@
 //!
 //! All lengths are millimetres of paper, y down. A sheet for a projector (`16x9`) has no markers.
 
-mod drawn;
+#[doc(hidden)] // for tests
+pub mod drawn;
 mod sheet_code;
 
 pub(in crate::drawing) use drawn::Signs;
@@ -74,56 +75,4 @@ pub fn cells(code: u16) -> [[bool; CELLS]; CELLS] {
         }
     }
     cells
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// A code turned by a right angle clockwise.
-    fn turned(code: u16) -> u16 {
-        let bit = |row: usize, column: usize| code >> (15 - (4 * row + column)) & 1;
-        (0..16).fold(0, |turned, place| turned << 1 | bit(3 - place % 4, place / 4))
-    }
-
-    fn turns(code: u16) -> [u16; 4] {
-        let mut turns = [code; 4];
-        for k in 1..4 {
-            turns[k] = turned(turns[k - 1]);
-        }
-        assert_eq!(turned(turns[3]), code);
-        turns
-    }
-
-    #[test]
-    fn codes_differ_however_they_are_turned() {
-        for (i, code) in CODES.into_iter().enumerate() {
-            for (j, other) in CODES.into_iter().enumerate() {
-                for (quarter, turned) in turns(other).into_iter().enumerate() {
-                    let differing = (code ^ turned).count_ones();
-                    let is_same = i == j && quarter == 0;
-                    assert!(is_same || differing >= 6, "{code:#06x} and {other:#06x}, turned {quarter} times");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn cells_are_ring_and_code() {
-        let drawn: Vec<String> =
-            cells(0x01c7).iter().map(|row| row.iter().map(|black| if *black { '#' } else { '.' }).collect()).collect();
-        assert_eq!(drawn, ["######", "#....#", "#...##", "###..#", "#.####", "######"]);
-    }
-
-    #[test]
-    fn places_on_a4() {
-        let places = places([297.0, 210.0]).map(|place| [place.x0, place.y0, place.x1, place.y1]);
-        assert_eq!(places[0], [6.5, 6.5, 14.5, 14.5]);
-        assert_eq!(places[1], [144.5, 6.5, 152.5, 14.5]);
-        assert_eq!(places[3], [282.5, 101.0, 290.5, 109.0]);
-        assert_eq!(places[4], [282.5, 195.5, 290.5, 203.5]);
-        assert_eq!(places[7], [6.5, 101.0, 14.5, 109.0]);
-        assert_eq!(code_place([297.0, 210.0]), Rect::new(263.5, 176.5, 279.5, 192.5));
-        assert_eq!(code_place([297.0, 420.0]), Rect::new(259.5, 382.5, 279.5, 402.5));
-    }
 }

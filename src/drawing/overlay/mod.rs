@@ -2,7 +2,8 @@
 //! colour; all else is paler.
 
 mod layer;
-mod notes;
+#[doc(hidden)] // for tests
+pub mod notes;
 mod own;
 
 pub(super) use layer::OwnLayer;

@@ -1,8 +1,6 @@
 //! SVG: a sheet as one file, its panels alone, or a group for each step (`mod.rs`); marks in groups (`marks.rs`), shapes
 //! (`shapes.rs`) and texts (`letters.rs`).
 
-#[cfg(test)]
-mod ink;
 mod letters;
 mod marks;
 mod shapes;
@@ -10,8 +8,6 @@ mod shapes;
 use super::number::number;
 use crate::drawing::{Drawing, Mark, Pen};
 use crate::text::xml;
-#[cfg(test)]
-pub(crate) use ink::ink_in;
 use kurbo::Rect;
 pub use marks::Text;
 use marks::{Drawn, body, drawn, write_marks};

@@ -1,14 +1,9 @@
-use super::FileSet;
-use std::fs;
-use std::path::{Path, PathBuf};
+//! Sets of files are written as a whole or not at all.
 
-/// An empty folder of that name.
-fn scratch(name: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("kinegon-{}-{name}", std::process::id()));
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder for the test");
-    folder
-}
+use kinegon::cli::output::FileSet;
+use std::fs;
+use std::path::Path;
+use support::program::scratch;
 
 fn names(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("a folder");
@@ -21,7 +16,7 @@ fn names(folder: &Path) -> Vec<String> {
 /// Where the third of four renames fails, the first two are undone.
 #[test]
 fn a_rename_that_fails_undoes_those_before() {
-    let folder = scratch("undone");
+    let folder = scratch("set-undone");
     let [replaced, blocked, last] = ["replaced", "blocked", "last"].map(|name| folder.join(name));
     fs::write(&replaced, "before").expect("written");
     let mut set = FileSet::default();
@@ -41,7 +36,7 @@ fn a_rename_that_fails_undoes_those_before() {
 /// A file that appears meanwhile is not replaced by one that must be the first.
 #[test]
 fn what_must_be_first_replaces_nothing() {
-    let folder = scratch("first");
+    let folder = scratch("set-first");
     let (file, other) = (folder.join("scene.json"), folder.join("other"));
     let mut set = FileSet::default();
     set.add(&other, b"after").expect("staged");
@@ -57,7 +52,7 @@ fn what_must_be_first_replaces_nothing() {
 /// A set that is not finished leaves nothing; new folders come with all that is in them.
 #[test]
 fn a_set_is_there_as_a_whole() {
-    let folder = scratch("whole");
+    let folder = scratch("set-whole");
     let mut set = FileSet::default();
     set.add(&folder.join("new/a/1"), b"1").expect("staged");
     set.add(&folder.join("new/../new/b/2"), b"2").expect("staged");

@@ -1,10 +1,12 @@
+//! Ink in a picture, as resvg draws it.
+
 use resvg::usvg::fontdb::{Database, Source};
 use resvg::usvg::{self, Group, Node, Options, Paint, Tree};
 use std::sync::Arc;
 
 /// The box around all marks but the white ones, in mm of the sheet: left, top, right, bottom; texts as resvg sets them,
 /// to test our own measuring.
-pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
+pub fn ink_in(svg: &str) -> [f64; 4] {
     fn gather(group: &Group, ink: &mut [f64; 4]) {
         for node in group.children() {
             let own = match node {
@@ -27,7 +29,7 @@ pub(crate) fn ink_in(svg: &str) -> [f64; 4] {
         }
     }
     let mut fonts = Database::new();
-    for face in [crate::drawing::REGULAR, crate::drawing::ITALIC] {
+    for face in [kinegon::drawing::REGULAR, kinegon::drawing::ITALIC] {
         fonts.load_font_source(Source::Binary(Arc::new(face)));
     }
     let fontdb = Arc::new(fonts);
