@@ -37,6 +37,8 @@ struct Facts {
     scale_key: &'static str,
     /// Its scale in sentences.
     scale_symbol: &'static str,
+    /// How names of distances on it begin, as in `vplan(b,s3)`.
+    segment: &'static str,
     /// What is only said of plans.
     plan: Option<PlanFacts>,
 }
@@ -45,8 +47,6 @@ struct Facts {
 struct PlanFacts {
     /// The name of its pole.
     pole: &'static str,
-    /// How the names of its segments begin, as in `vplan(b,s3)`.
-    segment: &'static str,
     /// The letter of its vectors.
     vector: &'static str,
     /// The letter of the rates of links that are computed from it.
@@ -68,6 +68,7 @@ impl Sheet {
                 letter: 'L',
                 scale_key: "mu_l",
                 scale_symbol: "μ_l",
+                segment: "L",
                 plan: None,
             },
             Sheet::Velocity => Facts {
@@ -76,7 +77,8 @@ impl Sheet {
                 letter: 'V',
                 scale_key: "mu_v",
                 scale_symbol: "μ_v",
-                plan: Some(PlanFacts { pole: "p", segment: "vplan", vector: "v", rate: "ω" }),
+                segment: "vplan",
+                plan: Some(PlanFacts { pole: "p", vector: "v", rate: "ω" }),
             },
             Sheet::Acceleration => Facts {
                 word: "acceleration",
@@ -84,7 +86,8 @@ impl Sheet {
                 letter: 'A',
                 scale_key: "mu_a",
                 scale_symbol: "μ_a",
-                plan: Some(PlanFacts { pole: "π", segment: "aplan", vector: "a", rate: "α" }),
+                segment: "aplan",
+                plan: Some(PlanFacts { pole: "π", vector: "a", rate: "α" }),
             },
         }
     }
@@ -162,11 +165,16 @@ impl Sheet {
         &PLANS[..PLANS.partition_point(|plan| *plan <= self)]
     }
 
-    /// The name of a segment of the plan, as `vplan(b,s3)`; of the scheme that of a length, as `L(B,S3)`.
+    /// How names of distances on it begin: `vplan` for segments of the velocity plan, `L` for lengths of the scheme.
+    #[must_use]
+    pub fn segment_head(self) -> &'static str {
+        self.facts().segment
+    }
+
+    /// The name of the distance of two of its points, as `vplan(b,s3)`.
     #[must_use]
     pub fn segment_name(self, from: &str, to: &str) -> String {
-        let head = self.facts().plan.map_or("L", |plan| plan.segment);
-        format!("{head}({from},{to})")
+        format!("{}({from},{to})", self.segment_head())
     }
 }
 

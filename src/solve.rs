@@ -2,8 +2,7 @@ use crate::Error;
 use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
-use crate::quantity::is_acceleration;
-use crate::scene::{Scene, SizeLimit};
+use crate::scene::{QuantityName, Scene, SizeLimit};
 use crate::sheet::Sheet;
 
 /// Solves a scene: position, velocities, accelerations and both plans.
@@ -41,7 +40,11 @@ pub fn posed(scene: &Scene, limit: SizeLimit, mode: Option<usize>) -> Result<(Me
 #[must_use]
 pub fn order_of_result(scene: &Scene) -> Sheet {
     match &scene.want {
-        Some(want) if !want.iter().any(|name| is_acceleration(name)) => Sheet::Velocity,
+        Some(want)
+            if !want.iter().filter_map(|name| QuantityName::parse(name)).any(|name| name.needs_accelerations()) =>
+        {
+            Sheet::Velocity
+        }
         _ => Sheet::Acceleration,
     }
 }

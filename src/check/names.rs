@@ -7,6 +7,7 @@ use super::sheet::{CheckError, Measured};
 use super::shown::ShownNames;
 use crate::construction::image_name;
 use crate::quantity::{Asked, Quantity, QuantityError};
+use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::text;
 use indexmap::IndexMap;
@@ -111,17 +112,11 @@ impl Reader<'_> {
         if self.names.order.contains_key(name) {
             return None;
         }
-        let (head, rest) = name.split_once('(')?;
-        let (from, to) = rest.strip_suffix(')')?.split_once(',')?;
-        let named = |point| match head {
-            "aplan" => self.key.solution.construction.plan_name(Sheet::Acceleration, point),
-            _ => point,
-        };
-        let (from, to) = (named(from), named(to));
-        [[from, to], [to, from]]
-            .map(|[a, b]| format!("{head}({a},{b})"))
-            .into_iter()
-            .find(|n| self.names.order.contains_key(n))
+        let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+        let Head::Between(sheet) = name.head else { return None };
+        let plan_name = |point: &String| self.key.solution.construction.plan_name(sheet, point).to_owned();
+        let name = name.with_arguments(name.arguments.iter().map(plan_name).collect());
+        [name.to_string(), name.reversed().to_string()].into_iter().find(|n| self.names.order.contains_key(n))
     }
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
@@ -130,8 +125,8 @@ impl Reader<'_> {
         if sheet == Sheet::Scheme {
             return 0;
         }
-        let point = asked.subject().split(['/', ',']).next().unwrap_or("");
-        let image = image_name(point);
+        let subject = asked.subject();
+        let image = image_name(subject.split(['/', ',']).next().unwrap_or(""));
         let steps = || self.key.solution.construction.numbered_steps();
         let maker = steps().find(|s| s.sheet() == sheet && s.step.action.image() == Some(image.as_str()));
         let last = steps().filter(|s| s.sheet() <= sheet).last();

@@ -15,8 +15,7 @@ impl Reader<'_> {
     pub fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
         for points in &self.measured.points {
             let sheet = points.kind;
-            let what = points.kind.segment_name("", "");
-            let at = |name: &str| format!("points: {name} of {}", what.split('(').next().unwrap_or(""));
+            let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
             let Some(mu) = self.measured.mu[sheet] else {
                 let mu = sheet.scale_key();
                 return Err(CheckError::new(

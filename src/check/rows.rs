@@ -1,6 +1,7 @@
 //! The rows of a form: every quantity of the steps once, in the order of the construction.
 
 use crate::construction::{Construction, PlaceId};
+use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
@@ -77,15 +78,10 @@ struct Segment(Sheet, [PlaceId; 2]);
 impl Segment {
     /// The segment of that name; `None` for other quantities.
     fn of(construction: &Construction, name: &str) -> Option<Segment> {
-        let (head, ends) = name.strip_suffix(')')?.split_once('(')?;
-        let sheet = match head {
-            "vplan" => Sheet::Velocity,
-            "aplan" => Sheet::Acceleration,
-            _ => return None,
-        };
-        let (from, to) = ends.split_once(',')?;
-        let place = |name| construction.place(sheet, construction.plan_name(sheet, name));
-        let (a, b) = (place(from)?, place(to)?);
+        let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+        let Head::Between(sheet) = name.head else { return None };
+        let place = |name: &String| construction.place(sheet, construction.plan_name(sheet, name));
+        let (a, b) = (place(name.arguments.first()?)?, place(name.arguments.get(1)?)?);
         Some(Segment(sheet, if a.0 <= b.0 { [a, b] } else { [b, a] }))
     }
 }

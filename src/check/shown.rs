@@ -6,7 +6,8 @@
 use super::rows::FormNames;
 use super::sheet::CheckError;
 use crate::construction::{Plan, Solution};
-use crate::quantity::{Asked, Spot, What};
+use crate::quantity::{Asked, What};
+use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, shown};
 use crate::words::{Notation, Wording, with_prime};
@@ -18,32 +19,12 @@ pub(super) struct ShownNames<'a> {
     words: Wording,
 }
 
-/// What a quantity's name is made of: `vplan`, `(`, `p,b`, `)`, `.size`.
-struct Parts<'n> {
-    head: &'n str,
-    ends: Vec<&'n str>,
-    tail: &'n str,
-}
-
-impl<'n> Parts<'n> {
-    fn of(name: &'n str) -> Option<Parts<'n>> {
-        let (head, rest) = name.split_once('(')?;
-        let (ends, tail) = rest.split_once(')')?;
-        Some(Parts { head, ends: ends.split(',').collect(), tail })
-    }
-
-    fn sheet(&self) -> Option<Sheet> {
-        match self.head {
-            "L" => Some(Sheet::Scheme),
-            "vplan" => Some(Sheet::Velocity),
-            "aplan" => Some(Sheet::Acceleration),
-            _ => None,
-        }
-    }
-
-    /// The name with other ends.
-    fn with_ends(&self, ends: &[String]) -> String {
-        format!("{}({}){}", self.head, ends.join(","), self.tail)
+/// A name that asks for the distance of two points of a sheet, and the sheet.
+fn between(name: &str) -> Option<(QuantityName, Sheet)> {
+    let name = QuantityName::parse(name)?;
+    match name.head {
+        Head::Between(sheet) => Some((name, sheet)),
+        _ => None,
     }
 }
 
@@ -61,10 +42,7 @@ impl<'a> ShownNames<'a> {
         };
         match asked.what() {
             What::Segment { kind, from, to, .. } => between(*kind, from, to),
-            What::Length(Spot::Point(..) | Spot::Special(_), _) => {
-                let Some(Parts { ends, .. }) = Parts::of(asked.name()) else { return asked.name().to_owned() };
-                between(Sheet::Scheme, ends.first().unwrap_or(&""), ends.get(1).unwrap_or(&""))
-            }
+            What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
             _ => plain(&asked.symbol(&self.solution.mechanism, self.words.notation, &|name| self.label(name))),
         }
     }
@@ -78,10 +56,9 @@ impl<'a> ShownNames<'a> {
     /// The name by which a form in the figure's notation asks for a quantity; its usual name where that is not plain.
     pub fn in_form(&self, name: &str, rows: &FormNames) -> String {
         let shown = || {
-            let parts = Parts::of(name)?;
-            let sheet = parts.sheet()?;
-            let ends = parts.ends.iter().map(|end| Some(self.point(sheet, end)?.replace('′', "'")));
-            let shown = parts.with_ends(&ends.collect::<Option<Vec<String>>>()?);
+            let (parts, sheet) = between(name)?;
+            let ends = parts.arguments.iter().map(|end| Some(self.point(sheet, end)?.replace('′', "'")));
+            let shown = parts.with_arguments(ends.collect::<Option<Vec<String>>>()?).to_string();
             let usual = self.usual(&shown);
             let is_from_pole = || rows.row_with_pole(&self.solution.construction, &usual) == Some(name);
             (usual == name || is_from_pole()).then_some(shown)
@@ -91,12 +68,9 @@ impl<'a> ShownNames<'a> {
 
     /// The usual name of a quantity written by the names of any notation; what is not known stays as it is.
     pub fn usual(&self, written: &str) -> String {
-        let Some((parts, sheet)) = Parts::of(written).and_then(|parts| parts.sheet().map(|sheet| (parts, sheet)))
-        else {
-            return written.to_owned();
-        };
-        let ends = parts.ends.iter().map(|end| self.usual_point(sheet, end));
-        parts.with_ends(&ends.collect::<Vec<String>>())
+        let Some((parts, sheet)) = between(written) else { return written.to_owned() };
+        let ends = parts.arguments.iter().map(|end| self.usual_point(sheet, end));
+        parts.with_arguments(ends.collect()).to_string()
     }
 
     /// The error of a name whose π has become a question mark: an encoding without Greek letters lost it. `is_usual`:
@@ -107,11 +81,7 @@ impl<'a> ShownNames<'a> {
         }
         let restored = name.replace(['?', '\u{fffd}'], "π");
         let is_known = |name: &str| is_usual(&self.usual(name));
-        let reversed = || {
-            let (head, ends) = restored.split_once('(')?;
-            let (from, to) = ends.trim_end_matches(')').split_once(',')?;
-            Some(format!("{head}({to},{from})"))
-        };
+        let reversed = || Some(QuantityName::parse(&restored)?.reversed().to_string());
         let was_pole = is_known(&restored) || reversed().is_some_and(|name| is_known(&name));
         was_pole.then(|| {
             let message = format!("the letter π was lost in `{}`", shown(name));

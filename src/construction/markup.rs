@@ -1,6 +1,7 @@
 //! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high.
 
 use super::plan::Plan;
+use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::words::Wording;
 
@@ -53,12 +54,12 @@ pub(super) fn subscript(names: &[&str]) -> String {
 /// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
 #[must_use]
 pub fn rate_symbol(name: &str) -> String {
-    let turning = [("omega(", "ω"), ("alpha(", "α")];
-    let found = turning.into_iter().find_map(|(head, letter)| {
-        let link = name.strip_prefix(head)?.strip_suffix(')')?;
-        Some(format!("{letter}_{{{link}}}"))
-    });
-    found.unwrap_or_else(|| name.to_owned())
+    let parsed = QuantityName::parse(name);
+    match parsed.as_ref().map(|name| (name.head, name.arguments.as_slice())) {
+        Some((Head::Omega, [link])) => format!("ω_{{{link}}}"),
+        Some((Head::Alpha, [link])) => format!("α_{{{link}}}"),
+        _ => name.to_owned(),
+    }
 }
 
 /// The sentence that there is no construction; `far` are the names of special points at infinity.

@@ -16,6 +16,7 @@ use crate::construction::{
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::Kind;
+use crate::scene::QuantityName;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect};
@@ -304,13 +305,8 @@ impl Writer<'_> {
 
     /// Symbol and unit of a rate by its quantity name.
     fn rate(&self, name: &str) -> (String, String) {
-        let kind = match name.split('(').next() {
-            Some("omega") => Kind::AngularVelocity,
-            Some("alpha") => Kind::AngularAcceleration,
-            Some("v_r") => Kind::Velocity,
-            _ => Kind::Acceleration,
-        };
-        (rate_symbol(name), kind.unit(self.context.scene().units))
+        let unit = QuantityName::parse(name).map(|name| name.kind().unit(self.context.scene().units));
+        (rate_symbol(name), unit.unwrap_or_default())
     }
 
     /// Writes an equation and lines under its vectors: two where they are known entirely, one where in direction; below

@@ -8,6 +8,7 @@ use super::present::Solved;
 use crate::geometry::{Point, degrees_of, span};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::position::Pose;
+use crate::scene::QuantityName;
 use crate::scene::SceneError;
 
 /// Largest distance of two positions that count as one, in parts of the mechanism's size and in radians.
@@ -105,7 +106,7 @@ fn carries_guide(mechanism: &Mechanism, link: BodyId) -> bool {
 
 /// What `near` says under a key: a point's place, or a link's angle.
 fn place_or_angle(mechanism: &Mechanism, wanted: &Pose, key: &str, decimals: Decimals) -> Option<Json> {
-    match key.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')')) {
+    match QuantityName::link_of_angle(key) {
         Some(link) => {
             let axis = (*wanted.axes.get(mechanism.link(link)?.0)?)?;
             Some(Decimals::ANGLE.json(degrees_of(axis)))

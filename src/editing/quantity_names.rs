@@ -2,6 +2,7 @@
 
 use super::names::{Named, Names};
 use crate::construction::image_name;
+use crate::scene::{Argument, QuantityName};
 
 /// Where such names mean one point or one link, and the new name of it.
 pub(super) struct Renamer<'a> {
@@ -32,32 +33,12 @@ impl<'a> Renamer<'a> {
 
     /// The name of a quantity with the new name, if it means what is renamed.
     pub fn quantity(&self, name: &str) -> Option<String> {
-        let (head, rest) = name.split_once('(')?;
-        let (arguments, tail) = rest.rsplit_once(')')?;
-        let is_slider = matches!(head.trim(), "position" | "v_r" | "a_r" | "a_c");
-        let new = match arguments.split_once('/') {
-            Some((sliding, on)) if is_slider => self.slider(sliding, on)?,
-            _ => self.list(head.trim(), arguments)?,
-        };
-        Some(format!("{head}({new}){tail}"))
-    }
-
-    /// Names between commas or bars.
-    fn list(&self, head: &str, arguments: &str) -> Option<String> {
-        let is_of_links = matches!(head, "omega" | "alpha" | "angle");
-        let mut is_new = false;
-        let mut new = String::new();
-        for argument in arguments.split_inclusive([',', '/']) {
-            let name = argument.trim_end_matches([',', '/']).trim();
-            let renamed = match (is_of_links, self.what) {
-                (true, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
-                (true, Named::Point) => None,
-                (false, _) => self.plan_name(name),
-            };
-            is_new |= renamed.is_some();
-            new += &renamed.map_or_else(|| argument.to_owned(), |renamed| argument.replacen(name, &renamed, 1));
-        }
-        is_new.then_some(new)
+        QuantityName::reworded(name, |argument, name| match (argument, self.what) {
+            (Argument::Slider, _) => name.split_once('/').and_then(|(sliding, on)| self.slider(sliding, on)),
+            (Argument::Link, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
+            (Argument::Link, Named::Point) => None,
+            (Argument::Point, _) => self.plan_name(name),
+        })
     }
 
     /// The name of a slider, as `3/2`, `P/3` or `P/3#2`.

@@ -1,6 +1,7 @@
 use crate::construction::{Action, NOTHING, NumberedStep, Plan, Solution, Teller, Tolerance, plain_text, shown_text};
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Kind, Pencil, Unread};
+use crate::scene::QuantityName;
 use crate::scene::Units;
 use crate::sheet::Sheet;
 use crate::words::{NumberStyle, Wording};
@@ -234,15 +235,10 @@ impl StepList<'_> {
                 let of = kind.unwrap_or(Sheet::Velocity);
                 let mut lines: Vec<String> =
                     equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan)).collect();
-                let time = self.units.time.as_str();
                 let largest = unknowns.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let value = if value.abs() <= NOTHING * largest { &0.0 } else { value };
-                    let unit = match name.split('(').next() {
-                        Some("omega") => format!("rad/{time}"),
-                        Some("alpha") => format!("rad/{time}²"),
-                        _ => self.unit(kind),
-                    };
+                    let unit = QuantityName::parse(name).map_or_else(String::new, |name| name.kind().unit(self.units));
                     // A rate is computed, not measured: it has no length on paper.
                     let band = self.band(name, &unit, None);
                     format!("{name} = {} {unit}{band}", self.digits(*value))

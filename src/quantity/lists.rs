@@ -1,9 +1,10 @@
 //! Lists of the quantities of a solved scene.
 
 use super::band::{Pencil, pencil};
-use super::name::{Asked, QuantityError, is_acceleration};
+use super::name::{Asked, QuantityError};
 use crate::construction::{Action, Construction, Solution, Tolerance, coincident_name};
 use crate::mechanism::Role;
+use crate::scene::QuantityName;
 use crate::sheet::Sheet;
 
 /// Names of the quantities that results and steps give and that may be read from a hand drawing: measured lengths and
@@ -33,7 +34,7 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
         }
     }
     if motion.order == Sheet::Velocity {
-        names.retain(|name| !is_acceleration(name));
+        names.retain(|name| !QuantityName::parse(name).is_some_and(|name| name.needs_accelerations()));
     }
     names
 }

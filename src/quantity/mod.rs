@@ -11,10 +11,10 @@ mod state;
 mod unit;
 mod value;
 
+pub use crate::scene::{Component, Head, QuantityKind as Kind, QuantityName};
 pub use band::{Band, Pencil, pencil};
 pub use lists::{measured_names, readable_names, step_names, step_pencil};
-pub use name::{Asked, Component, Normality, QuantityError, Spot, What, is_acceleration};
+pub use name::{Asked, Normality, QuantityError, Spot, What};
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use state::{Snapshot, State};
-pub use unit::Kind;
 pub use value::Quantity;

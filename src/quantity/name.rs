@@ -2,6 +2,7 @@
 
 use crate::Problem;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::text::shown;
 
@@ -50,13 +51,6 @@ impl QuantityError {
     }
 }
 
-/// Whether the quantity of that name needs accelerations.
-#[must_use]
-pub fn is_acceleration(name: &str) -> bool {
-    let head = name.split('(').next().unwrap_or_default().trim();
-    head.starts_with('a') && head != "angle"
-}
-
 /// A quantity by its name, looked up in a mechanism once.
 ///
 /// `v(A/B)` is the velocity of A minus that of B. `a_n` and `a_t` are the normal and the tangential part of the
@@ -67,10 +61,8 @@ pub fn is_acceleration(name: &str) -> bool {
 #[derive(Clone, Debug)]
 pub struct Asked {
     pub(super) name: String,
-    /// Whether it needs accelerations.
-    pub(super) needs_accelerations: bool,
+    pub(super) written: QuantityName,
     pub(super) what: What,
-    pub(super) component: Option<Component>,
 }
 
 /// The quantity that a name asks for.
@@ -143,46 +135,28 @@ impl Spot {
     }
 }
 
-/// A number of a vector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Component {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// Its magnitude.
-    Size,
-    /// Its direction from +x, in degrees.
-    Angle,
-}
-
 impl Asked {
     /// The quantity of that name. Plan points are looked up only when it is evaluated.
     ///
     /// # Errors
     /// [`QuantityError::Form`] and [`QuantityError::Unknown`].
     pub fn new(name: &str, mechanism: &Mechanism) -> Result<Asked, QuantityError> {
-        let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
         let finder = Finder { name, mechanism };
-        let (head, rest) = compact.split_once('(').ok_or_else(|| finder.form())?;
-        let (argument, tail) = rest.rsplit_once(')').ok_or_else(|| finder.form())?;
-        let (component, on_paper) = match tail {
-            "" => (None, false),
-            ".x" => (Some(Component::X), false),
-            ".y" => (Some(Component::Y), false),
-            ".size" => (Some(Component::Size), false),
-            ".angle" => (Some(Component::Angle), false),
-            "/mu" if head.ends_with("plan") => (None, true),
-            _ => return Err(finder.form()),
-        };
-        let what = finder.what(head, argument, on_paper)?;
+        let written = QuantityName::parse(name).ok_or_else(|| finder.form())?;
+        let what = finder.what(&written)?;
         // White space is a space: tables and results have the name on one line.
         let name: String = name.chars().map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
-        let asked = Asked { name: name.clone(), needs_accelerations: is_acceleration(&name), what, component };
-        if component.is_some() && !asked.is_of_vectors() {
+        let asked = Asked { name, written, what };
+        if asked.written.component.is_some() && !asked.is_of_vectors() {
             return Err(finder.form());
         }
         Ok(asked)
+    }
+
+    /// Its name, taken apart.
+    #[must_use]
+    pub fn written(&self) -> &QuantityName {
+        &self.written
     }
 
     /// Its name as it was asked for.
@@ -200,13 +174,13 @@ impl Asked {
     /// The same quantity, as a vector where a number of one is asked for.
     #[must_use]
     pub fn without_component(&self) -> Asked {
-        Asked { component: None, ..self.clone() }
+        Asked { written: QuantityName { component: None, ..self.written.clone() }, ..self.clone() }
     }
 
     /// The number of a vector that it asks for, if any.
     #[must_use]
     pub fn component(&self) -> Option<Component> {
-        self.component
+        self.written.component
     }
 }
 
@@ -231,59 +205,47 @@ impl Finder<'_> {
         QuantityError::Form(shown(self.name))
     }
 
-    fn what(&self, head: &str, argument: &str, on_paper: bool) -> Result<What, QuantityError> {
-        let pair = |by: char| argument.split_once(by).ok_or_else(|| self.form());
-        let relative = || -> Result<(Spot, Option<Spot>), QuantityError> {
-            match argument.split_once('/') {
-                Some((a, b)) => Ok((self.spot(a)?, Some(self.spot(b)?))),
-                None => Ok((self.spot(argument)?, None)),
-            }
-        };
-        Ok(match head {
-            "omega" => What::Omega(self.link(argument)?),
-            "alpha" => What::Alpha(self.link(argument)?),
-            "angle" => What::Angle(self.link(argument)?),
-            "position" => What::SlidePosition(self.slider(argument)?),
-            "v_r" => What::SlideVelocity(self.slider(argument)?),
-            "a_r" => What::SlideAcceleration(self.slider(argument)?),
-            "a_c" => {
-                let id = self.slider(argument)?;
+    fn what(&self, QuantityName { head, arguments, on_paper, .. }: &QuantityName) -> Result<What, QuantityError> {
+        let (first, second) = (arguments.first().map_or("", String::as_str), arguments.get(1).map(String::as_str));
+        let spots = || Ok((self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
+        let two_spots = || Ok((self.spot(first)?, self.spot(second.ok_or_else(|| self.form())?)?));
+        Ok(match *head {
+            Head::Omega => What::Omega(self.link(first)?),
+            Head::Alpha => What::Alpha(self.link(first)?),
+            Head::Angle => What::Angle(self.link(first)?),
+            Head::SlidePosition => What::SlidePosition(self.slider(first)?),
+            Head::SlideVelocity => What::SlideVelocity(self.slider(first)?),
+            Head::SlideAcceleration => What::SlideAcceleration(self.slider(first)?),
+            Head::Coriolis => {
+                let id = self.slider(first)?;
                 What::Coriolis(id, self.mechanism.slider(id).on)
             }
-            "x" => What::Coordinate(0, self.spot(argument)?),
-            "y" => What::Coordinate(1, self.spot(argument)?),
-            "L" => {
-                let (a, b) = pair(',')?;
-                What::Length(self.spot(a)?, self.spot(b)?)
-            }
-            "v" => {
-                let (a, b) = relative()?;
+            Head::X => What::Coordinate(0, self.spot(first)?),
+            Head::Y => What::Coordinate(1, self.spot(first)?),
+            Head::Velocity => {
+                let (a, b) = spots()?;
                 What::Velocity(a, b)
             }
-            "a" => {
-                let (a, b) = relative()?;
+            Head::Acceleration => {
+                let (a, b) = spots()?;
                 What::Acceleration(a, b)
             }
-            "a_n" | "a_t" => {
-                let part = match head {
-                    "a_n" => Normality::Normal,
-                    _ => Normality::Tangential,
-                };
-                let (a, b) = pair('/')?;
-                let (a, b) = (self.spot(a)?, self.spot(b)?);
+            Head::Normal | Head::Tangential => {
+                let part = if *head == Head::Normal { Normality::Normal } else { Normality::Tangential };
+                let (a, b) = two_spots()?;
                 let link = self.common_link(&a, &b);
                 What::Part(part, a, b, link)
             }
-            "vplan" | "aplan" => {
-                let kind = match head {
-                    "vplan" => Sheet::Velocity,
-                    _ => Sheet::Acceleration,
-                };
-                let (from, to) = pair(',')?;
-                let (from, to) = (from.to_owned(), to.to_owned());
-                What::Segment { kind, from, to, on_paper }
+            // Only segments of plans are known in millimetres of paper.
+            Head::Between(Sheet::Scheme) if *on_paper => return Err(self.form()),
+            Head::Between(Sheet::Scheme) => {
+                let (a, b) = two_spots()?;
+                What::Length(a, b)
             }
-            _ => return Err(self.form()),
+            Head::Between(kind) => {
+                let to = second.ok_or_else(|| self.form())?;
+                What::Segment { kind, from: first.to_owned(), to: to.to_owned(), on_paper: *on_paper }
+            }
         })
     }
 

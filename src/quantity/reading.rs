@@ -1,11 +1,12 @@
 //! How quantities are read from a hand drawing.
 
-use super::name::{Asked, Component, Normality, Spot, What};
+use super::name::{Asked, Normality, Spot, What};
 use crate::construction::{
     Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
     ProductKind, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::scene::Component;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 

@@ -1,60 +1,8 @@
-use super::name::{Asked, Component, Normality, Spot, What};
+use super::name::{Asked, Normality, Spot, What};
 use crate::mechanism::Mechanism;
-use crate::scene::Units;
+use crate::scene::{Component, QuantityKind as Kind};
 use crate::sheet::Sheet;
 use crate::words::Notation;
-
-/// The kind of a quantity: quantities of one kind may share an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum Kind {
-    /// An angle, in degrees.
-    Angle,
-    /// An angular velocity, in rad per unit of time.
-    AngularVelocity,
-    /// An angular acceleration.
-    AngularAcceleration,
-    /// A coordinate, or a position along a guide.
-    Position,
-    /// A distance.
-    Length,
-    /// A velocity, or a segment of the velocity plan.
-    Velocity,
-    /// An acceleration, or a segment of the acceleration plan.
-    Acceleration,
-}
-
-impl Kind {
-    /// What is drawn to scale on a sheet.
-    #[must_use]
-    pub fn drawn_on(sheet: Sheet) -> Kind {
-        match sheet {
-            Sheet::Scheme => Kind::Length,
-            Sheet::Velocity => Kind::Velocity,
-            Sheet::Acceleration => Kind::Acceleration,
-        }
-    }
-
-    /// Its unit, as in `rad/s²`.
-    #[must_use]
-    pub fn unit(self, units: Units) -> String {
-        let (length, time) = (units.length.as_str(), units.time.as_str());
-        match self {
-            Kind::Angle => "°".to_owned(),
-            Kind::AngularVelocity => format!("rad/{time}"),
-            Kind::AngularAcceleration => format!("rad/{time}²"),
-            Kind::Position | Kind::Length => length.to_owned(),
-            Kind::Velocity => format!("{length}/{time}"),
-            Kind::Acceleration => format!("{length}/{time}²"),
-        }
-    }
-
-    /// Whether it is a rate, whose zero means rest; the zero of a place or an angle is arbitrary.
-    #[must_use]
-    pub fn is_rate(self) -> bool {
-        !matches!(self, Kind::Angle | Kind::Position | Kind::Length)
-    }
-}
 
 /// The parts of a symbol: letter, upper and lower index, text behind them.
 struct Symbol {
@@ -68,33 +16,19 @@ impl Asked {
     /// The kind of its value; a vector's size and components are of the vector's kind, its angle is an angle.
     #[must_use]
     pub fn kind(&self) -> Kind {
-        if self.component == Some(Component::Angle) {
-            return Kind::Angle;
-        }
-        match &self.what {
-            What::Angle(_) => Kind::Angle,
-            What::Omega(_) => Kind::AngularVelocity,
-            What::Alpha(_) => Kind::AngularAcceleration,
-            What::SlidePosition(_) | What::Coordinate(..) => Kind::Position,
-            What::Length(..) => Kind::Length,
-            What::SlideVelocity(_) | What::Velocity(..) => Kind::Velocity,
-            What::SlideAcceleration(_) | What::Coriolis(..) | What::Acceleration(..) | What::Part(..) => {
-                Kind::Acceleration
-            }
-            What::Segment { kind, .. } => Kind::drawn_on(*kind),
-        }
+        self.written.kind()
     }
 
     /// Whether its value is a vector.
     #[must_use]
     pub fn is_vector(&self) -> bool {
-        self.component.is_none() && self.is_of_vectors()
+        self.written.component.is_none() && self.is_of_vectors()
     }
 
     /// Whether it is a length on paper, in millimetres.
     #[must_use]
     pub fn is_on_paper(&self) -> bool {
-        matches!(self.what, What::Segment { on_paper: true, .. })
+        self.written.on_paper
     }
 
     pub(super) fn is_of_vectors(&self) -> bool {
@@ -169,9 +103,8 @@ impl Asked {
 
     /// The part of its name in parentheses, as `4` of `omega(4)` and `alpha(4)`.
     #[must_use]
-    pub fn subject(&self) -> &str {
-        let inner = self.name().split_once('(').map_or("", |(_, rest)| rest);
-        inner.rsplit_once(')').map_or(inner, |(inner, _)| inner)
+    pub fn subject(&self) -> String {
+        self.written.subject()
     }
 
     /// Its symbol in markup, as `ω_{4}`; of a vector that of its size, as `|v_{D}|`. `shown` gives the text for a name;
@@ -214,14 +147,14 @@ impl Asked {
                 ..plain(kind.scale_symbol(), String::new())
             },
         };
-        let axis = match self.component {
+        let axis = match self.written.component {
             Some(Component::X) => ",x",
             Some(Component::Y) => ",y",
             _ => "",
         };
         let (upper, lower) = (script('^', symbol.upper), script('_', &(symbol.lower + axis)));
         let written = format!("{}{upper}{lower}{}", symbol.letter, symbol.after);
-        match self.component {
+        match self.written.component {
             Some(Component::Angle) => format!("∠{written}"),
             Some(Component::Size) => format!("|{written}|"),
             None if self.is_vector() => format!("|{written}|"),

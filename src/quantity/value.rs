@@ -1,10 +1,11 @@
 //! Values of quantities in a position.
 
-use super::name::{Asked, Component, Normality, QuantityError, Spot, What, unknown};
+use super::name::{Asked, Normality, QuantityError, Spot, What, unknown};
 use super::state::{Snapshot, State};
 use crate::construction::{Construction, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::BodyId;
+use crate::scene::Component;
 use crate::sheet::{Scales, Sheet};
 
 /// The value of a quantity, in the scene's units; angles in degrees, rates in rad per unit of time.
@@ -47,7 +48,7 @@ impl Asked {
         scales: Option<&Scales>,
     ) -> Result<Quantity, QuantityError> {
         use Quantity::{Number, Vector};
-        if self.needs_accelerations && !state.has_accelerations() {
+        if self.written.needs_accelerations() && !state.has_accelerations() {
             return Err(self.none("accelerations were not asked for"));
         }
         let reader = Reader { asked: self, state, construction };
@@ -84,7 +85,7 @@ impl Asked {
                 Number(reader.segment(*kind, from, to, on_paper.then_some(scales))?)
             }
         };
-        Ok(match (value, self.component) {
+        Ok(match (value, self.written.component) {
             (Vector(v), Some(component)) => Number(match component {
                 Component::X => v.x,
                 Component::Y => v.y,

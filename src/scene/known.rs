@@ -7,6 +7,7 @@ use super::given::{DRAWN, GivenBy, PointMotion};
 use super::guide::On;
 use super::link::Link;
 use super::names::Names;
+use super::quantity_name::QuantityName;
 use super::slider::Slider;
 use super::value::{At, Entries, NearValue};
 
@@ -103,7 +104,7 @@ pub(super) fn near(given_by: GivenBy, names: &Names<'_>, file: Option<Entries<Ne
     let mut near = Near::default();
     for (key, value) in file.unwrap_or_default().0 {
         let path = ["near", &key];
-        let link = key.strip_prefix("angle(").and_then(|rest| rest.strip_suffix(')'));
+        let link = QuantityName::link_of_angle(&key);
         match (link, value) {
             (Some(link), NearValue::Degrees(degrees)) => {
                 names.link(&path, link)?;

@@ -1,6 +1,8 @@
 //! The mistakes, and what is told of them: which sentences, and what stands in their blanks.
 
 use super::catalogue::catalogue;
+use crate::scene::{Head, QuantityName};
+use crate::sheet::Sheet;
 use crate::words::Wording;
 
 /// What a row of the catalogue says of a mistake.
@@ -156,13 +158,14 @@ impl Blank {
 
 /// The symbol of a rate of rotation or of a length: `ω_2` for `omega(2)`, `L_AB` for `L(A,B)`.
 fn symbol(name: &str) -> Option<String> {
-    let (head, inner) = name.strip_suffix(')')?.split_once('(')?;
-    match head {
-        "omega" => Some(format!("ω_{inner}")),
-        "alpha" => Some(format!("α_{inner}")),
-        "L" => Some(format!("L_{}", inner.replace(',', ""))),
-        _ => None,
-    }
+    let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
+    let letter = match name.head {
+        Head::Omega => "ω",
+        Head::Alpha => "α",
+        Head::Between(Sheet::Scheme) => "L",
+        _ => return None,
+    };
+    Some(format!("{letter}_{}", name.arguments.concat()))
 }
 
 impl Told {

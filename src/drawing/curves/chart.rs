@@ -108,7 +108,7 @@ fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Grap
 fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize> {
     let subject = |index: &usize| curves.curves[*index].asked[0].subject();
     // The links and points with curves in more than one panel.
-    let mut shared: Vec<&str> = Vec::new();
+    let mut shared: Vec<String> = Vec::new();
     for (number, (_, members)) in kinds.iter().enumerate() {
         for named in members.iter().map(subject) {
             let again = kinds[number + 1..].iter().any(|(_, other)| other.iter().any(|index| subject(index) == named));

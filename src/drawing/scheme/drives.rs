@@ -8,6 +8,7 @@ use crate::drawing::sheet::Pen;
 use crate::drawing::values::drive_value;
 use crate::drawing::view::on_sheet;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
+use crate::scene::{Argument, QuantityName};
 use kurbo::{Point, Vec2};
 use std::f64::consts::PI;
 
@@ -48,9 +49,8 @@ impl SchemeOnPaper<'_> {
     /// around the centre of each link.
     pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, step: u16, unknowns: &[(String, f64)]) {
         for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.context.values.is_empty()) {
-            let link = name.split_once('(').map(|(_, link)| link.trim_end_matches(')'));
-            let link = link.and_then(|link| self.mechanism.link(link));
-            let Some(link) = link.filter(|_| !name.contains("_r(")) else {
+            let name = QuantityName::parse(name).filter(|name| name.head.argument() == Argument::Link);
+            let Some(link) = name.and_then(|name| self.mechanism.link(name.arguments.first()?)) else {
                 continue;
             };
             if let Some(shape) = self.rate_arrow(link, RATE_RADIUS, *value) {

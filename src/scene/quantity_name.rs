@@ -1,0 +1,326 @@
+//! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and in
+//! which dimension. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
+
+use super::units::{Dimension, Units};
+use crate::sheet::Sheet;
+use std::fmt;
+
+/// A quantity's name, well formed.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct QuantityName {
+    /// What is asked for.
+    pub head: Head,
+    /// Of what: a link, a slider as `3/2`, or one or two points.
+    pub arguments: Vec<String>,
+    /// The number of a vector that is asked for, if any.
+    pub component: Option<Component>,
+    /// Whether it is a length on paper, in millimetres: with `/mu` behind it.
+    pub on_paper: bool,
+}
+
+/// What a quantity's name asks for: the word before its parenthesis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Head {
+    /// Angular velocity of a link.
+    Omega,
+    /// Angular acceleration of a link.
+    Alpha,
+    /// Angle of a link's axis from +x.
+    Angle,
+    /// Position of a slider along its guide.
+    SlidePosition,
+    /// Velocity of a slider along its guide.
+    SlideVelocity,
+    /// Acceleration of a slider along its guide.
+    SlideAcceleration,
+    /// Coriolis acceleration of a slider.
+    Coriolis,
+    /// A point's coordinate along x.
+    X,
+    /// A point's coordinate along y.
+    Y,
+    /// Velocity of a point, or relative to a second one.
+    Velocity,
+    /// Acceleration of a point, or relative to a second one.
+    Acceleration,
+    /// Normal part of an acceleration relative to a second point.
+    Normal,
+    /// Tangential part of an acceleration relative to a second point.
+    Tangential,
+    /// The distance of two points of a sheet: a length of the scheme, a segment of a plan.
+    Between(Sheet),
+}
+
+/// What stands between a name's parentheses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// A link.
+    Link,
+    /// A slider, as `3/2`.
+    Slider,
+    /// A point, of the scheme or of a plan.
+    Point,
+}
+
+/// How many points a name has, and what separates them.
+#[derive(Clone, Copy)]
+enum Points {
+    One,
+    OneOrTwo(char),
+    Two(char),
+}
+
+/// A number of a vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Component {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Its magnitude.
+    Size,
+    /// Its direction from +x, in degrees.
+    Angle,
+}
+
+/// What kind of value a quantity has; quantities of one kind may share an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum QuantityKind {
+    /// An angle, in degrees.
+    Angle,
+    /// An angular velocity, in rad per unit of time.
+    AngularVelocity,
+    /// An angular acceleration.
+    AngularAcceleration,
+    /// A coordinate, or a position along a guide.
+    Position,
+    /// A distance.
+    Length,
+    /// A velocity, or a segment of the velocity plan.
+    Velocity,
+    /// An acceleration, or a segment of the acceleration plan.
+    Acceleration,
+}
+
+impl Head {
+    /// The heads that are not the distance of two points, with their words.
+    const WORDS: [(Head, &'static str); 13] = [
+        (Head::Omega, "omega"),
+        (Head::Alpha, "alpha"),
+        (Head::Angle, "angle"),
+        (Head::SlidePosition, "position"),
+        (Head::SlideVelocity, "v_r"),
+        (Head::SlideAcceleration, "a_r"),
+        (Head::Coriolis, "a_c"),
+        (Head::X, "x"),
+        (Head::Y, "y"),
+        (Head::Velocity, "v"),
+        (Head::Acceleration, "a"),
+        (Head::Normal, "a_n"),
+        (Head::Tangential, "a_t"),
+    ];
+
+    fn of(word: &str) -> Option<Head> {
+        let between = || Sheet::ALL.into_iter().find(|sheet| sheet.segment_head() == word).map(Head::Between);
+        Head::WORDS.into_iter().find(|(_, own)| *own == word).map(|(head, _)| head).or_else(between)
+    }
+
+    /// The word for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Head::Between(sheet) => sheet.segment_head(),
+            _ => Head::WORDS.into_iter().find(|(head, _)| *head == self).map_or("", |(_, word)| word),
+        }
+    }
+
+    /// What its arguments are.
+    #[must_use]
+    pub fn argument(self) -> Argument {
+        match self {
+            Head::Omega | Head::Alpha | Head::Angle => Argument::Link,
+            Head::SlidePosition | Head::SlideVelocity | Head::SlideAcceleration | Head::Coriolis => Argument::Slider,
+            _ => Argument::Point,
+        }
+    }
+
+    fn points(self) -> Points {
+        match self {
+            Head::Velocity | Head::Acceleration => Points::OneOrTwo('/'),
+            Head::Normal | Head::Tangential => Points::Two('/'),
+            Head::Between(_) => Points::Two(','),
+            _ => Points::One,
+        }
+    }
+
+    /// The kind of its value; of a vector that of its size.
+    #[must_use]
+    pub fn kind(self) -> QuantityKind {
+        match self {
+            Head::Angle => QuantityKind::Angle,
+            Head::Omega => QuantityKind::AngularVelocity,
+            Head::Alpha => QuantityKind::AngularAcceleration,
+            Head::SlidePosition | Head::X | Head::Y => QuantityKind::Position,
+            Head::SlideVelocity | Head::Velocity => QuantityKind::Velocity,
+            Head::SlideAcceleration | Head::Coriolis | Head::Acceleration | Head::Normal | Head::Tangential => {
+                QuantityKind::Acceleration
+            }
+            Head::Between(sheet) => QuantityKind::drawn_on(sheet),
+        }
+    }
+}
+
+impl QuantityName {
+    /// Takes a name apart; white space has no meaning in it. `None` if it has none of the known forms.
+    #[must_use]
+    pub fn parse(name: &str) -> Option<QuantityName> {
+        let compact: String = name.chars().filter(|c| !c.is_whitespace()).collect();
+        let (head, rest) = compact.split_once('(')?;
+        let (inner, tail) = rest.rsplit_once(')')?;
+        let head = Head::of(head)?;
+        let (component, on_paper) = match tail {
+            "" => (None, false),
+            ".x" => (Some(Component::X), false),
+            ".y" => (Some(Component::Y), false),
+            ".size" => (Some(Component::Size), false),
+            ".angle" => (Some(Component::Angle), false),
+            "/mu" if matches!(head, Head::Between(_)) => (None, true),
+            _ => return None,
+        };
+        let both = |by| inner.split_once(by).map(|(a, b)| vec![a.to_owned(), b.to_owned()]);
+        let arguments = match head.points() {
+            Points::One => vec![inner.to_owned()],
+            Points::OneOrTwo(by) => both(by).unwrap_or_else(|| vec![inner.to_owned()]),
+            Points::Two(by) => both(by)?,
+        };
+        Some(QuantityName { head, arguments, component, on_paper })
+    }
+
+    /// The link whose angle the name asks for: `3` for `angle(3)`, written as in the keys of `near`, without spaces.
+    #[must_use]
+    pub fn link_of_angle(key: &str) -> Option<&str> {
+        key.strip_prefix(Head::Angle.word())?.strip_prefix('(')?.strip_suffix(')')
+    }
+
+    /// The kind of its value; a vector's size and components are of the vector's kind, its angle is an angle.
+    #[must_use]
+    pub fn kind(&self) -> QuantityKind {
+        if self.component == Some(Component::Angle) { QuantityKind::Angle } else { self.head.kind() }
+    }
+
+    /// Whether accelerations have to be known for it.
+    #[must_use]
+    pub fn needs_accelerations(&self) -> bool {
+        matches!(self.head.kind(), QuantityKind::Acceleration | QuantityKind::AngularAcceleration)
+    }
+
+    /// Whether it has neither a component nor `/mu` behind it.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.component.is_none() && !self.on_paper
+    }
+
+    /// What stands between its parentheses, as `4` of `omega(4)` and `alpha(4)`.
+    #[must_use]
+    pub fn subject(&self) -> String {
+        let by = match self.head.points() {
+            Points::OneOrTwo(by) | Points::Two(by) => by,
+            Points::One => '/',
+        };
+        self.arguments.join(&by.to_string())
+    }
+
+    /// The same name with other arguments.
+    #[must_use]
+    pub fn with_arguments(&self, arguments: Vec<String>) -> QuantityName {
+        QuantityName { arguments, ..self.clone() }
+    }
+
+    /// The same name with its two points in the other order.
+    #[must_use]
+    pub fn reversed(&self) -> QuantityName {
+        self.with_arguments(self.arguments.iter().rev().cloned().collect())
+    }
+
+    /// A written name with other arguments and the white space that it had; `None` where `other` has no other argument,
+    /// or where it is no name.
+    #[must_use]
+    pub fn reworded(written: &str, other: impl Fn(Argument, &str) -> Option<String>) -> Option<String> {
+        let head = QuantityName::parse(written)?.head;
+        let (before, rest) = written.split_once('(')?;
+        let (inner, tail) = rest.rsplit_once(')')?;
+        let by = match head.points() {
+            Points::OneOrTwo(by) | Points::Two(by) => Some(by),
+            Points::One => None,
+        };
+        let parts = match by.and_then(|by| inner.split_once(by)) {
+            Some((a, b)) => vec![a, b],
+            None => vec![inner],
+        };
+        let new = parts.iter().map(|part| {
+            let name = part.trim();
+            other(head.argument(), name).map(|new| part.replacen(name, &new, 1))
+        });
+        let new: Vec<Option<String>> = new.collect();
+        let is_other = new.iter().any(Option::is_some);
+        let inner: Vec<String> =
+            new.into_iter().zip(parts).map(|(new, old)| new.unwrap_or_else(|| old.to_owned())).collect();
+        let new = format!("{before}({}){tail}", inner.join(&by.map(String::from).unwrap_or_default()));
+        is_other.then_some(new)
+    }
+}
+
+impl fmt::Display for QuantityName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let tail = match self.component {
+            Some(Component::X) => ".x",
+            Some(Component::Y) => ".y",
+            Some(Component::Size) => ".size",
+            Some(Component::Angle) => ".angle",
+            None if self.on_paper => "/mu",
+            None => "",
+        };
+        write!(f, "{}({}){tail}", self.head.word(), self.subject())
+    }
+}
+
+impl QuantityKind {
+    /// What is drawn to scale on a sheet.
+    #[must_use]
+    pub fn drawn_on(sheet: Sheet) -> QuantityKind {
+        match sheet {
+            Sheet::Scheme => QuantityKind::Length,
+            Sheet::Velocity => QuantityKind::Velocity,
+            Sheet::Acceleration => QuantityKind::Acceleration,
+        }
+    }
+
+    /// Its dimension; that of an angle too, whose unit in results is the degree.
+    #[must_use]
+    pub fn dimension(self) -> Dimension {
+        match self {
+            QuantityKind::Angle => Dimension::ANGLE,
+            QuantityKind::AngularVelocity => Dimension::ANGLE.per_time(1),
+            QuantityKind::AngularAcceleration => Dimension::ANGLE.per_time(2),
+            QuantityKind::Position | QuantityKind::Length => Dimension::LENGTH,
+            QuantityKind::Velocity => Dimension::LENGTH.per_time(1),
+            QuantityKind::Acceleration => Dimension::LENGTH.per_time(2),
+        }
+    }
+
+    /// Its unit, as in `rad/s²`.
+    #[must_use]
+    pub fn unit(self, units: Units) -> String {
+        match self {
+            QuantityKind::Angle => "°".to_owned(),
+            _ => self.dimension().unit(units),
+        }
+    }
+
+    /// Whether it is a rate, whose zero means rest; the zero of a place or an angle is arbitrary.
+    #[must_use]
+    pub fn is_rate(self) -> bool {
+        self.dimension().is_per_time()
+    }
+}
