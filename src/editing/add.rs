@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 
 use super::document::Document;
+use super::measure::Decimals;
 use super::measure::{Placed, measured, shape_place};
 use super::names::Names;
-use super::number::Decimals;
 use super::present::Present;
 use super::rename::no_such;
 use crate::geometry::Point;
@@ -268,7 +268,7 @@ pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(),
         entry["through"] = through;
     }
     entry["along"] = match along {
-        Along::Degrees(degrees) => super::number::json(*degrees),
+        Along::Degrees(degrees) => super::measure::json(*degrees),
         Along::Points(points) => Json::from(points.as_str()),
     };
     match document.json()["sliders"].as_array().map(Vec::len) {

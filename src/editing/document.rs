@@ -116,17 +116,11 @@ impl<'a> Document<'a> {
             .iter()
             .rev()
             .fold(value.clone(), |inner, key| Json::Object(std::iter::once(((*key).to_owned(), inner)).collect()));
-        let splice = match find(&tree.root, around) {
-            Some(Value::Object(object)) => {
-                let text = layout.entry(key, &nested);
-                let index = place(object, key, around);
-                let parts: Vec<&dyn Part> = object.properties.iter().map(|property| property as &dyn Part).collect();
-                added(&tree, layout, object.start()..object.end(), &parts, index, &text, around)
-            }
+        let node = find(&tree.root, around);
+        let (text, index) = match node {
+            Some(Value::Object(object)) => (layout.entry(key, &nested), place(object, key, around)),
             Some(Value::Array(array)) if key.parse() == Ok(array.elements.len()) => {
-                let text = layout.one_line(&nested);
-                let parts: Vec<&dyn Part> = array.elements.iter().map(|element| element as &dyn Part).collect();
-                added(&tree, layout, array.start()..array.end(), &parts, parts.len(), &text, around)
+                (layout.one_line(&nested), array.elements.len())
             }
             Some(Value::Array(array)) => {
                 let message = format!("this list has {} entries, and no {}", array.elements.len(), shown(key));
@@ -134,7 +128,8 @@ impl<'a> Document<'a> {
             }
             _ => return Err(self.error(around, format!("there is no place for {} here", shown(key)), None)),
         };
-        self.splice(splice);
+        let splice = node.map(|node| added(&tree, layout, node, index, &text, around));
+        splice.into_iter().for_each(|splice| self.splice(splice));
         Ok(())
     }
 
@@ -144,19 +139,14 @@ impl<'a> Document<'a> {
             return Err(self.error(&[], "a scene cannot be removed from its text", None));
         };
         let tree = self.tree()?;
-        let cut = match find(&tree.root, around) {
-            Some(Value::Object(object)) => {
-                let index = object.properties.iter().position(|property| property.name.as_str() == *last);
-                let parts: Vec<&dyn Part> = object.properties.iter().map(|property| property as &dyn Part).collect();
-                index.map(|index| cut(&tree, object.start()..object.end(), &parts, index))
-            }
-            Some(Value::Array(array)) => {
-                let index = last.parse().ok().filter(|index| *index < array.elements.len());
-                let parts: Vec<&dyn Part> = array.elements.iter().map(|element| element as &dyn Part).collect();
-                index.map(|index| cut(&tree, array.start()..array.end(), &parts, index))
-            }
-            _ => None,
-        };
+        let cut = find(&tree.root, around).and_then(|node| {
+            let index = match node {
+                Value::Object(object) => object.properties.iter().position(|property| property.name.as_str() == *last),
+                Value::Array(array) => last.parse().ok().filter(|index| *index < array.elements.len()),
+                _ => None,
+            };
+            index.map(|index| cut(&tree, node, index))
+        });
         if let Some(cut) = cut {
             self.splice((cut, String::new()));
         }
@@ -265,20 +255,17 @@ fn replaced(node: &Value<'_>, value: &Json, layout: Layout, splices: &mut Vec<Sp
     }
 }
 
-/// A property of an object or an element of a list.
-trait Part {
-    fn range(&self) -> Range<usize>;
-    fn indent<'t>(&self, body: &'t str) -> Option<&'t str>;
+/// The bytes of each property of an object, or of each element of a list.
+fn parts(node: &Value<'_>) -> Vec<Range<usize>> {
+    match node {
+        Value::Object(object) => object.properties.iter().map(range_of).collect(),
+        Value::Array(array) => array.elements.iter().map(range_of).collect(),
+        _ => Vec::new(),
+    }
 }
 
-impl<T: Ranged> Part for T {
-    fn range(&self) -> Range<usize> {
-        self.start()..self.end()
-    }
-
-    fn indent<'t>(&self, body: &'t str) -> Option<&'t str> {
-        indent(body, self)
-    }
+fn range_of(part: &impl Ranged) -> Range<usize> {
+    part.start()..part.end()
 }
 
 /// Where a new key belongs: behind those that people write before it, else before those that they write after it, else
@@ -293,73 +280,64 @@ fn place(object: &Object<'_>, key: &str, path: &[&str]) -> usize {
     before.map(|index| index + 1).or(after).unwrap_or(last)
 }
 
-/// Adds a part to an object or a list, in `range`, as the part of that index.
-fn added(
-    tree: &SceneTree<'_>,
-    layout: Layout,
-    range: Range<usize>,
-    parts: &[&dyn Part],
-    index: usize,
-    text: &str,
-    path: &[&str],
-) -> Splice {
-    let body = tree.body;
+/// Adds a part to an object or a list, as the part of that index.
+fn added(tree: &SceneTree<'_>, layout: Layout, node: &Value<'_>, index: usize, text: &str, path: &[&str]) -> Splice {
+    let (body, parts) = (tree.body, parts(node));
     let line = |indent: &str| format!("{}{indent}", layout.newline);
-    let (before, after) = (index.checked_sub(1).map(|before| parts[before]), parts.get(index));
+    let (before, after) = (index.checked_sub(1).map(|before| &parts[before]), parts.get(index));
     match (before, after) {
         (Some(before), after) => {
-            let is_inline = after.is_some_and(|after| after.indent(body).is_none());
-            let gap = match before.indent(body).filter(|_| !is_inline) {
+            let is_inline = after.is_some_and(|after| indent(body, after).is_none());
+            let gap = match indent(body, before).filter(|_| !is_inline) {
                 Some(indent) => format!(",{}", line(indent)),
-                None => gap_before(body, parts, index - 1).unwrap_or(layout.comma).to_owned(),
+                None => gap_before(body, &parts, index - 1).unwrap_or(layout.comma).to_owned(),
             };
-            (before.range().end..before.range().end, gap + text)
+            (before.end..before.end, gap + text)
         }
         (None, Some(after)) => {
-            let gap = match after.indent(body) {
+            let gap = match indent(body, after) {
                 Some(indent) => format!(",{}", line(indent)),
                 None => layout.comma.to_owned(),
             };
-            (after.range().start..after.range().start, text.to_owned() + &gap)
+            (after.start..after.start, text.to_owned() + &gap)
         }
         (None, None) => {
             let top =
                 first_indent(tree).filter(|_| path.len() == 1 && matches!(path[0], "links" | "sliders" | "known"));
-            let is_list = body[range.start..].starts_with('[');
-            let (open, close) = if is_list { ("[", "]") } else { ("{", "}") };
-            let inside = match (top, is_list) {
+            let (open, close) = if node.as_array().is_some() { ("[", "]") } else { ("{", "}") };
+            let inside = match (top, open) {
                 (Some(indent), _) => format!("{}{text}{}", line(&indent.repeat(2)), line(indent)),
-                (None, true) => text.to_owned(),
-                (None, false) => format!("{pad}{text}{pad}", pad = layout.pad),
+                (None, "[") => text.to_owned(),
+                (None, _) => format!("{pad}{text}{pad}", pad = layout.pad),
             };
-            (range, format!("{open}{inside}{close}"))
+            (range_of(node), format!("{open}{inside}{close}"))
         }
     }
 }
 
 /// What stands between a part and the one before it on the same line, unless it is more than a comma and spaces.
-fn gap_before<'t>(body: &'t str, parts: &[&dyn Part], index: usize) -> Option<&'t str> {
+fn gap_before<'t>(body: &'t str, parts: &[Range<usize>], index: usize) -> Option<&'t str> {
     let before = parts.get(index.checked_sub(1)?)?;
-    let gap = &body[before.range().end..parts[index].range().start];
+    let gap = &body[before.end..parts[index].start];
     gap.chars().all(|c| c == ' ' || c == ',').then_some(gap)
 }
 
 /// The indentation of the keys of the top, if they have lines of their own.
 fn first_indent<'t>(tree: &SceneTree<'t>) -> Option<&'t str> {
-    let first = tree.root.as_object()?.properties.first()?;
-    indent(tree.body, first)
+    indent(tree.body, &range_of(tree.root.as_object()?.properties.first()?))
 }
 
 /// The bytes that go with a part of an object or a list.
-fn cut(tree: &SceneTree<'_>, range: Range<usize>, parts: &[&dyn Part], index: usize) -> Range<usize> {
-    let this = parts[index];
-    let (before, after) = (index.checked_sub(1).map(|before| parts[before]), parts.get(index + 1));
-    let starts_line = |part: &dyn Part| part.indent(tree.body).is_some();
+fn cut(tree: &SceneTree<'_>, node: &Value<'_>, index: usize) -> Range<usize> {
+    let parts = parts(node);
+    let this = &parts[index];
+    let (before, after) = (index.checked_sub(1).map(|before| &parts[before]), parts.get(index + 1));
+    let starts_line = |part: &Range<usize>| indent(tree.body, part).is_some();
     match (before, after) {
-        (None, None) => range.start + 1..range.end - 1,
-        (None, Some(after)) => this.range().start..after.range().start,
-        (Some(_), Some(after)) if starts_line(this) && !starts_line(*after) => this.range().start..after.range().start,
-        (Some(before), _) => before.range().end..this.range().end,
+        (None, None) => node.start() + 1..node.end() - 1,
+        (None, Some(after)) => this.start..after.start,
+        (Some(_), Some(after)) if starts_line(this) && !starts_line(after) => this.start..after.start,
+        (Some(before), _) => before.end..this.end,
     }
 }
 

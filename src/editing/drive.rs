@@ -3,8 +3,8 @@
 use serde_json::Value as Json;
 
 use super::document::Document;
+use super::measure::Decimals;
 use super::near::{distance, settle};
-use super::number::Decimals;
 use super::present::{Solved, not_assembled};
 use crate::geometry::{degrees_of, span};
 use crate::mechanism::{BodyId, Mechanism, Role};

@@ -127,7 +127,9 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
             slider["on"] == *"ground" && slider["through"].is_null() && !slider["along"].is_string() && is_first;
         if slider["through"] == *name || (is_usual && names.drawn.is_none()) {
             match place(name).filter(|_| slider["on"] == *"ground") {
-                Some(place) => document.set(&["sliders", &index, "through"], &json!(place.map(super::number::json)))?,
+                Some(place) => {
+                    document.set(&["sliders", &index, "through"], &json!(place.map(super::measure::json)))?
+                }
                 None => document.remove(&["sliders", &index, "through"])?,
             }
         }
@@ -139,7 +141,7 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
         let direction = place(&from).zip(place(&to)).filter(|_| is_fixed);
         match direction.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|direction| *direction != [0.0, 0.0]) {
             Some(direction) => {
-                document.set(&["sliders", &index, "along"], &json!(direction.map(super::number::json)))?
+                document.set(&["sliders", &index, "along"], &json!(direction.map(super::measure::json)))?
             }
             None => document.remove(&["sliders", &index, "along"])?,
         }

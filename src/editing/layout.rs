@@ -1,7 +1,7 @@
 //! How the text of a scene is laid out, so that what is added looks like what is there.
 
-use jsonc_parser::common::Ranged;
 use serde_json::Value as Json;
+use std::ops::Range;
 
 /// The layout of a text of JSON.
 #[derive(Clone, Copy, Debug)]
@@ -56,8 +56,8 @@ pub(super) fn quoted(text: &str) -> String {
 }
 
 /// The spaces before a part of the text that begins its line; `None` if something stands before it there.
-pub(super) fn indent<'a>(body: &'a str, part: &impl Ranged) -> Option<&'a str> {
-    let start = body[..part.start()].rfind('\n')? + 1;
-    let before = &body[start..part.start()];
+pub(super) fn indent<'a>(body: &'a str, part: &Range<usize>) -> Option<&'a str> {
+    let start = body[..part.start].rfind('\n')? + 1;
+    let before = &body[start..part.start];
     before.chars().all(char::is_whitespace).then_some(before)
 }

@@ -17,8 +17,7 @@ mod measure;
 mod names;
 mod near;
 #[doc(hidden)] // for tests
-pub mod number;
-mod present;
+pub mod present;
 mod quantity_names;
 mod rename;
 #[doc(hidden)] // for tests

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value as Json};
 
 use super::document::Document;
-use super::number::Decimals;
+use super::measure::Decimals;
 use super::present::Solved;
 use crate::geometry::{Point, degrees_of, span};
 use crate::mechanism::{BodyId, Mechanism, PointId};

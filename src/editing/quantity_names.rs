@@ -26,6 +26,7 @@ impl<'a> Renamer<'a> {
             return self.slider(sliding, on);
         }
         match self.what {
+            _ if name == self.from => Some(self.to.to_owned()),
             Named::Point => self.of_point(name),
             Named::Link => self.of_link(name),
         }
@@ -56,46 +57,28 @@ impl<'a> Renamer<'a> {
 
     fn of_point(&self, name: &str) -> Option<String> {
         let (from, to) = (self.from, self.to);
-        if name == from {
-            return Some(to.to_owned());
-        }
         if name == image_name(from) {
             return Some(image_name(to));
         }
-        for link in &self.links {
-            let [old, new] = [from, to].map(|point| format!("{point}_{link}"));
-            if name == old {
-                return Some(new);
-            }
-            if name == image_name(&old) {
-                return Some(image_name(&new));
-            }
-        }
-        let (mark, image, tail) = self.part(name)?;
-        (image == from).then(|| format!("{mark}{}{tail}", image_name(to)))
+        let under = self.links.iter().map(|link| [from, to].map(|point| format!("{point}_{link}")));
+        renamed(name, under).or_else(|| {
+            let (mark, image, tail) = self.part(name)?;
+            (image == from).then(|| format!("{mark}{}{tail}", image_name(to)))
+        })
     }
 
     fn of_link(&self, name: &str) -> Option<String> {
         let (from, to) = (self.from, self.to);
-        if name == from {
-            return Some(to.to_owned());
-        }
         for special in ["S", "s"] {
             if name.strip_prefix(special) == Some(from) {
                 return Some(format!("{special}{to}"));
             }
         }
-        for point in &self.points {
-            let [old, new] = [from, to].map(|link| format!("{point}_{link}"));
-            if name == old {
-                return Some(new);
-            }
-            if name == image_name(&old) {
-                return Some(image_name(&new));
-            }
-        }
-        let (mark, image, tail) = self.part(name)?;
-        (tail == from).then(|| format!("{mark}{}{to}", image_name(image)))
+        let under = self.points.iter().map(|point| [from, to].map(|link| format!("{point}_{link}")));
+        renamed(name, under).or_else(|| {
+            let (mark, image, tail) = self.part(name)?;
+            (tail == from).then(|| format!("{mark}{}{to}", image_name(image)))
+        })
     }
 
     /// A part of a plan, as `n_b3`: its mark, the point from whose image it is laid off, and its link.
@@ -107,4 +90,12 @@ impl<'a> Renamer<'a> {
         let (point, tail) = found.min_by_key(|(_, tail)| tail.len())?;
         Some((mark, point, tail))
     }
+}
+
+/// The new name of what has one of these old ones, or of its image.
+fn renamed(name: &str, mut all: impl Iterator<Item = [String; 2]>) -> Option<String> {
+    all.find_map(|[old, new]| match name == old {
+        true => Some(new),
+        false => (name == image_name(&old)).then(|| image_name(&new)),
+    })
 }

@@ -16,7 +16,7 @@ const STUDY: FileKind = FileKind { what: "study", key: "kinegon_study", version:
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a study as { "kinegon_study": 1, … }"#)]
 #[schemars(rename = "study")]
-struct Keys {
+pub(super) struct Keys {
     /// Version of the format.
     #[schemars(schema_with = "version")]
     #[serde(rename = "kinegon_study")]
@@ -33,16 +33,16 @@ struct Keys {
     scene: Json,
     /// The numbers of the scene that vary, by name: "2.BC" a length of link 2, "D.x" a coordinate of a ground point, "2.E.y" one in a
     /// link's shape, "1.omega" a number of a drive; or by their places in the scene, as "links.2.lengths.BC".
-    vary: IndexMap<String, Range>,
+    pub vary: IndexMap<String, Range>,
     /// How many mechanisms are drawn by lot at each point of the grid; needed where a number varies at random.
     #[schemars(range(min = 1))]
-    count: Option<u64>,
+    pub count: Option<u64>,
     /// Chooses the random numbers; left out: 1.
-    seed: Option<u64>,
+    pub seed: Option<u64>,
     /// The motion of each mechanism.
-    cycle: Cycle,
+    pub cycle: Cycle,
     /// By the name of a quantity, as "omega(3)": which figures of it; of vectors they are figures of the size.
-    want: IndexMap<String, Vec<Figure>>,
+    pub want: IndexMap<String, Vec<Figure>>,
 }
 
 /// The values that a number takes: a grid with `count`, all equally likely between `from` and `to` without it; about the scene's number
@@ -109,7 +109,7 @@ pub enum SceneGiven {
 #[derive(Clone, Debug)]
 pub struct StudyFile {
     text: String,
-    keys: Keys,
+    pub(super) keys: Keys,
 }
 
 impl StudyFile {
@@ -162,26 +162,6 @@ impl StudyFile {
     /// An error at a place of the study.
     pub(super) fn error(&self, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
         SceneTree::error(&self.text, path, message, hint)
-    }
-
-    pub(super) fn vary(&self) -> &IndexMap<String, Range> {
-        &self.keys.vary
-    }
-
-    pub(super) fn cycle(&self) -> &Cycle {
-        &self.keys.cycle
-    }
-
-    pub(super) fn want(&self) -> &IndexMap<String, Vec<Figure>> {
-        &self.keys.want
-    }
-
-    pub(super) fn count(&self) -> Option<u64> {
-        self.keys.count
-    }
-
-    pub(super) fn seed(&self) -> u64 {
-        self.keys.seed.unwrap_or(1)
     }
 
     /// The JSON Schema (draft 2020-12) of studies, with descriptions, for editors.

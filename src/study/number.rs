@@ -40,6 +40,7 @@ pub(super) struct Named {
     pub name: String,
     pub path: String,
     pub number: Number,
+    pub value: f64,
 }
 
 const AXES: [&str; 2] = ["x", "y"];
@@ -47,10 +48,15 @@ const AXES: [&str; 2] = ["x", "y"];
 /// All numbers of a scene that may vary.
 pub(super) fn numbers(scene: &Scene) -> Vec<Named> {
     let mut all = Vec::new();
-    let mut add = |name: String, path: String, number| all.push(Named { name, path, number });
-    for (index, (point, _)) in scene.coordinates.iter().enumerate() {
+    let mut add = |name: String, path: String, number, value| all.push(Named { name, path, number, value });
+    for (index, (point, place)) in scene.coordinates.iter().enumerate() {
         for (axis, letter) in AXES.iter().enumerate() {
-            add(format!("{point}.{letter}"), format!("ground.{point}.{axis}"), Number::Ground(index, axis));
+            add(
+                format!("{point}.{letter}"),
+                format!("ground.{point}.{axis}"),
+                Number::Ground(index, axis),
+                place[axis],
+            );
         }
     }
     for (index, (link, of)) in scene.links.iter().enumerate() {
@@ -59,23 +65,28 @@ pub(super) fn numbers(scene: &Scene) -> Vec<Named> {
             Shape::Lengths(lengths) => {
                 for (place, length) in lengths.iter().enumerate() {
                     let key = &length.key;
-                    add(format!("{link}.{key}"), format!("links.{link}.lengths.{key}"), Number::Length(index, place));
+                    add(
+                        format!("{link}.{key}"),
+                        format!("links.{link}.lengths.{key}"),
+                        Number::Length(index, place),
+                        length.value,
+                    );
                 }
             }
             Shape::Local(points) => {
-                for (place, point) in points.keys().enumerate() {
+                for (place, (point, at)) in points.iter().enumerate() {
                     for (axis, letter) in AXES.iter().enumerate() {
                         let path = format!("links.{link}.shape.{point}.{axis}");
-                        add(format!("{link}.{point}.{letter}"), path, Number::Local(index, place, axis));
+                        add(format!("{link}.{point}.{letter}"), path, Number::Local(index, place, axis), at[axis]);
                     }
                 }
             }
         }
         if let Some(drive) = of.drive {
-            let speed = if drive.rpm.is_some() { ("rpm", Turn::Rpm) } else { ("omega", Turn::Omega) };
-            let angle = drive.angle_deg.map(|_| ("angle", Turn::Angle));
-            for (key, turn) in angle.into_iter().chain([speed, ("alpha", Turn::Alpha)]) {
-                add(format!("{link}.{key}"), format!("links.{link}.drive.{key}"), Number::Turn(index, turn));
+            let speed = drive.rpm.map_or(("omega", Turn::Omega, drive.omega), |rpm| ("rpm", Turn::Rpm, rpm));
+            let angle = drive.angle_deg.map(|angle| ("angle", Turn::Angle, angle));
+            for (key, turn, value) in angle.into_iter().chain([speed, ("alpha", Turn::Alpha, drive.alpha)]) {
+                add(format!("{link}.{key}"), format!("links.{link}.drive.{key}"), Number::Turn(index, turn), value);
             }
         }
     }
@@ -83,47 +94,16 @@ pub(super) fn numbers(scene: &Scene) -> Vec<Named> {
         let (Some(drive), Some(link)) = (slider.drive, &slider.link) else {
             continue;
         };
-        let position = drive.position.map(|_| ("position", Push::Position));
-        for (key, push) in position.into_iter().chain([("speed", Push::Speed), ("acceleration", Push::Acceleration)]) {
-            add(format!("{link}.{key}"), format!("sliders.{index}.drive.{key}"), Number::Push(index, push));
+        let position = drive.position.map(|position| ("position", Push::Position, position));
+        let rates = [("speed", Push::Speed, drive.speed), ("acceleration", Push::Acceleration, drive.acceleration)];
+        for (key, push, value) in position.into_iter().chain(rates) {
+            add(format!("{link}.{key}"), format!("sliders.{index}.drive.{key}"), Number::Push(index, push), value);
         }
     }
     all
 }
 
 impl Number {
-    /// Its value in a scene.
-    pub fn of(self, scene: &Scene) -> Option<f64> {
-        match self {
-            Number::Length(link, place) => match &scene.links[link].shape {
-                Shape::Lengths(lengths) => Some(lengths[place].value),
-                _ => None,
-            },
-            Number::Local(link, point, axis) => match &scene.links[link].shape {
-                Shape::Local(points) => Some(points[point][axis]),
-                _ => None,
-            },
-            Number::Ground(point, axis) => Some(scene.coordinates[point][axis]),
-            Number::Turn(link, turn) => {
-                let drive = scene.links[link].drive?;
-                match turn {
-                    Turn::Angle => drive.angle_deg,
-                    Turn::Omega => Some(drive.omega),
-                    Turn::Rpm => drive.rpm,
-                    Turn::Alpha => Some(drive.alpha),
-                }
-            }
-            Number::Push(slider, push) => {
-                let drive = scene.sliders[slider].drive?;
-                match push {
-                    Push::Position => drive.position,
-                    Push::Speed => Some(drive.speed),
-                    Push::Acceleration => Some(drive.acceleration),
-                }
-            }
-        }
-    }
-
     /// Its unit.
     pub fn unit(self, units: Units) -> String {
         let kind = match self {

@@ -2,18 +2,19 @@
 
 use super::alone;
 use super::file::StudyFile;
-use super::member::{StudyError, member, posed};
+use super::member::{StudyError, member};
 use super::number::{Named, numbers};
 use super::task::{Column, Content, Outcome, Round, Status, Task, Wanted};
 use super::together;
 use super::vary::{Values, Varied};
-use crate::Problem;
 use crate::cores::on_all_cores;
 use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
 use crate::geometry::MANY;
 use crate::mechanism::Mechanism;
 use crate::quantity::{Asked, Kind};
-use crate::scene::{GivenBy, Scene, nearest};
+use crate::scene::{GivenBy, Scene, SizeLimit, nearest};
+use crate::solve::posed;
+use crate::{Error, Problem};
 use std::ops::Range;
 
 /// Most rows of a study.
@@ -45,13 +46,13 @@ impl StudyFile {
     pub fn of(&self, scene: Scene) -> Result<Study, StudyError> {
         let file = self;
         if scene.given_by == GivenBy::Drawing {
-            return Err(CycleError::Drawn.into());
+            return Err(Error::from(CycleError::Drawn).into());
         }
-        let (mechanism, _) = posed(&scene)?;
+        let (mechanism, _) = posed(&scene, SizeLimit::NUMBERS, None)?;
         let round = round(file, &mechanism)?;
         let varied = varied(file, &scene, &round)?;
         let is_random = varied.iter().any(|v| !matches!(v.values, Values::Grid { .. }));
-        let shots = match (file.count(), is_random) {
+        let shots = match (file.keys.count, is_random) {
             (None, false) => 1,
             (Some(0), _) => return Err(file.error(&["count"], "a study has at least one row", None).into()),
             (Some(count), true) => count,
@@ -69,7 +70,7 @@ impl StudyFile {
         let rows = varied.iter().try_fold(shots, |rows, v| rows.checked_mul(v.values.points())).filter(|r| *r <= MOST);
         let rows = rows.ok_or_else(|| file.error(&["vary"], format!("these are more than {MOST} mechanisms"), None))?;
         let mut wanted = Vec::new();
-        for (name, figures) in file.want() {
+        for (name, figures) in &file.keys.want {
             let asked =
                 Asked::new(name, &mechanism).map_err(|error| refused(file, &["want", name], &error.problem()))?;
             if asked.is_on_paper() {
@@ -77,7 +78,7 @@ impl StudyFile {
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
-        Ok(Study { scene, varied, shots, seed: file.seed(), rows, task: Task { round, wanted } })
+        Ok(Study { scene, varied, shots, seed: file.keys.seed.unwrap_or(1), rows, task: Task { round, wanted } })
     }
 }
 
@@ -209,7 +210,7 @@ fn refused(file: &StudyFile, path: &[&str], problem: &Problem) -> StudyError {
 
 /// The motion that the study asks for.
 fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
-    let cycle = file.cycle();
+    let cycle = &file.keys.cycle;
     let path: &[&str] = if cycle.drive.is_some() { &["cycle", "drive"] } else { &["cycle"] };
     let drive = Drive::new(mechanism, cycle.drive.as_deref()).map_err(|error| refused(file, path, &error.problem()))?;
     let steps = Steps::new(cycle.from, cycle.to, cycle.step);
@@ -242,7 +243,7 @@ fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
 fn varied(file: &StudyFile, scene: &Scene, round: &Round) -> Result<Vec<Varied>, StudyError> {
     let known: Vec<Named> = numbers(scene);
     let mut all: Vec<Varied> = Vec::new();
-    for (name, range) in file.vary() {
+    for (name, range) in &file.keys.vary {
         let path = ["vary", name.as_str()];
         let Some(found) = known.iter().find(|k| k.name == *name || k.path == *name) else {
             let names = known.iter().flat_map(|k| [k.name.as_str(), k.path.as_str()]);
@@ -262,8 +263,7 @@ fn varied(file: &StudyFile, scene: &Scene, round: &Round) -> Result<Vec<Varied>,
             let message = format!("this is the same number as `{}`", crate::text::shown(&twin.name));
             return Err(file.error(&path, message, Some("keep one of them")).into());
         }
-        let own = found.number.of(scene).unwrap_or(0.0);
-        let values = Values::of(range, own).map_err(|message| {
+        let values = Values::of(range, found.value).map_err(|message| {
             let hint = r#"write { "from": 80, "to": 120, "count": 9 }, { "from": 80, "to": 120 }, { "plus_minus": 0.5 } or { "sigma": 0.2 }"#;
             file.error(&path, message, Some(hint))
         })?;

@@ -3,7 +3,7 @@
 use super::Change;
 use super::held::{can_be_placed, is_through};
 use crate::editing::drive::{near_to, position_of};
-use crate::editing::number::{Decimals, json};
+use crate::editing::measure::{Decimals, json};
 use crate::geometry::{Placement, degrees_of};
 use crate::mechanism::GROUND;
 use crate::scene::{Along, At, On, Slider};

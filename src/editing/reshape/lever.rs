@@ -1,7 +1,7 @@
 //! Slotted levers that turn when the pin in their slot or their pivot is pulled: nothing else hangs on them.
 
 use super::{Change, Pins};
-use crate::editing::number::Decimals;
+use crate::editing::measure::Decimals;
 use crate::editing::present::Solved;
 use crate::geometry::{Turn, degrees_of, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};

@@ -2,8 +2,8 @@
 
 use super::Change;
 use crate::editing::drive::{near_to, turning};
+use crate::editing::measure::Decimals;
 use crate::editing::measure::shape_place;
-use crate::editing::number::Decimals;
 use crate::geometry::{Point, degrees_of, direction_of_degrees};
 use crate::scene::{Length, Link, Shape};
 
@@ -64,7 +64,7 @@ impl Change<'_> {
             self.tell_side(link, joint);
         }
         for (length, value) in lengths.iter().zip(&values).filter(|(length, _)| is_new(length)) {
-            self.put(&["links", name, "lengths", &length.key], super::super::number::json(*value));
+            self.put(&["links", name, "lengths", &length.key], crate::editing::measure::json(*value));
         }
         let axis = &link.points[..2];
         if !axis.iter().any(|end| end == joint) {

@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
 use super::document::Document;
+use super::measure::Decimals;
 use super::near::{distance, settle};
-use super::number::Decimals;
 use super::present::Solved;
 use crate::geometry::Point;
 use crate::mechanism::{BodyId, Mechanism, PointId};
