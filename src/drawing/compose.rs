@@ -1,10 +1,11 @@
 //! Composition of a sheet: a title, panels in their places, items beside and below them; and of further sheets with the
 //! table that has no room on it.
 
+use super::context::SheetContext;
 use super::dims::{Dims, MARGIN, TITLE};
 use super::held::Held;
 use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout, sheet_of};
-use super::legend;
+use super::legend::{self, Legend};
 use super::lines;
 use super::markers::Signs;
 use super::panel::Panel;
@@ -36,9 +37,7 @@ const WORDS_TOP: f64 = 1.4;
 
 /// The contents of a sheet, before layout.
 pub(super) struct Composition<'a> {
-    pub scene: &'a Scene,
-    pub dims: Dims,
-    pub words: Wording,
+    pub context: &'a SheetContext<'a>,
     pub title: Untrusted,
     /// One sentence about the figure, for readers who cannot see it.
     pub description: String,
@@ -53,7 +52,28 @@ pub(super) struct Composition<'a> {
     pub signs: Option<Signs>,
 }
 
-impl Composition<'_> {
+impl<'a> Composition<'a> {
+    /// A sheet with these panels, a table beside them, their scales, and items below.
+    pub(super) fn new(
+        context: &'a SheetContext<'a>,
+        panels: Vec<Panel<'a>>,
+        table: Option<Box<dyn Item>>,
+        below: Vec<Box<dyn Item + 'a>>,
+    ) -> Self {
+        let (words, units, dims) = (context.words, context.scene().units, context.surface.dims);
+        let legend: Box<dyn Item> = Box::new(Legend { words, units, dims });
+        Composition {
+            context,
+            title: context.title(),
+            description: String::new(),
+            steps: Vec::new(),
+            is_stepwise: false,
+            panels,
+            items: table.into_iter().chain([legend]).chain(below).collect(),
+            signs: None,
+        }
+    }
+
     /// Height that the items need below the scales, in mm.
     pub(super) fn height_below(&self) -> f64 {
         self.items.iter().map(|item| item.height()).fold(0.0, f64::max)
@@ -95,9 +115,12 @@ impl Composition<'_> {
 
     fn layout_with(&self, needs: &[Needs], below: f64) -> Layout {
         let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
-        let in_columns =
-            |columns: usize| layout(&self.dims, needs, [legend::height(needs.len(), columns), below], columns, asides);
-        let fits = |layout: &Layout| legend::fits(layout, &self.words, self.scene.units, &self.dims);
+        let in_columns = |columns: usize| {
+            layout(&self.context.surface.dims, needs, [legend::height(needs.len(), columns), below], columns, asides)
+        };
+        let fits = |layout: &Layout| {
+            legend::fits(layout, &self.context.words, self.context.scene().units, &self.context.surface.dims)
+        };
         [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
     }
 
@@ -111,10 +134,17 @@ impl Composition<'_> {
         if let Some(held) = &mut held {
             held.next();
         }
-        let mut drawing = titled(self.scene, &self.dims, &self.words, self.title.clone());
+        let mut drawing =
+            titled(self.context.scene(), &self.context.surface.dims, &self.context.words, self.title.clone());
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
-            panel.draw(&mut drawing, placed, &self.scene.figure.labels, &self.dims, held.as_deref_mut());
+            panel.draw(
+                &mut drawing,
+                placed,
+                &self.context.figure().labels,
+                &self.context.surface.dims,
+                held.as_deref_mut(),
+            );
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);
@@ -122,7 +152,7 @@ impl Composition<'_> {
         if !self.is_stepwise {
             drawing.marks.retain(|mark| mark.until.is_none());
         }
-        let mut drawing = drawing.enlarged(self.dims.unit);
+        let mut drawing = drawing.enlarged(self.context.surface.dims.unit);
         if let Some(signs) = &self.signs {
             let panels = self.panels.iter().zip(&layout.panels);
             signs.draw(&mut drawing, panels.map(|(panel, placed)| panel.on_paper(placed)).collect());

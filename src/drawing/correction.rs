@@ -4,7 +4,6 @@
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext};
 use super::dims::Dims;
-use super::figure::composition;
 use super::layout::Layout;
 use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
@@ -79,7 +78,7 @@ fn sheet<'a>(
     let student_layer = |panel| Box::new(OwnLayer { overlay, context, panel });
     let panels =
         panels(context, extents, |panel| vec![hints(context, panel), content(context, panel), student_layer(panel)]);
-    let mut sheet = composition(context, panels, None, vec![Box::new(notes)]);
+    let mut sheet = Composition::new(context, panels, None, vec![Box::new(notes)]);
     sheet.title = overlay.titled(&sheet.title);
     sheet.steps = Vec::new();
     sheet

@@ -3,7 +3,6 @@
 
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Surface};
-use super::figure::composition;
 use super::key_table::{KeyRow, KeyTable};
 use super::layout::{Item, Layout};
 use super::lines::Lines;
@@ -139,7 +138,7 @@ fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>], sentences: &[Stri
     let asked: Vec<Asked> = rows.iter().map(|row| row.asked.clone()).collect();
     let notes = context.notes(&asked);
     let sentences = Lines::of(sentences.iter().chain(&notes), context.surface.dims.width_below());
-    composition(context, panels, Some(table), vec![Box::new(sentences)])
+    Composition::new(context, panels, Some(table), vec![Box::new(sentences)])
 }
 
 /// The table of a student's sheet.
@@ -180,7 +179,7 @@ fn student_sheet<'a>(context: &'a SheetContext<'a>, sentences: &[String], table:
         place => Some(Box::new(Worksheet { place, ..Worksheet::blank(context, table.asked) })),
     };
     items.insert(0, Box::new(sentences));
-    composition(context, panels, beside, items.into_iter().chain(fields).collect())
+    Composition::new(context, panels, beside, items.into_iter().chain(fields).collect())
 }
 
 /// Whether scheme and plans show all their points at their places, none by an arrow.

@@ -3,7 +3,6 @@
 use super::canvas::Canvas;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext, Surface};
-use super::figure::composition;
 use super::layout::{Item, Needs, Placed};
 use super::lines::{Line, Lines};
 use super::panel::{Frame, Layer, Panel};
@@ -81,7 +80,7 @@ fn composed<'a>(context: &'a SheetContext<'a>, plans: &[Sheet]) -> Composition<'
     let lines = Lines::of(own_line.iter().chain(&sentence), context.surface.dims.width_below());
     let ruler = Ruler::below(context, &lines);
     let below = [Box::new(lines) as Box<dyn Item>, ruler];
-    composition(context, panels, None, below.into_iter().chain(fields).collect())
+    Composition::new(context, panels, None, below.into_iter().chain(fields).collect())
 }
 
 /// The empty panel of a plan.
