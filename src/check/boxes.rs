@@ -1,7 +1,7 @@
 //! The boxes of a form, for a page that shows them one by one.
 
 use super::answer_key::AnswerKey;
-use super::names::{Names, Reader};
+use super::names::Names;
 use super::rows::FormNames;
 use super::sheet::Measured;
 use super::shown::ShownNames;
@@ -50,15 +50,14 @@ pub fn form_boxes(solution: &Solution) -> Vec<FormBox> {
 /// Boxes for values of a filled form that the empty one does not ask for; names that are not understood have none.
 #[must_use]
 pub fn further_boxes(measured: &Measured, key: &AnswerKey<'_>) -> Vec<FormBox> {
-    let names = Names::new(key);
+    let names = Names::new(key.solution);
     let (shown, labels) = (ShownNames::of(key.solution), SheetLabels::of(key.solution));
     let asked_for: Vec<String> = names.rows.names().map(|name| shown.in_form(name, &names.rows)).collect();
-    let reader = Reader { measured, key, names: &names };
     let further = measured.values.iter().map(|given| given.name.trim_end_matches("/mu"));
     let further = further.filter(|name| !asked_for.iter().any(|asked| asked == name));
     let of_name = |name: &str| {
-        let (asked, _, _, step) = reader.quantity(name).ok()?;
-        Some(FormBox::new(&labels, name.to_owned(), asked, step))
+        let meant = names.quantity(name).ok()?;
+        Some(FormBox::new(&labels, name.to_owned(), meant.asked, meant.step))
     };
     further.filter_map(of_name).collect()
 }

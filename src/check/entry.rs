@@ -1,10 +1,11 @@
 use super::answer_key::AnswerKey;
-use super::names::{Names, Reader};
+use super::names::{Meant, Names};
+use super::points::add_points;
 use super::precision::{Precision, most_digits, number, whole_rounding};
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
 use crate::quantity::{Asked, Kind, What};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::Sheet;
 use crate::text;
 
 /// A written value and the quantity it stands for.
@@ -49,14 +50,18 @@ pub struct Entry {
 /// All that is not understood: lines of the file, unknown quantities, wrong units, missing scales, contradictory
 /// entries; or an empty form.
 pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, CheckError> {
-    entries_by(measured, key, &Names::new(key))
+    entries_by(measured, key, &Names::new(key.solution))
 }
 
 /// Most values of a form: more than the largest construction by hand has.
 const MOST_VALUES: usize = 5_000;
 
 /// The same with the names of the scene's quantities, which many forms have in common.
-pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names) -> Result<Vec<Entry>, CheckError> {
+pub(super) fn entries_by(
+    measured: &Measured,
+    key: &AnswerKey<'_>,
+    names: &Names<'_>,
+) -> Result<Vec<Entry>, CheckError> {
     let places = measured.points.iter().map(|plan| plan.places.len()).sum::<usize>();
     let count = measured.values.len() + measured.faults.len() + places;
     if count > MOST_VALUES {
@@ -65,7 +70,7 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
     }
     let mut faults = measured.faults.clone();
     faults.extend(measured.bad_scales());
-    let reader = Reader { measured, key, names };
+    let reader = Reader::new(measured, key, names);
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
         let entry = match reader.entry(given) {
@@ -79,20 +84,15 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
         if let Some(other) = entries.iter().find(same) {
             let apart = (other.value - entry.value).abs();
             if apart > (other.rounding + entry.rounding) * 1.001 {
-                let message = format!(
-                    "`{}` has two values here: {} and {}",
-                    text::shown(&given.name),
-                    text::shown(&other.text),
-                    text::shown(&entry.text)
-                );
-                let error = CheckError::new(message, "keep the one that you mean");
-                faults.push(error.at(&given.place));
+                let [one, two] = [&other.text, &entry.text].map(|text| text::shown(text));
+                let says = format!("has two values here: {one} and {two}");
+                faults.push(CheckError::about(&given.name, &says, "keep the one that you mean").at(&given.place));
             }
             continue;
         }
         entries.push(entry);
     }
-    faults.extend(reader.add_points(&mut entries).err());
+    faults.extend(add_points(&mut entries, measured, names).err());
     if let Some(error) = CheckError::all(faults) {
         return Err(error);
     }
@@ -111,8 +111,8 @@ pub(super) fn entries_by(measured: &Measured, key: &AnswerKey<'_>, names: &Names
 /// The values of a form that are not understood by themselves: their places among its values, each with why.
 #[must_use]
 pub fn faults(measured: &Measured, key: &AnswerKey<'_>) -> Vec<(usize, CheckError)> {
-    let names = Names::new(key);
-    let reader = Reader { measured, key, names: &names };
+    let names = Names::new(key.solution);
+    let reader = Reader::new(measured, key, &names);
     let fault = |(place, given): (usize, &Given)| Some((place, reader.entry(given).err()?));
     measured.values.iter().enumerate().filter_map(fault).collect()
 }
@@ -135,27 +135,32 @@ fn find_precisions(entries: &mut [Entry]) {
     }
 }
 
-impl Reader<'_> {
+/// Reads the values of a form.
+struct Reader<'a> {
+    measured: &'a Measured,
+    key: &'a AnswerKey<'a>,
+    names: &'a Names<'a>,
+    names_ground: bool,
+}
+
+impl<'a> Reader<'a> {
+    fn new(measured: &'a Measured, key: &'a AnswerKey<'a>, names: &'a Names<'a>) -> Reader<'a> {
+        Reader { measured, key, names, names_ground: measured.names_ground() }
+    }
+
     fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
         let number = number(&given.text)?;
-        let compact: String = given.name.chars().filter(|c| !c.is_whitespace()).collect();
-        let (name, marked) = match compact.strip_suffix("/mu") {
-            Some(name) => (name, true),
-            None => (compact.as_str(), false),
-        };
-        let (asked, expected, sheet, step) = self.meant(name)?;
+        let (name, marked) = given.plain_name();
+        let Meant { asked, row, expected, sheet, step } = self.names.meant(&name, self.names_ground)?;
         let kind = asked.kind();
         let has_length = asked.is_length_on_sheet();
         let on_paper =
             marked || (self.measured.in_mm && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
-        let scales = self.scales();
         if marked && !has_length {
-            return Err(CheckError::new(
-                format!("`{}` is no length on paper, so `/mu` cannot follow it", text::shown(name)),
-                format!("write it in {}", kind.unit(self.key.solution.scene.units)),
-            ));
+            let hint = format!("write it in {}", kind.unit(self.key.solution.scene.units));
+            return Err(CheckError::about(&name, "is no length on paper, so `/mu` cannot follow it", hint));
         }
-        let (factor, factor_without_unit) = self.factors(given, name, kind, on_paper.then_some(sheet))?;
+        let (factor, factor_without_unit) = self.factors(given, &name, kind, on_paper.then_some(sheet))?;
         let turns = asked.turns();
         let flips = turns && self.measured.positive == Some(Positive::Clockwise);
         let factor = if flips { -factor } else { factor };
@@ -171,11 +176,11 @@ impl Reader<'_> {
             factor_without_unit: if flips { -factor_without_unit } else { factor_without_unit },
             unit: given.unit.clone(),
             on_paper,
-            per_mm: if has_length { scales[sheet] } else { None },
+            per_mm: if has_length { self.measured.mu.or(self.key.scales)[sheet] } else { None },
             sheet,
             step,
             expected,
-            row: self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned(),
+            row,
             asked,
         })
     }
@@ -190,27 +195,16 @@ impl Reader<'_> {
         };
         let scale = self.measured.mu[sheet].ok_or_else(|| {
             let mu = sheet.scale_key();
-            CheckError::new(
-                format!("`{}` is in millimetres of paper, but your scale {mu} is missing", text::shown(name)),
-                format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name()),
-            )
+            let hint = format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name());
+            CheckError::about(name, &format!("is in millimetres of paper, but your scale {mu} is missing"), hint)
         })?;
         match &given.unit {
             // Beside millimetres of paper no unit may stand but mm.
-            Some(unit) if unit.trim() != "mm" => Err(CheckError::new(
-                format!(
-                    "`{}` is in millimetres of paper, but `{}` stands beside it",
-                    text::shown(name),
-                    text::shown(unit)
-                ),
-                "leave the unit out, or the `/mu`",
-            )),
+            Some(unit) if unit.trim() != "mm" => {
+                let says = format!("is in millimetres of paper, but `{}` stands beside it", text::shown(unit));
+                Err(CheckError::about(name, &says, "leave the unit out, or the `/mu`"))
+            }
             _ => Ok((scale, scale)),
         }
-    }
-
-    /// The student's own scales, those of the scene's figure where none are given.
-    fn scales(&self) -> Scales {
-        self.measured.mu.or(self.key.scales)
     }
 }

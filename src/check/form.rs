@@ -2,7 +2,7 @@
 //! somebody's values.
 
 use super::answer_key::AnswerKey;
-use super::names::{Names, Reader};
+use super::names::Names;
 use super::rows::FormNames;
 use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
 use super::shown::ShownNames;
@@ -291,11 +291,12 @@ impl FilledForm<'_> {
     /// All boxes in their order, then the values that the form does not ask for. Of two values for one box the second
     /// keeps its name.
     fn values(&self) -> IndexMap<String, Value> {
-        let names = Names::new(self.key);
+        let names = Names::new(self.key.solution);
         let shown = ShownNames::of(self.key.solution);
-        let reader = Reader { measured: self.measured, key: self.key, names: &names };
+        let names_ground = self.measured.names_ground();
         let named = |given: &Given| {
-            let (row, is_on_paper) = reader.row(&given.name)?;
+            let (name, is_on_paper) = given.plain_name();
+            let row = names.meant(&name, names_ground).ok()?.row;
             Some((shown.in_form(&row, &names.rows), is_on_paper))
         };
         let boxes = names.rows.names().map(|name| (shown.in_form(name, &names.rows), Vec::new()));

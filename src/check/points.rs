@@ -1,82 +1,80 @@
 //! Values from the places of plan points on paper.
 
 use super::entry::Entry;
-use super::names::Reader;
+use super::names::{Meant, Names};
 use super::precision::Precision;
-use super::sheet::{CheckError, PointsOf};
+use super::sheet::{CheckError, Measured, PointsOf};
 use crate::construction::Plan;
 use crate::geometry::Vector;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
-impl Reader<'_> {
-    /// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
-    /// name. A distance that is written already keeps its value.
-    pub fn add_points(&self, entries: &mut Vec<Entry>) -> Result<(), CheckError> {
-        for points in &self.measured.points {
-            let sheet = points.kind;
-            let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
-            let Some(mu) = self.measured.mu[sheet] else {
-                let mu = sheet.scale_key();
-                return Err(CheckError::new(
-                    format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
-                    format!("add {mu}, the scale of your {}", sheet.name()),
-                ));
-            };
-            let pole = points.kind.pole();
-            let Some(own_pole) = points.pole() else {
-                return Err(CheckError::new(
-                    format!("the places of the {} do not have its pole {pole}", sheet.name()),
-                    format!("add \"{pole}\": [x, y]"),
-                ));
-            };
-            let construction = &self.key.solution.construction;
-            let named = |name: &str| {
-                if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
-            };
-            let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
-            let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
-            for (a, b) in self.pairs(points.kind, &places) {
-                let name = points.kind.segment_name(a, b);
-                if entries.iter().any(|e| e.asked.name() == name) {
-                    continue;
-                }
-                let (asked, expected, sheet, step) = self.quantity(&name).map_err(|e| e.at(&at(b)))?;
-                // The image of a point at rest is the pole itself.
-                if expected == 0.0 {
-                    continue;
-                }
-                let [p, q] = [a, b].map(|n| places[n]);
-                let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
-                entries.push(Entry {
-                    row: self.names.rows.of(&self.key.solution.construction, asked.name()).to_owned(),
-                    asked,
-                    text: String::new(),
-                    value: mm * mu,
-                    rounding: rounding(&bands, [a, b]) * mu,
-                    precision: Precision { decimals: 1, digits: 4 },
-                    is_magnitude: false,
-                    factor: mu,
-                    factor_without_unit: mu,
-                    unit: None,
-                    on_paper: true,
-                    per_mm: Some(mu),
-                    sheet,
-                    step,
-                    expected,
-                });
+/// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
+/// name. A distance that is written already keeps its value.
+pub(super) fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
+    for points in &measured.points {
+        let sheet = points.kind;
+        let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
+        let Some(mu) = measured.mu[sheet] else {
+            let mu = sheet.scale_key();
+            return Err(CheckError::new(
+                format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
+                format!("add {mu}, the scale of your {}", sheet.name()),
+            ));
+        };
+        let pole = points.kind.pole();
+        let Some(own_pole) = points.pole() else {
+            return Err(CheckError::new(
+                format!("the places of the {} do not have its pole {pole}", sheet.name()),
+                format!("add \"{pole}\": [x, y]"),
+            ));
+        };
+        let construction = &names.solution.construction;
+        let named = |name: &str| {
+            if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
+        };
+        let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+        let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
+        for (a, b) in pairs(points.kind, &places, names) {
+            let name = points.kind.segment_name(a, b);
+            if entries.iter().any(|e| e.asked.name() == name) {
+                continue;
             }
+            let Meant { asked, row, expected, sheet, step } = names.quantity(&name).map_err(|e| e.at(&at(b)))?;
+            // The image of a point at rest is the pole itself.
+            if expected == 0.0 {
+                continue;
+            }
+            let [p, q] = [a, b].map(|n| places[n]);
+            let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
+            entries.push(Entry {
+                row,
+                asked,
+                text: String::new(),
+                value: mm * mu,
+                rounding: rounding(&bands, [a, b]) * mu,
+                precision: Precision { decimals: 1, digits: 4 },
+                is_magnitude: false,
+                factor: mu,
+                factor_without_unit: mu,
+                unit: None,
+                on_paper: true,
+                per_mm: Some(mu),
+                sheet,
+                step,
+                expected,
+            });
         }
-        Ok(())
     }
+    Ok(())
+}
 
-    /// The segments between given places: from the pole to each point, and those between points that a step names.
-    fn pairs<'p>(&self, plan: Sheet, places: &'p IndexMap<String, [f64; 2]>) -> Vec<(&'p str, &'p str)> {
-        let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
-        let from_pole = points().map(|name| (plan.pole(), name));
-        let between = points().flat_map(|a| points().map(move |b| (a, b)));
-        from_pole.chain(between.filter(|(a, b)| self.names.order.contains_key(&plan.segment_name(a, b)))).collect()
-    }
+/// The segments between given places: from the pole to each point, and those between points that a step names.
+fn pairs<'p>(plan: Sheet, places: &'p IndexMap<String, [f64; 2]>, names: &Names<'_>) -> Vec<(&'p str, &'p str)> {
+    let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
+    let from_pole = points().map(|name| (plan.pole(), name));
+    let between = points().flat_map(|a| points().map(move |b| (a, b)));
+    from_pole.chain(between.filter(|(a, b)| names.order.contains_key(&plan.segment_name(a, b)))).collect()
 }
 
 /// Half the width of the range in which the distance of two places may be, in mm: people write places to a tenth or a

@@ -1,7 +1,6 @@
 //! Numbers as they are written: their values, and how finely people write.
 
 use super::sheet::CheckError;
-use crate::text::shown;
 
 /// The decimals and the significant digits to which somebody writes values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,14 +75,11 @@ pub(super) fn number(text: &str) -> Result<f64, CheckError> {
     let has_digits = text.contains(|c: char| c.is_ascii_digit());
     let number = if has_digits { text.parse::<f64>().ok() } else { None };
     let number = number.ok_or_else(|| {
-        CheckError::new(
-            format!("`{}` is no number", shown(text)),
-            "write digits with a decimal point, as 61.5; leave blank what you have not measured",
-        )
+        let hint = "write digits with a decimal point, as 61.5; leave blank what you have not measured";
+        CheckError::about(text, "is no number", hint)
     })?;
     if !(number.is_finite() && number.abs() <= 1e100) {
-        let hint = "is a digit or an exponent wrong?";
-        return Err(CheckError::new(format!("`{}` is too large", shown(text)), hint));
+        return Err(CheckError::about(text, "is too large", "is a digit or an exponent wrong?"));
     }
     Ok(number)
 }

@@ -17,7 +17,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 #[derive(Debug)]
 pub struct Prepared<'a> {
     pub(super) key: AnswerKey<'a>,
-    pub(super) names: Names,
+    pub(super) names: Names<'a>,
     ready: Mutex<BTreeMap<Asking, Arc<Ready>>>,
 }
 
@@ -45,7 +45,7 @@ impl<'a> Prepared<'a> {
     /// Makes an answer key ready for many forms.
     #[must_use]
     pub fn new(key: &AnswerKey<'a>) -> Prepared<'a> {
-        Prepared { key: *key, names: Names::new(key), ready: Mutex::default() }
+        Prepared { key: *key, names: Names::new(key.solution), ready: Mutex::default() }
     }
 
     /// The answer key.

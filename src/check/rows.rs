@@ -1,5 +1,6 @@
 //! The rows of a form: every quantity of the steps once, in the order of the construction.
 
+use super::sheet::UNDER_SLIDER;
 use crate::construction::{Construction, PlaceId};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
@@ -18,9 +19,6 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
 pub fn form_name(construction: &Construction, name: &str) -> String {
     FormNames::new(construction).of(construction, name).to_owned()
 }
-
-/// In the names of images of the ground under a slider, as `c_ground`.
-pub(super) const UNDER_SLIDER: &str = "_ground";
 
 /// The rows of a construction's form, to look many names up.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 use crate::scene::Figure;
 use crate::sheet::{Scales, Sheet};
-use crate::text::Untrusted;
+use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -27,6 +27,11 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// Whether a name has the image of the ground under a slider: then the pole in other names is itself.
+    pub(super) fn names_ground(&self) -> bool {
+        self.values.iter().any(|given| given.name.contains(UNDER_SLIDER))
+    }
+
     /// The scales that are none.
     pub(super) fn bad_scales(&self) -> impl Iterator<Item = CheckError> {
         let bad = self.mu.given().filter(|(_, mu)| !(mu.is_finite() && *mu > 0.0));
@@ -44,6 +49,12 @@ impl Measured {
     }
 }
 
+/// In the names of images of the ground under a slider, as `c_ground`.
+pub(super) const UNDER_SLIDER: &str = "_ground";
+
+/// Behind the name of a length that is written in millimetres of paper.
+const ON_PAPER: &str = "/mu";
+
 /// A value as it was written down.
 #[derive(Clone, Debug)]
 pub struct Given {
@@ -55,6 +66,16 @@ pub struct Given {
     pub unit: Option<String>,
     /// Its place in the file, for messages: `values.omega(2)`, `line 7`.
     pub place: String,
+}
+
+impl Given {
+    /// Its name without blanks and without the mark for millimetres of paper, and whether it had that.
+    pub(super) fn plain_name(&self) -> (String, bool) {
+        let mut name: String = self.name.chars().filter(|c| !c.is_whitespace()).collect();
+        let is_on_paper = name.ends_with(ON_PAPER);
+        name.truncate(name.len() - if is_on_paper { ON_PAPER.len() } else { 0 });
+        (name, is_on_paper)
+    }
 }
 
 /// Places of a plan's points on paper in millimetres, x right, y up; the origin and the sheet's rotation are arbitrary.
@@ -147,6 +168,11 @@ impl CheckError {
     /// An error about the form as a whole.
     pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
         CheckError { place: String::new(), message: message.into(), hint: Some(hint.into()) }
+    }
+
+    /// An error about something that somebody wrote, which begins the message.
+    pub(super) fn about(written: &str, says: &str, hint: impl Into<String>) -> CheckError {
+        CheckError::new(format!("`{}` {says}", shown(written)), hint)
     }
 
     /// All errors of a form in one: each with its place, and what to try; `None` where there are none.

@@ -78,12 +78,9 @@ impl Measured {
             "name" => self.name = Some(written.into()),
             "exercise" => self.exercise = Some(written.into()),
             "positive" => {
-                self.positive = Some(Positive::from_word(&value).ok_or_else(|| {
-                    CheckError::new(
-                        format!("`{}` is no sense of rotation", shown(&value)),
-                        "write `clockwise` or `counter-clockwise`",
-                    )
-                })?);
+                let hint = "write `clockwise` or `counter-clockwise`";
+                let wrong = || CheckError::about(&value, "is no sense of rotation", hint);
+                self.positive = Some(Positive::from_word(&value).ok_or_else(wrong)?);
             }
             "in" => {
                 self.in_mm = match value.as_str() {
@@ -161,10 +158,7 @@ pub(super) fn with_point(text: &str) -> String {
 fn coordinate(text: &str) -> Result<f64, CheckError> {
     let number = text.parse().ok().filter(|x: &f64| x.is_finite());
     number.ok_or_else(|| {
-        CheckError::new(
-            format!("`{}` is no coordinate", shown(text)),
-            "write x and y in millimetres of paper, as velocity:b,114,-2.7",
-        )
+        CheckError::about(text, "is no coordinate", "write x and y in millimetres of paper, as velocity:b,114,-2.7")
     })
 }
 
@@ -172,8 +166,9 @@ fn coordinate(text: &str) -> Result<f64, CheckError> {
 fn radius(text: &str) -> Result<f64, CheckError> {
     let number = text.parse().ok().filter(|x: &f64| (0.0..=WIDEST).contains(x));
     number.ok_or_else(|| {
-        CheckError::new(
-            format!("`{}` is no radius", shown(text)),
+        CheckError::about(
+            text,
+            "is no radius",
             "behind x and y may stand how far the point may be from there, in millimetres of paper, as velocity:b,114,-2.7,0.2",
         )
     })
