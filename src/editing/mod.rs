@@ -13,11 +13,11 @@ mod drop;
 mod edit;
 mod figure;
 mod layout;
-mod measure;
+#[doc(hidden)] // for tests
+pub mod measure;
 mod names;
 mod near;
-#[doc(hidden)] // for tests
-pub mod present;
+mod present;
 mod quantity_names;
 mod rename;
 #[doc(hidden)] // for tests

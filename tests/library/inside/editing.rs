@@ -27,7 +27,7 @@ mod figure {
 }
 
 mod number {
-    use kinegon::editing::number::Decimals;
+    use kinegon::editing::measure::Decimals;
 
     #[test]
     fn a_thousandth_of_the_size_or_finer() {
