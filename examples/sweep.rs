@@ -3,7 +3,7 @@
 
 use kinegon::Solution;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
-use kinegon::quantity::{Asked, Quantity};
+use kinegon::quantity::{Quantity, QuantityRequest};
 use kinegon::scene::{Builder, LengthUnit, NewLink, TimeUnit, Turn};
 use kinegon::words::Wording;
 
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
 
     // Any position, any quantity by name; names are looked up once.
-    let coupler = Asked::new("a_n(C/B)", &mechanism)?;
+    let coupler = QuantityRequest::new("a_n(C/B)", &mechanism)?;
     let mut walker = path.walker();
     let position = walker.position(123.4).ok_or("that position is singular")?;
     if let Quantity::Vector(a) = coupler.value(&position, None, None)? {

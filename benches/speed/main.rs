@@ -11,7 +11,7 @@ use kinegon::geometry::{MANY, Many};
 use kinegon::mechanism::Mechanism;
 use kinegon::motion::motion;
 use kinegon::position::{Pose, pose};
-use kinegon::quantity::{Asked, pencil, read_by_hand, readable_names};
+use kinegon::quantity::{QuantityRequest, pencil, read_by_hand, readable_names};
 use kinegon::scene::Scene;
 use kinegon::{PerSheet, Sheet};
 use kinegon::{Solution, solve};
@@ -217,8 +217,8 @@ fn bands_of_hand_drawings(bencher: Bencher) {
     let solution = solved(FIGURE_2);
     let scales = solution.scales();
     let names = readable_names(&solution);
-    let asked = names.iter().map(|n| Asked::new(n, &solution.mechanism).expect("a name"));
-    let asked: Vec<Asked> = asked.collect();
+    let asked = names.iter().map(|n| QuantityRequest::new(n, &solution.mechanism).expect("a name"));
+    let asked: Vec<QuantityRequest> = asked.collect();
     let usual = Tolerance::default();
     bencher.bench(|| {
         let asked = black_box(&asked).clone();

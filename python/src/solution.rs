@@ -9,7 +9,7 @@ use kinegon::editing::with_mode;
 use kinegon::format::{OpenScene, workbench};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
-use kinegon::quantity::{Asked, Quantity, step_pencil};
+use kinegon::quantity::{Quantity, QuantityRequest, step_pencil};
 use kinegon::scene::SizeLimit;
 use kinegon::{order_of_figure, order_of_result};
 use pyo3::prelude::*;
@@ -71,7 +71,7 @@ impl Solution {
 
     pub fn value(&self, name: &str) -> Result<ValueOf, Refused> {
         let solution = self.solved(Sheet::Acceleration)?;
-        let asked = Asked::new(name, &solution.mechanism)?;
+        let asked = QuantityRequest::new(name, &solution.mechanism)?;
         let scales = asked.is_on_paper().then(|| solution.scales());
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref())?;
         let numbers = match value {

@@ -8,7 +8,7 @@ use kinegon::Error;
 use kinegon::cycle::{Curves, Drive, Path, Steps, Sweep, alone};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
-use kinegon::quantity::Kind;
+use kinegon::quantity::QuantityKind;
 use kinegon::scene::{SizeLimit, Units};
 use kinegon::words::Wording;
 use pyo3::prelude::*;
@@ -87,7 +87,7 @@ fn moved<T>(
 
 /// The units of the columns.
 fn units(sweep: &Sweep<'_>, units: Units) -> Vec<String> {
-    let drive = if sweep.drive().is_angle() { Kind::Angle } else { Kind::Position };
+    let drive = if sweep.drive().is_angle() { QuantityKind::Angle } else { QuantityKind::Position };
     let of = |column: &kinegon::cycle::Column| {
         let count = column.names().count() + usize::from(sweep.error_name(column).is_some());
         vec![column.asked.kind().unit(units); count]

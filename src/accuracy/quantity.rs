@@ -1,7 +1,7 @@
 use super::Bounds;
 use crate::geometry::UNIT_ROUNDOFF;
 use crate::mechanism::BodyId;
-use crate::quantity::{Asked, Component, Normality, Quantity, Snapshot, Spot, What};
+use crate::quantity::{Component, Normality, Quantity, QuantityRequest, Snapshot, Spot, What};
 use core::f64::consts::SQRT_2;
 
 /// Roundings in a number that is read from a pose and its motion.
@@ -9,7 +9,7 @@ const ROUNDINGS: f64 = 8.0 * UNIT_ROUNDOFF;
 
 /// Whether [`Bounds::of`] bounds the error of a quantity: all but special points and what is measured on a plan.
 #[must_use]
-pub fn is_bounded(asked: &Asked) -> bool {
+pub fn is_bounded(asked: &QuantityRequest) -> bool {
     let joint = |spot: &Spot| matches!(spot, Spot::Point(..));
     match asked.what() {
         What::Coordinate(_, spot) => joint(spot),
@@ -26,7 +26,7 @@ impl Bounds<'_> {
     ///
     /// `None` where it is not [bounded](is_bounded), and for the direction of a vector that may be zero.
     #[must_use]
-    pub fn of(&self, asked: &Asked) -> Option<f64> {
+    pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
         let state = Snapshot { pose: self.pose, motion: self.motion };
         let whole = asked.without_component().value(&state, None, None).ok()?;
         let rounding = |whole: &Quantity| match whole {

@@ -7,7 +7,7 @@ use super::sheet::Measured;
 use super::shown::ShownNames;
 use crate::construction::{Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
-use crate::quantity::{Asked, What};
+use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
 use indexmap::IndexSet;
 
@@ -17,7 +17,7 @@ pub struct FormBox {
     /// The name under which its value stands in a form.
     pub name: String,
     /// The quantity.
-    pub asked: Asked,
+    pub asked: QuantityRequest,
     /// How the sheets write it.
     pub label: RichText,
     /// The sheet from which it is read.
@@ -27,7 +27,7 @@ pub struct FormBox {
 }
 
 impl FormBox {
-    fn new(labels: &SheetLabels<'_>, name: String, asked: Asked, step: usize) -> FormBox {
+    fn new(labels: &SheetLabels<'_>, name: String, asked: QuantityRequest, step: usize) -> FormBox {
         let (label, sheet) = (labels.quantity(&asked), asked.sheet());
         FormBox { name, asked, label, sheet, step }
     }
@@ -40,7 +40,7 @@ pub fn form_boxes(solution: &Solution) -> Vec<FormBox> {
     let construction = &solution.construction;
     let (rows, steps) = (FormNames::new(construction), construction.steps_of_quantities());
     let of_row = |name: &str| {
-        let asked = Asked::new(name, &solution.mechanism).ok()?;
+        let asked = QuantityRequest::new(name, &solution.mechanism).ok()?;
         let step = steps.get(name).map_or(0, |step| construction.step_number(*step));
         Some(FormBox::new(&labels, shown.in_form(name, &rows), asked, step))
     };

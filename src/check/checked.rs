@@ -121,7 +121,7 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
     let judged = judged.map(|((entry, band), reading)| {
         let mut difference =
             if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-        if entry.asked.kind() == crate::quantity::Kind::Angle {
+        if entry.asked.kind() == crate::quantity::QuantityKind::Angle {
             difference -= 360.0 * libm::round(difference / 360.0);
         }
         // Segments and lengths have no sign, whatever sign is written.

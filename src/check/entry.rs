@@ -4,7 +4,7 @@ use super::points::add_points;
 use super::precision::{Precision, most_digits, number, whole_rounding};
 use super::sheet::{CheckError, Given, Measured, Positive};
 use super::unit;
-use crate::quantity::{Asked, Kind, What};
+use crate::quantity::{QuantityKind, QuantityRequest, What};
 use crate::sheet::Sheet;
 use crate::text;
 
@@ -12,7 +12,7 @@ use crate::text;
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// The quantity, by the name that steps and results give it.
-    pub asked: Asked,
+    pub asked: QuantityRequest,
     /// The name by which the form asks for it.
     pub row: String,
     /// Its digits as they were written; empty for a distance computed from places on paper.
@@ -187,7 +187,13 @@ impl<'a> Reader<'a> {
 
     /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.
     /// `paper`: the sheet on which it was measured in millimetres, if it was.
-    fn factors(&self, given: &Given, name: &str, kind: Kind, paper: Option<Sheet>) -> Result<(f64, f64), CheckError> {
+    fn factors(
+        &self,
+        given: &Given,
+        name: &str,
+        kind: QuantityKind,
+        paper: Option<Sheet>,
+    ) -> Result<(f64, f64), CheckError> {
         let units = self.key.solution.scene.units;
         let Some(sheet) = paper else {
             let factor = given.unit.as_ref().map_or(Ok(1.0), |unit| unit::factor(unit, kind, units))?;

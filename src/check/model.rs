@@ -9,7 +9,7 @@ use crate::construction::{
     Solution, Tolerance, Values,
 };
 use crate::mechanism::Mechanism;
-use crate::quantity::{Asked, Band, Reading, Unread, read_by_hand};
+use crate::quantity::{Band, QuantityRequest, Reading, Unread, read_by_hand};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use smallvec::SmallVec;
 
@@ -104,7 +104,7 @@ pub(super) type Changes<'c> = SmallVec<[Disturbance<'c>; 4]>;
 impl Model {
     /// The construction of a position at the student's scales.
     pub fn new(key: &AnswerKey<'_>, solution: &Solution, mu: Scales, entries: &[Entry]) -> Result<Model, CheckError> {
-        let asked: Vec<Asked> = entries.iter().map(|e| e.asked.clone()).collect();
+        let asked: Vec<QuantityRequest> = entries.iter().map(|e| e.asked.clone()).collect();
         let (mut construction, readings) = read_by_hand(solution, &asked);
         given_first(&mut construction.operations);
         let why = |why| match why {

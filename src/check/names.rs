@@ -5,7 +5,7 @@ use super::rows::FormNames;
 use super::sheet::CheckError;
 use super::shown::ShownNames;
 use crate::construction::{Solution, image_name};
-use crate::quantity::{Asked, Quantity, QuantityError};
+use crate::quantity::{Quantity, QuantityError, QuantityRequest};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
@@ -23,7 +23,7 @@ pub(super) struct Names<'a> {
 /// A quantity that a name means.
 pub(super) struct Meant {
     /// The quantity, by the name that steps and results give it.
-    pub asked: Asked,
+    pub asked: QuantityRequest,
     /// The name by which the form asks for it.
     pub row: String,
     /// Its exact value.
@@ -65,9 +65,9 @@ impl<'a> Names<'a> {
         }
         let usual = self.usual(name);
         let name = usual.as_deref().unwrap_or(name);
-        let mut asked = Asked::new(name, &solution.mechanism).map_err(wrong)?;
+        let mut asked = QuantityRequest::new(name, &solution.mechanism).map_err(wrong)?;
         if asked.is_vector() {
-            asked = Asked::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
+            asked = QuantityRequest::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
         }
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), None);
         let expected = match value.map_err(wrong)? {
@@ -110,7 +110,7 @@ impl<'a> Names<'a> {
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
     /// point, or else the last of its sheet. 0 on the scheme.
-    fn step_of(&self, asked: &Asked, sheet: Sheet) -> usize {
+    fn step_of(&self, asked: &QuantityRequest, sheet: Sheet) -> usize {
         if sheet == Sheet::Scheme {
             return 0;
         }

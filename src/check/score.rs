@@ -15,7 +15,7 @@ use super::mistakes::{Candidate, Free};
 use super::model::{Changes, Edit, GROUPS, Model, TOGETHER};
 use super::walk::{Compared, Metric};
 use crate::construction::{Change, Disturbance, Tolerance};
-use crate::quantity::{Kind, Sense};
+use crate::quantity::{QuantityKind, Sense};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -49,12 +49,12 @@ impl<'a> Scorer<'a> {
         groups: &OnceLock<Groups>,
     ) -> Scorer<'a> {
         let model = &models[0];
-        let span = |kind: Kind| {
+        let span = |kind: QuantityKind| {
             let same = entries.iter().filter(|e| e.asked.kind() == kind);
             let both = same.flat_map(|e| [e.value.abs(), e.expected.abs()]);
             both.fold(0.0, f64::max)
         };
-        let expected_span = |kind: Kind| {
+        let expected_span = |kind: QuantityKind| {
             let same = entries.iter().filter(|e| e.asked.kind() == kind);
             same.map(|e| e.expected.abs()).fold(0.0, f64::max)
         };
@@ -62,7 +62,7 @@ impl<'a> Scorer<'a> {
             let reading = model.readings[index].ok()?;
             let kind = entry.asked.kind();
             let span = match kind {
-                Kind::Angle => 180.0,
+                QuantityKind::Angle => 180.0,
                 // A value a thousand times too large must not make all others imprecise.
                 _ => span(kind).min(4.0 * expected_span(kind).max(f64::MIN_POSITIVE)),
             };
@@ -74,8 +74,8 @@ impl<'a> Scorer<'a> {
                 is_magnitude: entry.is_magnitude || reading.is_size(),
                 is_angle: reading.sense == Sense::Angle,
                 sheet: match kind {
-                    Kind::Velocity => Some(Sheet::Velocity),
-                    Kind::Acceleration => Some(Sheet::Acceleration),
+                    QuantityKind::Velocity => Some(Sheet::Velocity),
+                    QuantityKind::Acceleration => Some(Sheet::Acceleration),
                     _ => None,
                 },
                 span,

@@ -6,7 +6,7 @@
 use super::rows::FormNames;
 use super::sheet::CheckError;
 use crate::construction::{Plan, Solution};
-use crate::quantity::{Asked, What};
+use crate::quantity::{QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, shown};
@@ -35,7 +35,7 @@ impl<'a> ShownNames<'a> {
     }
 
     /// A quantity as a person reads it on the sheets: `p b`, `B S3`, `ω_2`.
-    pub fn quantity(&self, asked: &Asked) -> String {
+    pub fn quantity(&self, asked: &QuantityRequest) -> String {
         let between = |sheet, from: &str, to: &str| {
             let [from, to] = [from, to].map(|name| self.point(sheet, name).unwrap_or_else(|| name.to_owned()));
             format!("{from} {to}")
@@ -49,7 +49,7 @@ impl<'a> ShownNames<'a> {
 
     /// A quantity by its name as a person reads it; names that mean none stay as they are.
     pub fn named(&self, name: &str) -> String {
-        let asked = Asked::new(name, &self.solution.mechanism);
+        let asked = QuantityRequest::new(name, &self.solution.mechanism);
         asked.map_or_else(|_| name.to_owned(), |asked| self.quantity(&asked))
     }
 

@@ -9,7 +9,7 @@ use super::rows::form_names;
 use super::sheet::{CheckError, Given, Measured};
 use super::shown::ShownNames;
 use crate::construction::{Change, Disturbance};
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::sheet::Scales;
 use crate::words::Wording;
 
@@ -96,7 +96,7 @@ impl<'a> Student<'a> {
             let value = if is_unsigned { value.abs() } else { value };
             let (text, on_paper) = match (entry.per_mm, entry.asked.kind()) {
                 (Some(mu), _) if is_unsigned && !in_units => (digits(value / mu, 1, cuts_off), true),
-                (_, Kind::Angle) => (digits(value, 1, cuts_off), false),
+                (_, QuantityKind::Angle) => (digits(value, 1, cuts_off), false),
                 _ => (four_digits(value, cuts_off), false),
             };
             value.is_finite().then(|| Given {

@@ -1,12 +1,12 @@
 //! Units as people write them beside values.
 
 use super::sheet::CheckError;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{LengthUnit, TimeUnit, Units};
 use crate::text::shown;
 
 /// The factor from the unit `text` to the scene's unit of quantities of this kind.
-pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckError> {
+pub(super) fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let compact = compact.replace("^2", "²").replace("**2", "²");
     let known = || {
@@ -30,21 +30,21 @@ pub(super) fn factor(text: &str, kind: Kind, units: Units) -> Result<f64, CheckE
         _ => None,
     };
     let found = match (kind, below) {
-        (Kind::Angle, None) => match top {
+        (QuantityKind::Angle, None) => match top {
             "°" | "deg" => Some(1.0),
             "rad" => Some(1.0_f64.to_degrees()),
             _ => None,
         },
-        (Kind::Length | Kind::Position, None) => length().map(to_length),
-        (Kind::Velocity, Some(t)) => length().zip(time(t)).map(|(l, t)| to_length(l) * own_time / t),
-        (Kind::Acceleration, Some(t)) => {
+        (QuantityKind::Length | QuantityKind::Position, None) => length().map(to_length),
+        (QuantityKind::Velocity, Some(t)) => length().zip(time(t)).map(|(l, t)| to_length(l) * own_time / t),
+        (QuantityKind::Acceleration, Some(t)) => {
             t.strip_suffix('²').and_then(time).zip(length()).map(|(t, l)| to_length(l) * own_time * own_time / (t * t))
         }
-        (Kind::AngularVelocity, None) if ["rpm", "r.p.m."].contains(&top) => {
+        (QuantityKind::AngularVelocity, None) if ["rpm", "r.p.m."].contains(&top) => {
             Some(core::f64::consts::TAU * own_time / 60.0)
         }
-        (Kind::AngularVelocity, Some(t)) => turn().zip(time(t)).map(|(a, t)| a * own_time / t),
-        (Kind::AngularAcceleration, Some(t)) => {
+        (QuantityKind::AngularVelocity, Some(t)) => turn().zip(time(t)).map(|(a, t)| a * own_time / t),
+        (QuantityKind::AngularAcceleration, Some(t)) => {
             t.strip_suffix('²').and_then(time).zip(turn()).map(|(t, a)| a * own_time * own_time / (t * t))
         }
         _ => None,
@@ -66,14 +66,14 @@ fn seconds_of(unit: TimeUnit) -> f64 {
     TIMES.iter().find(|t| t.0 == unit.as_str()).map_or(1.0, |t| t.1)
 }
 
-fn said(kind: Kind) -> &'static str {
+fn said(kind: QuantityKind) -> &'static str {
     match kind {
-        Kind::Angle => "an angle",
-        Kind::AngularVelocity => "an angular velocity",
-        Kind::AngularAcceleration => "an angular acceleration",
-        Kind::Position => "a position",
-        Kind::Length => "a length",
-        Kind::Velocity => "a velocity",
-        Kind::Acceleration => "an acceleration",
+        QuantityKind::Angle => "an angle",
+        QuantityKind::AngularVelocity => "an angular velocity",
+        QuantityKind::AngularAcceleration => "an angular acceleration",
+        QuantityKind::Position => "a position",
+        QuantityKind::Length => "a length",
+        QuantityKind::Velocity => "a velocity",
+        QuantityKind::Acceleration => "an acceleration",
     }
 }

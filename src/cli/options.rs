@@ -1,7 +1,7 @@
 //! Options that several commands have: the words, the sheet and its scales, the hand that draws.
 
 use crate::construction::{Solution, Tolerance};
-use crate::quantity::{self, Asked, Pencil};
+use crate::quantity::{self, Pencil, QuantityRequest};
 use crate::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, ScalesFor};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
@@ -182,7 +182,7 @@ impl Hand {
     }
 
     /// The bands of the quantities `asked`, drawn at the scales of the scene's figure.
-    pub(super) fn pencil(&self, solution: &Solution, asked: Vec<Asked>) -> Pencil {
+    pub(super) fn pencil(&self, solution: &Solution, asked: Vec<QuantityRequest>) -> Pencil {
         quantity::pencil(solution, &solution.scales(), self.tolerance(), asked)
     }
 }

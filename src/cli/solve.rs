@@ -10,7 +10,7 @@ use crate::format;
 use crate::mechanism::mechanism;
 use crate::order_of_result;
 use crate::position::{counted_poses, with_nearest_sides};
-use crate::quantity::{Asked, readable_names, step_pencil};
+use crate::quantity::{QuantityRequest, readable_names, step_pencil};
 use crate::scene::{Figure, Scene, SizeLimit};
 use crate::sheet::Sheet;
 use crate::words::Wording;
@@ -80,20 +80,20 @@ fn print_digits(solution: &Solution) -> Result<(), Failure> {
 
 /// The quantities that may be read from a hand drawing: those of the result and those that the scene wants; of vectors
 /// size and angle.
-fn readable_quantities(solution: &Solution) -> Result<Vec<Asked>, crate::Error> {
+fn readable_quantities(solution: &Solution) -> Result<Vec<QuantityRequest>, crate::Error> {
     let mut names = readable_names(solution);
     for name in solution.scene.want.iter().flatten() {
-        let asked = Asked::new(name, &solution.mechanism)?;
+        let asked = QuantityRequest::new(name, &solution.mechanism)?;
         if asked.is_vector() {
             names.extend(["size", "angle"].map(|part| format!("{name}.{part}")));
         } else {
             names.push(name.clone());
         }
     }
-    let mut asked: Vec<Asked> = Vec::new();
+    let mut asked: Vec<QuantityRequest> = Vec::new();
     for name in names {
         if !asked.iter().any(|other| other.name() == name) {
-            asked.push(Asked::new(&name, &solution.mechanism)?);
+            asked.push(QuantityRequest::new(&name, &solution.mechanism)?);
         }
     }
     Ok(asked)

@@ -3,7 +3,7 @@ use crate::accuracy::{bounds, is_bounded};
 use crate::construction::{Construction, Extent, construct};
 use crate::geometry::Row;
 use crate::motion::motion;
-use crate::quantity::{Asked, Quantity, QuantityError, Snapshot};
+use crate::quantity::{Quantity, QuantityError, QuantityRequest, Snapshot};
 use crate::scene::Scene;
 use crate::sheet::Sheet;
 
@@ -11,7 +11,7 @@ use crate::sheet::Sheet;
 #[derive(Clone, Debug)]
 pub struct Column {
     /// The quantity.
-    pub asked: Asked,
+    pub asked: QuantityRequest,
 }
 
 impl Column {
@@ -48,7 +48,7 @@ impl<'a> Columns<'a> {
     /// The quantities of these names.
     pub fn new(path: &'a Path<'a>, names: &[String]) -> Result<Self, QuantityError> {
         let column = |name: &String| {
-            let asked = Asked::new(name, &path.mechanism)?;
+            let asked = QuantityRequest::new(name, &path.mechanism)?;
             Ok(Column { asked })
         };
         let list = names.iter().map(column).collect::<Result<Vec<_>, _>>()?;

@@ -6,7 +6,7 @@ use super::survey::{CurveSurvey, PARTS};
 use super::{CycleError, Event, Happening, Path};
 use crate::Problem;
 use crate::mechanism::BodyId;
-use crate::quantity::{Asked, Kind, QuantityError};
+use crate::quantity::{QuantityError, QuantityKind, QuantityRequest};
 
 /// Parts into which first samples divide every segment of the path: no feature of the motion is smaller.
 const PARTS_OF_SEGMENT: usize = 2;
@@ -37,7 +37,7 @@ pub struct Curves<'a> {
 #[derive(Clone, Debug)]
 pub struct Curve {
     /// The quantities, all of one kind.
-    pub asked: Vec<Asked>,
+    pub asked: Vec<QuantityRequest>,
     /// Points (value of the drive, value of the quantity or size of the vector), in pieces without a gap, so dense that
     /// straight lines between them look like the curve. Angles run on without jumps of whole turns.
     pub pieces: Vec<Vec<[f64; 2]>>,
@@ -57,7 +57,7 @@ pub struct Curve {
 impl Curve {
     /// The kind of its quantities.
     #[must_use]
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> QuantityKind {
         self.asked[0].kind()
     }
 }
@@ -113,9 +113,9 @@ impl<'a> Curves<'a> {
     }
 
     /// The quantity of that name, if it can have a curve.
-    fn checked(&self, name: &str) -> Result<Asked, CycleError> {
+    fn checked(&self, name: &str) -> Result<QuantityRequest, CycleError> {
         let path = self.path;
-        let asked = Asked::new(name, &path.mechanism)?;
+        let asked = QuantityRequest::new(name, &path.mechanism)?;
         if asked.is_on_paper() {
             return Err(QuantityError::OnPaper(name.to_owned()).into());
         }

@@ -2,7 +2,7 @@ use super::curve::Shown;
 use super::tip::{MARKS, Tip};
 use super::{Curve, Curves, CycleError, Event, Path};
 use crate::geometry::Vector;
-use crate::quantity::Asked;
+use crate::quantity::QuantityRequest;
 
 /// Hodographs: the curves of the tips of vectors over a range of a path, all vectors laid off from one pole.
 #[derive(Clone, Debug)]
@@ -21,7 +21,7 @@ pub struct Hodographs<'a> {
 #[derive(Clone, Debug)]
 pub struct Hodograph {
     /// The vector.
-    pub asked: Asked,
+    pub asked: QuantityRequest,
     /// Values of the drive and tips, measured from the pole, in pieces without a gap, so dense that straight lines
     /// between them look like the curve. The curve of a whole turn is closed.
     pub pieces: Vec<Vec<(f64, Vector)>>,
@@ -48,7 +48,7 @@ impl<'a> Hodographs<'a> {
             if names[..index].contains(name) {
                 continue;
             }
-            let asked = Asked::new(name, &path.mechanism)?;
+            let asked = QuantityRequest::new(name, &path.mechanism)?;
             if !asked.is_vector() {
                 return Err(CycleError::NoVector(name.clone()));
             }
@@ -68,7 +68,7 @@ impl<'a> Hodographs<'a> {
         Ok(all)
     }
 
-    fn hodograph(&self, asked: Asked, [x, y]: [&Curve; 2], mut tip: Tip) -> Hodograph {
+    fn hodograph(&self, asked: QuantityRequest, [x, y]: [&Curve; 2], mut tip: Tip) -> Hodograph {
         let mut tip = |at: f64| tip.at(at);
         // Tips at the samples of both components, where the pieces of both overlap.
         let mut pieces = Vec::new();

@@ -1,6 +1,6 @@
 use super::columns::{Column, Columns};
 use super::{Path, Walker};
-use crate::quantity::{Asked, Kind, Quantity};
+use crate::quantity::{Quantity, QuantityKind, QuantityRequest};
 
 /// Distance from a change point, in parts of a turn, below which rates are interpolated from both sides: accelerations
 /// lose three digits with each power of ten of the distance.
@@ -46,9 +46,9 @@ pub(super) enum End {
 
 impl<'a> Reading<'a> {
     /// The reading of a quantity.
-    pub fn new(path: &'a Path<'a>, asked: Asked) -> Self {
+    pub fn new(path: &'a Path<'a>, asked: QuantityRequest) -> Self {
         let mut reading = Reading {
-            turns: asked.kind() == Kind::Angle,
+            turns: asked.kind() == QuantityKind::Angle,
             columns: Columns::of(path, vec![Column { asked }]),
             walker: path.walker(),
             path,

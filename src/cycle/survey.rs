@@ -3,7 +3,7 @@ use super::extreme::peak;
 use super::reading::{End, Reading};
 use super::samples::{Sample, hull};
 use crate::kernel::InputKind;
-use crate::quantity::{Asked, Kind};
+use crate::quantity::{QuantityKind, QuantityRequest};
 
 /// Equal parts of the range at which a curve is sampled first.
 pub(super) const PARTS: usize = 128;
@@ -23,7 +23,7 @@ const SHOWN: f64 = 4.0;
 /// Results of a first coarse sampling of a curve: whether it is constant, where it is unbounded, and which values to
 /// show.
 pub(super) struct CurveSurvey<'a> {
-    pub asked: Vec<Asked>,
+    pub asked: Vec<QuantityRequest>,
     pub reading: Reading<'a>,
     pub samples: Vec<Sample>,
     /// Lowest and highest value to be shown.
@@ -38,7 +38,13 @@ pub(super) struct CurveSurvey<'a> {
 
 impl<'a> CurveSurvey<'a> {
     /// The survey of a quantity, from its samples over a range of the drive's value.
-    pub fn new(path: &Path, range: [f64; 2], asked: Asked, reading: Reading<'a>, samples: Vec<Sample>) -> Self {
+    pub fn new(
+        path: &Path,
+        range: [f64; 2],
+        asked: QuantityRequest,
+        reading: Reading<'a>,
+        samples: Vec<Sample>,
+    ) -> Self {
         let zero = FLAT * typical_size(path, asked.kind());
         let mut survey = CurveSurvey {
             asked: vec![asked],
@@ -67,7 +73,7 @@ impl<'a> CurveSurvey<'a> {
         survey
     }
 
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> QuantityKind {
         self.asked[0].kind()
     }
 
@@ -91,7 +97,7 @@ impl<'a> CurveSurvey<'a> {
         for (side, sign) in [(0, -1.0), (1, 1.0)] {
             let peaks: Vec<[f64; 2]> = (0..samples.len()).filter_map(|i| peak(reading, samples, i, sign)).collect();
             // An angle is always bounded.
-            let unbounded = |p: &[f64; 2]| kind != Kind::Angle && (p[1] - centre) * sign > UNBOUNDED * typical;
+            let unbounded = |p: &[f64; 2]| kind != QuantityKind::Angle && (p[1] - centre) * sign > UNBOUNDED * typical;
             self.grows[side] |= peaks.iter().any(unbounded);
             let grows = self.grows[side];
             let inner = |p: &&[f64; 2]| !grows || !unbounded(p) && p[0] > low && p[0] < high;
@@ -106,7 +112,7 @@ impl<'a> CurveSurvey<'a> {
 }
 
 /// The order of magnitude of a quantity of that kind in a mechanism of this size with these drives.
-fn typical_size(path: &Path, kind: Kind) -> f64 {
+fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
     let size = path.size();
     let inputs = path.kernel.inputs.iter().map(|input| match input.kind {
         InputKind::Turning { .. } => [input.rate.abs(), input.second.abs()],
@@ -115,12 +121,12 @@ fn typical_size(path: &Path, kind: Kind) -> f64 {
     let [first, second] = inputs.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
     let second = second.max(first * first);
     match kind {
-        Kind::Angle => 360.0,
-        Kind::AngularVelocity => first,
-        Kind::AngularAcceleration => second,
-        Kind::Position | Kind::Length => size,
-        Kind::Velocity => first * size,
-        Kind::Acceleration => second * size,
+        QuantityKind::Angle => 360.0,
+        QuantityKind::AngularVelocity => first,
+        QuantityKind::AngularAcceleration => second,
+        QuantityKind::Position | QuantityKind::Length => size,
+        QuantityKind::Velocity => first * size,
+        QuantityKind::Acceleration => second * size,
     }
 }
 

@@ -2,7 +2,7 @@ use super::curve::Shown;
 use super::reading::Reading;
 use super::{CycleError, Path};
 use crate::geometry::Vector;
-use crate::quantity::Asked;
+use crate::quantity::QuantityRequest;
 
 /// Step between the angles of the drive at which a way is marked, in degrees.
 pub(super) const MARKS: f64 = 30.0;
@@ -19,7 +19,8 @@ pub(super) struct Tip<'a> {
 impl<'a> Tip<'a> {
     /// The point whose coordinates are the quantities of these names.
     pub fn new(path: &'a Path<'a>, [x, y]: [&str; 2]) -> Result<Self, CycleError> {
-        let reading = |name| -> Result<_, CycleError> { Ok(Reading::new(path, Asked::new(name, &path.mechanism)?)) };
+        let reading =
+            |name| -> Result<_, CycleError> { Ok(Reading::new(path, QuantityRequest::new(name, &path.mechanism)?)) };
         Ok(Tip { parts: [reading(x)?, reading(y)?] })
     }
 

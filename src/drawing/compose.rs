@@ -14,7 +14,7 @@ use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::table::Table;
 use super::text::{PlacedText, RichText};
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::Scene;
 use crate::sheet::Scales;
 use crate::text::Untrusted;
@@ -92,7 +92,7 @@ impl<'a> Composition<'a> {
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
-        let mu = |kind: Kind| scales[sheet_of(kind)];
+        let mu = |kind: QuantityKind| scales[sheet_of(kind)];
         let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
@@ -108,7 +108,7 @@ impl<'a> Composition<'a> {
         {
             return layout;
         }
-        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.kind == Kind::Length)];
+        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.kind == QuantityKind::Length)];
         let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: white(needs), ..*needs }).collect();
         Some(self.layout_with(&closer, below)).filter(Layout::shows_all).unwrap_or(layout)
     }

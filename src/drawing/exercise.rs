@@ -15,7 +15,7 @@ use super::sheet_notes::Fields;
 use super::text::RichText;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
-use crate::quantity::Asked;
+use crate::quantity::QuantityRequest;
 use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::Rect;
@@ -27,7 +27,7 @@ const SMALLEST_TABLE: f64 = 0.8;
 /// markup; beside it a ruler and a table with a row for each of `asked`, with boxes for its millimetres and its value.
 /// `None` where the scheme does not fit at the scale that the scene gives.
 #[must_use]
-pub fn exercise_sheet(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<Drawing> {
+pub fn exercise_sheet(solution: &Solution, asked: &[QuantityRequest], sentences: &[String]) -> Option<Drawing> {
     let context = SheetContext::new(solution, Purpose::Exercise);
     let sheet = student_sheet(&context, sentences, &StudentTable::on_sheet(asked));
     let layout = sheet.layout();
@@ -45,7 +45,7 @@ pub fn drawing_sheets(
     solution: &Solution,
     scales: &Scales,
     name: &str,
-    asked: &[Asked],
+    asked: &[QuantityRequest],
     sentences: &[String],
 ) -> Vec<Drawing> {
     let plans = plan_sheets(solution, scales, name, 2);
@@ -96,7 +96,7 @@ fn is_whole(context: &SheetContext<'_>, layout: &Layout) -> bool {
 /// The scale of the scheme on the sheet of an exercise, with the arguments of [`exercise_sheet`]: the scene's scale or,
 /// without one, the smallest that fits.
 #[must_use]
-pub fn exercise_scale(solution: &Solution, asked: &[Asked], sentences: &[String]) -> Option<f64> {
+pub fn exercise_scale(solution: &Solution, asked: &[QuantityRequest], sentences: &[String]) -> Option<f64> {
     let context = SheetContext::new(solution, Purpose::Exercise);
     let layout = student_sheet(&context, sentences, &StudentTable::on_sheet(asked)).layout();
     layout.panels.first().map(|placed| placed.mu)
@@ -135,7 +135,7 @@ fn with_values(solution: &Solution) -> Solution {
 fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>], sentences: &[String]) -> Composition<'a> {
     let panels = panels(context, &extents(context), |panel| vec![content(context, panel)]);
     let table: Box<dyn Item> = Box::new(KeyTable::new(context, &panels, rows));
-    let asked: Vec<Asked> = rows.iter().map(|row| row.asked.clone()).collect();
+    let asked: Vec<QuantityRequest> = rows.iter().map(|row| row.asked.clone()).collect();
     let notes = context.notes(&asked);
     let sentences = Lines::of(sentences.iter().chain(&notes), context.surface.dims.width_below());
     Composition::new(context, panels, Some(table), vec![Box::new(sentences)])
@@ -143,7 +143,7 @@ fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>], sentences: &[Stri
 
 /// The table of a student's sheet.
 struct StudentTable<'a> {
-    asked: &'a [Asked],
+    asked: &'a [QuantityRequest],
     place: TablePlace,
     /// Whether sheets for the plans follow.
     plans_follow: bool,
@@ -151,7 +151,7 @@ struct StudentTable<'a> {
 
 impl<'a> StudentTable<'a> {
     /// The table on a sheet that stands alone.
-    fn on_sheet(asked: &'a [Asked]) -> StudentTable<'a> {
+    fn on_sheet(asked: &'a [QuantityRequest]) -> StudentTable<'a> {
         StudentTable { asked, place: TablePlace::Anywhere, plans_follow: false }
     }
 }

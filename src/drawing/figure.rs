@@ -11,7 +11,7 @@ use super::values::value_list;
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::shown_text;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 
 /// What a sheet has besides the panels.
 #[derive(Clone, Copy, Debug, Default)]
@@ -69,8 +69,8 @@ pub(super) fn described<'a>(context: &SheetContext<'_>, mut sheet: Composition<'
 fn description(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> String {
     let language = context.words.language;
     let described = |panel: &Panel<'_>| match panel.needs.kind {
-        Kind::Velocity => language.described_velocity_plan(),
-        Kind::Acceleration => language.described_acceleration_plan(),
+        QuantityKind::Velocity => language.described_velocity_plan(),
+        QuantityKind::Acceleration => language.described_acceleration_plan(),
         _ => language.described_scheme(),
     };
     let panels: Vec<&str> = panels.iter().map(described).collect();

@@ -9,7 +9,7 @@ use super::sheet::Drawing;
 use super::table::{Cells, Table};
 use super::text::RichText;
 use super::worksheet::{RULER_ROOM, RULER_ROWS, draw_ruler_at_foot, least};
-use crate::quantity::Asked;
+use crate::quantity::QuantityRequest;
 use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::Rect;
 
@@ -17,7 +17,7 @@ use kurbo::Rect;
 #[derive(Clone, Copy, Debug)]
 pub struct KeyRow<'a> {
     /// The quantity.
-    pub asked: &'a Asked,
+    pub asked: &'a QuantityRequest,
     /// Its value in the scene's units.
     pub value: f64,
     /// By how much the value of a careful hand may differ; none for what is given.

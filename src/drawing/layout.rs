@@ -2,7 +2,7 @@ use super::dims::Dims;
 use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
 use crate::geometry;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Affine, Rect};
 
@@ -26,7 +26,7 @@ const LEAST: f64 = 20.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Needs {
     /// The kind of quantity that is shown to scale.
-    pub kind: Kind,
+    pub kind: QuantityKind,
     /// Extent of the content, in units of that quantity.
     pub extent: Extent,
     /// Width of its heading, in mm.
@@ -43,20 +43,20 @@ pub(super) struct Needs {
 
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
-    pub(super) fn usual(kind: Kind, extent: Extent, heading: f64) -> Needs {
+    pub(super) fn usual(kind: QuantityKind, extent: Extent, heading: f64) -> Needs {
         Needs { kind, extent, heading, above: 0.0, mu: None, white: WHITE, weight: 1.0 }
     }
 }
 
 /// The sheet on which a kind of quantity is drawn to scale.
-pub(super) fn sheet_of(kind: Kind) -> Sheet {
-    Sheet::ALL.into_iter().find(|sheet| Kind::drawn_on(*sheet) == kind).unwrap_or(Sheet::Scheme)
+pub(super) fn sheet_of(kind: QuantityKind) -> Sheet {
+    Sheet::ALL.into_iter().find(|sheet| QuantityKind::drawn_on(*sheet) == kind).unwrap_or(Sheet::Scheme)
 }
 
 /// A panel's place and scale.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
-    pub kind: Kind,
+    pub kind: QuantityKind,
     pub frame: Rect,
     /// The area of its content.
     pub area: Rect,
@@ -135,13 +135,13 @@ impl Layout {
     }
 
     /// The scale of the panel for this kind of quantity, in units per mm.
-    pub(super) fn mu_of(&self, kind: Kind) -> Option<f64> {
+    pub(super) fn mu_of(&self, kind: QuantityKind) -> Option<f64> {
         self.panels.iter().find(|placed| placed.kind == kind).map(|placed| placed.mu)
     }
 
     /// The scales of the panels, in units per mm.
     pub(super) fn mu(&self) -> Scales {
-        PerSheet::from_fn(|sheet| self.mu_of(Kind::drawn_on(sheet)))
+        PerSheet::from_fn(|sheet| self.mu_of(QuantityKind::drawn_on(sheet)))
     }
 }
 

@@ -8,7 +8,7 @@ use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, RichText};
 use crate::cycle::Times;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::Units;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle, Wording};
@@ -39,10 +39,10 @@ pub(super) fn height(panels: usize, columns: usize) -> f64 {
 }
 
 /// The symbol of the scale for a kind of quantity.
-pub(super) fn symbol(kind: Kind) -> &'static str {
+pub(super) fn symbol(kind: QuantityKind) -> &'static str {
     match kind {
-        Kind::Velocity => "μ_v",
-        Kind::Acceleration => "μ_a",
+        QuantityKind::Velocity => "μ_v",
+        QuantityKind::Acceleration => "μ_a",
         _ => "μ_l",
     }
 }
@@ -58,7 +58,7 @@ pub(super) struct Entry {
 
 impl Entry {
     /// The scale of quantities of that kind: `mu` units a millimetre.
-    pub(super) fn new(kind: Kind, mu: f64, words: &Wording, units: Units, dims: &Dims) -> Self {
+    pub(super) fn new(kind: QuantityKind, mu: f64, words: &Wording, units: Units, dims: &Dims) -> Self {
         let unit = kind.unit(units);
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
         let value = words.write(mu, SCALE);

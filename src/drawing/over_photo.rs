@@ -10,7 +10,7 @@ use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::StyleName;
 use crate::sheet::Sheet;
 use kurbo::{Affine, Point, Rect, Vec2};
@@ -65,7 +65,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
             panel.layers.remove(0);
             let area = Affine::scale(1.0 / unit).transform_rect_bbox(area(&extent, placed.origin, placed.mu));
             let place = Placed {
-                kind: Kind::drawn_on(placed.panel),
+                kind: QuantityKind::drawn_on(placed.panel),
                 frame: area.inflate(AROUND, AROUND),
                 area,
                 mu: placed.mu,

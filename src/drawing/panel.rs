@@ -11,7 +11,7 @@ use super::sheet::{Drawing, Mark, Pen};
 use super::text::CAPTION;
 use super::view::{Extent, View};
 use crate::geometry;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::{Rect, Vec2};
@@ -116,7 +116,7 @@ impl Placed {
         if let Some(content) = content.filter(|content| self.holds(content)) {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
-        if matches!(self.kind, Kind::Velocity | Kind::Acceleration) {
+        if matches!(self.kind, QuantityKind::Velocity | QuantityKind::Acceleration) {
             view = view.holding(geometry::Point::origin(), self.room_of_pole());
         }
         view

@@ -15,7 +15,7 @@ use super::view::{Extent, View};
 use super::worksheet::Ruler;
 use crate::construction::Solution;
 use crate::geometry;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::Point;
@@ -89,7 +89,7 @@ fn panel<'a>(context: &'a SheetContext<'a>, plan: Sheet) -> Option<Panel<'a>> {
     let name = context.words.language.sheet(plan);
     let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading);
     let needs = Needs {
-        kind: Kind::drawn_on(plan),
+        kind: QuantityKind::drawn_on(plan),
         extent: extent(drawn, ConstructionShown::Whole),
         heading: frame.width(),
         above: 0.0,

@@ -9,7 +9,7 @@ use super::plan::sight::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
 use crate::construction::{Plan, Solution};
-use crate::quantity::{Asked, What};
+use crate::quantity::{QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
@@ -33,13 +33,13 @@ impl<'a> SheetLabels<'a> {
 
     /// A quantity: a segment or length by its ends, a rate by its symbol.
     #[must_use]
-    pub fn quantity(&self, asked: &Asked) -> RichText {
+    pub fn quantity(&self, asked: &QuantityRequest) -> RichText {
         RichText::math(&self.0.quantity(asked))
     }
 
     /// Which sense is positive, and what the auxiliary points are that the quantities name.
     #[must_use]
-    pub fn notes(&self, asked: &[Asked]) -> Vec<RichText> {
+    pub fn notes(&self, asked: &[QuantityRequest]) -> Vec<RichText> {
         self.0.notes(asked).iter().map(|note| RichText::plain(note)).collect()
     }
 
@@ -52,7 +52,7 @@ impl<'a> SheetLabels<'a> {
 
 impl SheetContext<'_> {
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
-    pub(super) fn quantity(&self, asked: &Asked) -> String {
+    pub(super) fn quantity(&self, asked: &QuantityRequest) -> String {
         let plan = match asked.what() {
             What::Segment { kind, .. } => self.construction().plans().find(|plan| plan.kind == *kind),
             _ => None,
@@ -66,12 +66,12 @@ impl SheetContext<'_> {
     }
 
     /// The notes for a sheet with these quantities: senses, and auxiliary points.
-    pub(super) fn notes(&self, asked: &[Asked]) -> Vec<String> {
+    pub(super) fn notes(&self, asked: &[QuantityRequest]) -> Vec<String> {
         std::iter::once(self.note_on_senses(asked)).chain(self.note_on_points(asked)).collect()
     }
 
     /// Which sense is positive, of links and of slides.
-    fn note_on_senses(&self, asked: &[Asked]) -> String {
+    fn note_on_senses(&self, asked: &[QuantityRequest]) -> String {
         let language = self.words.language;
         let slides = asked.iter().filter(|a| matches!(a.what(), What::SlideVelocity(_) | What::SlideAcceleration(_)));
         let slides: Vec<String> = slides.map(|asked| self.quantity(asked)).collect();
@@ -82,7 +82,7 @@ impl SheetContext<'_> {
     }
 
     /// What the auxiliary points are that the quantities name; none where there are no such points.
-    fn note_on_points(&self, asked: &[Asked]) -> Option<String> {
+    fn note_on_points(&self, asked: &[QuantityRequest]) -> Option<String> {
         let language = self.words.language;
         let is_named = |plan: &Plan, name: &str| {
             asked.iter().any(|asked| match asked.what() {

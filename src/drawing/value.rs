@@ -3,7 +3,7 @@
 use super::text::RichText;
 use crate::construction::{ArrowKind, PlanVector};
 use crate::mechanism::{BodyId, PointId};
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::sheet::Sheet;
 
 /// A value to be shown.
@@ -16,7 +16,7 @@ pub(super) struct Value {
     /// Its symbol in markup; several with signs of equality where they have the same value.
     pub symbol: String,
     pub number: f64,
-    pub kind: Kind,
+    pub kind: QuantityKind,
     /// The number as written.
     pub written: String,
     /// Its unit.

@@ -15,7 +15,7 @@ use super::value::{Value, ValueOf};
 use crate::construction::{NOTHING, PlanVector, Solution, plain_text, rate_symbol};
 use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{Shape as Given, Units, ValuesShown};
 use crate::sheet::Sheet;
 use crate::words::{Medium, NumberStyle};
@@ -83,11 +83,13 @@ struct List<'a> {
 }
 
 impl List<'_> {
-    fn value(&self, panel: Sheet, symbol: String, number: f64, kind: Kind, since: u16, of: ValueOf) -> Value {
+    fn value(&self, panel: Sheet, symbol: String, number: f64, kind: QuantityKind, since: u16, of: ValueOf) -> Value {
         let words = &self.context.words;
         let (written, unit) = match kind {
-            Kind::Length => (words.write(number, GIVEN), kind.unit(self.context.scene().units)),
-            Kind::Velocity | Kind::Acceleration => (words.write(number * self.factor, VALUE), kind.unit(self.units)),
+            QuantityKind::Length => (words.write(number, GIVEN), kind.unit(self.context.scene().units)),
+            QuantityKind::Velocity | QuantityKind::Acceleration => {
+                (words.write(number * self.factor, VALUE), kind.unit(self.units))
+            }
             _ => (words.write(number, VALUE), kind.unit(self.units)),
         };
         let name = format!("value-{}", symbol.replace(['{', '}'], ""));
@@ -112,7 +114,7 @@ impl List<'_> {
                 if let (Some(a), Some(b)) = (mechanism.point(&length.from), mechanism.point(&length.to)) {
                     let symbol = length.key.replace('-', " ");
                     let of = ValueOf::Length([a, b]);
-                    values.push(self.value(Sheet::Scheme, symbol, length.value, Kind::Length, 0, of));
+                    values.push(self.value(Sheet::Scheme, symbol, length.value, QuantityKind::Length, 0, of));
                 }
             }
         }
@@ -122,10 +124,10 @@ impl List<'_> {
     /// Angular velocities or accelerations of the links; links that turn together share a value.
     fn rates(&self, plan: Sheet) -> Vec<Value> {
         let Solution { mechanism, motion, .. } = self.context.solution;
-        type Rate = (&'static str, Kind, fn(&BodyMotion) -> f64);
+        type Rate = (&'static str, QuantityKind, fn(&BodyMotion) -> f64);
         let (name, kind, rate): Rate = match plan {
-            Sheet::Acceleration => ("alpha", Kind::AngularAcceleration, |motion| motion.alpha),
-            _ => ("omega", Kind::AngularVelocity, |motion| motion.omega),
+            Sheet::Acceleration => ("alpha", QuantityKind::AngularAcceleration, |motion| motion.alpha),
+            _ => ("omega", QuantityKind::AngularVelocity, |motion| motion.omega),
         };
         let all = || mechanism.links().map(|(link, body)| (link, body, rate(motion.body(link))));
         let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
@@ -149,7 +151,7 @@ impl List<'_> {
         let Some(plan) = self.context.plan(panel) else {
             return Vec::new();
         };
-        let kind = Kind::drawn_on(plan.kind);
+        let kind = QuantityKind::drawn_on(plan.kind);
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
         let stages = self.context.facts.steps.plan(plan.kind);
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);
@@ -233,8 +235,9 @@ pub(super) fn is_at_drive(context: &SheetContext<'_>, value: &Value, link: BodyI
 /// The value of a driven link's angular velocity, for the label at its arrow.
 pub(super) fn drive_value<'a>(context: &'a SheetContext<'_>, link: BodyId) -> Option<&'a Value> {
     let is_driven = matches!(context.mechanism().body(link).role, Role::Driver { .. });
-    let is_its =
-        |value: &&Value| value.kind == Kind::AngularVelocity && matches!(value.of, ValueOf::Rate(own) if own == link);
+    let is_its = |value: &&Value| {
+        value.kind == QuantityKind::AngularVelocity && matches!(value.of, ValueOf::Rate(own) if own == link)
+    };
     context.values.iter().find(is_its).filter(|_| is_driven)
 }
 

@@ -13,7 +13,7 @@ use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Table};
 use super::text::{CAPTION, RichText};
 use crate::construction::{Action, Plan};
-use crate::quantity::{Asked, Kind, What};
+use crate::quantity::{QuantityKind, QuantityRequest, What};
 use crate::sheet::Sheet;
 use crate::words::Wording;
 use kurbo::{Point, Rect, Vec2};
@@ -29,7 +29,7 @@ pub(super) const RULER_ROWS: usize = 3;
 pub(super) struct Worksheet {
     pub table: Table<CELLS>,
     /// By row: the measured length, in units of its kind; empty on a sheet to be filled in.
-    pub lengths: Vec<Option<(f64, Kind)>>,
+    pub lengths: Vec<Option<(f64, QuantityKind)>>,
     pub words: Wording,
     pub dims: Dims,
     pub place: TablePlace,
@@ -61,7 +61,7 @@ impl Worksheet {
         let mut lengths = Vec::new();
         let mut rows = Vec::new();
         for (step, plan, [from, to], value) in measured(context) {
-            let kind = Kind::drawn_on(plan.map_or(Sheet::Scheme, |plan| plan.kind));
+            let kind = QuantityKind::drawn_on(plan.map_or(Sheet::Scheme, |plan| plan.kind));
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };
@@ -83,7 +83,8 @@ impl Worksheet {
             });
         }
         for value in context.values.iter() {
-            let is_drawn = matches!(value.kind, Kind::Length | Kind::Velocity | Kind::Acceleration);
+            let is_drawn =
+                matches!(value.kind, QuantityKind::Length | QuantityKind::Velocity | QuantityKind::Acceleration);
             let panel = panels.iter().find(|panel| panel.needs.kind == value.kind).filter(|_| is_drawn);
             let least = panel.map(|panel| least(panel, page));
             lengths.push(least.map(|_| (value.number, value.kind)));
@@ -103,7 +104,7 @@ impl Worksheet {
     }
 
     /// A table with boxes for the quantities to be found.
-    pub(super) fn blank(context: &SheetContext<'_>, asked: &[Asked]) -> Self {
+    pub(super) fn blank(context: &SheetContext<'_>, asked: &[QuantityRequest]) -> Self {
         let language = context.words.language;
         let rows = asked.iter().zip(1..).map(|(asked, number)| blank_row(context, asked, number)).collect();
         let mut table = table(language.exercise_quantity(), language.value(), rows);
@@ -135,7 +136,7 @@ impl Worksheet {
 }
 
 /// The row of a quantity to be found. Only lengths on paper have a scale.
-fn blank_row(context: &SheetContext<'_>, asked: &Asked, number: usize) -> Cells<CELLS> {
+fn blank_row(context: &SheetContext<'_>, asked: &QuantityRequest, number: usize) -> Cells<CELLS> {
     let name = context.quantity(asked);
     let is_length = matches!(asked.what(), What::Segment { .. } | What::Length(..));
     let scale = if is_length { symbol(asked.kind()) } else { "" };

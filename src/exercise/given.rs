@@ -1,6 +1,6 @@
 //! The given numbers of an exercise in sentences, which a student gets beside the scheme.
 
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
 use crate::sheet::{Scales, Sheet};
 use crate::words::{Medium, NumberStyle, Wording};
@@ -16,7 +16,7 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     let scale = |(plan, mu): (Sheet, f64)| {
-        let unit = Kind::drawn_on(plan).unit(scene.units);
+        let unit = QuantityKind::drawn_on(plan).unit(scene.units);
         format!("{} = {} ({unit})/mm", plan.scale_symbol(), teller.number(mu))
     };
     let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.is_plan()).map(scale).collect();
@@ -40,15 +40,15 @@ impl Teller<'_> {
         self.words.write(x, NumberStyle::significant(6).trimmed().on(Medium::Figure))
     }
 
-    fn unit(&self, kind: Kind) -> String {
+    fn unit(&self, kind: QuantityKind) -> String {
         kind.unit(self.scene.units)
     }
 
     /// A symbol with its value and unit; zero is written without a unit.
-    fn value(&self, symbol: &str, x: f64, kind: Kind) -> String {
+    fn value(&self, symbol: &str, x: f64, kind: QuantityKind) -> String {
         let value = self.number(x);
         match (x == 0.0, kind) {
-            (_, Kind::Angle) => format!("{symbol} = {value}°"),
+            (_, QuantityKind::Angle) => format!("{symbol} = {value}°"),
             (true, _) => format!("{symbol} = {value}"),
             _ => format!("{symbol} = {value} {}", self.unit(kind)),
         }
@@ -63,13 +63,14 @@ impl Teller<'_> {
         if self.scene.given_by == GivenBy::Drawing {
             return Vec::new();
         }
-        let unit = self.unit(Kind::Length);
+        let unit = self.unit(QuantityKind::Length);
         let fixed = self.scene.coordinates.iter().map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
         let lengths = self.scene.links.values().flat_map(|link| match &link.shape {
             Shape::Lengths(lengths) => lengths.as_slice(),
             _ => &[],
         });
-        let lengths = lengths.map(|length| self.value(&length.key.replace('-', " "), length.value, Kind::Length));
+        let lengths =
+            lengths.map(|length| self.value(&length.key.replace('-', " "), length.value, QuantityKind::Length));
         fixed.chain(lengths).collect()
     }
 
@@ -79,7 +80,7 @@ impl Teller<'_> {
             return Vec::new();
         }
         let language = self.words.language;
-        let unit = self.unit(Kind::Length);
+        let unit = self.unit(QuantityKind::Length);
         let told = self.scene.sliders.iter().filter_map(|slider| {
             let name = slider.link.as_ref().or(slider.pin.as_ref())?;
             let degrees = match (&slider.along, &slider.on) {
@@ -103,7 +104,7 @@ impl Teller<'_> {
         let mut told = Vec::new();
         for (name, link) in &self.scene.links {
             let angle = link.angle_deg.or(link.drive.and_then(|d| d.angle_deg));
-            told.extend(angle.map(|x| self.value(&format!("φ_{{{name}}}"), x, Kind::Angle)));
+            told.extend(angle.map(|x| self.value(&format!("φ_{{{name}}}"), x, QuantityKind::Angle)));
             if let Some(drive) = &link.drive {
                 let [omega, alpha] = self.turning(name, drive.omega, drive.alpha);
                 let rpm = file["links"][name]["drive"]["rpm"].as_f64();
@@ -121,18 +122,18 @@ impl Teller<'_> {
             };
             let (r, name) = (self.words.notation.relative, format!("({link}/{on})"));
             let position = drive.position;
-            told.extend(position.map(|x| self.value(&format!("s{name}"), x, Kind::Length)));
+            told.extend(position.map(|x| self.value(&format!("s{name}"), x, QuantityKind::Length)));
             let [v, a] = ["v", "a"].map(|letter| format!("{letter}_{{{r}}}{name}"));
-            told.push(self.value(&v, drive.speed, Kind::Velocity));
-            told.push(self.value(&a, drive.acceleration, Kind::Acceleration));
+            told.push(self.value(&v, drive.speed, QuantityKind::Velocity));
+            told.push(self.value(&a, drive.acceleration, QuantityKind::Acceleration));
         }
         told
     }
 
     fn turning(&self, link: &str, omega: f64, alpha: f64) -> [String; 2] {
         [
-            self.value(&format!("ω_{{{link}}}"), omega, Kind::AngularVelocity),
-            self.value(&format!("α_{{{link}}}"), alpha, Kind::AngularAcceleration),
+            self.value(&format!("ω_{{{link}}}"), omega, QuantityKind::AngularVelocity),
+            self.value(&format!("α_{{{link}}}"), alpha, QuantityKind::AngularAcceleration),
         ]
     }
 
@@ -159,7 +160,7 @@ impl Teller<'_> {
     }
 
     fn both(&self, at: &str, vectors: [[f64; 2]; 2], written: &Value) -> Vec<String> {
-        let kinds = [("v", "velocity", Kind::Velocity), ("a", "acceleration", Kind::Acceleration)];
+        let kinds = [("v", "velocity", QuantityKind::Velocity), ("a", "acceleration", QuantityKind::Acceleration)];
         let told = kinds.into_iter().zip(vectors).map(|((letter, key, kind), vector)| {
             let symbol = format!("{letter}_{{{at}}}");
             let polar = ["size", "angle"].map(|part| written[key][part].as_f64());

@@ -9,7 +9,7 @@ use crate::drawing::{
 };
 use crate::mechanism::mechanism;
 use crate::position::{pose, with_nearest_sides};
-use crate::quantity::{Asked, Pencil, Quantity, What, pencil};
+use crate::quantity::{Pencil, Quantity, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 use crate::sheet::{Scales, Sheet};
 
@@ -98,9 +98,9 @@ impl Exercise {
             return Err(Refusal::Singular);
         }
         crosses_well(&solution.construction)?;
-        let quantities: Vec<Asked> = form_names(&solution.construction)
+        let quantities: Vec<QuantityRequest> = form_names(&solution.construction)
             .iter()
-            .map(|name| Asked::new(name, &solution.mechanism))
+            .map(|name| QuantityRequest::new(name, &solution.mechanism))
             .collect::<Result<_, _>>()
             .map_err(|_| Refusal::NoConstruction)?;
         // Scheme and plans are as large as fits on the key's sheet; the scheme is smaller where the student's sheet
@@ -145,7 +145,7 @@ impl Exercise {
             return vec![self.sheet.clone()];
         }
         let students = for_students(&self.solution, self.page);
-        let asked: Vec<Asked> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
+        let asked: Vec<QuantityRequest> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         let given = sentences(&students.scene, &self.text, &self.scales, &students.wording());
         // A variant whose scheme has no room between the markers stays an exercise: its first sheet is without them, and
         // the numbers of a seed do not hang on what sheets look like.
@@ -166,14 +166,14 @@ impl Exercise {
     }
 
     /// The quantities of the form with their exact values.
-    pub(super) fn values(&self) -> Vec<(Asked, f64)> {
-        let asked: Vec<Asked> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
+    pub(super) fn values(&self) -> Vec<(QuantityRequest, f64)> {
+        let asked: Vec<QuantityRequest> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         values(&asked, &self.solution)
     }
 }
 
 /// The scales of the key: those that the scene gives, else the finest at which scheme and plans fit beside the table.
-fn key_scales_of(solution: &Solution, quantities: &[Asked]) -> Option<Scales> {
+fn key_scales_of(solution: &Solution, quantities: &[QuantityRequest]) -> Option<Scales> {
     let pencil = pencil(solution, &solution.scales(), Tolerance::default(), quantities.to_vec());
     let exact = values(quantities, solution);
     key_scales(solution, &key_rows(&exact, &pencil), &key_sentences(solution))
@@ -193,9 +193,9 @@ pub(super) fn key_page(students: Page) -> Page {
 }
 
 /// Quantities with their exact values, of vectors their sizes; those without a value are left out.
-fn values(asked: &[Asked], solution: &Solution) -> Vec<(Asked, f64)> {
+fn values(asked: &[QuantityRequest], solution: &Solution) -> Vec<(QuantityRequest, f64)> {
     let construction = Some(&solution.construction);
-    let value = |asked: &Asked| match asked.value(&solution.snapshot(), construction, None).ok()? {
+    let value = |asked: &QuantityRequest| match asked.value(&solution.snapshot(), construction, None).ok()? {
         Quantity::Number(x) => Some(x),
         Quantity::Vector(v) => Some(v.norm()),
     };
@@ -203,8 +203,8 @@ fn values(asked: &[Asked], solution: &Solution) -> Vec<(Asked, f64)> {
 }
 
 /// Whether a hand finds all angular velocities and accelerations well.
-fn is_sure(pencil: &Pencil, values: &[(Asked, f64)]) -> Result<(), Refusal> {
-    let is_rate = |asked: &Asked| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
+fn is_sure(pencil: &Pencil, values: &[(QuantityRequest, f64)]) -> Result<(), Refusal> {
+    let is_rate = |asked: &QuantityRequest| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
     let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
     for (asked, value) in rates() {
         let alike = rates().filter(|(a, _)| a.kind() == asked.kind());

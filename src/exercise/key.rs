@@ -4,7 +4,7 @@ use super::judge::Exercise;
 use crate::check::{BANDS, EmptyForm};
 use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, key_sheet};
-use crate::quantity::{Asked, Pencil};
+use crate::quantity::{Pencil, QuantityRequest};
 use crate::scene::schema_of;
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
@@ -101,8 +101,8 @@ impl Exercise {
 }
 
 /// The rows of a key's table.
-pub(super) fn key_rows<'a>(values: &'a [(Asked, f64)], pencil: &Pencil) -> Vec<KeyRow<'a>> {
-    let row = |(asked, value): &'a (Asked, f64)| KeyRow {
+pub(super) fn key_rows<'a>(values: &'a [(QuantityRequest, f64)], pencil: &Pencil) -> Vec<KeyRow<'a>> {
+    let row = |(asked, value): &'a (QuantityRequest, f64)| KeyRow {
         asked,
         value: *value,
         allowed: pencil.band(asked.name()).map(|band| BANDS * band.band),

@@ -4,7 +4,7 @@ use super::given::sentences;
 use crate::check::form_names;
 use crate::construction::Solution;
 use crate::drawing::{Drawing, drawing_sheets};
-use crate::quantity::Asked;
+use crate::quantity::QuantityRequest;
 
 impl Solution {
     /// The sheets on which the plans that the figure shows are drawn by hand, at the scales of the figure: first the
@@ -33,7 +33,8 @@ impl Solution {
         // A sheet for the hand has letters for the hand, in a style for the hall too.
         figure.sizes.get_or_insert_default();
         let names = form_names(&own.construction);
-        let asked: Vec<Asked> = names.iter().filter_map(|name| Asked::new(name, &own.mechanism).ok()).collect();
+        let asked: Vec<QuantityRequest> =
+            names.iter().filter_map(|name| QuantityRequest::new(name, &own.mechanism).ok()).collect();
         let given = sentences(&own.scene, own.scene.text(), &scales, &own.wording());
         drawing_sheets(&own, &scales, name, &asked, &given)
     }

@@ -3,7 +3,7 @@ use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{DecimalMark, Units};
 use crate::words::NumberStyle;
 use core::f64::consts::SQRT_2;
@@ -30,19 +30,19 @@ impl Solution {
             if body.role != Role::Unsolved {
                 let (rates, [omega, alpha]) = (motion.body(link), bounds.angular_rates(link));
                 let name = |letter: &str| format!("{letter}({})", body.name);
-                table.line(name("omega"), rates.omega, omega, Kind::AngularVelocity);
-                table.line(name("alpha"), rates.alpha, alpha, Kind::AngularAcceleration);
+                table.line(name("omega"), rates.omega, omega, QuantityKind::AngularVelocity);
+                table.line(name("alpha"), rates.alpha, alpha, QuantityKind::AngularAcceleration);
             }
         }
         for slider in (0..mechanism.sliders.len()).map(SliderId) {
             let (slide, [velocity, acceleration]) = (motion.slide(slider), bounds.slide(slider));
             let name = mechanism.slider_name(slider);
             let letter = |letter: &str| format!("{letter}({name})");
-            table.line(letter("v_r"), slide.velocity, velocity, Kind::Velocity);
-            table.line(letter("a_r"), slide.acceleration, acceleration, Kind::Acceleration);
+            table.line(letter("v_r"), slide.velocity, velocity, QuantityKind::Velocity);
+            table.line(letter("a_r"), slide.acceleration, acceleration, QuantityKind::Acceleration);
             let coriolis = motion.coriolis(pose, slider, mechanism.slider(slider).on);
             let bound = bounds.coriolis(slider);
-            table.vector(&letter("a_c"), coriolis, bound, Kind::Acceleration);
+            table.vector(&letter("a_c"), coriolis, bound, QuantityKind::Acceleration);
         }
         let holders = mechanism.holders();
         for point in (0..mechanism.points.len()).map(PointId) {
@@ -95,8 +95,8 @@ struct Table<'a> {
 }
 
 impl Table<'_> {
-    fn line(&mut self, name: String, value: f64, bound: f64, kind: Kind) {
-        let is_acceleration = matches!(kind, Kind::Acceleration | Kind::AngularAcceleration);
+    fn line(&mut self, name: String, value: f64, bound: f64, kind: QuantityKind) {
+        let is_acceleration = matches!(kind, QuantityKind::Acceleration | QuantityKind::AngularAcceleration);
         if is_acceleration && !self.bounds.has_accelerations() {
             return;
         }
@@ -110,15 +110,15 @@ impl Table<'_> {
     }
 
     /// Size, direction and components of a vector, whose components are each off by at most `bound`.
-    fn vector(&mut self, name: &str, vector: Vector, bound: f64, kind: Kind) {
+    fn vector(&mut self, name: &str, vector: Vector, bound: f64, kind: QuantityKind) {
         let (size, off) = (vector.norm(), bound * SQRT_2);
         let rounded = |value: f64| if value == 0.0 { 0.0 } else { 4.0 * UNIT_ROUNDOFF * value };
         self.line(format!("{name}.size"), size, off + rounded(size), kind);
         // The tip lies in a circle about that of the computed vector: seen from its start, asin(off/size) to either side.
         // With this circle about the start there is no direction.
-        if off < size && (self.bounds.has_accelerations() || kind == Kind::Velocity) {
+        if off < size && (self.bounds.has_accelerations() || kind == QuantityKind::Velocity) {
             let turned = libm::asin(off / size).to_degrees() + rounded(180.0);
-            self.line(format!("{name}.angle"), degrees_of(vector), turned, Kind::Angle);
+            self.line(format!("{name}.angle"), degrees_of(vector), turned, QuantityKind::Angle);
         }
         self.line(format!("{name}.x"), vector.x, bound, kind);
         self.line(format!("{name}.y"), vector.y, bound, kind);
@@ -127,8 +127,8 @@ impl Table<'_> {
     fn point(&mut self, name: &str, body: BodyId, p: Point, [velocity, acceleration]: [f64; 2]) {
         let motion = self.motion.body(body);
         let (v, a) = (motion.velocity_at(p), motion.acceleration_at(p));
-        self.vector(&format!("v({name})"), v, velocity, Kind::Velocity);
-        self.vector(&format!("a({name})"), a, acceleration, Kind::Acceleration);
+        self.vector(&format!("v({name})"), v, velocity, QuantityKind::Velocity);
+        self.vector(&format!("a({name})"), a, acceleration, QuantityKind::Acceleration);
     }
 }
 

@@ -4,7 +4,7 @@ use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Place, Point, Vector, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
-use crate::quantity::{Asked, Quantity, measured_names};
+use crate::quantity::{Quantity, QuantityRequest, measured_names};
 use crate::scene::SceneError;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
@@ -278,7 +278,7 @@ impl Solution {
         let on_paper = names.iter().any(|name| name.ends_with("/mu"));
         let scales = on_paper.then(|| self.scales());
         for (index, name) in names.iter().enumerate() {
-            let value = Asked::new(name, &self.mechanism)
+            let value = QuantityRequest::new(name, &self.mechanism)
                 .and_then(|asked| asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref()));
             let value = value.map_err(|error| {
                 let path = ["want", &index.to_string()];

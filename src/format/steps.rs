@@ -1,6 +1,6 @@
 use crate::construction::{Action, NOTHING, NumberedStep, Plan, Solution, Teller, Tolerance, plain_text, shown_text};
 use crate::geometry::{Vector, degrees_of};
-use crate::quantity::{Kind, Pencil, Unread};
+use crate::quantity::{Pencil, QuantityKind, Unread};
 use crate::scene::QuantityName;
 use crate::scene::Units;
 use crate::sheet::Sheet;
@@ -67,7 +67,7 @@ impl StepList<'_> {
     }
 
     fn unit(&self, kind: Option<Sheet>) -> String {
-        Kind::drawn_on(kind.unwrap_or(Sheet::Scheme)).unit(self.units)
+        QuantityKind::drawn_on(kind.unwrap_or(Sheet::Scheme)).unit(self.units)
     }
 
     fn mu(&self, kind: Option<Sheet>) -> Option<f64> {

@@ -1,6 +1,6 @@
 //! Bands of quantities: the scatter that honest errors of a hand drawing give them.
 
-use super::name::Asked;
+use super::name::QuantityRequest;
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use crate::construction::{Change, Construction, Disturbance, Solution, Tolerance, Values};
 use crate::sheet::{PerSheet, Scales};
@@ -35,7 +35,7 @@ pub struct Pencil {
     /// The scales of its sheets.
     pub scales: Scales,
     /// The quantities asked for, each with its band, or why it has none.
-    pub quantities: Vec<(Asked, Result<Band, Unread>)>,
+    pub quantities: Vec<(QuantityRequest, Result<Band, Unread>)>,
 }
 
 impl Pencil {
@@ -58,7 +58,7 @@ impl Pencil {
 /// the difference of the pair's mean from the exact value. The band is rough if the root mean square of that part
 /// exceeds σ/5, as under small angles of crossing, or if a distance may be zero within its band.
 #[must_use]
-pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<Asked>) -> Pencil {
+pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked: Vec<QuantityRequest>) -> Pencil {
     let (construction, readings) = read_by_hand(solution, &asked);
     let on_sheets = readings.into_iter().map(|reading| {
         let reading = reading?;

@@ -1,7 +1,7 @@
 //! Lists of the quantities of a solved scene.
 
 use super::band::{Pencil, pencil};
-use super::name::{Asked, QuantityError};
+use super::name::{QuantityError, QuantityRequest};
 use crate::construction::{Action, Construction, Solution, Tolerance, coincident_name};
 use crate::mechanism::Role;
 use crate::scene::QuantityName;
@@ -60,7 +60,8 @@ pub fn step_names(construction: &Construction) -> Vec<String> {
 /// A name that the construction gives is not understood.
 pub fn step_pencil(solution: &Solution, tolerance: Tolerance) -> Result<Pencil, QuantityError> {
     let names = step_names(&solution.construction);
-    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism)).collect::<Result<Vec<_>, _>>()?;
+    let asked =
+        names.iter().map(|name| QuantityRequest::new(name, &solution.mechanism)).collect::<Result<Vec<_>, _>>()?;
     Ok(pencil(solution, &solution.scales(), tolerance, asked))
 }
 

@@ -1,4 +1,4 @@
-//! In: the name of a quantity and a solved scene. Out: its value ([`Asked::value`]), its unit and symbol, how a hand
+//! In: the name of a quantity and a solved scene. Out: its value ([`QuantityRequest::value`]), its unit and symbol, how a hand
 //! reads it from its drawing ([`read_by_hand`]) and the scatter of honest drawings ([`Pencil`]). Each property of a
 //! quantity has a file. Not here: which mistake explains a wrong value (`check/`), and how a number is written
 //! (`words/`).
@@ -11,10 +11,10 @@ mod state;
 mod unit;
 mod value;
 
-pub use crate::scene::{Component, Head, QuantityKind as Kind, QuantityName};
+pub use crate::scene::{Component, Head, QuantityKind, QuantityName};
 pub use band::{Band, Pencil, pencil};
 pub use lists::{measured_names, readable_names, step_names, step_pencil};
-pub use name::{Asked, Normality, QuantityError, Spot, What};
+pub use name::{Normality, QuantityError, QuantityRequest, Spot, What};
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use state::{Snapshot, State};
 pub use value::Quantity;

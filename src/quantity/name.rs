@@ -59,7 +59,7 @@ impl QuantityError {
 /// `y(D)` are a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees)
 /// are numbers.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct QuantityRequest {
     pub(super) name: String,
     pub(super) written: QuantityName,
     pub(super) what: What,
@@ -135,18 +135,18 @@ impl Spot {
     }
 }
 
-impl Asked {
+impl QuantityRequest {
     /// The quantity of that name. Plan points are looked up only when it is evaluated.
     ///
     /// # Errors
     /// [`QuantityError::Form`] and [`QuantityError::Unknown`].
-    pub fn new(name: &str, mechanism: &Mechanism) -> Result<Asked, QuantityError> {
+    pub fn new(name: &str, mechanism: &Mechanism) -> Result<QuantityRequest, QuantityError> {
         let finder = Finder { name, mechanism };
         let written = QuantityName::parse(name).ok_or_else(|| finder.form())?;
         let what = finder.what(&written)?;
         // White space is a space: tables and results have the name on one line.
         let name: String = name.chars().map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
-        let asked = Asked { name, written, what };
+        let asked = QuantityRequest { name, written, what };
         if asked.written.component.is_some() && !asked.is_of_vectors() {
             return Err(finder.form());
         }
@@ -173,8 +173,8 @@ impl Asked {
 
     /// The same quantity, as a vector where a number of one is asked for.
     #[must_use]
-    pub fn without_component(&self) -> Asked {
-        Asked { written: QuantityName { component: None, ..self.written.clone() }, ..self.clone() }
+    pub fn without_component(&self) -> QuantityRequest {
+        QuantityRequest { written: QuantityName { component: None, ..self.written.clone() }, ..self.clone() }
     }
 
     /// The number of a vector that it asks for, if any.

@@ -1,6 +1,6 @@
 //! How quantities are read from a hand drawing.
 
-use super::name::{Asked, Normality, Spot, What};
+use super::name::{Normality, QuantityRequest, Spot, What};
 use crate::construction::{
     Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
     ProductKind, Solution, SpecialId, StepId, Writer, image_name, normal_name,
@@ -72,7 +72,7 @@ pub enum Unread {
 /// A quantity that the construction measures or solves for is taken from there. A segment or a vector of a plan, a
 /// direction and a length are measured once more, with errors of their own.
 #[must_use]
-pub fn read_by_hand(solution: &Solution, asked: &[Asked]) -> (Construction, Vec<Result<Reading, Unread>>) {
+pub fn read_by_hand(solution: &Solution, asked: &[QuantityRequest]) -> (Construction, Vec<Result<Reading, Unread>>) {
     let Solution { mechanism, pose, motion, construction, .. } = solution;
     let mut reader = Reader { steps: None, writer: Writer::continued(mechanism, pose, motion, construction.clone()) };
     let readings = asked.iter().map(|asked| reader.reading(asked)).collect();
@@ -94,7 +94,7 @@ enum VectorSource {
 }
 
 impl Reader<'_> {
-    fn reading(&mut self, asked: &Asked) -> Result<Reading, Unread> {
+    fn reading(&mut self, asked: &QuantityRequest) -> Result<Reading, Unread> {
         let (number, sense) = self.number(asked)?;
         match self.writer.is_by_hand(number) {
             false => Err(Unread::NoConstruction),
@@ -102,7 +102,7 @@ impl Reader<'_> {
         }
     }
 
-    fn number(&mut self, asked: &Asked) -> Result<(NumberId, Sense), Unread> {
+    fn number(&mut self, asked: &QuantityRequest) -> Result<(NumberId, Sense), Unread> {
         let name = asked.name();
         let number = match asked.what() {
             What::Omega(link) => self.rate(*link, 0)?,
@@ -131,7 +131,7 @@ impl Reader<'_> {
     }
 
     /// One number of a vector: measured from the segment, or computed.
-    fn component(&mut self, asked: &Asked, drawn: VectorSource) -> Result<(NumberId, Sense), Unread> {
+    fn component(&mut self, asked: &QuantityRequest, drawn: VectorSource) -> Result<(NumberId, Sense), Unread> {
         let component = asked.component().ok_or(Unread::Vector)?;
         let sheet = asked.sheet();
         let ends = match (drawn, component) {

@@ -1,6 +1,6 @@
-use super::name::{Asked, Normality, Spot, What};
+use super::name::{Normality, QuantityRequest, Spot, What};
 use crate::mechanism::Mechanism;
-use crate::scene::{Component, QuantityKind as Kind};
+use crate::scene::{Component, QuantityKind};
 use crate::sheet::Sheet;
 use crate::words::Notation;
 
@@ -12,10 +12,10 @@ struct Symbol {
     after: String,
 }
 
-impl Asked {
+impl QuantityRequest {
     /// The kind of its value; a vector's size and components are of the vector's kind, its angle is an angle.
     #[must_use]
-    pub fn kind(&self) -> Kind {
+    pub fn kind(&self) -> QuantityKind {
         self.written.kind()
     }
 
@@ -69,16 +69,19 @@ impl Asked {
         match (&self.what, self.kind()) {
             (What::Velocity(..), _) => Sheet::Velocity,
             (What::Acceleration(..) | What::Part(..) | What::Coriolis(..), _) => Sheet::Acceleration,
-            (_, Kind::Velocity | Kind::AngularVelocity) => Sheet::Velocity,
-            (_, Kind::Acceleration | Kind::AngularAcceleration) => Sheet::Acceleration,
-            (_, Kind::Angle | Kind::Position | Kind::Length) => Sheet::Scheme,
+            (_, QuantityKind::Velocity | QuantityKind::AngularVelocity) => Sheet::Velocity,
+            (_, QuantityKind::Acceleration | QuantityKind::AngularAcceleration) => Sheet::Acceleration,
+            (_, QuantityKind::Angle | QuantityKind::Position | QuantityKind::Length) => Sheet::Scheme,
         }
     }
 
     /// Whether it is a length on its sheet; rates are computed from lengths.
     #[must_use]
     pub fn is_length_on_sheet(&self) -> bool {
-        let is_turning = matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration);
+        let is_turning = matches!(
+            self.kind(),
+            QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::AngularAcceleration
+        );
         !is_turning && !matches!(self.what, What::SlideVelocity(_) | What::SlideAcceleration(_))
     }
 
@@ -92,7 +95,7 @@ impl Asked {
     /// Whether it is an angle or an angular rate: its sign depends on the positive sense of rotation.
     #[must_use]
     pub fn turns(&self) -> bool {
-        matches!(self.kind(), Kind::Angle | Kind::AngularVelocity | Kind::AngularAcceleration)
+        matches!(self.kind(), QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::AngularAcceleration)
     }
 
     /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, whose zeros are dead centres.

@@ -1,6 +1,6 @@
 //! Values of quantities in a position.
 
-use super::name::{Asked, Normality, QuantityError, Spot, What, unknown};
+use super::name::{Normality, QuantityError, QuantityRequest, Spot, What, unknown};
 use super::state::{Snapshot, State};
 use crate::construction::{Construction, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
@@ -19,13 +19,13 @@ pub enum Quantity {
 
 impl Solution {
     /// The value of the quantity of that name, as `omega(2)`, `a_n(D/G)` or `vplan(b,s3)`. A length on paper (`/mu`)
-    /// has no value here, as it needs the scales of a figure: use [`Asked::value`].
+    /// has no value here, as it needs the scales of a figure: use [`QuantityRequest::value`].
     ///
     /// # Errors
     /// [`QuantityError`]: the name is of no known form, or the quantity has no value here. For many positions look the
-    /// name up once: [`Asked`].
+    /// name up once: [`QuantityRequest`].
     pub fn quantity(&self, name: &str) -> Result<Quantity, QuantityError> {
-        Asked::new(name, &self.mechanism)?.value(&self.snapshot(), Some(&self.construction), None)
+        QuantityRequest::new(name, &self.mechanism)?.value(&self.snapshot(), Some(&self.construction), None)
     }
 
     /// Position and motion together, from which quantities are evaluated.
@@ -35,7 +35,7 @@ impl Solution {
     }
 }
 
-impl Asked {
+impl QuantityRequest {
     /// Its value. `scales` are needed only for lengths on paper, `construction` only where
     /// [`Self::needs_construction`].
     ///
@@ -103,7 +103,7 @@ impl Asked {
 
 /// Evaluates a quantity in a position.
 struct Reader<'a, S: State> {
-    asked: &'a Asked,
+    asked: &'a QuantityRequest,
     state: &'a S,
     construction: Option<&'a Construction>,
 }

@@ -5,7 +5,7 @@ use super::task::Status;
 use crate::Error;
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
-use crate::quantity::{Asked, Quantity, State};
+use crate::quantity::{Quantity, QuantityRequest, State};
 use crate::scene::{Scene, SceneError, SizeLimit};
 use crate::solve::posed;
 
@@ -32,7 +32,7 @@ pub(super) fn member(scene: &Scene) -> Result<(Mechanism, Pose), Status> {
 }
 
 /// The value of a quantity that needs no construction, of a vector its size; NaN where it has none.
-pub(super) fn value(asked: &Asked, state: &impl State) -> f64 {
+pub(super) fn value(asked: &QuantityRequest, state: &impl State) -> f64 {
     asked.value(state, None, None).map_or(f64::NAN, size)
 }
 

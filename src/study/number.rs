@@ -1,6 +1,6 @@
 //! The numbers of a scene that may vary.
 
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{Scene, Shape, TimeUnit, Units};
 use std::f64::consts::{PI, TAU};
 
@@ -108,13 +108,13 @@ impl Number {
     pub fn unit(self, units: Units) -> String {
         let kind = match self {
             Number::Turn(_, Turn::Rpm) => return "1/min".to_owned(),
-            Number::Turn(_, Turn::Angle) => Kind::Angle,
-            Number::Turn(_, Turn::Omega) => Kind::AngularVelocity,
-            Number::Turn(_, Turn::Alpha) => Kind::AngularAcceleration,
-            Number::Push(_, Push::Speed) => Kind::Velocity,
-            Number::Push(_, Push::Acceleration) => Kind::Acceleration,
+            Number::Turn(_, Turn::Angle) => QuantityKind::Angle,
+            Number::Turn(_, Turn::Omega) => QuantityKind::AngularVelocity,
+            Number::Turn(_, Turn::Alpha) => QuantityKind::AngularAcceleration,
+            Number::Push(_, Push::Speed) => QuantityKind::Velocity,
+            Number::Push(_, Push::Acceleration) => QuantityKind::Acceleration,
             Number::Length(..) | Number::Local(..) | Number::Ground(..) | Number::Push(_, Push::Position) => {
-                Kind::Length
+                QuantityKind::Length
             }
         };
         kind.unit(units)

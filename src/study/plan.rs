@@ -11,7 +11,7 @@ use crate::cores::on_all_cores;
 use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
 use crate::geometry::MANY;
 use crate::mechanism::Mechanism;
-use crate::quantity::{Asked, Kind};
+use crate::quantity::{QuantityKind, QuantityRequest};
 use crate::scene::{GivenBy, Scene, SizeLimit, nearest};
 use crate::solve::posed;
 use crate::{Error, Problem};
@@ -71,8 +71,8 @@ impl StudyFile {
         let rows = rows.ok_or_else(|| file.error(&["vary"], format!("these are more than {MOST} mechanisms"), None))?;
         let mut wanted = Vec::new();
         for (name, figures) in &file.keys.want {
-            let asked =
-                Asked::new(name, &mechanism).map_err(|error| refused(file, &["want", name], &error.problem()))?;
+            let asked = QuantityRequest::new(name, &mechanism)
+                .map_err(|error| refused(file, &["want", name], &error.problem()))?;
             if asked.is_on_paper() {
                 return Err(file.error(&["want", name], "a study has no paper", Some("the name without `/mu`")).into());
             }
@@ -101,7 +101,7 @@ impl Study {
         let column = |name: &str, content, unit: String| Column { name: name.to_owned(), content, unit };
         let number = |name: &str, unit: &str| column(name, Content::Number, unit.to_owned());
         let units = self.scene.units;
-        let drive = if self.task.round.is_angle { Kind::Angle } else { Kind::Position }.unit(units);
+        let drive = if self.task.round.is_angle { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
         let mut columns = vec![column("index", Content::Index, String::new())];
         columns.extend(self.varied.iter().map(|v| number(&v.name, &v.number.unit(units))));
         columns.push(column("status", Content::Status, String::new()));

@@ -1,7 +1,7 @@
 //! What is asked of each mechanism of a study, and what becomes of it.
 
 use crate::cycle::Steps;
-use crate::quantity::{Asked, Kind};
+use crate::quantity::{QuantityKind, QuantityRequest};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -41,14 +41,14 @@ impl Round {
 #[derive(Clone, Debug)]
 pub(super) struct Wanted {
     pub name: String,
-    pub asked: Asked,
+    pub asked: QuantityRequest,
     pub figures: Vec<Figure>,
 }
 
 impl Wanted {
     /// Whether its values are angles.
     pub fn turns(&self) -> bool {
-        self.asked.kind() == Kind::Angle
+        self.asked.kind() == QuantityKind::Angle
     }
 
     pub fn has_mean(&self) -> bool {

@@ -5,7 +5,9 @@ use kinegon::Solution;
 use kinegon::construction::{
     Change, Construction, Disturbance, ErrorUnit, NumberId, Operation, OperationKind, Product, ProductKind, Tolerance,
 };
-use kinegon::quantity::{Asked, Band, Quantity, Reading, Sense, Unread, read_by_hand, readable_names, step_names};
+use kinegon::quantity::{
+    Band, Quantity, QuantityRequest, Reading, Sense, Unread, read_by_hand, readable_names, step_names,
+};
 use kinegon::{PerSheet, Sheet};
 use support::exact::exceeds;
 use support::files;
@@ -22,7 +24,7 @@ fn scenes() -> Vec<(String, String)> {
 /// A scene as it is drawn by hand: what is read from it, and the values of the numeric solution.
 struct Sheets {
     solution: Solution,
-    asked: Vec<Asked>,
+    asked: Vec<QuantityRequest>,
     drawn: Construction,
     readings: Vec<Result<Reading, Unread>>,
 }
@@ -37,8 +39,8 @@ impl Sheets {
         names.extend(own);
         let points = mechanism.points.clone();
         names.extend(points.iter().flat_map(|p| [format!("x({p})"), format!("y({p})")]));
-        let asked = names.iter().map(|name| Asked::new(name, mechanism));
-        let asked: Vec<Asked> = asked.map(|a| a.expect("a known name")).collect();
+        let asked = names.iter().map(|name| QuantityRequest::new(name, mechanism));
+        let asked: Vec<QuantityRequest> = asked.map(|a| a.expect("a known name")).collect();
         let (drawn, readings) = read_by_hand(&solution, &asked);
         Sheets { asked, drawn, readings, solution }
     }
@@ -53,7 +55,7 @@ impl Sheets {
         self.readings[index].as_ref().expect("it is read").number
     }
 
-    fn truth(&self, asked: &Asked) -> f64 {
+    fn truth(&self, asked: &QuantityRequest) -> f64 {
         let name = asked.name();
         match self.solution.quantity(name).unwrap_or_else(|error| panic!("{error}")) {
             Quantity::Number(value) => value,
@@ -62,7 +64,7 @@ impl Sheets {
     }
 
     /// The largest magnitude of a quantity's kind, by which errors of nearly vanishing ones are measured.
-    fn largest(&self, asked: &Asked) -> f64 {
+    fn largest(&self, asked: &QuantityRequest) -> f64 {
         let same = self.asked.iter().zip(&self.readings);
         let same = same.filter(|(a, r)| a.kind() == asked.kind() && r.is_ok());
         same.map(|(a, _)| self.truth(a).abs()).fold(0.0, f64::max)
@@ -184,7 +186,7 @@ fn honest_drawings_keep_to_the_bands() {
         let sheets = Sheets::of(&text);
         let scales = sheets.scales();
         let there = sheets.asked.iter().zip(&sheets.readings);
-        let there: Vec<(&Asked, Reading)> =
+        let there: Vec<(&QuantityRequest, Reading)> =
             there.filter_map(|(asked, reading)| Some((asked, *reading.as_ref().ok()?))).collect();
         let readings: Vec<Reading> = there.iter().map(|t| t.1).collect();
         let bands = sheets.drawn.bands(scales, &tolerance, &readings);

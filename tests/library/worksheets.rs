@@ -3,7 +3,7 @@
 use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::drawing::{Drawing, Mark, Shape};
-use kinegon::quantity::{Asked, Quantity, measured_names};
+use kinegon::quantity::{Quantity, QuantityRequest, measured_names};
 use support::faults::{faults, panels};
 use support::files;
 use support::stages::solved;
@@ -88,8 +88,10 @@ fn printed_lengths_are_the_results() {
                 assert!((mm - value / mu).abs() <= half_mm * (1.0 + 1e-9), "{name}: {asked} {mm}");
                 assert_eq!(half_mm, 0.005);
                 assert!((mm * mu - printed).abs() <= half_mm * mu + half, "{name}: {asked}");
-                let unit =
-                    Asked::new(asked, &solution.mechanism).expect("it is known").kind().unit(solution.scene.units);
+                let unit = QuantityRequest::new(asked, &solution.mechanism)
+                    .expect("it is known")
+                    .kind()
+                    .unit(solution.scene.units);
                 assert_eq!(cell("unit"), unit);
                 rows += 1;
             }

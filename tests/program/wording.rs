@@ -4,7 +4,7 @@ use kinegon::check::Mistake;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Shape, curves};
-use kinegon::quantity::{Asked, pencil, step_names};
+use kinegon::quantity::{QuantityRequest, pencil, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
 use kinegon::{Solution, format};
@@ -37,7 +37,7 @@ fn with(text: &str, entries: &[(&str, &str)]) -> String {
 /// The text of `kinegon steps`.
 fn steps(solution: &Solution) -> String {
     let names = step_names(&solution.construction);
-    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism).expect("known"));
+    let asked = names.iter().map(|name| QuantityRequest::new(name, &solution.mechanism).expect("known"));
     let pencil = pencil(solution, &solution.scales(), Tolerance::default(), asked.collect());
     solution.steps(&pencil)
 }

@@ -7,7 +7,7 @@ use kinegon::Solution;
 use kinegon::check::{self, AnswerKey, ClassColumns, ClassRow, Feedback, MarkScheme, Marks, Measured, Prepared};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::format::{self, Text};
-use kinegon::quantity::{Asked, pencil, step_names};
+use kinegon::quantity::{QuantityRequest, pencil, step_names};
 use kinegon::scene::{Figure, SceneError};
 use kinegon::text::Untrusted;
 use kinegon::words::Wording;
@@ -134,8 +134,10 @@ pub fn texts(lines: &str) {
     let solution = Solution { scene, ..subject.solution.clone() };
     pictures(&solution.figure());
     let steps = step_names(&solution.construction);
-    let asked =
-        steps.iter().map(|name| Asked::new(name, &solution.mechanism).expect("steps measure quantities")).collect();
+    let asked = steps
+        .iter()
+        .map(|name| QuantityRequest::new(name, &solution.mechanism).expect("steps measure quantities"))
+        .collect();
     let pencil = pencil(&solution, &solution.scales(), Default::default(), asked);
     outputs::terminal(solution.steps(&pencil).as_bytes());
     let key = answer_key(&solution, 1);

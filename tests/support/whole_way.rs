@@ -4,7 +4,7 @@ use super::stages::solved;
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Drawing, Shape};
 use kinegon::format::{self, ResultFile};
-use kinegon::quantity::{Asked, Quantity, measured_names, pencil, step_names};
+use kinegon::quantity::{Quantity, QuantityRequest, measured_names, pencil, step_names};
 use kinegon::scene::Scene;
 use kinegon::{Error, Solution};
 use resvg::usvg::roxmltree::Document;
@@ -33,7 +33,7 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
     assert!(!solution.figure().tikz().is_empty());
     assert!(!format::structure(&solution.mechanism, &solution.wording()).is_empty());
     let names = step_names(&solution.construction);
-    let asked = names.iter().map(|name| Asked::new(name, &solution.mechanism));
+    let asked = names.iter().map(|name| QuantityRequest::new(name, &solution.mechanism));
     let asked = asked.map(|a| a.expect("steps measure quantities")).collect();
     let pencil = pencil(&solution, &solution.scales(), Tolerance::default(), asked);
     assert!(!solution.steps(&pencil).is_empty());

@@ -8,7 +8,7 @@ use super::vectors::{OfTerm, Term, terms};
 use crate::check::entry::Entry;
 use crate::check::model::Edit;
 use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate};
-use crate::quantity::{Kind, What};
+use crate::quantity::{QuantityKind, What};
 use crate::scene::{LengthUnit, TimeUnit};
 use crate::sheet::Sheet;
 
@@ -259,7 +259,7 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
             .collect();
         let is_angle = |name: &str| {
             let mut named = site.entries.iter().filter(|e| e.asked.name() == name);
-            named.next().is_some_and(|e| e.asked.kind() == Kind::Angle)
+            named.next().is_some_and(|e| e.asked.kind() == QuantityKind::Angle)
         };
         let others = scales.clone().filter(|(name, _)| *name != own).map(|(name, scale)| (Some(name), scale));
         for (wrong, scale) in others.chain([(None, 1.0)]) {

@@ -14,7 +14,7 @@ use super::sheet::{CheckError, Measured};
 use super::verdict::Verdict;
 use crate::construction::Action;
 use crate::drawing::{Overlay, OwnValue, WrongStep};
-use crate::quantity::{Asked, What};
+use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use sheets::Sheets;
@@ -140,8 +140,8 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         // A step may solve for the rates of several links; the mistake is in that of one, whose sense is shown on the
         // scheme.
         let solves = matches!(step.step.action, Action::Solve { .. });
-        let rate = candidate.told.quantity().and_then(|name| Asked::new(name, &key.solution.mechanism).ok());
-        let link = match rate.as_ref().map(Asked::what) {
+        let rate = candidate.told.quantity().and_then(|name| QuantityRequest::new(name, &key.solution.mechanism).ok());
+        let link = match rate.as_ref().map(QuantityRequest::what) {
             Some(What::Omega(link) | What::Alpha(link)) => key.solution.mechanism.body(*link).name.as_str(),
             _ => "",
         };

@@ -11,7 +11,7 @@ use crate::drawing::obstacles::Obstacles;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::Scene;
 use crate::words::Language;
 use kurbo::{Point, Rect, Vec2};
@@ -70,7 +70,7 @@ fn context<'a>(scene: &'a Scene, Curves { path, range, events, .. }: &'a Curves<
 
 /// A graph for each kind of quantity, with its place on the sheet.
 fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Graph<'a>>, CurvesError> {
-    let mut kinds: Vec<(Kind, Vec<usize>)> = Vec::new();
+    let mut kinds: Vec<(QuantityKind, Vec<usize>)> = Vec::new();
     for (index, curve) in curves.curves.iter().enumerate() {
         match kinds.iter_mut().find(|(kind, _)| *kind == curve.kind()) {
             Some((_, members)) => members.push(index),
@@ -105,7 +105,7 @@ fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Grap
 
 /// By curve: the number of its colour and dash. Curves of one link or point have the same number in all panels, curves
 /// of one panel different ones.
-fn looks(curves: &Curves, kinds: &[(Kind, Vec<usize>)]) -> Vec<usize> {
+fn looks(curves: &Curves, kinds: &[(QuantityKind, Vec<usize>)]) -> Vec<usize> {
     let subject = |index: &usize| curves.curves[*index].asked[0].subject();
     // The links and points with curves in more than one panel.
     let mut shared: Vec<String> = Vec::new();

@@ -7,7 +7,7 @@ use crate::drawing::lines::Line;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, RichText};
 use crate::mechanism::{Role, SliderId};
-use crate::quantity::{Asked, Kind};
+use crate::quantity::{QuantityKind, QuantityRequest};
 use crate::scene::Scene;
 use crate::text::Untrusted;
 use crate::words::Wording;
@@ -87,7 +87,7 @@ impl<'a> CurveContext<'a> {
     }
 
     /// The symbol of a quantity.
-    pub fn symbol(&self, asked: &Asked) -> String {
+    pub fn symbol(&self, asked: &QuantityRequest) -> String {
         asked.symbol(&self.path.mechanism, self.words.notation, &|name| self.shown(name))
     }
 
@@ -130,25 +130,25 @@ impl<'a> CurveContext<'a> {
     fn speeds(&self) -> Line {
         let (mechanism, units) = (&self.path.mechanism, self.scene.units);
         let mut parts: Vec<[String; 2]> = Vec::new();
-        let mut add = |symbol: String, value: f64, kind: Kind| {
+        let mut add = |symbol: String, value: f64, kind: QuantityKind| {
             let value = format!("= {} {}", self.number(value, 4), kind.unit(units));
             parts.push([symbol, value]);
         };
         for (_, body) in mechanism.links() {
             let name = self.shown(&body.name);
             if let Role::Driver { omega, alpha, .. } = body.role {
-                add(format!("ω_{{{name}}}"), omega, Kind::AngularVelocity);
+                add(format!("ω_{{{name}}}"), omega, QuantityKind::AngularVelocity);
                 if alpha != 0.0 {
-                    add(format!("α_{{{name}}}"), alpha, Kind::AngularAcceleration);
+                    add(format!("α_{{{name}}}"), alpha, QuantityKind::AngularAcceleration);
                 }
             }
         }
         for (index, slider) in mechanism.sliders.iter().enumerate() {
             let Some(drive) = slider.drive else { continue };
             let name = self.shown(&mechanism.push_name(SliderId(index)));
-            add(format!("v_{{{name}}}"), drive.speed, Kind::Velocity);
+            add(format!("v_{{{name}}}"), drive.speed, QuantityKind::Velocity);
             if drive.acceleration != 0.0 {
-                add(format!("a_{{{name}}}"), drive.acceleration, Kind::Acceleration);
+                add(format!("a_{{{name}}}"), drive.acceleration, QuantityKind::Acceleration);
             }
         }
         let count = parts.len();

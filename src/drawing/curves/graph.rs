@@ -13,7 +13,7 @@ use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, LABEL, PlacedText, RichText};
 use crate::drawing::view::{Extent, View};
 use crate::geometry;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::words::{Language, Wording, power_of_ten};
 use kurbo::{Point, Rect, Vec2};
 
@@ -36,7 +36,7 @@ pub(super) const BESIDE: f64 = 1.6;
 
 /// The curves of one kind of quantity over the drive.
 pub(super) struct Graph<'a> {
-    pub kind: Kind,
+    pub kind: QuantityKind,
     /// Its curves, each with the number of its colour and dash.
     pub curves: Vec<(&'a Curve, usize)>,
     /// On the sheet, in mm: top of its heading, top and bottom of its area.
@@ -45,7 +45,12 @@ pub(super) struct Graph<'a> {
 }
 
 impl<'a> Graph<'a> {
-    pub(super) fn new(words: Wording, kind: Kind, curves: Vec<(&'a Curve, usize)>, rows: [f64; 3]) -> Graph<'a> {
+    pub(super) fn new(
+        words: Wording,
+        kind: QuantityKind,
+        curves: Vec<(&'a Curve, usize)>,
+        rows: [f64; 3],
+    ) -> Graph<'a> {
         let zero = kind.is_rate().then_some(0.0);
         let shown = curves.iter().flat_map(|(curve, _)| curve.window).chain(zero);
         let [mut low, mut high] = shown.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], y| [a.min(y), b.max(y)]);
@@ -59,7 +64,7 @@ impl<'a> Graph<'a> {
         let more = (high - low) * border / (height - 2.0 * border);
         let ends = [low - more, high + more];
         let apart = APART.max(LEAST_APART * height);
-        let axis = Axis::new(words, ends, [rows[2], rows[1]], apart, kind == Kind::Angle);
+        let axis = Axis::new(words, ends, [rows[2], rows[1]], apart, kind == QuantityKind::Angle);
         Graph { kind, curves, rows, axis }
     }
 
@@ -72,13 +77,13 @@ impl<'a> Graph<'a> {
     /// Prefix of its marks' ids.
     fn prefix(&self) -> &'static str {
         match self.kind {
-            Kind::Angle => "angle",
-            Kind::AngularVelocity => "omega",
-            Kind::AngularAcceleration => "alpha",
-            Kind::Position => "position",
-            Kind::Length => "length",
-            Kind::Velocity => "velocity",
-            Kind::Acceleration => "acceleration",
+            QuantityKind::Angle => "angle",
+            QuantityKind::AngularVelocity => "omega",
+            QuantityKind::AngularAcceleration => "alpha",
+            QuantityKind::Position => "position",
+            QuantityKind::Length => "length",
+            QuantityKind::Velocity => "velocity",
+            QuantityKind::Acceleration => "acceleration",
         }
     }
 
@@ -262,14 +267,14 @@ fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn
 }
 
 /// The name of a panel.
-fn name(language: &Language, kind: Kind) -> &str {
+fn name(language: &Language, kind: QuantityKind) -> &str {
     match kind {
-        Kind::Angle => language.angle(),
-        Kind::AngularVelocity => language.angular_velocity(),
-        Kind::AngularAcceleration => language.angular_acceleration(),
-        Kind::Position => language.position(),
-        Kind::Length => language.length(),
-        Kind::Velocity => language.velocity(),
-        Kind::Acceleration => language.acceleration(),
+        QuantityKind::Angle => language.angle(),
+        QuantityKind::AngularVelocity => language.angular_velocity(),
+        QuantityKind::AngularAcceleration => language.angular_acceleration(),
+        QuantityKind::Position => language.position(),
+        QuantityKind::Length => language.length(),
+        QuantityKind::Velocity => language.velocity(),
+        QuantityKind::Acceleration => language.acceleration(),
     }
 }

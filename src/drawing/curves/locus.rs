@@ -18,7 +18,7 @@ use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{Anchor, CAPTION, LABEL, PlacedText, RichText};
 use crate::drawing::view::{Extent, View, fitting_scale};
 use crate::geometry;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{DecimalMark, Scene};
 use kurbo::{Point, Rect, Vec2};
 
@@ -85,12 +85,12 @@ fn path_panel<'a>(context: &'a CurveContext<'a>, index: usize, one: &'a PointPat
     let sentence = |symbol: &str| numbered(index, &context.words.language.path_of(symbol, unit));
     let frame = Frame::new(Line::around(sentence, symbol), Pen::Caption);
     let places = one.pieces.iter().chain(&one.beyond).flatten().map(|(_, place)| *place);
-    let needs = Needs::usual(Kind::Length, Extent::of(places), frame.width());
+    let needs = Needs::usual(QuantityKind::Length, Extent::of(places), frame.width());
     let axes = |canvas: &mut Canvas<'_>, view: &View| axes(context, canvas, view);
     let locus = Locus { context, index };
     let path = move |canvas: &mut Canvas<'_>, view: &View| locus.path(canvas, view, one);
     let layers: Vec<Box<dyn Layer>> =
-        vec![Box::new(frame), scale_of(context, Kind::Length), Box::new(axes), Box::new(path)];
+        vec![Box::new(frame), scale_of(context, QuantityKind::Length), Box::new(axes), Box::new(path)];
     Panel::plain(&one.name, &prefix("path", index), needs, layers)
 }
 
@@ -176,12 +176,12 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], beside:
 }
 
 /// The scale of a panel, with its bar.
-fn scale(context: &CurveContext<'_>, kind: Kind, mu: f64) -> Entry {
+fn scale(context: &CurveContext<'_>, kind: QuantityKind, mu: f64) -> Entry {
     Entry::new(kind, mu, &context.words, context.scene.units, &context.dims)
 }
 
 /// The layer with the scale of a panel.
-fn scale_of<'a>(context: &'a CurveContext<'a>, kind: Kind) -> Box<dyn Layer + 'a> {
+fn scale_of<'a>(context: &'a CurveContext<'a>, kind: QuantityKind) -> Box<dyn Layer + 'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| {
         let entry = scale(context, kind, view.mu() / context.dims.unit);
         let frame = canvas.frame();
@@ -271,7 +271,7 @@ impl Locus<'_> {
         let pole = at(nalgebra::zero());
         let notation = self.context.words.notation;
         let own_pen = match one.asked.kind() {
-            Kind::Acceleration => Pen::Acceleration,
+            QuantityKind::Acceleration => Pen::Acceleration,
             _ => Pen::Velocity,
         };
         let pole_name = notation.pole(one.asked.sheet());

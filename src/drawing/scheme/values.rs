@@ -9,7 +9,7 @@ use crate::drawing::value::{Value, ValueOf};
 use crate::drawing::values::{is_at_drive, label};
 use crate::drawing::view::towards;
 use crate::mechanism::{BodyId, PointId};
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
 
@@ -42,7 +42,7 @@ impl SchemeOnPaper<'_> {
             return;
         }
         let (radius, name) = match value.kind {
-            Kind::AngularAcceleration => (ALPHA_RADIUS, "alpha"),
+            QuantityKind::AngularAcceleration => (ALPHA_RADIUS, "alpha"),
             _ => (RATE_RADIUS, "omega"),
         };
         if let Some(shape) = self.rate_arrow(link, radius, value.number)
@@ -68,7 +68,7 @@ impl SchemeOnPaper<'_> {
         if is_at_drive(self.context, value, link) {
             return;
         }
-        let side = if value.kind == Kind::AngularAcceleration { 1.0 } else { -1.0 };
+        let side = if value.kind == QuantityKind::AngularAcceleration { 1.0 } else { -1.0 };
         let anchor = center + Vec2::new(0.0, side * radius);
         label(self.context, canvas, value, anchor, Some(Vec2::new(0.0, side)));
     }

@@ -6,7 +6,7 @@ use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::{HeldLayout, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
-use kinegon::quantity::{Asked, Quantity};
+use kinegon::quantity::{Quantity, QuantityRequest};
 use kinegon::scene::SizeLimit;
 use kinegon::{Scene, Solution, order_of_figure, posed};
 
@@ -133,7 +133,7 @@ impl Kept {
 fn drive(solution: &Solution, name: &str, has_range: bool) -> Option<Drive> {
     let words = solution.wording();
     let drive = cycle::Drive::new(&solution.mechanism, Some(name)).ok()?;
-    let asked = Asked::new(&drive.quantity(), &solution.mechanism).ok()?;
+    let asked = QuantityRequest::new(&drive.quantity(), &solution.mechanism).ok()?;
     let Ok(Quantity::Number(value)) = asked.value(&solution.snapshot(), None, None) else { return None };
     let mut moved = Drive {
         name: name.to_owned(),

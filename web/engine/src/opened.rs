@@ -9,7 +9,7 @@ use kinegon::editing;
 use kinegon::format::{self, html_text};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::counted_poses;
-use kinegon::quantity::{Asked, What, measured_names};
+use kinegon::quantity::{QuantityRequest, What, measured_names};
 use kinegon::scene::{GivenBy, SizeLimit};
 use kinegon::words::Wording;
 use kinegon::{Solution, order_of_result};
@@ -80,7 +80,7 @@ impl Desk {
         let kept = self.kept(text)?;
         let solution = kept.solution(order_of_result(&kept.scene))?;
         let labels = SheetLabels::of(solution);
-        let label = |name: &str| match Asked::new(name, &solution.mechanism) {
+        let label = |name: &str| match QuantityRequest::new(name, &solution.mechanism) {
             Ok(asked) => html_text(&labels.quantity(&asked)),
             Err(_) => html_text(&RichText::verbatim(name)),
         };
@@ -98,7 +98,7 @@ impl Desk {
 
 /// What the name of a quantity says.
 fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
-    let asked = Asked::new(name, mechanism).ok();
+    let asked = QuantityRequest::new(name, mechanism).ok();
     let of = asked.as_ref().map_or(Owner::Others, |asked| match asked.what() {
         What::Omega(_) | What::Alpha(_) | What::Angle(_) => Owner::Link,
         What::SlidePosition(_) | What::SlideVelocity(_) | What::SlideAcceleration(_) | What::Coriolis(..) => {
