@@ -9,7 +9,7 @@ pub const U: f64 = f64::EPSILON / 2.0;
 /// held to what the results state of their errors instead: a very short link turns with the errors of its neighbours enlarged.
 pub const BOUND: f64 = 16.0;
 
-/// The same for accelerations. They inherit the errors of the velocities, which their own equations amplify once more.
+/// How far accelerations may be apart, which inherit the errors of the velocities and enlarge them once more.
 pub const ACCELERATION_BOUND: f64 = 64.0;
 
 /// How a result must change.

@@ -12,7 +12,7 @@ pub fn entries(json: &Value) -> impl Iterator<Item = (&str, &Value)> {
     json.as_object().into_iter().flatten().map(|(k, v)| (k.as_str(), v))
 }
 
-/// As in results: the cases write the guide's body only where a link has several sliders.
+/// A slider's name as results have it: the cases write the guide's body only where a link has several sliders.
 pub fn slider_name(key: &str, truth: &Value) -> String {
     let link = key.split('/').next().unwrap_or(key);
     format!("{link}/{}", truth["on"].as_str().expect("a name"))

@@ -74,7 +74,7 @@ struct Decimal {
     exponent: i32,
 }
 
-/// As many digits as an i128 holds and still leaves room for one difference.
+/// Digits of a decimal: an i128 holds two more, so that a difference fits.
 const DIGITS: i32 = 36;
 
 impl Decimal {

@@ -20,7 +20,7 @@ pub fn run<A: AsRef<OsStr>>(program: &Path, arguments: impl IntoIterator<Item = 
     run_in(&files::left(), program, arguments)
 }
 
-/// The same, in a folder of its own.
+/// What a program says on stdout when it is started in this folder.
 pub fn run_in<A: AsRef<OsStr>>(folder: &Path, program: &Path, arguments: impl IntoIterator<Item = A>) -> Vec<u8> {
     let mut command = Command::new(program);
     command.args(arguments).current_dir(folder).stdin(Stdio::null());

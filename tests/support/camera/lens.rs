@@ -92,7 +92,7 @@ impl View {
         self.project(self.surface.place(mm))
     }
 
-    /// The same for a point of the desk, in mm of the page as if that lay flat.
+    /// Where a point of the desk is in the picture; in mm of the page as if that lay flat on the desk.
     pub fn desk_pixel(&self, mm: [f64; 2]) -> [f64; 2] {
         self.project(self.desk.place(mm))
     }

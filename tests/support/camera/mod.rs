@@ -67,7 +67,7 @@ pub struct Truth {
 }
 
 impl Photograph {
-    /// The same picture with so many pixels along its longer edge; blur keeps its share of the picture, and noise falls
+    /// The picture as it would be with so many pixels along its longer edge; blur keeps its share of the picture, and noise falls
     /// as pixels grow.
     pub fn with_edge(mut self, pixels: usize) -> Photograph {
         let longer = self.size[0].max(self.size[1]);

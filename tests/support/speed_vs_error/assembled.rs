@@ -281,7 +281,7 @@ pub fn general(mechanism: &Mechanism, pose: &Pose, angle: impl Fn(BodyId) -> f64
     general_at(mechanism, &given)
 }
 
-/// The same where positions are given.
+/// Rates by the equations of all joints, at given positions.
 pub fn general_at(mechanism: &Mechanism, given: &Given<f64>) -> Option<Vec<[f64; 2]>> {
     let equations = JointEquations::new(mechanism);
     let mut matrix = DMatrix::zeros(equations.size(), equations.size());

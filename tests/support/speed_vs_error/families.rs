@@ -13,7 +13,7 @@ pub enum Family {
     Random,
     /// The cut lines BC and ED nearly parallel: S3 far away; at zero exactly parallel.
     Parallel,
-    /// The same for both special points.
+    /// Both special points far away.
     BothParallel,
     /// S3 near the joint C or B.
     OnJoint,

@@ -9,7 +9,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// What the equations calculate with: f64 or more digits.
 pub trait Real: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
-    /// The same number.
+    /// An f64 in these numbers, without rounding.
     fn exactly(number: f64) -> Self;
 
     /// The square root.
@@ -111,7 +111,7 @@ impl<T: Real> Given<T> {
         Given::at(mechanism, vectors(points), vectors(guides))
     }
 
-    /// The same at places in these numbers.
+    /// What the equations are given, where places and guides are in these numbers already.
     pub fn at(mechanism: &Mechanism, points: Vec<Vector<T>>, guides: Vec<Vector<T>>) -> Given<T> {
         let known = mechanism.bodies.iter().map(|body| {
             let pair = |v: &kinegon::geometry::Vector| exactly([v.x, v.y]);

@@ -38,7 +38,7 @@ pub struct Rates<T> {
 }
 
 impl<T> Rates<T> {
-    /// The same numbers of another kind.
+    /// All rates, each turned into another kind of number.
     pub fn map<S>(self, number: impl Fn(T) -> S + Copy) -> Rates<S> {
         Rates {
             omega: self.omega.map(number),

@@ -16,7 +16,7 @@ pub enum Method {
     Naive,
     /// The equations of all joints, by triangular factors.
     Lu,
-    /// The same by orthogonal factors.
+    /// The equations of all joints, by orthogonal factors.
     Qr,
     /// The loop equations on differences, by triangular factors.
     Differences,
@@ -24,7 +24,7 @@ pub enum Method {
     Library,
     /// The library's kernel alone.
     Kernel,
-    /// The same in f32.
+    /// The kernel in f32.
     Single,
 }
 

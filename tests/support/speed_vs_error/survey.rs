@@ -30,7 +30,7 @@ pub struct Row {
     pub units: [f64; METHODS],
     /// By pencil: errors of drawings by hand, those that can be drawn.
     pub hand: [Vec<f64>; 3],
-    /// The same in units u·condition.
+    /// Errors of drawings by hand in units u·condition.
     pub hand_units: [Vec<f64>; 3],
 }
 

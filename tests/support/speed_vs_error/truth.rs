@@ -37,7 +37,7 @@ impl Truth {
         Truth::of(mechanism, Given::new(mechanism, points, guides))
     }
 
-    /// The same for positions of as many digits.
+    /// The truth for positions that have 256 bits themselves.
     pub fn of(mechanism: &Mechanism, given: Given<Precise>) -> Option<Truth> {
         let equations = JointEquations::new(mechanism);
         let size = equations.size();
