@@ -6,10 +6,12 @@ use super::report::ReportText;
 use super::rows::FormNames;
 use super::shown::ShownNames;
 use crate::words::{Medium, Wording};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// A report in parts, in the markup of [`Overlay::set`](crate::drawing::Overlay::set). What is right and what was
 /// probably done stand apart, so that a page can say the one without the other.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ReportParts {
     /// How many values are right, within the tolerance, off.
     pub counts: String,
@@ -34,7 +36,7 @@ pub struct ReportParts {
 }
 
 /// A value of a report.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ReportRow {
     /// The name of the form's box.
     pub name: String,
@@ -43,7 +45,7 @@ pub struct ReportRow {
 }
 
 /// A mistake that was probably made.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Cause {
     /// At which step, and what was done.
     pub done: String,
@@ -53,6 +55,33 @@ pub struct Cause {
     pub should: String,
     /// Which values follow from it.
     pub follows: Option<String>,
+}
+
+impl ReportParts {
+    /// The parts with all texts but the names of boxes set by a function, as in HTML.
+    #[must_use]
+    pub fn set(self, set: impl Fn(String) -> String) -> ReportParts {
+        let all = |texts: Vec<String>| texts.into_iter().map(&set).collect();
+        let cause = |Cause { done, caption, should, follows }| Cause {
+            done: set(done),
+            caption: caption.map(&set),
+            should: set(should),
+            follows: follows.map(&set),
+        };
+        let row = |ReportRow { name, cells }: ReportRow| ReportRow { name, cells: cells.map(&set) };
+        ReportParts {
+            counts: set(self.counts),
+            accuracy: all(self.accuracy),
+            columns: self.columns.map(&set),
+            rows: self.rows.into_iter().map(row).collect(),
+            senses: self.senses.map(&set),
+            heading: set(self.heading),
+            causes: self.causes.into_iter().map(cause).collect(),
+            sure: self.sure.map(&set),
+            further: all(self.further),
+            others: all(self.others),
+        }
+    }
 }
 
 /// The parts of the report on checked values, in the wording's language.

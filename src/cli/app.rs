@@ -11,7 +11,6 @@ use std::path::{Path, PathBuf};
 /// The name of the page's file.
 const NAME: &str = "kinegon.html";
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 The workbench is one file and needs no network: it can be copied, sent and put on a course page, and works without this program.
 

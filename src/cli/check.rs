@@ -20,7 +20,6 @@ use clap::{Args, ValueEnum};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Without --pencil-mm and --pencil-degrees the tolerance follows the hand that the scatter of all values shows, up to ±1 mm and ±1°.
 
@@ -48,7 +47,7 @@ pub(super) struct Check {
     /// then a table is printed, a row for each.
     /// Or a photograph of a sheet with markers, JPEG or PNG, or a folder of them.
     #[arg(required_unless_present = "template")]
-    measured: Option<PathBuf>,
+    pub(super) measured: Option<PathBuf>,
     /// Photographs of the same student's other sheets.
     #[arg(value_name = "PHOTOGRAPH")]
     pub(super) further: Vec<PathBuf>,
@@ -112,11 +111,6 @@ impl Check {
         }
     }
 
-    /// What is to be checked.
-    pub(super) fn measured(&self) -> Option<&Path> {
-        self.measured.as_deref()
-    }
-
     /// Checks the forms of a folder against the scene or the exercises.
     pub(super) fn forms_of(&self, folder: &Path) -> Result<(), Failure> {
         if self.scene.is_dir() {
@@ -131,7 +125,6 @@ impl Check {
         solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Sheet::Acceleration)
     }
 
-    /// Refuses `-o` for one form.
     fn refuse_table(&self) -> Result<(), Failure> {
         match self.output {
             None => Ok(()),

@@ -6,7 +6,6 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 use std::fmt::Write;
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
   kinegon completions bash > ~/.local/share/bash-completion/completions/kinegon

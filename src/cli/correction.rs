@@ -1,4 +1,4 @@
-use super::figures::{FigureOptions, Figures, stem};
+use super::figures::{FigureOptions, Figures, GivenStyle, stem};
 use super::message::{Failure, warn};
 use super::options::{GivenScales, Paper};
 use super::output::FileSet;
@@ -32,7 +32,7 @@ impl Correction {
                 true => Err(Failure::misuse("--draw draws one form, here is a folder", "name one of its files")),
             };
         }
-        if self.scales.is_given() || self.paper.is_given() || self.forms.has_style() {
+        if self.scales.is_given() || self.paper.is_given() || self.forms.style.is_some() {
             return Err(Failure::misuse(
                 "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for",
                 "add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a",
@@ -64,7 +64,7 @@ impl Correction {
         let figure = &mut solution.scene.figure;
         // Scales: from the options, else from the form, else from the scene.
         measured.put_scales_into(figure);
-        let style = self.forms.style()?;
+        let style = GivenStyle::read(self.forms.style.as_deref())?;
         style.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);

@@ -8,7 +8,6 @@ use crate::drawing::{curves, hodographs, paths};
 use crate::words::Wording;
 use clap::Args;
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
   kinegon curves scene.json                                 ω of all links

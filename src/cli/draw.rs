@@ -32,7 +32,6 @@ enum WorkSheet {
     Blank,
 }
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
   kinegon draw scene.json                       to out/, as SVG and PNG

@@ -13,7 +13,6 @@ use crate::sheet::Sheet;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheets (sheet.svg, sheet-2.svg …, \
 all in sheet.pdf), the empty form \
@@ -175,7 +174,6 @@ enum Lms {
 }
 
 impl Lms {
-    /// The ending of its file.
     fn ending(self) -> &'static str {
         match self {
             Lms::Moodle => "xml",

@@ -5,7 +5,6 @@ use super::forms::is_hidden;
 use super::message::Failure;
 use crate::scene::nearest;
 use crate::text::{Untrusted, shown};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The exercises of a folder, in the order of their names.
@@ -43,16 +42,13 @@ impl ExerciseFolder {
     /// The exercises of a folder: each folder in it with a `scene.json`, and each scene file. A folder that has
     /// `scene.json` itself is one exercise.
     pub(super) fn read(folder: &Path) -> Result<ExerciseFolder, Failure> {
-        let failed = |error| Failure::unclear(format!("{} cannot be listed: {error}", folder.display()));
         let scene = folder.join("scene.json");
         let mut all = Vec::new();
         if scene.is_file() {
             let place = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
             all.push(ExerciseFiles { name: name(place.file_name()), scene, folder: Some(folder.to_owned()) });
         } else {
-            for entry in fs::read_dir(folder).map_err(failed)? {
-                all.extend(exercise(&entry.map_err(failed)?.path()));
-            }
+            all.extend(files::entries(folder)?.iter().filter_map(|path| exercise(path)));
         }
         all.sort_by(|a, b| a.name.cmp(&b.name));
         if let Some(same) = all.windows(2).find(|pair| pair[0].name == pair[1].name) {

@@ -32,22 +32,10 @@ pub(super) struct FigureOptions {
     outlines: bool,
     /// Drawing style in place of the scene's own: paper, print, lecture, board, or the path of a style file.
     #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
-    style: Option<String>,
+    pub style: Option<String>,
     /// Resolution of PNG in dots per inch.
     #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
     dpi: f64,
-}
-
-impl FigureOptions {
-    /// Whether `--style` is given.
-    pub(super) fn has_style(&self) -> bool {
-        self.style.is_some()
-    }
-
-    /// The style of `--style`.
-    pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
-        GivenStyle::read(self.style.as_deref())
-    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -98,7 +86,7 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
 impl Figures {
     /// The style of `--style`.
     pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
-        self.options.style()
+        GivenStyle::read(self.options.style.as_deref())
     }
 
     /// Whether pages are among the formats.
@@ -305,7 +293,7 @@ impl GivenStyle {
         named.map_or_else(|| style_file(asked).map(GivenStyle::File), |name| Ok(GivenStyle::Named(name)))
     }
 
-    /// Asks a scene's figure for it. The looks of a file are put on the drawing, its sizes must be known before.
+    /// Copies the size options into the scene's figure. The looks of a style file are put on the finished drawing; its sizes must be known before.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         match self {
             GivenStyle::Scene => {}
@@ -324,7 +312,6 @@ impl GivenStyle {
     }
 }
 
-/// The style of a file.
 fn style_file(asked: &str) -> Result<Style, Failure> {
     if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
         let known = StyleName::ALL.map(StyleName::as_str).join(", ");

@@ -4,7 +4,7 @@ use crate::text;
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use std::fs;
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Reads a scene's text from a file, or from stdin for `-`.
 pub(super) fn read(path: &Path) -> Result<Source, Failure> {
@@ -108,6 +108,13 @@ pub(super) fn try_print(bytes: &[u8]) -> Result<bool, Failure> {
         Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
         Err(error) => Err(Failure::outside(format!("stdout cannot be written: {error}"))),
     }
+}
+
+/// The paths of what is in a folder.
+pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |error| Failure::unclear(format!("{} cannot be listed: {error}", folder.display()));
+    let entries = fs::read_dir(folder).map_err(failed)?;
+    entries.map(|entry| Ok(entry.map_err(failed)?.path())).collect()
 }
 
 /// Refuses to write over the file `input` that was read; `what` is its name in messages.

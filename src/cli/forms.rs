@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// such a name and is no file is among them, so that a row says so.
 pub(super) fn forms_in(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf>, Failure> {
     let others = complete(others);
-    let mut forms: Vec<PathBuf> = entries(folder)?.into_iter().filter(|path| is_form(path, &others)).collect();
+    let mut forms: Vec<PathBuf> = files::entries(folder)?.into_iter().filter(|path| is_form(path, &others)).collect();
     forms.sort_by(|a, b| a.file_name().cmp(&b.file_name()));
     if forms.is_empty() { Err(none(folder)) } else { Ok(forms) }
 }
@@ -24,7 +24,7 @@ pub(super) fn forms_below(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf
     let others = complete(others);
     let (mut forms, mut folders) = (Vec::new(), vec![folder.to_owned()]);
     while let Some(inside) = folders.pop() {
-        let entries = match entries(&inside) {
+        let entries = match files::entries(&inside) {
             Err(_) if inside != folder => {
                 forms.push(inside);
                 continue;
@@ -42,15 +42,6 @@ pub(super) fn forms_below(folder: &Path, others: &[&Path]) -> Result<Vec<PathBuf
     }
     forms.sort();
     if forms.is_empty() { Err(none(folder)) } else { Ok(forms) }
-}
-
-fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let failed = |error: std::io::Error| {
-        let message = format!("{} cannot be listed: {error}", folder.display());
-        Failure::unclear(message)
-    };
-    let entries = fs::read_dir(folder).map_err(failed)?;
-    entries.map(|entry| Ok(entry.map_err(failed)?.path())).collect()
 }
 
 /// The complete paths of the files that are there.

@@ -16,7 +16,6 @@ pub const GROUPS: [(&str, &[&str]); 5] = [
     ("For editors, shells and programs", &["schema", "completions", "man", "help"]),
 ];
 
-/// Examples, one a line.
 const EXAMPLES: &str = "\
 Examples:
   kinegon app                                    the workbench in the browser

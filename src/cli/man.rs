@@ -7,7 +7,6 @@ use clap_mangen::roff::{Roff, roman};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
   kinegon man | man -l -                       reads the page

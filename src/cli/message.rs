@@ -146,13 +146,11 @@ pub fn shown(name: &str, text: &str, error: &Error) -> String {
     }
 }
 
-/// Shows a remark on stderr.
 pub(super) fn note(text: &str) {
     let report = [Group::with_title(Level::NOTE.primary_title(text::message(text)))];
     say(&Renderer::styled().render(&report));
 }
 
-/// Shows a warning on stderr.
 pub(super) fn warn(text: &str) {
     let report = [Group::with_title(Level::WARNING.primary_title(text::message(text)))];
     say(&Renderer::styled().render(&report));

@@ -6,7 +6,6 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use std::path::{Path, PathBuf};
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
   kinegon new                             lists the kinds

@@ -115,7 +115,6 @@ fn scale(text: &str) -> Result<f64, String> {
 }
 
 impl GivenScales {
-    /// The scales that are given.
     fn given(&self) -> Scales {
         PerSheet::from_fn(|sheet| match sheet {
             Sheet::Scheme => self.mu_l,

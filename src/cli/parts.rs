@@ -14,7 +14,6 @@ pub(super) const ROWS: u64 = 4096;
 /// The file in the folder that says what its rows are of.
 const NAME: &str = "study";
 
-/// The parts of a file.
 pub(super) struct Parts {
     folder: PathBuf,
     /// Numbers in a row.
@@ -74,7 +73,6 @@ impl Parts {
         put(&self.path(block), &bytes)
     }
 
-    /// The numbers of a block.
     pub(super) fn read(&self, block: &Range<u64>) -> Result<Vec<f64>, Failure> {
         let path = self.path(block);
         let bytes =

@@ -50,7 +50,6 @@ impl Photo {
         &self.sheet.code
     }
 
-    /// The plans on its sheet.
     fn plans(&self) -> impl Iterator<Item = PencilledPlan<'_>> {
         PencilledPlan::on(&self.sheet, &self.strokes)
     }
@@ -211,7 +210,6 @@ fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
     .collect()
 }
 
-/// A verdict in words.
 fn verdict(verdict: PointVerdict, words: &Wording) -> &str {
     match verdict {
         PointVerdict::Right => words.language.check_right(),

@@ -3,6 +3,7 @@
 use super::check::Check;
 use super::exercises::ExerciseFolder;
 use super::files;
+use super::forms::forms_in;
 use super::message::{Failure, Source, note, warn};
 use super::output::FileSet;
 use super::photo::{Photo, PhotoResult, expected, note_next, student};
@@ -13,7 +14,6 @@ use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::text::cell;
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A scene that photographs may be of.
@@ -26,7 +26,7 @@ struct Subject {
 impl Check {
     /// Checks photographs, if photographs are given: `None` if not.
     pub(super) fn photographs(&self) -> Result<Option<Result<(), Failure>>, Failure> {
-        let Some(first) = self.measured() else { return Ok(None) };
+        let Some(first) = self.measured.as_deref() else { return Ok(None) };
         if first.is_dir() {
             let photos = photos_below(first)?;
             return Ok((!photos.is_empty()).then(|| self.photo_class(first, photos)));
@@ -126,7 +126,7 @@ impl Check {
                 "name a folder for them: -o forms/",
             ));
         };
-        if files_are_same(folder, output) {
+        if files::is_same(folder, output) {
             return Err(Failure::misuse(
                 "the folder with the photographs is that for the forms",
                 "choose another after -o",
@@ -190,11 +190,6 @@ impl Check {
     }
 }
 
-/// Whether two paths lead to one existing folder.
-fn files_are_same(one: &Path, other: &Path) -> bool {
-    super::files::is_same(one, other)
-}
-
 /// A text as a cell of a table.
 fn quoted(text: &str) -> String {
     format!("\"{}\"", cell(text).replace('"', "\"\""))
@@ -202,18 +197,15 @@ fn quoted(text: &str) -> String {
 
 /// The photographs in a folder and in the folders in it, one for each student; none where it has forms.
 fn photos_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-    let failed = |error: std::io::Error| Failure::unclear(format!("{} cannot be listed: {error}", folder.display()));
     let mut photos = Vec::new();
-    for entry in fs::read_dir(folder).map_err(failed)? {
-        let path = entry.map_err(failed)?.path();
+    for path in files::entries(folder)? {
         if path.is_dir() {
-            let inside = fs::read_dir(&path).map_err(failed)?.filter_map(Result::ok).map(|entry| entry.path());
+            let inside = files::entries(&path)?.into_iter();
             photos.extend(inside.filter(|path| path.is_file() && is_photograph(path)));
         } else if is_photograph(&path) {
             photos.push(path);
         }
     }
-    let has_forms = super::forms::forms_in(folder, &[]).is_ok();
     photos.sort();
-    Ok(if has_forms { Vec::new() } else { photos })
+    Ok(if forms_in(folder, &[]).is_ok() { Vec::new() } else { photos })
 }

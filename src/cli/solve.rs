@@ -17,7 +17,6 @@ use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 Examples:
   kinegon solve scene.json > result.json   every number, with its error bound
@@ -143,7 +142,6 @@ impl Schema {
     }
 }
 
-/// Text of `--help` behind the options.
 const STEPS_HELP: &str = "\
 Examples:
   kinegon steps scene.json                      the construction, numbered

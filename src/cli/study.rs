@@ -15,7 +15,6 @@ use std::path::{Path, PathBuf};
 /// Rows that a core computes at a time.
 const CHUNK: u64 = 512;
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 A study is a file as
   { \"kinegon_study\": 1, \"scene\": \"four-bar.json\",

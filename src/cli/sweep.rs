@@ -14,7 +14,6 @@ use std::path::PathBuf;
 /// Most extreme and change points that are listed.
 const NOTES: usize = 30;
 
-/// Text of `--help` behind the options.
 const AFTER_HELP: &str = "\
 The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be \
 reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number, \

@@ -149,7 +149,6 @@ const ALIGNMENT: [f64; 3] = [-0.5, 1.0, -0.5];
 
 /// Half modules in a row round the middle of a module from which it is told whether it is dark.
 const ROW: usize = 6;
-/// Their number.
 const INPUTS: usize = ROW * ROW;
 /// Rounds in which the modules told apart teach.
 const LEARNT: usize = 5;

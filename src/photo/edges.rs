@@ -3,13 +3,11 @@
 use super::picture::Picture;
 use crate::geometry::{Point, Vector, cross};
 
-/// Profiles across each edge.
 const PROFILES: usize = 17;
 /// Part of an edge at either end without profiles: there it is round.
 const END: f64 = 0.1;
 /// Half the length of a profile, in mm: inside an edge is a cell of black, outside white.
 const REACH: f64 = 1.2;
-/// Samples of half a profile.
 const SAMPLES: usize = 12;
 /// Half the part of a profile about the edge that counts, in samples.
 const WINDOW: f64 = 6.5;

@@ -18,7 +18,6 @@ const CONTRAST: f64 = 18.0;
 /// How far a corner may be from where the others let expect it, in sides of its marker.
 const APART: f64 = 0.9;
 
-/// Pages with markers.
 const PAGES: [Page; 6] = [
     Page { size: PageSize::A4, landscape: true },
     Page { size: PageSize::A4, landscape: false },
@@ -35,7 +34,6 @@ pub(super) fn corners(page: Page, number: usize) -> [Point; 4] {
         .map(|(x, y)| Point::new(x, y))
 }
 
-/// A marker in a picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Marker {
     /// Its number: its place on the sheet.
@@ -258,7 +256,6 @@ impl Homography {
         Some(Homography(to.try_inverse()? * scaled * from)).filter(|h| h.0.iter().all(|x| x.is_finite()))
     }
 
-    /// Where a place goes.
     pub(super) fn at(&self, point: Point) -> Point {
         let image = self.0 * Vector3::new(point.x, point.y, 1.0);
         Point::new(image.x / image.z, image.y / image.z)

@@ -35,7 +35,6 @@ impl Picture {
         &self.grey
     }
 
-    /// A row of pixels.
     pub(super) fn row(&self, y: usize) -> &[u8] {
         &self.grey[y * self.width..][..self.width]
     }

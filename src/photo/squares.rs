@@ -227,7 +227,6 @@ impl Part {
     }
 }
 
-/// Area of an outline.
 fn area(outline: &[Point]) -> f64 {
     let n = outline.len();
     (0.5 * (0..n).map(|i| cross(outline[i].coords, outline[(i + 1) % n].coords)).sum::<f64>()).abs()

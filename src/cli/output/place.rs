@@ -4,7 +4,6 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
 
-/// Where an output goes.
 pub(super) enum Place {
     /// A pipe or a device. It must not be replaced by a file, so it is written directly.
     Special,

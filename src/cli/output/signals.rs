@@ -22,7 +22,6 @@ pub(super) fn known() -> MutexGuard<'static, Known> {
 }
 
 impl Known {
-    /// Removes all staging folders.
     pub(super) fn remove(&mut self) {
         for folder in self.folders.drain(..) {
             let _ = fs::remove_dir_all(folder);

@@ -26,14 +26,14 @@ pub struct CheckOptions {
 }
 
 /// A form that was checked.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 pub struct Checked {
     /// As `kinegon check --json`; none where no value is understood.
     pub result: Option<CheckResult>,
     /// As `kinegon check`.
     pub report: String,
-    /// The report piece by piece.
-    pub parts: Option<Parts>,
+    /// The report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
+    pub parts: Option<ReportParts>,
     /// Values that are not understood, by their names in the form.
     pub faults: Vec<Fault>,
     /// The student's drawing over the right one, where it was asked for.
@@ -42,54 +42,6 @@ pub struct Checked {
     pub feedback: String,
     /// The marks in words, where a marking scheme was given.
     pub marks: Option<String>,
-}
-
-/// A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "ReportParts")]
-pub struct Parts {
-    /// How many values are right, within the tolerance, off.
-    pub counts: String,
-    /// How much is allowed, and how accurate the drawing is.
-    pub accuracy: Vec<String>,
-    /// Headings of a value's cells.
-    pub columns: Vec<String>,
-    /// The values in the order of `result.values`.
-    pub rows: Vec<PartsRow>,
-    /// About rates without a sense.
-    pub senses: Option<String>,
-    /// The heading of the causes, or the sentence that there are none, or that none can be told.
-    pub heading: String,
-    /// What was probably done.
-    pub causes: Vec<CauseOf>,
-    /// How sure that is.
-    pub sure: Option<String>,
-    /// Which values nothing explains, which plans are mirrored.
-    pub further: Vec<String>,
-    /// What else explains the values.
-    pub others: Vec<String>,
-}
-
-/// A value of a report.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct PartsRow {
-    /// The name of its box in the form file.
-    pub name: String,
-    /// Name, own value, exact value, difference, the same on paper and in per cent, what is allowed, verdict.
-    pub cells: Vec<String>,
-}
-
-/// A mistake that was probably made.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct CauseOf {
-    /// At which step, and what was done.
-    pub done: String,
-    /// That step's caption.
-    pub caption: Option<String>,
-    /// What it should be.
-    pub should: String,
-    /// Which values follow from it.
-    pub follows: Option<String>,
 }
 
 /// A value that is not understood.
@@ -149,16 +101,15 @@ impl Desk {
         let scheme = scheme.transpose()?;
         let found = set_faults_apart(&mut measured, &key);
         if measured.values.is_empty() && measured.points.is_empty() && !found.is_empty() {
-            return Ok(Checked::without_values(found));
+            return Ok(Checked { faults: found, ..Checked::default() });
         }
         let checked = check(&measured, &key)?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let mut result = check_result(&checked, &key, &words, measured.name.clone());
-        let mut drawn = Drawn::default();
+        let (mut overlays, mut feedback) = (Vec::new(), String::new());
         if options.drawn {
-            let overlay = redrawn(&measured, &key, &checked, &words)?;
-            drawn.overlays = sheets(&key, overlay);
-            drawn.feedback = Feedback::new(&measured, &key, &checked, marks.as_ref(), &words)?.html();
+            overlays = sheets(&key, redrawn(&measured, &key, &checked, &words)?);
+            feedback = Feedback::new(&measured, &key, &checked, marks.as_ref(), &words)?.html();
         }
         let line = marks.as_ref().map(|marks| marks.line(&words));
         result.marks = marks;
@@ -166,34 +117,13 @@ impl Desk {
         Ok(Checked {
             result: Some(result),
             report: report(&checked, &key, &words) + &end,
-            parts: Some(Parts::of(report_parts(&checked, &key, &words))),
+            parts: Some(report_parts(&checked, &key, &words).set(|text| html_text(&Overlay::set(&text)))),
             faults: found,
-            overlays: drawn.overlays,
-            feedback: drawn.feedback,
+            overlays,
+            feedback,
             marks: line,
         })
     }
-}
-
-impl Checked {
-    fn without_values(faults: Vec<Fault>) -> Checked {
-        Checked {
-            result: None,
-            report: String::new(),
-            parts: None,
-            faults,
-            overlays: Vec::new(),
-            feedback: String::new(),
-            marks: None,
-        }
-    }
-}
-
-/// What is drawn of a checked form.
-#[derive(Default)]
-struct Drawn {
-    overlays: Vec<OverlaySheet>,
-    feedback: String,
 }
 
 /// Takes the values that are not understood out of a form.
@@ -219,30 +149,4 @@ fn sheets(key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
     let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..redrawn };
     let sheets = overlay(&solution, &drawn);
     sheets.iter().map(|sheet| OverlaySheet { svg: sheet.svg(), width: sheet.width, height: sheet.height }).collect()
-}
-
-impl Parts {
-    fn of(parts: ReportParts) -> Parts {
-        let html = |text: &String| html_text(&Overlay::set(text));
-        let all = |texts: &[String]| texts.iter().map(html).collect();
-        let rows = parts.rows.iter().map(|row| PartsRow { name: row.name.clone(), cells: all(&row.cells) });
-        let causes = parts.causes.iter().map(|cause| CauseOf {
-            done: html(&cause.done),
-            caption: cause.caption.as_ref().map(html),
-            should: html(&cause.should),
-            follows: cause.follows.as_ref().map(html),
-        });
-        Parts {
-            counts: html(&parts.counts),
-            accuracy: all(&parts.accuracy),
-            columns: all(&parts.columns),
-            rows: rows.collect(),
-            senses: parts.senses.as_ref().map(html),
-            heading: html(&parts.heading),
-            causes: causes.collect(),
-            sure: parts.sure.as_ref().map(html),
-            further: all(&parts.further),
-            others: all(&parts.others),
-        }
-    }
 }

@@ -1,5 +1,4 @@
 use crate::answers::{Drive, View};
-use crate::gesture::Gesture;
 use crate::refused::Refused;
 use kinegon::Sheet;
 use kinegon::cycle::{self, OtherModes, Pull};
@@ -10,11 +9,10 @@ use kinegon::quantity::{Quantity, QuantityRequest};
 use kinegon::scene::SizeLimit;
 use kinegon::{Scene, Solution, order_of_figure, posed};
 
-/// The last scene, solved as far as was asked for, and what is being pulled.
+/// The last scene, solved as far as was asked for.
 #[derive(Default)]
 pub struct Desk {
     kept: Option<Kept>,
-    pub gesture: Option<Gesture>,
 }
 
 /// A scene in its position.

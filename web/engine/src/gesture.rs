@@ -68,9 +68,8 @@ enum Hold {
 }
 
 impl Desk {
-    /// Takes hold of something.
-    pub fn grab(&mut self, text: &str, view: &View, what: &Grab) -> Result<Picture, Refused> {
-        self.gesture = None;
+    /// Takes hold of something: the gesture, and the picture that it begins with.
+    pub fn grab(&mut self, text: &str, view: &View, what: &Grab) -> Result<(Gesture, Picture), Refused> {
         let kept = self.kept(text)?;
         let drives = kept.drives()?;
         let own = kept.figure()?;
@@ -93,29 +92,12 @@ impl Desk {
         let staged = kept.take_stage(view)?;
         let now = staged.own.clone();
         let picture = staged.picture(&staged.own, staged.modes.as_ref(), view, drives.clone());
-        self.gesture = Some(Gesture { text: text.to_owned(), view: view.clone(), staged, drives, hold, now });
-        Ok(picture)
-    }
-
-    /// Pulls what is held.
-    pub fn drag(&mut self, to: To) -> Result<Picture, Refused> {
-        self.gesture.as_mut().ok_or_else(nothing_held)?.pull(to)
-    }
-
-    /// Lets go: the scene's text after the gesture.
-    pub fn let_go(&mut self) -> Result<String, Refused> {
-        let Gesture { text, hold, .. } = self.gesture.take().ok_or_else(nothing_held)?;
-        match hold {
-            Hold::Drive { pull, pose, .. } if pull.value() != pull.start() => {
-                with_position(&text, &pose).map_err(|error| Refused::of(&text, error))
-            }
-            Hold::Drive { .. } => Ok(text),
-            Hold::Shape { text, .. } => Ok(text),
-        }
+        Ok((Gesture { text: text.to_owned(), view: view.clone(), staged, drives, hold, now }, picture))
     }
 }
 
-fn nothing_held() -> Refused {
+/// Why nothing can be pulled or let go.
+pub fn nothing_held() -> Refused {
     Refused::whole("nothing is held")
 }
 
@@ -126,7 +108,19 @@ impl Hold {
 }
 
 impl Gesture {
-    fn pull(&mut self, to: To) -> Result<Picture, Refused> {
+    /// Lets go: the scene's text after the gesture.
+    pub fn let_go(self) -> Result<String, Refused> {
+        match self.hold {
+            Hold::Drive { pull, pose, .. } if pull.value() != pull.start() => {
+                with_position(&self.text, &pose).map_err(|error| Refused::of(&self.text, error))
+            }
+            Hold::Drive { .. } => Ok(self.text),
+            Hold::Shape { text, .. } => Ok(text),
+        }
+    }
+
+    /// Pulls what is held.
+    pub fn pull(&mut self, to: To) -> Result<Picture, Refused> {
         let place = match to {
             To::Place { to: [x, y] } => self.staged.stage.place(Point::new(x, y)),
             To::Value { .. } => None,

@@ -24,6 +24,7 @@ pub use schema::schema;
 
 use desk::Desk;
 use exercises::Series;
+use gesture::{Gesture, nothing_held};
 use kinegon::Sheet;
 use kinegon::drawing::{ITALIC, REGULAR};
 use kinegon::editing::{self, Edit};
@@ -41,6 +42,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[derive(Default)]
 pub struct Engine {
     desk: Desk,
+    gesture: Option<Gesture>,
     series: Option<Series>,
     photo: Option<Photograph>,
 }
@@ -81,7 +83,12 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn grab(&mut self, text: &str, view: &str, what: &str) -> Result<String, String> {
-        answer(asked(view).and_then(|view| self.desk.grab(text, &view, &asked(what)?)))
+        self.gesture = None;
+        let held = asked(view).and_then(|view| self.desk.grab(text, &view, &asked(what)?));
+        answer(held.map(|(gesture, picture)| {
+            self.gesture = Some(gesture);
+            picture
+        }))
     }
 
     /// Pulls what is held: the picture of the new position.
@@ -89,7 +96,8 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn drag(&mut self, to: &str) -> Result<String, String> {
-        answer(asked(to).and_then(|to| self.desk.drag(to)))
+        let gesture = self.gesture.as_mut().ok_or_else(nothing_held);
+        answer(gesture.and_then(|gesture| gesture.pull(asked(to)?)))
     }
 
     /// Lets go: the scene's text after the gesture.
@@ -98,7 +106,7 @@ impl Engine {
     /// A [`Refused`] as JSON.
     #[wasm_bindgen(js_name = drop)]
     pub fn let_go(&mut self) -> Result<String, String> {
-        plain(self.desk.let_go())
+        plain(self.gesture.take().ok_or_else(nothing_held).and_then(Gesture::let_go))
     }
 
     /// The scene's text after some changes.

@@ -849,7 +849,7 @@ export interface Checked {
    */
   report: string;
   /**
-   * The report piece by piece.
+   * The report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
    */
   parts: ReportParts | null;
   /**
@@ -1042,7 +1042,8 @@ export interface Awarded {
   follow_through: number;
 }
 /**
- * A report piece by piece; all texts but names are HTML of `<sub>`, `<sup>` and text alone.
+ * A report in parts, in the markup of [`Overlay::set`](crate::drawing::Overlay::set). What is right and what was
+ * probably done stand apart, so that a page can say the one without the other.
  */
 export interface ReportParts {
   /**
@@ -1054,31 +1055,34 @@ export interface ReportParts {
    */
   accuracy: string[];
   /**
-   * Headings of a value's cells.
+   * Headings of the cells of a value.
+   *
+   * @minItems 8
+   * @maxItems 8
    */
-  columns: string[];
+  columns: [string, string, string, string, string, string, string, string];
   /**
-   * The values in the order of `result.values`.
+   * The values in the order of the construction.
    */
-  rows: PartsRow[];
+  rows: ReportRow[];
   /**
-   * About rates without a sense.
+   * About rates without a sense, if there are any.
    */
   senses: string | null;
   /**
-   * The heading of the causes, or the sentence that there are none, or that none can be told.
+   * The heading of the mistakes, or the sentence that there are none, or that none can be told.
    */
   heading: string;
   /**
-   * What was probably done.
+   * The mistakes that were probably made.
    */
-  causes: CauseOf[];
+  causes: Cause[];
   /**
-   * How sure that is.
+   * How sure these are.
    */
   sure: string | null;
   /**
-   * Which values nothing explains, which plans are mirrored.
+   * Which values nothing explains, and which plans are mirrored.
    */
   further: string[];
   /**
@@ -1089,26 +1093,29 @@ export interface ReportParts {
 /**
  * A value of a report.
  */
-export interface PartsRow {
+export interface ReportRow {
   /**
-   * The name of its box in the form file.
+   * The name of the form's box.
    */
   name: string;
   /**
    * Name, own value, exact value, difference, the same on paper and in per cent, what is allowed, verdict.
+   *
+   * @minItems 8
+   * @maxItems 8
    */
-  cells: string[];
+  cells: [string, string, string, string, string, string, string, string];
 }
 /**
  * A mistake that was probably made.
  */
-export interface CauseOf {
+export interface Cause {
   /**
    * At which step, and what was done.
    */
   done: string;
   /**
-   * That step's caption.
+   * The step's caption.
    */
   caption: string | null;
   /**
