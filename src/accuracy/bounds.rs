@@ -93,7 +93,7 @@ impl Bounds<'_> {
 
     /// Of velocity and acceleration of a point that moves with a body.
     #[must_use]
-    pub fn motion_of(&self, body: BodyId, point: PointId) -> [f64; 2] {
+    pub(crate) fn motion_of(&self, body: BodyId, point: PointId) -> [f64; 2] {
         let (motion, at) = (self.motion.body(body), self.pose.point(point));
         self.motion_at(body, |e| Some(e.place(point)), [motion.velocity_at(at), motion.acceleration_at(at)])
     }
@@ -131,7 +131,7 @@ impl Bounds<'_> {
 
     /// Whether accelerations have been computed.
     #[must_use]
-    pub fn has_accelerations(&self) -> bool {
+    pub(crate) fn has_accelerations(&self) -> bool {
         self.motion.order == Sheet::Acceleration
     }
 }

@@ -115,7 +115,7 @@ impl Enclosure {
 
     /// The angle of a link's axis in degrees from `axis`, its direction in a pose: the bound of the difference.
     #[must_use]
-    pub fn angle_from(&self, mechanism: &Mechanism, body: BodyId, axis: geometry::Vector) -> Option<f64> {
+    pub(super) fn angle_from(&self, mechanism: &Mechanism, body: BodyId, axis: geometry::Vector) -> Option<f64> {
         let along = self.turn(body).or_else(|| self.drawn_axis(mechanism, body))?;
         let rough = Vector::from(axis);
         let (across, size) = (rough.cross(along), libm::hypot(along.x.high, along.y.high) * axis.norm());

@@ -10,4 +10,4 @@ mod quantity;
 
 pub use bounds::{Bounds, bounds};
 pub use enclosure::Enclosure;
-pub use quantity::is_bounded;
+pub(crate) use quantity::is_bounded;

@@ -9,7 +9,7 @@ const ROUNDINGS: f64 = 8.0 * UNIT_ROUNDOFF;
 
 /// Whether [`Bounds::of`] bounds the error of a quantity: all but special points and what is measured on a plan.
 #[must_use]
-pub fn is_bounded(asked: &QuantityRequest) -> bool {
+pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
     let joint = |spot: &Spot| matches!(spot, Spot::Point(..));
     match asked.what() {
         What::Coordinate(_, spot) => joint(spot),

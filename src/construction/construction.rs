@@ -164,14 +164,14 @@ impl Construction {
 
     /// How many places, lines and numbers the operations make.
     #[must_use]
-    pub fn counts(&self) -> [usize; 3] {
+    pub(crate) fn counts(&self) -> [usize; 3] {
         self.record.counts()
     }
 
     /// The plan points where the known parts of a leg's acceleration begin and end, by the usual name `n_b3` of that end:
     /// equal where the leg has no known part.
     #[must_use]
-    pub fn known_parts(&self, normal_name: &str) -> Option<&[String; 2]> {
+    pub(crate) fn known_parts(&self, normal_name: &str) -> Option<&[String; 2]> {
         self.known_parts.get(normal_name)
     }
 
@@ -190,13 +190,13 @@ impl Construction {
     }
 
     /// The named points of the sheets, in the order in which they got their names; a place may have several names.
-    pub fn named_places(&self) -> impl Iterator<Item = (Sheet, &str, PlaceId)> {
+    pub(crate) fn named_places(&self) -> impl Iterator<Item = (Sheet, &str, PlaceId)> {
         self.places.iter().map(|((sheet, name), &place)| (*sheet, name.as_str(), place))
     }
 
     /// The quantity name of a number, as in `L(B,S3)`, `vplan(b,s3)`, `omega(2)`; empty for the size of a vector.
     #[must_use]
-    pub fn number_name(&self, mechanism: &Mechanism, number: NumberId) -> String {
+    pub(crate) fn number_name(&self, mechanism: &Mechanism, number: NumberId) -> String {
         match &self.numbers[number.0] {
             NumberKind::Length(ends) => {
                 let [a, b] = ends.map(|end| self.end_name(mechanism, end));
@@ -213,7 +213,7 @@ impl Construction {
 
     /// The name of the joint or special point at an end of a length.
     #[must_use]
-    pub fn end_name<'n>(&'n self, mechanism: &'n Mechanism, end: End) -> &'n str {
+    pub(crate) fn end_name<'n>(&'n self, mechanism: &'n Mechanism, end: End) -> &'n str {
         match end {
             End::Joint(point) => mechanism.point_name(point),
             End::Special(id) => &self.special(id).name,
@@ -273,7 +273,7 @@ impl Construction {
 
     /// For each quantity, by name, the first step that yields it.
     #[must_use]
-    pub fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
+    pub(crate) fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
         let mut steps = IndexMap::new();
         for step in self.numbered_steps() {
             let sheet = step.sheet();

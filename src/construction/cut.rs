@@ -70,15 +70,15 @@ impl CutLine {
     pub fn new(mechanism: &Mechanism, pose: &Pose, point: &SpecialPoint, leg: &Leg) -> Self {
         let carrier = leg.carried.map_or(point.link, |c| c.carrier);
         // The joints of the leg, each with the body before it and the body after it, from the base on.
-        let way: SmallVec<[(BodyId, &Joint, BodyId); 2]> = match leg.carried {
+        let joints: SmallVec<[(BodyId, &Joint, BodyId); 2]> = match leg.carried {
             None => smallvec![(leg.base, mechanism.joint(leg.outer), point.link)],
             Some(Carried { carrier, inner }) => smallvec![
                 (leg.base, mechanism.joint(leg.outer), carrier),
                 (carrier, mechanism.joint(inner), point.link)
             ],
         };
-        let pin = |index: usize| way.get(index).and_then(|(_, joint, _)| joint.pin);
-        let sliders: SmallVec<[SliderId; 2]> = way.iter().filter_map(|(_, joint, _)| joint.slider).collect();
+        let pin = |index: usize| joints.get(index).and_then(|(_, joint, _)| joint.pin);
+        let sliders: SmallVec<[SliderId; 2]> = joints.iter().filter_map(|(_, joint, _)| joint.slider).collect();
         let course = match sliders.as_slice() {
             [] => pin(0).map(|from| Course::Through(from, pin(1))),
             [slider] => pin(0).or(pin(1)).or(point.target).map(|at| Course::Normal(*slider, at)),
@@ -91,7 +91,7 @@ impl CutLine {
         };
         let terms = match course {
             Course::AtInfinity => SmallVec::new(),
-            _ => way.iter().enumerate().filter_map(term).collect(),
+            _ => joints.iter().enumerate().filter_map(term).collect(),
         };
         let line = match course {
             Course::Through(from, to) => {
@@ -142,7 +142,7 @@ impl CutLine {
 
     /// The joint from which the length to the sought point is measured; none where no equation contains it.
     #[must_use]
-    pub fn measured_from(&self) -> Option<PointId> {
+    pub(super) fn measured_from(&self) -> Option<PointId> {
         self.terms.iter().find_map(|term| match term {
             Term::Turn { from, to: None, .. } => Some(*from),
             _ => None,
@@ -195,7 +195,7 @@ impl Special {
     /// Names of the ends of the normal parts of both legs, as in `n_b3`; where both legs start from the same point, the
     /// second name has a prime.
     #[must_use]
-    pub fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
+    pub(crate) fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
         let name = |cut: &CutLine| {
             let start = cut.start().map(|point| point_on(mechanism, cut.leg.base, point));
             normal_name(&start.unwrap_or_default(), &self.name)
@@ -212,7 +212,7 @@ impl Special {
     /// Name of the end of the Coriolis acceleration of the slider in a leg, as in `k_a3`: laid off from the image of A,
     /// of a slider that leads to link 3. Empty for a leg without a slider.
     #[must_use]
-    pub fn coriolis_name(&self, mechanism: &Mechanism, side: usize) -> String {
+    pub(crate) fn coriolis_name(&self, mechanism: &Mechanism, side: usize) -> String {
         let cut = &self.cuts[side];
         let start = cut.start().map(|point| image_name(&point_on(mechanism, cut.leg.base, point)));
         let entered = cut.slide(mechanism).map(|slide| mechanism.body(slide.to).name.as_str());
@@ -222,7 +222,7 @@ impl Special {
 
 /// The special points (and dyads' inner joints) by which the plans of `group` are drawn.
 #[must_use]
-pub fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<Special> {
+pub(super) fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<Special> {
     let points = group.special.iter().map(|point| {
         let cuts = point.legs.map(|leg| CutLine::new(mechanism, pose, point, &leg));
         let mut crossing = cuts[0].line.crossing(&cuts[1].line);

@@ -23,7 +23,7 @@ impl Teller<'_> {
             Sheet::Acceleration => self.relative_acceleration(special, cut, &start),
             _ => self.leg_velocity(special, cut, &start),
         };
-        // A point of the ground under a slider is at rest: it is left out, with a plus behind it.
+        // A point of the ground has no velocity: its term is left out, with one of the plus signs beside it.
         let ground = self.mechanism.body(GROUND);
         let is_under = cut.leg.base == GROUND && cut.start().is_some_and(|start| !ground.points.contains(&start));
         if is_under && formula.terms.len() > 3 {
@@ -53,7 +53,7 @@ impl Teller<'_> {
         formula
     }
 
-    /// The vector equation behind a velocity ray: what driven sliders on the way add, then the velocity along the ray,
+    /// The vector equation behind a velocity ray: what driven sliders of the leg add, then the velocity along the ray,
     /// which is a sliding velocity where nothing else moves.
     fn leg_velocity(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
         let mut formula = self.relative_velocity(&point.name, start);
@@ -75,7 +75,7 @@ impl Teller<'_> {
         formula
     }
 
-    /// The vector equation behind an acceleration ray: what the sliders on the way add, normal and tangential part.
+    /// The vector equation behind an acceleration ray: what the sliders of the leg add, normal and tangential part.
     /// Parts that are zero in every position are left out.
     fn relative_acceleration(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
         let notation = self.words.notation;

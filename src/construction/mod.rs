@@ -40,17 +40,19 @@ mod writer;
 
 pub use construct::construct;
 pub use construction::{Agreement, Construction, Extent, NumberedStep};
-pub use cut::{Course, CutLine, Special, SpecialId, Term, special_points};
+pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
-pub use markup::{display, plain_text, rate_symbol, shown_text};
-pub use name::{coincident_name, coriolis_name, image_name, normal_name, point_on, slide_name};
+pub use markup::{display, shown_text};
+pub(crate) use markup::{plain_text, rate_symbol};
+pub use name::{coincident_name, image_name};
+pub(crate) use name::{normal_name, point_on};
 pub use number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
 pub use operation::{
     Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
 pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
-pub use run::{Change, Disturbance, Drawable, Tolerance, Values};
+pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::Teller;
 pub use solution::Solution;
 pub use step::{Action, Added, Arrow, ArrowKind, LegEquation, Ray, RayOf, Relation, RelativePart, Step, VectorOf};

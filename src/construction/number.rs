@@ -109,7 +109,7 @@ impl Product {
         Product::new(ProductKind::Plain, 1.0, &[number])
     }
 
-    /// The same product times `factor`.
+    /// The product times `factor`.
     #[must_use]
     pub fn times(&self, factor: f64) -> Product {
         Product { factor: self.factor * factor, ..self.clone() }

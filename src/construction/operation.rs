@@ -233,7 +233,7 @@ impl Along {
         Along { reference: Reference::Given(direction), quarter_turns: 0 }
     }
 
-    /// The same direction, turned by so many further quarter turns counter-clockwise.
+    /// The direction, turned by so many further quarter turns counter-clockwise.
     #[must_use]
     pub fn turned(self, quarter_turns: u8) -> Along {
         Along { quarter_turns: self.quarter_turns + quarter_turns, ..self }
@@ -336,7 +336,7 @@ impl OperationKind {
     }
 
     /// Calls `see` with each number that it uses.
-    pub fn each_number_read(&self, mut see: impl FnMut(NumberId)) {
+    pub(crate) fn each_number_read(&self, mut see: impl FnMut(NumberId)) {
         let mut products = |all: &[Product]| all.iter().for_each(|product| product.of.iter().for_each(|&n| see(n)));
         match self {
             OperationKind::Compute { sum, .. } => products(sum),

@@ -56,16 +56,16 @@ impl Plan {
         Some(self.points.get(to)?.vector - self.points.get(from)?.vector)
     }
 
-    /// The same for showing: zero where only rounding is left of it.
+    /// The vector from one plan point to another as it is shown: zero where only rounding is left of it.
     #[must_use]
-    pub fn shown_segment(&self, from: &str, to: &str) -> Option<Vector> {
+    pub(crate) fn shown_segment(&self, from: &str, to: &str) -> Option<Vector> {
         let segment = self.segment(from, to)?;
         Some(if self.is_nothing(segment.norm()) { Vector::zeros() } else { segment })
     }
 
     /// Whether a size is what rounding leaves of zero in this plan.
     #[must_use]
-    pub fn is_nothing(&self, size: f64) -> bool {
+    pub(crate) fn is_nothing(&self, size: f64) -> bool {
         size.abs() <= NOTHING * self.largest
     }
 

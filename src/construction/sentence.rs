@@ -90,7 +90,7 @@ impl<'a> Teller<'a> {
 
     /// The line of the mechanism that gives a ray its direction, by name.
     #[must_use]
-    pub fn line_of(&self, ray: &Ray) -> String {
+    pub(crate) fn line_of(&self, ray: &Ray) -> String {
         let name = |point: PointId| self.mechanism.point_name(point);
         let (special, side) = match ray.of {
             RayOf::Leg(special, side) => (self.construction.special(special), side),

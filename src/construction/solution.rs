@@ -36,7 +36,7 @@ impl Solution {
         Ok(Self { scene, mechanism, pose, motion, construction })
     }
 
-    /// The same mechanism in another position.
+    /// The solution of the mechanism in another position.
     ///
     /// # Errors
     /// [`MotionError`] in a singular position.

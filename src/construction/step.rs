@@ -94,17 +94,8 @@ pub enum Action {
 impl Action {
     /// Whether it reads a length off a sheet.
     #[must_use]
-    pub fn is_measured(&self) -> bool {
+    pub(crate) fn is_measured(&self) -> bool {
         matches!(self, Action::MeasureLength { .. } | Action::Measure { .. })
-    }
-
-    /// The plan point that it makes or leads to.
-    #[must_use]
-    pub fn towards(&self) -> Option<&str> {
-        match self {
-            Action::Ray(ray) => Some(&ray.to),
-            _ => self.image(),
-        }
     }
 
     /// The plan point that it makes, if it makes one.
@@ -220,7 +211,7 @@ impl Arrow {
     /// Whether the vector points from the new plan point back to the one that was there: a chain that passes a slider
     /// from the sliding link to the guide subtracts its relative motion.
     #[must_use]
-    pub fn is_backwards(&self) -> bool {
+    pub(super) fn is_backwards(&self) -> bool {
         matches!(self.of, VectorOf::Passed(slide, _) if slide.sign < 0.0)
     }
 

@@ -37,7 +37,7 @@ impl Mechanism {
 
     /// The names of a compound link's links, as in `2+3`; the name of any other link.
     #[must_use]
-    pub fn compound_name(&self, lead: BodyId) -> String {
+    pub(super) fn compound_name(&self, lead: BodyId) -> String {
         let names: Vec<&str> = self.compound(lead).into_iter().map(|b| self.body(b).name.as_str()).collect();
         names.join("+")
     }
@@ -58,7 +58,7 @@ impl Mechanism {
 
     /// +1 if `from`, or another link of its compound link, carries the slider's guide; −1 if it slides.
     #[must_use]
-    pub fn slide_sign(&self, slider: SliderId, from: BodyId) -> f64 {
+    pub(crate) fn slide_sign(&self, slider: SliderId, from: BodyId) -> f64 {
         let on = self.slider(slider).on;
         let carries = on == from || self.lead(on) == self.lead(from);
         if carries { 1.0 } else { -1.0 }
@@ -67,7 +67,7 @@ impl Mechanism {
     /// The driven sliders between one body and another of the same compound link, in the order from the first to the
     /// second; none from a body to itself.
     #[must_use]
-    pub fn slides_between(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
+    pub(crate) fn slides_between(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
         let (mut up, mut down) = (self.slides_to_root(from), self.slides_to_root(to));
         while !up.is_empty() && up.last() == down.last() {
             up.pop();

@@ -109,7 +109,7 @@ impl LoopTerms {
     /// Adds this loop's coefficients to the columns of the unknowns, where the points are at `points` and the guides
     /// have the unit directions `guides`, both in the fixed frame.
     #[inline]
-    pub fn add_columns(&self, points: &[Point], guides: &[Vector], columns: &mut [Vector]) {
+    pub(crate) fn add_columns(&self, points: &[Point], guides: &[Vector], columns: &mut [Vector]) {
         for arm in &self.arms {
             if let AngularRate::Unknown(unknown) = arm.angular {
                 columns[unknown] += quarter_turn(points[arm.to.0] - points[arm.from.0]);
@@ -162,7 +162,7 @@ impl LoopEquations {
     /// The index of the unknown that is the rate of `slider`; `None` for a slider of another group and for a driven
     /// one.
     #[must_use]
-    pub fn slide_unknown(&self, slider: SliderId) -> Option<usize> {
+    pub(crate) fn slide_unknown(&self, slider: SliderId) -> Option<usize> {
         self.slides.iter().find(|(s, _)| *s == slider).map(|(_, unknown)| *unknown)
     }
 
@@ -178,7 +178,7 @@ impl LoopEquations {
 
     /// The angular rate of `link`: an unknown, or that of the known body with which it turns.
     #[must_use]
-    pub fn angular_rate_of(&self, link: BodyId) -> AngularRate {
+    pub(crate) fn angular_rate_of(&self, link: BodyId) -> AngularRate {
         rate_of(&self.angular_rates, link)
     }
 
@@ -204,7 +204,7 @@ impl LoopEquations {
 
     /// Whether there are as many equations as unknowns; else the group is singular in every position.
     #[must_use]
-    pub fn is_square(&self) -> bool {
+    pub(super) fn is_square(&self) -> bool {
         self.count() == self.unknowns
     }
 

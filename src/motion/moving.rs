@@ -31,7 +31,7 @@ impl BoundedMotion {
         arm.quarter_turn() * self.alpha - arm * (self.omega * self.omega)
     }
 
-    /// The same motion with reference point `p`.
+    /// The motion with reference point `p`.
     pub fn referred_to(&self, p: Pair<Ball>) -> BoundedMotion {
         BoundedMotion {
             at: p,

@@ -99,7 +99,7 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
 }
 
 /// The first assemblies that [`poses`] lists, `most` at most.
-pub fn first_poses(mechanism: &Mechanism, near: &Near, most: usize) -> Result<Vec<Pose>, AssemblyError> {
+pub(crate) fn first_poses(mechanism: &Mechanism, near: &Near, most: usize) -> Result<Vec<Pose>, AssemblyError> {
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(vec![drawn_pose(mechanism)]);
     }

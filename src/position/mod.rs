@@ -22,7 +22,8 @@ mod search;
 mod sides;
 mod tree;
 
-pub use assemble::{Listed, counted_poses, first_poses, numbered_pose, pose, poses};
+pub(crate) use assemble::first_poses;
+pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses};
 pub use count::Count;
 pub use error::AssemblyError;
 pub use pose::{Assembly, Pose};

@@ -56,7 +56,7 @@ impl Pose {
     /// The vector from one point to another, without rounding.
     #[inline]
     #[must_use]
-    pub fn exact_arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
+    pub(crate) fn exact_arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
         Pair::between(self.points[from.0], self.points[to.0])
     }
 

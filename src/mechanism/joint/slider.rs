@@ -108,14 +108,14 @@ impl Mechanism {
 
     /// The joint of a slider.
     #[must_use]
-    pub fn slider_joint(&self, id: SliderId) -> JointId {
+    pub(crate) fn slider_joint(&self, id: SliderId) -> JointId {
         let index = self.joints.iter().position(|joint| joint.slider == Some(id));
         JointId(index.expect("every slider is a joint"))
     }
 
     /// The sliding point in the frame of its link.
     #[must_use]
-    pub fn slider_at(&self, id: SliderId) -> Point {
+    pub(crate) fn slider_at(&self, id: SliderId) -> Point {
         let slider = self.slider(id);
         self.body(slider.link).local_of(slider.at).unwrap_or_else(Point::origin)
     }
