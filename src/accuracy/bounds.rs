@@ -32,12 +32,6 @@ pub fn bounds<'a>(scene: &Scene, mechanism: &'a Mechanism, pose: &'a Pose, motio
 }
 
 impl Bounds<'_> {
-    /// The true position and motion, if they can be bounded.
-    #[must_use]
-    pub fn enclosure(&self) -> Option<&Enclosure> {
-        self.enclosure.as_ref()
-    }
-
     /// The bound that the enclosure gives; infinite where it gives none.
     fn from<T>(&self, of: impl Fn(&Enclosure) -> Option<T>, error: impl Fn(T) -> f64) -> f64 {
         let bound = self.enclosure.as_ref().and_then(of).map_or(f64::INFINITY, error);
@@ -72,15 +66,19 @@ impl Bounds<'_> {
     #[must_use]
     pub fn slide_position(&self, slider: SliderId) -> Option<f64> {
         let position = self.pose.slides[slider.0]?;
-        Some(self.from(|e| e.slide(slider), |ball| of_number(ball, position)))
+        Some(self.from(|e| e.placed.slides[slider.0], |ball| of_number(ball, position)))
     }
 
     /// Of a body's angular velocity and acceleration.
     #[must_use]
     pub fn angular_rates(&self, body: BodyId) -> [f64; 2] {
         let motion = self.motion.body(body);
-        [(0, motion.omega), (1, motion.alpha)]
-            .map(|(order, rate)| self.from(|e| Some(e.angular_rates(body)[order]), |ball| of_number(ball, rate)))
+        [(0, motion.omega), (1, motion.alpha)].map(|(order, rate)| {
+            self.from(
+                |e| Some([e.state.body(body).omega, e.state.body(body).alpha][order]),
+                |ball| of_number(ball, rate),
+            )
+        })
     }
 
     /// Of a slider's velocity and acceleration along its guide.

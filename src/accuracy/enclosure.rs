@@ -13,12 +13,9 @@ use crate::sheet::Sheet;
 /// Numbers of the scene count as written: each lies between the decimal that the person wrote and the f64 as which it
 /// was read. Nothing else is uncertain, whatever the pose has lost by rounding.
 #[derive(Clone, Debug)]
-pub struct Enclosure {
-    placed: TruePlaces,
-    state: State,
-    /// The points from the first one, and the guides, rounded.
-    points: Vec<Point>,
-    guides: Vec<geometry::Vector>,
+pub(super) struct Enclosure {
+    pub placed: TruePlaces,
+    pub state: State,
 }
 
 impl Enclosure {
@@ -28,70 +25,44 @@ impl Enclosure {
     /// Bounds are infinite where nothing can be said: the errors of what the scene gives reach a limit position or a
     /// singular one, or numbers leave the range of f64. In a chain bounds about double from group to group: they do not
     /// know that errors with one cause cancel. `None` where a drive has no position.
-    #[must_use]
     pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Option<Enclosure> {
         let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
         let points = relative(&placed.points);
         let guides: Vec<geometry::Vector> = placed.guides.iter().map(|guide| guide.rounded()).collect();
         let places = PlacesOf { given: Given { scene, mechanism }, placed: &placed, points: &points, guides: &guides };
         let state = bounded_motion(mechanism, &places, order);
-        Some(Enclosure { state, placed, points, guides })
+        Some(Enclosure { state, placed })
     }
 
     /// The place of a point.
-    #[must_use]
     pub fn place(&self, point: PointId) -> Pair<Ball> {
         self.placed.points[point.0]
     }
 
-    /// A slider's position along its guide; `None` where there is no point to count from.
-    #[must_use]
-    pub fn slide(&self, slider: SliderId) -> Option<Ball> {
-        self.placed.slides[slider.0]
-    }
-
-    /// Cosine and sine of the angle of a body's axis; `None` in a drawn configuration.
-    #[must_use]
-    pub fn turn(&self, body: BodyId) -> Option<Pair<Ball>> {
-        self.placed.turns[body.0]
-    }
-
     /// The unit direction of a slider's guide.
-    #[must_use]
     pub fn guide(&self, slider: SliderId) -> Pair<Ball> {
         self.placed.guides[slider.0]
     }
 
-    /// Angular velocity and acceleration of a body.
-    #[must_use]
-    pub fn angular_rates(&self, body: BodyId) -> [Ball; 2] {
-        let motion = self.state.body(body);
-        [motion.omega, motion.alpha]
-    }
-
     /// Velocity and acceleration of a slider along its guide.
-    #[must_use]
     pub fn slide_rates(&self, slider: SliderId) -> [Ball; 2] {
         let slide = self.state.slide(slider);
         [slide.velocity, slide.acceleration]
     }
 
     /// Velocity and acceleration of the body's point at a place.
-    #[must_use]
     pub fn motion_at(&self, body: BodyId, place: Pair<Ball>) -> [Pair<Ball>; 2] {
         let motion = self.state.body(body).referred_to(place);
         [motion.velocity, motion.acceleration]
     }
 
     /// The Coriolis acceleration 2 ω ẑ × v_r of a slider, ω the angular velocity of body `on` of its guide.
-    #[must_use]
     pub fn coriolis(&self, slider: SliderId, on: BodyId) -> Pair<Ball> {
         let rate = self.state.body(on).omega * self.state.slide(slider).velocity;
         self.guide(slider).quarter_turn() * rate.twice()
     }
 
     /// The place of a special point; `None` where its cut lines may be parallel.
-    #[must_use]
     pub fn special(&self, special: &Special) -> Option<Pair<Ball>> {
         let [a, b] = [0, 1].map(|side| self.line(&special.cuts[side], special.target));
         let ([start, along], [other, across]) = (a?, b?);
@@ -114,9 +85,8 @@ impl Enclosure {
     }
 
     /// The angle of a link's axis in degrees from `axis`, its direction in a pose: the bound of the difference.
-    #[must_use]
     pub(super) fn angle_from(&self, mechanism: &Mechanism, body: BodyId, axis: geometry::Vector) -> Option<f64> {
-        let along = self.turn(body).or_else(|| self.drawn_axis(mechanism, body))?;
+        let along = self.placed.turns[body.0].or_else(|| self.drawn_axis(mechanism, body))?;
         let rough = Vector::from(axis);
         let (across, size) = (rough.cross(along), libm::hypot(along.x.high, along.y.high) * axis.norm());
         // A small angle is as large as its sine but for the third power.
@@ -133,12 +103,6 @@ impl Enclosure {
                 mechanism.slider_ids().find(of_body).map(|id| self.guide(id))
             }
         }
-    }
-
-    /// The points from the first one, rounded, and the directions of the guides.
-    #[must_use]
-    pub fn rounded(&self) -> (&[Point], &[geometry::Vector]) {
-        (&self.points, &self.guides)
     }
 }
 

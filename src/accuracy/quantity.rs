@@ -24,7 +24,7 @@ pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
 impl Bounds<'_> {
     /// Bound of the error of a quantity: of a vector in each component, of angles in degrees.
     ///
-    /// `None` where it is not [bounded](is_bounded), and for the direction of a vector that may be zero.
+    /// `None` for special points and for what is measured on a plan, and for the direction of a vector that may be zero.
     #[must_use]
     pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
         let state = Snapshot { pose: self.pose, motion: self.motion };

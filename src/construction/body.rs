@@ -9,14 +9,14 @@ use super::record::{Anchor, LaidOff};
 use super::step::{Action, Added, Arrow, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
-use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role};
 use crate::sheet::Sheet;
 
 impl Writer<'_> {
     /// Takes the given rates of bodies and of driven sliders from the scene.
     pub(super) fn take_known_rates(&mut self) {
         let mechanism = self.mechanism;
-        for body in (0..mechanism.bodies.len()).map(BodyId) {
+        for body in mechanism.body_ids() {
             let root = mechanism.body(mechanism.root(body));
             let rates = match root.role {
                 Role::Ground => [0.0, 0.0],
@@ -27,7 +27,7 @@ impl Writer<'_> {
             let alpha = self.take(true, Sheet::Acceleration, NumberKind::Rate(Rate::Alpha(body)), rates[1]);
             self.construction.angular_rates[body.0] = Some([omega, alpha]);
         }
-        for id in (0..mechanism.sliders.len()).map(SliderId) {
+        for id in mechanism.slider_ids() {
             if let Some(drive) = mechanism.slider(id).drive {
                 let velocity = self.take(true, Sheet::Velocity, NumberKind::Rate(Rate::SlideVelocity(id)), drive.speed);
                 let rate = NumberKind::Rate(Rate::SlideAcceleration(id));
@@ -99,7 +99,7 @@ impl Writer<'_> {
         let place = self.lay_off(sheet, pole, vec![Product::plain(number)], along);
         let error = error + 8.0 * UNIT_ROUNDOFF * (vector.norm() + size);
         let Pair { x, y } = Pair::<Ball>::from(vector);
-        self.construction.record.exact.set_place(place, Pair { x: x.widened(error), y: y.widened(error) });
+        self.construction.record.exact.places[place.0] = Pair { x: x.widened(error), y: y.widened(error) };
         place
     }
 

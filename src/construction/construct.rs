@@ -1,13 +1,11 @@
-//! The construction of all groups, one after another, and its comparison with the loop equations.
+//! The construction of all groups, one after another.
 
-use super::construction::{Agreement, Construction, Extent};
+use super::construction::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
 use super::leg::DrawnSpecial;
-use super::number::NumberId;
 use super::step::Action;
 use super::writer::Writer;
-use crate::geometry::span;
-use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, PointId, SliderId};
+use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, PointId};
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::sheet::Sheet;
@@ -33,9 +31,6 @@ pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Ex
     writer.construction.note_makers();
     writer.construction
 }
-
-/// An unknown rate: its number in the construction, and its value from the loop equations with the bound of its error.
-type UnknownRate = (NumberId, f64, f64);
 
 impl Writer<'_> {
     /// Constructs the next group: each of its special points by two rays, then the rates from measured segments.
@@ -107,69 +102,5 @@ impl Writer<'_> {
         for &sheet in self.plans() {
             self.relative_images(sheet, group);
         }
-    }
-
-    /// Compares the solved rates of a group with those from the loop equations.
-    fn agreement(&self, group: &Group, equations: &LoopEquations) -> Agreement {
-        let mut result = Agreement { difference: 0.0, allowed: 0.0 };
-        let size = span(self.pose.points.iter().copied());
-        for order in 0..self.plans().len() {
-            let angular = self.unknown_angular_rates(group, equations, order);
-            let slides = self.unknown_slide_rates(equations, order);
-            let scale = self.largest_rate(order, size);
-            // Subnormal rates have lost digits: they count as zero.
-            if scale < f64::MIN_POSITIVE {
-                continue;
-            }
-            let angular = angular.iter().map(|rate| (rate, scale));
-            for (&(number, rate, error), scale) in angular.chain(slides.iter().map(|rate| (rate, scale * size))) {
-                let constructed = self.construction.record.exact.exact_number(number);
-                let difference = (constructed.high - rate).abs() / scale;
-                let allowed = (constructed.error() + error) / scale;
-                // Division by a small scale can overflow; an infinite difference becomes the largest f64. `max` ignores
-                // NaN.
-                let finite = |x: f64| if x == f64::INFINITY { f64::MAX } else { x };
-                result.difference = result.difference.max(finite(difference));
-                result.allowed = result.allowed.max(finite(allowed));
-            }
-        }
-        result
-    }
-
-    /// The mechanism's largest angular velocity or acceleration; it also counts other velocities and accelerations, over
-    /// the mechanism's size, and ω². A group that stands still has no measure of its own.
-    fn largest_rate(&self, order: usize, size: f64) -> f64 {
-        let bodies = self.motion.bodies.iter().map(|body| {
-            [body.omega.abs().max(body.velocity.norm() / size), {
-                let turning = body.alpha.abs().max(body.omega * body.omega);
-                turning.max(body.acceleration.norm() / size)
-            }]
-        });
-        let slides = self.motion.slides.iter();
-        let slides = slides.map(|slide| [slide.velocity.abs() / size, slide.acceleration.abs() / size]);
-        // `max` ignores NaN, as of a mechanism without size.
-        bodies.chain(slides).fold(0.0, |largest: f64, rates| largest.max(rates[order]))
-    }
-
-    fn unknown_angular_rates(&self, group: &Group, equations: &LoopEquations, order: usize) -> Vec<UnknownRate> {
-        let unknown = group.bodies.iter().filter(|&&link| equations.angular_unknown(link).is_some());
-        let rates = unknown.filter_map(|&link| {
-            let (body, errors) = (self.motion.body(link), self.motion.error(link));
-            let (rate, error) = [(body.omega, errors.omega), (body.alpha, errors.alpha)][order];
-            Some((self.construction.angular_rates[link.0]?[order]?, rate, error))
-        });
-        rates.collect()
-    }
-
-    fn unknown_slide_rates(&self, equations: &LoopEquations, order: usize) -> Vec<UnknownRate> {
-        let unknown =
-            (0..self.mechanism.sliders.len()).map(SliderId).filter(|&id| equations.slide_unknown(id).is_some());
-        let rates = unknown.filter_map(|id| {
-            let slide = self.motion.slide(id);
-            let (rate, error) =
-                [(slide.velocity, slide.velocity_error), (slide.acceleration, slide.acceleration_error)][order];
-            Some((self.construction.slide_rates[id.0]?[order]?, rate, error))
-        });
-        rates.collect()
     }
 }

@@ -1,5 +1,5 @@
 use super::cut::{Special, SpecialId};
-use super::number::{End, NumberId, NumberKind};
+use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Operation, PlaceId, StepId};
 use super::plan::Plan;
 use super::record::Record;
@@ -121,6 +121,23 @@ impl Construction {
     pub(super) fn add_special(&mut self, special: Vec<Special>) {
         self.special_before.push(self.special_count());
         self.special.push(special);
+    }
+
+    /// The number of a rate that is given or solved for: none of a given rate of zero.
+    pub(crate) fn rate(&self, rate: Rate) -> Option<Option<NumberId>> {
+        let numbers = match rate {
+            Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates[link.0],
+            Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide_rates[slider.0],
+        };
+        numbers.map(|numbers| numbers[rate.order()])
+    }
+
+    pub(super) fn set_rate(&mut self, rate: Rate, number: NumberId) {
+        let numbers = match rate {
+            Rate::Omega(link) | Rate::Alpha(link) => &mut self.angular_rates[link.0],
+            Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => &mut self.slide_rates[slider.0],
+        };
+        numbers.get_or_insert_default()[rate.order()] = Some(number);
     }
 
     /// Notes which steps make the plans' points.

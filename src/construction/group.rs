@@ -10,9 +10,8 @@ use super::plan::PointRole;
 use super::step::{Action, Arrow, LegEquation, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn};
-use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role};
 use crate::sheet::Sheet;
-use core::cmp::Reverse;
 
 /// The ray of a leg.
 struct DrawnRay {
@@ -147,7 +146,7 @@ impl Writer<'_> {
                 let kind = NumberKind::Segment(sheet, [from.clone(), image.clone()]);
                 let step = self.begin(sheet);
                 let segment = self.measure(sheet, kind, [start, crossing], MeasuredAs::Along(line));
-                let length = self.construction.record.exact.exact_number(segment).high;
+                let length = self.construction.record.exact.numbers[segment.0].high;
                 let measured = Action::Measure { from: from.clone(), to: image.clone(), value: length.abs() };
                 self.finish(step, measured);
                 rows.push(self.equation(sheet, equations, point, side, segment)?);
@@ -158,15 +157,18 @@ impl Writer<'_> {
         for terms in &equations.angular {
             rows.push(self.angular_equation(sheet, terms)?);
         }
-        let rates = self.unknown_rates(sheet, group, equations);
+        let unknown = self.unknown_rates(sheet, group, equations);
+        // Links with one angular rate have one unknown: it has the name of the last of them.
+        let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
+        unknown.iter().for_each(|unknown| rates[unknown.index] = unknown.rate);
         let step = self.begin(sheet);
         let numbers = self.solve(sheet, &rates, rows)?;
         // Rates that follow from relations between angles alone are computed without a step.
         if !written.is_empty() {
-            let unknowns = self.solved_rates(sheet, group, equations);
+            let unknowns = unknown.iter().map(|unknown| (unknown.rate.name(self.mechanism), unknown.value)).collect();
             self.finish(step, Action::Solve { equations: written, unknowns });
         }
-        self.note_rates(sheet, group, equations, &numbers);
+        self.note_rates(&unknown, &numbers);
         Some(())
     }
 
@@ -180,86 +182,6 @@ impl Writer<'_> {
                 let side = self.mechanism.side(inner, carrier);
                 self.construction.record.note_motion(sheet, side, target, place);
             }
-        }
-    }
-
-    /// The rate behind each unknown of the group's equations.
-    fn unknown_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<Rate> {
-        let is_second = sheet == Sheet::Acceleration;
-        let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
-        for &link in &group.bodies {
-            if let Some(unknown) = equations.angular_unknown(link) {
-                rates[unknown] = if is_second { Rate::Alpha(link) } else { Rate::Omega(link) };
-            }
-        }
-        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
-            if let Some(unknown) = equations.slide_unknown(slider) {
-                let rate = if is_second { Rate::SlideAcceleration } else { Rate::SlideVelocity };
-                rates[unknown] = rate(slider);
-            }
-        }
-        rates
-    }
-
-    /// Notes the numbers of the solved rates by link and by slider.
-    fn note_rates(&mut self, sheet: Sheet, group: &Group, equations: &LoopEquations, numbers: &[NumberId]) {
-        let order = sheet.order();
-        let name = |link| [Rate::Omega(link), Rate::Alpha(link)][order].name(self.mechanism);
-        for &link in &group.bodies {
-            if let Some(unknown) = equations.angular_unknown(link) {
-                self.construction.angular_rates[link.0].get_or_insert_default()[order] = Some(numbers[unknown]);
-                let alike = group.bodies.iter().copied().filter(|&b| equations.angular_unknown(b) == Some(unknown));
-                let most = alike.min_by_key(|&b| Reverse(self.mechanism.body(b).points.len()));
-                if let Some(other) = most.filter(|&other| other != link) {
-                    self.construction.same_rates.insert(name(link), name(other));
-                }
-            }
-        }
-        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
-            if let Some(unknown) = equations.slide_unknown(slider) {
-                self.construction.slide_rates[slider.0].get_or_insert_default()[order] = Some(numbers[unknown]);
-            }
-        }
-    }
-
-    /// Names and values of the rates that a group is solved for.
-    fn solved_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<(String, f64)> {
-        let (motion, order) = (self.motion, sheet.order());
-        let links = group.bodies.iter().filter(|&&link| equations.angular_unknown(link).is_some()).map(|&link| {
-            let body = motion.body(link);
-            [(Rate::Omega(link), body.omega), (Rate::Alpha(link), body.alpha)][order]
-        });
-        let sliders = (0..self.mechanism.sliders.len()).map(SliderId);
-        let slides = sliders.filter(|&slider| equations.slide_unknown(slider).is_some()).map(|slider| {
-            let slide = motion.slide(slider);
-            [(Rate::SlideVelocity(slider), slide.velocity), (Rate::SlideAcceleration(slider), slide.acceleration)]
-                [order]
-        });
-        links.chain(slides).map(|(rate, value)| (rate.name(self.mechanism), value)).collect()
-    }
-
-    /// Takes the rates of a group without a construction from the motion; marked as not found by hand.
-    pub(super) fn take_computed_rates(&mut self, group: &Group, equations: &LoopEquations) {
-        for &link in &group.bodies {
-            if equations.angular_unknown(link).is_none() {
-                continue;
-            }
-            let (body, errors) = (*self.motion.body(link), *self.motion.error(link));
-            let omega = self.take_computed(Sheet::Velocity, Rate::Omega(link), body.omega, errors.omega);
-            let alpha = self.take_computed(Sheet::Acceleration, Rate::Alpha(link), body.alpha, errors.alpha);
-            self.construction.angular_rates[link.0] = Some([Some(omega), Some(alpha)]);
-        }
-        for id in (0..self.mechanism.sliders.len()).map(SliderId) {
-            if equations.slide_unknown(id).is_none() {
-                continue;
-            }
-            let slide = *self.motion.slide(id);
-            let velocity =
-                self.take_computed(Sheet::Velocity, Rate::SlideVelocity(id), slide.velocity, slide.velocity_error);
-            let rate = Rate::SlideAcceleration(id);
-            let acceleration =
-                self.take_computed(Sheet::Acceleration, rate, slide.acceleration, slide.acceleration_error);
-            self.construction.slide_rates[id.0] = Some([Some(velocity), Some(acceleration)]);
         }
     }
 

@@ -102,15 +102,15 @@ impl Writer<'_> {
             return;
         };
         let [omega, alpha] =
-            rates.map(|rate| rate.map_or(Ball::default(), |rate| self.construction.record.exact.exact_number(rate)));
+            rates.map(|rate| rate.map_or(Ball::default(), |rate| self.construction.record.exact.numbers[rate.0]));
         let arm = Pair::between(self.pose.point(from), self.pose.point(point));
         let turned = match sheet {
             Sheet::Acceleration => arm.quarter_turn() * alpha - arm * (omega * omega),
             _ => arm.quarter_turn() * omega,
         };
-        let rotated = self.construction.record.exact.exact_place(base) + turned;
-        if rotated.errors().norm() < self.construction.record.exact.exact_place(place).errors().norm() {
-            self.construction.record.exact.set_place(place, rotated);
+        let rotated = self.construction.record.exact.places[base.0] + turned;
+        if rotated.errors().norm() < self.construction.record.exact.places[place.0].errors().norm() {
+            self.construction.record.exact.places[place.0] = rotated;
         }
     }
 
@@ -118,7 +118,7 @@ impl Writer<'_> {
     /// plan drawn so far.
     fn are_apart(&mut self, sheet: Sheet, a: PlaceId, b: PlaceId) -> bool {
         let between =
-            (self.construction.record.exact.exact_place(b) - self.construction.record.exact.exact_place(a)).rounded();
+            (self.construction.record.exact.places[b.0] - self.construction.record.exact.places[a.0]).rounded();
         between.norm() > LEAST_BASE * self.plan(sheet).largest
     }
 
@@ -160,7 +160,7 @@ impl Writer<'_> {
             let (through, to) = (end.name.clone(), name.to_owned());
             let step = self.begin(sheet);
             let line = self.draw(sheet, OperationRole::Ray, end.place, along);
-            let direction = self.construction.record.exact.exact_direction(line).rounded();
+            let direction = self.construction.record.exact.lines[line.0].1.rounded();
             (line, self.written(step), Ray { through, to, direction, relation, of })
         });
         let [a, b] = pair.map(|end| self.pose.arm(end.point, point));

@@ -7,7 +7,7 @@
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in `record` and in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `joint_images`, `images`; `construct`, which goes through all groups. `step`, `plan`, `sentence`,
+//! `leg`, `group`, `rates`, `joint_images`, `images`; `construct`, which goes through all groups. `step`, `plan`, `sentence`,
 //! `equations` and `passage` are for captions.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
@@ -30,6 +30,7 @@ mod number;
 mod operation;
 mod passage;
 mod plan;
+mod rates;
 mod record;
 mod run;
 mod sentence;
@@ -44,8 +45,8 @@ pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use markup::{display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
-pub use name::{coincident_name, image_name};
-pub(crate) use name::{normal_name, point_on};
+pub(crate) use name::point_on;
+pub use name::{coincident_name, image_name, normal_name};
 pub use number::{End, Equation, NumberId, NumberKind, Product, ProductKind, Rate};
 pub use operation::{
     Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,

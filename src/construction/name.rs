@@ -23,7 +23,7 @@ pub fn image_name(point: &str) -> String {
 
 /// Name of the end of the normal part laid off from the image of `start` towards special point `special`, as in `n_b3`.
 #[must_use]
-pub(crate) fn normal_name(start: &str, special: &str) -> String {
+pub fn normal_name(start: &str, special: &str) -> String {
     let link = special.strip_prefix('S').unwrap_or(special);
     format!("n_{}{link}", image_name(start))
 }

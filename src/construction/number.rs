@@ -84,6 +84,19 @@ pub enum Rate {
 }
 
 impl Rate {
+    /// 0 for a velocity, 1 for an acceleration.
+    pub(super) fn order(self) -> usize {
+        usize::from(matches!(self, Rate::Alpha(_) | Rate::SlideAcceleration(_)))
+    }
+
+    /// The link of an angular rate.
+    pub(super) fn link(self) -> Option<BodyId> {
+        match self {
+            Rate::Omega(link) | Rate::Alpha(link) => Some(link),
+            Rate::SlideVelocity(_) | Rate::SlideAcceleration(_) => None,
+        }
+    }
+
     /// The name of its quantity, as in `omega(2)`.
     #[must_use]
     pub fn name(self, mechanism: &Mechanism) -> String {

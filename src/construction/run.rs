@@ -76,10 +76,10 @@ impl Drawable for Ball {
 /// degrees, rates in rad.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Values<S = f64> {
-    places: Vec<Pair<S>>,
+    pub(super) places: Vec<Pair<S>>,
     /// By line: a place of it and its unit direction.
-    lines: Vec<(Pair<S>, Pair<S>)>,
-    numbers: Vec<S>,
+    pub(super) lines: Vec<(Pair<S>, Pair<S>)>,
+    pub(super) numbers: Vec<S>,
 }
 
 impl Values {
@@ -150,38 +150,6 @@ impl Values {
                 }
             }
         }
-    }
-}
-
-impl Values<Ball> {
-    /// A place with the bounds of its coordinates' errors.
-    pub(super) fn exact_place(&self, id: PlaceId) -> Pair<Ball> {
-        self.places[id.0]
-    }
-
-    /// The unit direction of a line with the bounds of its components' errors.
-    pub(super) fn exact_direction(&self, id: LineId) -> Pair<Ball> {
-        self.lines[id.0].1
-    }
-
-    /// A number with the bound of its error.
-    pub(super) fn exact_number(&self, id: NumberId) -> Ball {
-        self.numbers[id.0]
-    }
-
-    /// Replaces a place by one known to more digits than the operation's f64 arguments.
-    pub(super) fn set_place(&mut self, id: PlaceId, at: Pair<Ball>) {
-        self.places[id.0] = at;
-    }
-
-    /// Replaces the direction of a line by one known to more digits.
-    pub(super) fn set_direction(&mut self, id: LineId, along: Pair<Ball>) {
-        self.lines[id.0].1 = along;
-    }
-
-    /// Replaces a number by one known to more digits.
-    pub(super) fn set_number(&mut self, id: NumberId, number: Ball) {
-        self.numbers[id.0] = number;
     }
 }
 

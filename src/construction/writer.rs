@@ -141,7 +141,7 @@ impl<'a> Writer<'a> {
     /// Adds a point to a plan; an existing point of that name stays.
     pub(super) fn show(&mut self, sheet: Sheet, name: &str, place: PlaceId, role: PointRole) {
         self.name_place(sheet, name, place);
-        let point = PlanPoint { vector: self.construction.record.exact.exact_place(place).rounded(), role };
+        let point = PlanPoint { vector: self.construction.record.exact.places[place.0].rounded(), role };
         let plan = self.plan(sheet);
         if !plan.points.contains_key(name) {
             plan.largest = plan.largest.max(point.vector.norm());
@@ -240,10 +240,8 @@ impl<'a> Writer<'a> {
         let place = self.next_place();
         let at = self.pose.point(point) - self.construction.origin;
         self.push(Sheet::Scheme, OperationRole::Joint(point), OperationKind::Plot { place, at });
-        self.construction
-            .record
-            .exact
-            .set_place(place, Pair::between(self.construction.origin, self.pose.point(point)));
+        let exact = Pair::between(self.construction.origin, self.pose.point(point));
+        self.construction.record.exact.places[place.0] = exact;
         self.name_place(Sheet::Scheme, name, place);
         place
     }
@@ -288,7 +286,7 @@ impl<'a> Writer<'a> {
     ) -> Option<PlaceId> {
         let place = self.next_place();
         self.push_by(by_hand, sheet, role, OperationKind::Cross { place, lines });
-        let at = self.construction.record.exact.exact_place(place);
+        let at = self.construction.record.exact.places[place.0];
         (is_known(at.x) && is_known(at.y)).then_some(place)
     }
 
@@ -347,7 +345,7 @@ impl<'a> Writer<'a> {
     pub(super) fn take_computed(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
         let number = self.new_number(NumberKind::Rate(rate));
         self.push_by(false, sheet, OperationRole::Number, OperationKind::Take { number, value });
-        self.construction.record.exact.set_number(number, Ball::from(value).widened(error));
+        self.construction.record.exact.numbers[number.0] = Ball::from(value).widened(error);
         number
     }
 
@@ -355,7 +353,7 @@ impl<'a> Writer<'a> {
     pub(super) fn solve(&mut self, sheet: Sheet, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
         let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
         self.push(sheet, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
-        unknowns.iter().all(|&number| is_known(self.construction.record.exact.exact_number(number))).then_some(unknowns)
+        unknowns.iter().all(|&number| is_known(self.construction.record.exact.numbers[number.0])).then_some(unknowns)
     }
 
     /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
@@ -383,7 +381,7 @@ impl<'a> Writer<'a> {
             let number = self.new_number(kind);
             self.push(Sheet::Scheme, OperationRole::Number, OperationKind::Take { number, value });
             let arm = Pair::between(self.pose.point(a), self.pose.point(b));
-            self.construction.record.exact.set_number(number, arm.dot(arm).sqrt());
+            self.construction.record.exact.numbers[number.0] = arm.dot(arm).sqrt();
             number
         } else {
             let line = self.join(a, b);
@@ -413,7 +411,7 @@ impl<'a> Writer<'a> {
         // The scene gives the direction itself; a join of rounded joints would be less exact.
         let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF + 0.5 * (direction.norm_squared() - 1.0).abs();
         let Pair { x, y } = Pair::<Ball>::from(direction);
-        self.construction.record.exact.set_direction(line, Pair { x: x.widened(error), y: y.widened(error) });
+        self.construction.record.exact.lines[line.0].1 = Pair { x: x.widened(error), y: y.widened(error) };
         self.construction.record.guides.insert(id, line);
         line
     }

@@ -89,7 +89,7 @@ enum Unsolved {
 /// A body with a velocity or an acceleration above [`LARGEST`] or not finite.
 fn overflowing_body(mechanism: &Mechanism, pose: &Pose, motion: &Motion) -> Option<BodyId> {
     let is_small = |v: Vector| v.amax() <= LARGEST;
-    (0..mechanism.bodies.len()).map(BodyId).find(|&id| {
+    mechanism.body_ids().find(|&id| {
         let (body, moves) = (mechanism.body(id), motion.body(id));
         let places = body.points.iter().map(|&point| pose.point(point));
         let rates = Vector::new(moves.omega, moves.alpha);
@@ -138,7 +138,7 @@ fn move_group(
         let body = &mut state.bodies[link.0];
         (body.omega, body.alpha) = (omega, alpha);
     }
-    for slider in (0..mechanism.sliders.len()).map(SliderId) {
+    for slider in mechanism.slider_ids() {
         if let Some(unknown) = equations.slide_unknown(slider) {
             state.slides[slider.0] = BoundedSlide { velocity: rates[unknown], acceleration: accelerations[unknown] };
         }

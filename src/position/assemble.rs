@@ -7,13 +7,13 @@ use super::rough::Rough;
 use super::tree::{Tree, WholeAssembly};
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::{Point, Vector, span, unit};
-use crate::mechanism::{Body, Guide, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{Body, Guide, Mechanism, PointId, Role};
 use crate::scene::{GivenBy, Near};
 
 /// Most assemblies of a whole mechanism that are listed.
 const MOST_LISTED: usize = 4096;
 
-/// Most work, as [`Tree::work`] counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
+/// Most work, as [`Assembler::work`](super::modes::Assembler) counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
 const MOST_WORK: usize = 20_000_000;
 
 /// Most work for a number of assemblies that only stands in a warning.
@@ -236,7 +236,7 @@ fn given_angles(mechanism: &Mechanism) -> String {
         Role::Driver { angle: Some(angle), .. } => Some(format!(" at angle({}) = {angle}°", b.name)),
         _ => None,
     });
-    let pushed = (0..mechanism.sliders.len()).map(SliderId).filter_map(|id| {
+    let pushed = mechanism.slider_ids().filter_map(|id| {
         let position = mechanism.slider(id).drive?.position?;
         let name = mechanism.push_name(id);
         Some(format!(" at position({name}) = {position}"))
@@ -267,7 +267,7 @@ fn far_remark(
         ));
     }
     let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
-    let (point, off) = rough.points().iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (point, off) = rough.points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
     (off > FAR * size).then(|| {
         let (name, place) = (mechanism.point_name(point), points[point.0]);
         format!(

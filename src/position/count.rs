@@ -18,13 +18,13 @@ impl fmt::Display for Count {
     }
 }
 
-/// Counts all assemblies without keeping any, with at most so much further work as [`Tree::work`] counts it.
+/// Counts all assemblies without keeping any, with at most so much further work as [`Assembler::work`](super::modes::Assembler) counts it.
 ///
 /// Parts of the mechanism that share nothing but groups that are down are counted one by one, and their numbers
 /// multiplied.
 pub(super) fn counted(tree: &mut Tree<'_>, most_work: usize) -> Count {
     tree.clear();
-    let most_work = tree.work().saturating_add(most_work);
+    let most_work = tree.assembler.work.saturating_add(most_work);
     let mut levels = vec![Level::whole(tree)];
     let mut is_exact = true;
     let number = loop {
@@ -32,7 +32,7 @@ pub(super) fn counted(tree: &mut Tree<'_>, most_work: usize) -> Count {
             break 0;
         };
         // Where the work is too much, what has been counted of each part still counts.
-        is_exact = is_exact && tree.work() <= most_work;
+        is_exact = is_exact && tree.assembler.work <= most_work;
         match level.trial {
             Some((product, solved)) if product == 0 || solved == level.parts.len() => {
                 level.total = level.total.saturating_add(product);

@@ -23,10 +23,8 @@ impl Lever {
         for unknown in unknowns {
             let turns = |link: &&BodyId| equations.angular_unknown(**link) == Some(unknown);
             let links: Vec<BodyId> = group.bodies.iter().filter(turns).copied().collect();
-            let sliders: Vec<SliderId> = (0..mechanism.sliders.len())
-                .map(SliderId)
-                .filter(|&id| links.contains(&mechanism.slider(id).on))
-                .collect();
+            let sliders: Vec<SliderId> =
+                mechanism.slider_ids().filter(|&id| links.contains(&mechanism.slider(id).on)).collect();
             let lever = Lever { links, sliders };
             if lever.is_symmetric(mechanism) {
                 levers.push(lever);

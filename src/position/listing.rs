@@ -15,10 +15,10 @@ pub(super) struct Listing<'t, 'a> {
 }
 
 impl<'t, 'a> Listing<'t, 'a> {
-    /// It ends after so much further work as [`Tree::work`] counts it, although there may be more assemblies.
+    /// It ends after so much further work as [`Assembler::work`](super::modes::Assembler) counts it, although there may be more assemblies.
     pub(super) fn new(tree: &'t mut Tree<'a>, most_work: usize) -> Listing<'t, 'a> {
         tree.clear();
-        let most_work = tree.work() + most_work;
+        let most_work = tree.assembler.work + most_work;
         let mut listing = Listing { tree, most_work, levels: Vec::new(), failure: None, is_stopped: false };
         listing.enter(0);
         listing
@@ -49,7 +49,7 @@ impl Iterator for Listing<'_, '_> {
     fn next(&mut self) -> Option<WholeAssembly> {
         let groups = self.tree.mechanism.groups.len();
         loop {
-            if self.tree.work() > self.most_work {
+            if self.tree.assembler.work > self.most_work {
                 self.is_stopped = true;
                 return None;
             }

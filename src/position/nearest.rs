@@ -4,7 +4,7 @@ use super::tree::{Placed, Tree, WholeAssembly};
 use crate::geometry::Point;
 use crate::mechanism::{BodyId, PointId};
 
-/// Most work, as [`Tree::work`] counts it, before the nearest assembly found so far is taken without a proof: that of
+/// Most work, as [`Assembler::work`](super::modes::Assembler) counts it, before the nearest assembly found so far is taken without a proof: that of
 /// trying all assemblies of a chain of 18 dyads.
 const MOST_WORK: usize = 12_000_000;
 
@@ -27,8 +27,8 @@ pub(super) fn nearest(tree: &mut Tree<'_>, rough: &Rough) -> Option<Nearest> {
     let wishes = Wishes::new(tree, rough);
     let mut search = Search { levels: vec![Level::whole(tree, wishes.laid)], is_hasty: false };
     let found = loop {
-        search.is_hasty = tree.work() > MOST_WORK;
-        if tree.work() > 2 * MOST_WORK {
+        search.is_hasty = tree.assembler.work > MOST_WORK;
+        if tree.assembler.work > 2 * MOST_WORK {
             return None;
         }
         let level = search.levels.last_mut()?;
@@ -243,10 +243,10 @@ impl Wishes {
             angles: vec![Vec::new(); mechanism.groups.len()],
             laid: Laid::default(),
         };
-        for &(point, place) in rough.points() {
+        for &(point, place) in &rough.points {
             let holds = |body: &BodyId| mechanism.body(*body).local_of(point).map(|local| (*body, local));
             // A point of a body of known position is where it is.
-            if mechanism.body_ids().filter_map(|body| holds(&body)).any(|(body, _)| tree.frames().of(body).is_some()) {
+            if mechanism.body_ids().filter_map(|body| holds(&body)).any(|(body, _)| tree.frames.of(body).is_some()) {
                 continue;
             }
             let mut groups = mechanism.groups.iter().enumerate();
@@ -255,16 +255,16 @@ impl Wishes {
                 wishes.points[group].push((body, local, place));
             }
         }
-        for &(link, angle) in rough.angles() {
+        for &(link, angle) in &rough.angles {
             if let Some(group) = group_of(&link) {
                 wishes.angles[group].push((link, angle));
             }
         }
-        let (places, _) = places(mechanism, tree.frames());
+        let (places, _) = places(mechanism, &tree.frames);
         let is_sought = |point: PointId| {
             mechanism.groups.iter().any(|g| g.bodies.iter().any(|b| mechanism.body(*b).points.contains(&point)))
         };
-        if rough.has_angles() {
+        if !rough.angles.is_empty() {
             let known = mechanism.point_ids().filter(|point| !is_sought(*point));
             wishes.laid.extent = BoundingBox::of(known.map(|point| places[point.0]));
         }
@@ -279,7 +279,7 @@ impl Wishes {
             |&(body, local, place): &(BodyId, Point, Point)| Some((frame(body)? * local - place).norm_squared());
         let mut cost: f64 = self.points[placed.group].iter().filter_map(distance).sum();
         let mut laid = before;
-        if tree.has_angles() {
+        if tree.has_angles {
             for &(link, angle) in &self.angles[placed.group] {
                 let chord = frame(link).map_or(0.0, |frame| chord(frame, angle));
                 laid.chords += chord * chord;

@@ -4,8 +4,10 @@ use crate::scene::Near;
 
 /// Rough places of points and angles of links, from the scene's `near`: the nearest assembly is chosen.
 pub(super) struct Rough {
-    points: Vec<(PointId, Point)>,
-    angles: Vec<(BodyId, f64)>,
+    /// The points with rough places.
+    pub points: Vec<(PointId, Point)>,
+    /// The links with rough angles, in degrees.
+    pub angles: Vec<(BodyId, f64)>,
 }
 
 impl Rough {
@@ -23,20 +25,6 @@ impl Rough {
             points: points.filter(|(p, _)| of_group(*p)).collect(),
             angles: angles.filter(|(link, _)| member(*link)).collect(),
         }
-    }
-
-    /// The points with rough places.
-    pub(super) fn points(&self) -> &[(PointId, Point)] {
-        &self.points
-    }
-
-    /// The links with rough angles, in degrees.
-    pub(super) fn angles(&self) -> &[(BodyId, f64)] {
-        &self.angles
-    }
-
-    pub(super) fn has_angles(&self) -> bool {
-        !self.angles.is_empty()
     }
 
     /// Whether nothing is said of the assembly.

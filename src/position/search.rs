@@ -154,7 +154,7 @@ impl<'a> Search<'a> {
 /// those of all its links.
 fn rough_frame(mechanism: &Mechanism, link: BodyId, known: &Frames, rough: &Rough) -> Option<Placement> {
     let placed = |point| {
-        let mut bodies = (0..mechanism.bodies.len()).map(BodyId);
+        let mut bodies = mechanism.body_ids();
         bodies.find_map(|b| known.place(mechanism, b, point)).or_else(|| rough.place(point))
     };
     let mut pairs = Vec::new();

@@ -12,10 +12,13 @@ use crate::words::{Language, Wording};
 /// Groups are put down and taken away one after another; [`Tree::modes`] gives what the next group has then.
 pub(super) struct Tree<'a> {
     pub mechanism: &'a Mechanism,
-    assembler: Assembler<'a>,
-    frames: Frames,
+    /// Finds modes, and counts the work.
+    pub assembler: Assembler<'a>,
+    /// The frames of the bodies of known position and of the groups that are down.
+    pub frames: Frames,
     slides: Vec<f64>,
-    has_angles: bool,
+    /// Whether rough angles take part in the choice.
+    pub has_angles: bool,
     /// The groups in the order of the tree.
     pub order: Order,
 }
@@ -43,7 +46,7 @@ impl<'a> Tree<'a> {
     /// The tree of a mechanism given by lengths.
     pub(super) fn new(mechanism: &'a Mechanism, rough: &'a Rough) -> Tree<'a> {
         let frames = Frames::known(mechanism);
-        let has_angles = rough.has_angles();
+        let has_angles = !rough.angles.is_empty();
         let order = if has_angles { Order::chain(mechanism) } else { Order::new(mechanism) };
         Tree {
             mechanism,
@@ -53,21 +56,6 @@ impl<'a> Tree<'a> {
             has_angles,
             order,
         }
-    }
-
-    /// The work done so far: bodies of the mechanism, times starts from which loops have been closed.
-    pub(super) fn work(&self) -> usize {
-        self.assembler.work
-    }
-
-    /// Whether rough angles take part in the choice.
-    pub(super) fn has_angles(&self) -> bool {
-        self.has_angles
-    }
-
-    /// The frames of the bodies of known position and of the groups that are down.
-    pub(super) fn frames(&self) -> &Frames {
-        &self.frames
     }
 
     /// The modes of a group, in their order; all groups on which it hangs must be down, and it must not.
@@ -207,10 +195,10 @@ impl WholeAssembly {
             links.any(|(id, body)| self.frames.of(id).is_some() && body.points.contains(&p))
         };
         let mut sum = 0.0;
-        for (p, rough) in rough.points().iter().filter(|(p, _)| placed(*p)) {
+        for (p, rough) in rough.points.iter().filter(|(p, _)| placed(*p)) {
             sum += (points[p.0] - rough).norm_squared();
         }
-        for (link, angle) in rough.angles() {
+        for (link, angle) in &rough.angles {
             if let Some(frame) = self.frames.of(*link) {
                 let chord = chord(frame, *angle) * size;
                 sum += chord * chord;

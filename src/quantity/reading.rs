@@ -3,7 +3,7 @@
 use super::name::{Normality, QuantityRequest, Spot, What};
 use crate::construction::{
     Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
-    ProductKind, Solution, SpecialId, StepId, Writer, image_name, normal_name,
+    ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::Component;
@@ -105,10 +105,10 @@ impl Reader<'_> {
     fn number(&mut self, asked: &QuantityRequest) -> Result<(NumberId, Sense), Unread> {
         let name = asked.name();
         let number = match asked.what() {
-            What::Omega(link) => self.rate(*link, 0)?,
-            What::Alpha(link) => self.rate(*link, 1)?,
-            What::SlideVelocity(id) => self.slide_rate(*id, 0)?,
-            What::SlideAcceleration(id) => self.slide_rate(*id, 1)?,
+            What::Omega(link) => self.rate(Rate::Omega(*link))?,
+            What::Alpha(link) => self.rate(Rate::Alpha(*link))?,
+            What::SlideVelocity(id) => self.rate(Rate::SlideVelocity(*id))?,
+            What::SlideAcceleration(id) => self.rate(Rate::SlideAcceleration(*id))?,
             What::Angle(link) => return Ok((self.axis(name, *link)?, Sense::Angle)),
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
@@ -176,8 +176,8 @@ impl Reader<'_> {
     }
 
     fn coriolis(&mut self, id: SliderId, on: BodyId) -> Result<VectorSource, Unread> {
-        let omega = self.rate_or_given(on, 0)?;
-        let velocity = self.slide_rate_or_given(id, 0)?;
+        let omega = self.rate_or_given(Rate::Omega(on))?;
+        let velocity = self.rate_or_given(Rate::SlideVelocity(id))?;
         let (Some(omega), Some(velocity)) = (omega, velocity) else {
             return Err(Unread::Given);
         };
@@ -186,12 +186,14 @@ impl Reader<'_> {
         Ok(VectorSource::Computed(size, Along::line(self.writer.guide(id)).turned(1)))
     }
 
-    /// The angular velocity (order 0) or acceleration (order 1) of a link that is solved for; given rates are not read.
-    fn rate(&self, link: BodyId, order: usize) -> Result<NumberId, Unread> {
-        if self.is_given(link) {
-            return Err(Unread::Given);
-        }
-        self.rate_or_given(link, order)?.ok_or(Unread::Given)
+    /// A rate that is solved for; given rates are not read.
+    fn rate(&self, rate: Rate) -> Result<NumberId, Unread> {
+        let is_given = match rate {
+            Rate::Omega(link) | Rate::Alpha(link) => self.is_given(link),
+            Rate::SlideVelocity(id) | Rate::SlideAcceleration(id) => self.writer.mechanism.slider(id).drive.is_some(),
+        };
+        let number = if is_given { None } else { self.rate_or_given(rate)? };
+        number.ok_or(Unread::Given)
     }
 
     /// Whether the rotation of a link is given, its own or that of a body with which sliders make it turn alike.
@@ -202,22 +204,9 @@ impl Reader<'_> {
         mechanism.is_known(link) || rates[link.0].is_some() && known.any(|b| rates[b.0] == rates[link.0])
     }
 
-    /// The angular velocity (order 0) or acceleration (order 1) of a link; `None` if it is given as zero.
-    fn rate_or_given(&self, link: BodyId, order: usize) -> Result<Option<NumberId>, Unread> {
-        let rates = self.writer.construction.angular_rates[link.0];
-        Ok(rates.ok_or(Unread::NoConstruction)?[order])
-    }
-
-    fn slide_rate(&self, id: SliderId, order: usize) -> Result<NumberId, Unread> {
-        if self.writer.mechanism.slider(id).drive.is_some() {
-            return Err(Unread::Given);
-        }
-        self.slide_rate_or_given(id, order)?.ok_or(Unread::Given)
-    }
-
-    fn slide_rate_or_given(&self, id: SliderId, order: usize) -> Result<Option<NumberId>, Unread> {
-        let rates = self.writer.construction.slide_rates[id.0];
-        Ok(rates.ok_or(Unread::NoConstruction)?[order])
+    /// A rate that is solved for or given; `None` if it is given as zero.
+    fn rate_or_given(&self, rate: Rate) -> Result<Option<NumberId>, Unread> {
+        self.writer.construction.rate(rate).ok_or(Unread::NoConstruction)
     }
 
     /// The direction of a link's axis, measured from its first to its second point.
@@ -369,8 +358,8 @@ impl Reader<'_> {
             }
         }
         let link = link.ok_or(Unread::NotDrawn)?;
-        let order = usize::from(part == Normality::Tangential);
-        let rate = self.rate_or_given(link, order)?.ok_or(Unread::Given)?;
+        let rate = if part == Normality::Tangential { Rate::Alpha } else { Rate::Omega };
+        let rate = self.rate_or_given(rate(link))?.ok_or(Unread::Given)?;
         let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
         let line = self.writer.join_places(from, to, OperationRole::Line);
         let length = self.measure(Sheet::Scheme, name, [from, to], MeasuredAs::Along(line));
