@@ -4,7 +4,7 @@ use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, EmptyForm, FilledForm, FormBox, Measured, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
-use kinegon::quantity::What;
+use kinegon::quantity::Head;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -90,7 +90,7 @@ impl Desk {
                 has_sense: found.asked.is_rate(),
                 turns: found.asked.turns(),
                 on_paper: found.asked.is_length_on_sheet(),
-                is_segment: matches!(found.asked.what(), What::Segment { .. } | What::Length(..)),
+                is_segment: matches!(found.asked.written().head, Head::Between(_)),
                 is_asked: asked,
                 name: found.name,
             }

@@ -9,8 +9,8 @@ use kinegon::editing;
 use kinegon::format::{self, html_text};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::counted_poses;
-use kinegon::quantity::{QuantityRequest, What, measured_names};
-use kinegon::scene::{GivenBy, SizeLimit};
+use kinegon::quantity::{QuantityName, QuantityRequest, measured_names};
+use kinegon::scene::{Argument, GivenBy, SizeLimit};
 use kinegon::words::Wording;
 use kinegon::{Solution, order_of_result};
 use serde_json::Value;
@@ -98,19 +98,20 @@ impl Desk {
 
 /// What the name of a quantity says.
 fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
-    let asked = QuantityRequest::new(name, mechanism).ok();
-    let of = asked.as_ref().map_or(Owner::Others, |asked| match asked.what() {
-        What::Omega(_) | What::Alpha(_) | What::Angle(_) => Owner::Link,
-        What::SlidePosition(_) | What::SlideVelocity(_) | What::SlideAcceleration(_) | What::Coriolis(..) => {
-            Owner::Slider
-        }
-        What::Coordinate(..) | What::Velocity(_, None) | What::Acceleration(_, None) => Owner::Point,
-        _ => Owner::Others,
-    });
-    let (head, rest) = name.split_once('(').unwrap_or((name, ""));
-    let (inside, part) = rest.rsplit_once(')').unwrap_or((rest, ""));
-    let is_vector = asked.is_some_and(|asked| asked.is_vector());
-    Quantity { name: name.to_owned(), head: head.into(), inside: inside.into(), part: part.into(), of, is_vector }
+    let is_vector = QuantityRequest::new(name, mechanism).is_ok_and(|asked| asked.is_vector());
+    let plain =
+        |of| Quantity { name: name.to_owned(), head: "".into(), inside: "".into(), part: "".into(), of, is_vector };
+    let Some(written) = QuantityName::parse(name) else { return plain(Owner::Others) };
+    let of = match written.head.argument() {
+        Argument::Link => Owner::Link,
+        Argument::Slider => Owner::Slider,
+        Argument::Point if written.arguments.len() == 1 => Owner::Point,
+        Argument::Point => Owner::Others,
+    };
+    let (head, inside) = (written.head.word(), written.subject());
+    let whole = written.to_string();
+    let part = whole.strip_prefix(&format!("{head}({inside})")).unwrap_or_default();
+    Quantity { head: head.into(), part: part.into(), inside, ..plain(of) }
 }
 
 /// Where the points are, as far as that is known.
