@@ -14,8 +14,6 @@ use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
 use std::sync::Arc;
-
-/// No other modes.
 const NO_MODES: &OtherModes = &OtherModes { shown: Vec::new(), has_more: false, own: None };
 
 /// Made once for a solution. What is looked up is shared by all copies, so another surface costs nothing.
@@ -128,8 +126,6 @@ impl<'a> SheetContext<'a> {
     pub(super) fn teller(&self) -> Teller<'_> {
         Teller::new(self.solution, &self.words)
     }
-
-    /// The title of its sheets.
     pub(super) fn title(&self) -> Untrusted {
         self.scene().title.clone().unwrap_or_else(|| self.words.language.title().into())
     }
@@ -172,8 +168,6 @@ impl<'a> SheetContext<'a> {
         let shown = self.figure().special_points;
         self.construction().special.iter().flatten().filter(move |special| shown && special.is_assur)
     }
-
-    /// The values of a panel.
     pub(super) fn values_of(&self, sheet: Sheet) -> impl Iterator<Item = &Value> {
         self.values.iter().filter(move |value| value.panel == sheet)
     }

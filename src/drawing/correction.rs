@@ -17,8 +17,6 @@ use crate::words::Wording;
 
 /// Widths of a column of words beside the panels, in parts of the page's width.
 const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
-
-/// A division of the sheet.
 struct Division<'a> {
     place: WordsPlace,
     sheet: Composition<'a>,

@@ -52,10 +52,7 @@ pub(super) struct Free {
 }
 
 impl Free {
-    /// On a sheet without markers.
     const PLAIN: Free = Free { edge: MARGIN, top: MARGIN + TITLE, corner: 0.0, middle: 0.0 };
-
-    /// Whether it is for markers.
     pub(super) fn has_markers(self) -> bool {
         self.middle > 0.0
     }

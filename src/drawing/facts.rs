@@ -50,8 +50,6 @@ impl Facts {
             middle: nalgebra::center(&extent.low, &extent.high),
         }
     }
-
-    /// The markup of a name.
     pub(super) fn markup(&self, name: &str) -> String {
         self.markup.get(name).cloned().unwrap_or_else(|| display(name))
     }

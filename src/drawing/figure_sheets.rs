@@ -53,14 +53,19 @@ pub struct FigureSheets<'a> {
     figure: OnceCell<LaidOut<'a>>,
 }
 
-/// Scales that all sheets share.
+/// The scales that all sheets share, and the layouts that were tried with them.
 struct Decided {
     mu: Scales,
-    /// The finished figure's layout at them, if it was tried.
-    figure: Option<Layout>,
+    tried: Vec<Tried>,
 }
 
-/// A sheet with its layout.
+/// The layout of a sheet at the scales that were decided on.
+struct Tried {
+    steps: Option<Steps>,
+    /// Height of its words, by which the sheet is known again.
+    below: f64,
+    layout: Layout,
+}
 struct LaidOut<'a> {
     context: SheetContext<'a>,
     extents: Extents,
@@ -106,7 +111,7 @@ impl<'a> FigureSheets<'a> {
     /// caption and equation below the panels. Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn steps(&self, steps: Steps) -> Drawing {
-        let laid_out = LaidOut::new(self.scaled(), Some(steps));
+        let laid_out = self.lay_out(self.scaled(), Some(steps));
         let drawing = laid_out.composition().draw(&laid_out.layout);
         match steps {
             Steps::Fine => drawing,
@@ -118,10 +123,10 @@ impl<'a> FigureSheets<'a> {
     #[must_use]
     pub fn scales(&self) -> Scales {
         let figure = self.base.figure();
-        let chosen = match figure.scales {
-            ScalesFor::Sheet => self.laid_out().layout.mu(),
-            _ => self.decided().mu,
-        };
+        let mu = self.decided().mu;
+        let are_known =
+            figure.scales != ScalesFor::Sheet || figure.shown_panels().iter().all(|&sheet| mu[sheet].is_some());
+        let chosen = if are_known { mu } else { self.laid_out().layout.mu() };
         let of = |sheet: Sheet| figure.mu(sheet).or(chosen[sheet]);
         PerSheet::from_fn(of)
     }
@@ -171,7 +176,7 @@ impl<'a> FigureSheets<'a> {
         let mut context = self.scaled();
         let shown = context.figure().shown_panels();
         if shown.iter().any(|&sheet| context.surface.mu[sheet].is_none()) {
-            let own = LaidOut::new(context.clone(), steps).layout.mu();
+            let own = self.lay_out(context.clone(), steps).layout.mu();
             context.surface.mu = PerSheet::from_fn(|sheet| context.surface.mu[sheet].or(own[sheet]));
         }
         context
@@ -192,17 +197,35 @@ impl<'a> FigureSheets<'a> {
     fn laid_out(&self) -> &LaidOut<'a> {
         self.figure.get_or_init(|| {
             let context = self.scaled();
-            if !context.figure().worksheet
-                && let Some(layout) = &self.decided().figure
-            {
-                let extents = extents(&context);
-                return LaidOut { context, extents, contents: Contents::default(), layout: layout.clone() };
-            }
             let marked = (context.figure().worksheet && context.wants_markers())
-                .then(|| LaidOut::new(context.on(context.surface.with_markers()), None))
+                .then(|| self.lay_out(context.on(context.surface.with_markers()), None))
                 .filter(|marked| marked.layout.shows_all());
-            marked.unwrap_or_else(|| LaidOut::new(context, None))
+            marked.unwrap_or_else(|| self.lay_out(context, None))
         })
+    }
+
+    /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it at these
+    /// scales; where each sheet has scales of its own, it always is.
+    fn lay_out(&self, context: SheetContext<'a>, steps: Option<Steps>) -> LaidOut<'a> {
+        let extents = extents(&context);
+        let laid_out = |table: Option<TablePlace>| {
+            let contents = Contents { steps, only_step: None, table };
+            let sheet = composed_on(&context, &extents, contents);
+            let mut tried = self.decided().tried.iter().filter(|_| table.is_none());
+            let known = tried.find(|tried| tried.steps == steps && tried.below == sheet.height_below());
+            (contents, known.map_or_else(|| sheet.layout(), |known| known.layout.clone()))
+        };
+        let (contents, layout) = if !context.figure().worksheet {
+            laid_out(None)
+        } else if context.surface.mu.iter().any(|(_, mu)| mu.is_none()) {
+            laid_out(Some(TablePlace::Anywhere))
+        } else {
+            let (apart, beside) = (laid_out(Some(TablePlace::Apart)), laid_out(Some(TablePlace::Beside)));
+            let shown = |layout: &Layout| [layout.worth[0], layout.worth[1]];
+            let has_room = beside.1.aside.is_some() && shown(&beside.1) >= shown(&apart.1);
+            if has_room { beside } else { apart }
+        };
+        LaidOut { context, extents, contents, layout }
     }
 }
 
@@ -238,29 +261,7 @@ impl Solution {
     }
 }
 
-impl<'a> LaidOut<'a> {
-    /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it at these
-    /// scales; where each sheet has scales of its own, it always is.
-    fn new(context: SheetContext<'a>, steps: Option<Steps>) -> Self {
-        let extents = extents(&context);
-        let laid_out = |table: Option<TablePlace>| {
-            let contents = Contents { steps, only_step: None, table };
-            (contents, composed_on(&context, &extents, contents).layout())
-        };
-        let (contents, layout) = if !context.figure().worksheet {
-            laid_out(None)
-        } else if context.surface.mu.iter().any(|(_, mu)| mu.is_none()) {
-            laid_out(Some(TablePlace::Anywhere))
-        } else {
-            let (apart, beside) = (laid_out(Some(TablePlace::Apart)), laid_out(Some(TablePlace::Beside)));
-            let shown = |layout: &Layout| [layout.worth[0], layout.worth[1]];
-            let has_room = beside.1.aside.is_some() && shown(&beside.1) >= shown(&apart.1);
-            if has_room { beside } else { apart }
-        };
-        LaidOut { context, extents, contents, layout }
-    }
-
-    /// The sheet with its words.
+impl LaidOut<'_> {
     fn composition(&self) -> Composition<'_> {
         described(&self.context, composed_on(&self.context, &self.extents, self.contents))
     }
@@ -279,22 +280,18 @@ impl Decided {
     fn of(context: &SheetContext<'_>) -> Decided {
         let (figure, given) = (context.figure(), context.surface.mu);
         if figure.scales == ScalesFor::Sheet || figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
-            return Decided { mu: given, figure: None };
+            return Decided { mu: given, tried: Vec::new() };
         }
         let extents = extents_to_fit(context);
         let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
         let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
-        // The layout of the finished figure, which is the last one.
-        let fitting = |mu: &Scales| {
-            let mut last = None;
-            for sheet in &sheets {
+        let fitting = |mu: &Scales| -> Option<(Scales, Vec<Tried>)> {
+            let tried = sheets.iter().zip(SHEETS).map(|(sheet, steps)| {
                 let layout = sheet.layout_at(mu);
-                if !(layout.worth[0] > 0.0 && layout.worth[1] as usize == extents.len()) {
-                    return None;
-                }
-                last = Some(layout);
-            }
-            last.map(|layout| (*mu, layout))
+                let fits = layout.worth[0] > 0.0 && layout.worth[1] as usize == extents.len();
+                fits.then(|| Tried { steps, below: sheet.height_below(), layout })
+            });
+            Some((*mu, tried.collect::<Option<_>>()?))
         };
         // By panel: the scales between the finest and the coarsest that a sheet would have.
         let choices = extents.iter().enumerate().map(|(index, &(panel, _))| {
@@ -311,11 +308,10 @@ impl Decided {
         let coarseness = |set: &Scales| set.given().map(|(panel, mu)| weight(panel) * libm::log(mu)).sum();
         sets.sort_by(|a, b| f64::total_cmp(&coarseness(a), &coarseness(b)));
         let coarsest = sets.last().copied().unwrap_or(given);
-        let found = sets.iter().find_map(fitting);
-        // For a cycle more had to fit than the figure shows.
-        let is_own = figure.scales != ScalesFor::Cycle;
-        let (mu, figure) = found.map_or((coarsest, None), |(mu, layout)| (mu, is_own.then_some(layout)));
-        Decided { mu, figure }
+        let (mu, mut tried) = sets.iter().find_map(fitting).unwrap_or((coarsest, Vec::new()));
+        // For a cycle more had to fit than the sheets show.
+        tried.retain(|_| figure.scales != ScalesFor::Cycle);
+        Decided { mu, tried }
     }
 }
 

@@ -23,7 +23,6 @@ pub static ITALIC: &[u8] = include_bytes!("fonts/LibertinusSerif-Italic.sub.otf"
 /// Width and ink of a stretch of text, in em, y down, from the left end of its baseline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct TextExtent {
-    /// Advance of the pen.
     pub(super) advance: f64,
     /// The box around the ink; none for spaces.
     pub(super) ink: Option<Rect>,
@@ -292,8 +291,6 @@ fn script_of(letter: char) -> Option<Alphabet> {
         _ => None,
     }
 }
-
-/// The kerning of a script.
 fn kerning(font: &FontRef<'static>, script: Tag) -> Result<Vec<Kerning>, ReadError> {
     let table = font.gpos()?;
     let scripts = table.script_list()?;

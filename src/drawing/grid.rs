@@ -34,22 +34,17 @@ pub struct Grid {
     everywhere: Vec<u32>,
     seen: RefCell<Seen>,
 }
-
-/// A thing in a cell.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     thing: u32,
     /// The entry before it in the same cell.
     before: u32,
 }
-
-/// No entry.
 const NONE: u32 = u32::MAX;
 
 /// What a search has found already.
 #[derive(Clone, Debug, Default)]
 struct Seen {
-    /// Number of the search.
     search: u32,
     /// By thing: the last search that found it.
     last: Vec<u32>,
@@ -105,8 +100,6 @@ impl Grid {
             }
         };
     }
-
-    /// The things in a cell.
     fn within(&self, cell: usize) -> impl Iterator<Item = usize> {
         let entry = |index: u32| self.entries.get(index as usize).copied();
         std::iter::successors(entry(self.last[cell]), move |found| entry(found.before))

@@ -20,7 +20,6 @@ struct Places {
 }
 
 impl Held {
-    /// Begins the next picture.
     pub(super) fn next(&mut self) {
         self.before = std::mem::take(&mut self.now);
     }
@@ -29,13 +28,9 @@ impl Held {
     pub(super) fn has_picture(&self) -> bool {
         !self.before.labels.is_empty()
     }
-
-    /// Where a label was.
     pub(super) fn label(&self, id: &str) -> Option<Vec2> {
         self.before.labels.get(id).copied()
     }
-
-    /// Keeps where a label is.
     pub(super) fn keep_label(&mut self, id: String, offset: Vec2) {
         self.now.labels.insert(id, offset);
     }

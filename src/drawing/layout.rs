@@ -52,8 +52,6 @@ impl Needs {
 pub(super) fn sheet_of(kind: QuantityKind) -> Sheet {
     Sheet::ALL.into_iter().find(|sheet| QuantityKind::drawn_on(*sheet) == kind).unwrap_or(Sheet::Scheme)
 }
-
-/// A panel's place and scale.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     pub kind: QuantityKind,
@@ -99,8 +97,6 @@ pub(super) trait Item {
     fn asides(&self, _room: Rect) -> Vec<Aside> {
         Vec::new()
     }
-
-    /// Draws it.
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
 }
 
@@ -263,8 +259,6 @@ fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
         },
     ]
 }
-
-/// Size of the smallest content.
 fn smallest(needs: &[Needs], placed: &[Placed]) -> f64 {
     needs.iter().zip(placed).map(|(needs, placed)| placed.shown(&needs.extent).norm()).fold(f64::INFINITY, f64::min)
 }

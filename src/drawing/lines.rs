@@ -64,8 +64,6 @@ impl Line {
         ink.unwrap_or(Rect::from_points(from, from))
     }
 }
-
-/// Lines below the scales.
 pub(super) struct Lines {
     pub lines: Vec<RichText>,
     /// The only step with these lines; none for all.

@@ -45,8 +45,6 @@ pub enum Script {
     /// Superscript.
     Super,
 }
-
-/// How letters are set.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Setting {
     /// Letters slanted, digits and signs upright.

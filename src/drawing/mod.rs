@@ -23,7 +23,6 @@ pub mod grid;
 mod held;
 mod held_layout;
 mod inset;
-mod key_table;
 mod labels;
 mod layout;
 mod legend;
@@ -40,7 +39,6 @@ mod panels;
 mod passages;
 mod pen;
 mod plan;
-mod plan_sheets;
 mod scheme;
 mod shape;
 mod sheet;
@@ -62,7 +60,6 @@ pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, k
 pub use figure_sheets::FigureSheets;
 pub use fonts::{ITALIC, REGULAR};
 pub use held_layout::{Handle, HeldLayout, HeldPanel};
-pub use key_table::KeyRow;
 pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look};
 pub use markup::{Run, Script};
@@ -77,6 +74,7 @@ pub use step_numbers::Steps;
 pub use style::Style;
 pub use text::{Anchor, PlacedRun, PlacedText, RichText};
 pub use view::{Extent, View, fitting_scale, next_scale};
+pub use worksheet::KeyRow;
 
 /// A point of the sheet: millimetres from its upper left corner, y down.
 pub use kurbo::Point;

@@ -24,13 +24,10 @@ pub(super) struct Taken {
 }
 
 impl Taken {
-    /// A panel without obstacles.
     pub(super) fn new(bounds: Rect) -> Self {
         let all = Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds };
         Self { all, boxes: Grid::new(bounds), lines: Grid::new(bounds) }
     }
-
-    /// A panel with these obstacles.
     pub(super) fn of(obstacles: &Obstacles) -> Self {
         let mut taken = Self::new(obstacles.bounds);
         taken.add_boxes(obstacles.boxes.iter().copied());
@@ -42,19 +39,13 @@ impl Taken {
     pub(super) fn all(&self) -> &Obstacles {
         &self.all
     }
-
-    /// Adds a box.
     pub(super) fn add_box(&mut self, area: Rect) {
         self.boxes.add(self.all.boxes.len(), area);
         self.all.boxes.push(area);
     }
-
-    /// Adds boxes.
     pub(super) fn add_boxes(&mut self, areas: impl IntoIterator<Item = Rect>) {
         areas.into_iter().for_each(|area| self.add_box(area));
     }
-
-    /// Adds straight lines.
     pub(super) fn add_lines(&mut self, lines: impl IntoIterator<Item = (Point, Point)>) {
         for line in lines {
             self.lines.add_line(self.all.lines.len(), line);

@@ -20,10 +20,7 @@ use kurbo::{Rect, Vec2};
 const SIZE: f64 = 1.05 * CAPTION;
 /// Least distance of a pole from the edge, in mm: room for its name.
 const AROUND: f64 = 5.0;
-/// White before them, in mm.
 const BEFORE: f64 = 2.5;
-
-/// A panel of a sheet.
 pub(super) struct Panel<'a> {
     /// Its name, in the figure's language.
     pub name: String,
@@ -48,8 +45,6 @@ pub(super) type Layers<'a> = Vec<Box<dyn Layer + 'a>>;
 pub(super) trait Layer {
     /// Reserves room before the layers below are drawn: they and all labels keep off it.
     fn reserve(&self, _canvas: &mut Canvas<'_>, _view: &View) {}
-
-    /// Draws it.
     fn draw(&self, canvas: &mut Canvas<'_>, view: &View);
 
     /// Changes the marks of all layers after labels have been placed.

@@ -1,10 +1,10 @@
 use super::look::Colour;
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// What a mark *is*. Colour, width, dash and fill come from the drawing's [`Style`](super::Style), so a figure is
 /// restyled in one place. Style files write pens in small letters: `link_fill`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Pen {
     /// The border of a panel, axes, the bar of a scale.
@@ -86,16 +86,24 @@ pub enum Pen {
     /// A point of such a drawing, a small cross, and its name.
     StudentPoint,
     /// A marker by which a photograph of the sheet is read, and the small code: black in every style.
-    #[serde(skip)]
+    #[serde(skip_deserializing)]
+    #[schemars(skip)]
     Marker,
     /// The white around them, on paper of any colour.
-    #[serde(skip)]
+    #[serde(skip_deserializing)]
+    #[schemars(skip)]
     MarkerWhite,
 }
 
 impl Pen {
     /// How many pens have looks of a style.
     pub(super) const COUNT: usize = Pen::StudentPoint as usize + 1;
+
+    /// Its name, as in style files: `link_fill`.
+    pub(crate) fn name(self) -> String {
+        let name = serde_json::to_value(self).ok();
+        name.and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default()
+    }
 
     /// The colour of areas that no style changes: programs look for them.
     pub(super) fn fixed(self) -> Option<Colour> {

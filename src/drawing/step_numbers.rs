@@ -16,7 +16,6 @@ pub enum Steps {
 /// For points, rays and vectors the step of the construction that makes them. Steps count from 1, through the scheme,
 /// the velocity plan and the acceleration plan.
 pub(super) struct StepNumbers {
-    /// Special points on the scheme.
     special: IndexMap<String, u16>,
     /// Solved rates, by the names of their quantities.
     rates: IndexMap<String, u16>,
@@ -26,7 +25,6 @@ pub(super) struct StepNumbers {
 /// The steps that make a plan's points, rays and vectors.
 #[derive(Default)]
 pub(super) struct PlanSteps {
-    /// The plan's last step.
     last: u16,
     points: IndexMap<String, u16>,
     rays: IndexMap<[String; 2], u16>,
@@ -63,8 +61,6 @@ impl StepNumbers {
     pub(super) fn rate(&self, plan: Sheet, name: &str) -> u16 {
         self.rates.get(name).copied().unwrap_or(self.plan(plan).last)
     }
-
-    /// The steps of a plan.
     pub(super) fn plan(&self, sheet: Sheet) -> &PlanSteps {
         &self.plans[sheet]
     }

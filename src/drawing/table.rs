@@ -36,8 +36,6 @@ pub(super) struct Table<const N: usize> {
     /// Room below the last column: width and height in mm, and the height in rows.
     pub foot: ([f64; 2], usize),
 }
-
-/// A row's cells.
 #[derive(Clone)]
 pub(super) struct Cells<const N: usize> {
     pub texts: [RichText; N],
@@ -49,6 +47,13 @@ pub(super) struct Cells<const N: usize> {
     pub stands_out: bool,
     /// Which of them are boxes to be filled in.
     pub boxes: [bool; N],
+}
+
+impl<const N: usize> Cells<N> {
+    /// Cells of texts, there from the start.
+    pub(super) fn new(texts: [RichText; N], id: String) -> Self {
+        Self { texts, id: Some(id), since: 0, stands_out: false, boxes: [false; N] }
+    }
 }
 
 /// Arrangement of rows: number of columns, rows in each and in the last, size in parts of the usual size.

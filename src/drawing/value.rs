@@ -5,8 +5,6 @@ use crate::construction::{ArrowKind, PlanVector};
 use crate::mechanism::{BodyId, PointId};
 use crate::quantity::QuantityKind;
 use crate::sheet::Sheet;
-
-/// A value to be shown.
 #[derive(Clone, Debug)]
 pub(super) struct Value {
     /// Where its label belongs.
@@ -38,7 +36,6 @@ pub(super) enum ValueOf {
 }
 
 impl Value {
-    /// Symbol, number and unit.
     pub(super) fn text(&self) -> RichText {
         RichText::math(&self.symbol).followed_by(&self.equals())
     }

@@ -10,7 +10,7 @@ use super::plan::sight::is_hidden;
 use super::shape::{Shape, corners};
 use super::sheet::{Drawing, Mark, Pen};
 use super::style::Style;
-use super::text::{CAPTION, LABEL, PlacedText, RichText};
+use super::text::{CAPTION, PlacedText, RichText};
 use super::value::{Value, ValueOf};
 use crate::construction::{NOTHING, PlanVector, Solution, plain_text, rate_symbol};
 use crate::mechanism::{BodyId, Role};
@@ -72,8 +72,6 @@ fn values(context: &SheetContext<'_>) -> Vec<Value> {
     };
     figure.shown_panels().iter().flat_map(of_panel).collect()
 }
-
-/// Makes the list of values.
 struct List<'a> {
     context: &'a SheetContext<'a>,
     /// The units of velocities and accelerations.
@@ -213,18 +211,10 @@ pub(super) fn label(
         ValueOf::Rate(link) => context.number(*link),
         ValueOf::Vector(_) | ValueOf::Length(..) => None,
     };
-    let request = LabelRequest { text: value.text(), size: LABEL, anchor, clearance: 0.9, prefer, priority: 0 };
+    let request = LabelRequest::new(value.text(), anchor, 0.9, prefer, 0);
     canvas.set_step(value.since);
-    canvas.request_label(Wanted {
-        request,
-        name: value.name.clone(),
-        pen: Pen::Label,
-        number,
-        optional: true,
-        last: true,
-        short: None,
-        before: Vec::new(),
-    });
+    let wanted = Wanted::new(value.name.clone(), request);
+    canvas.request_label(Wanted { number, optional: true, last: true, ..wanted });
 }
 
 /// Whether a value has its label at the arrow of a drive.

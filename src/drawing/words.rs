@@ -31,7 +31,6 @@ const SMALL: f64 = CAPTION;
 // Baselines below the upper edge of the words, in mm.
 pub(super) const FIRST: f64 = 5.0;
 pub(super) const SECOND: f64 = 11.0;
-/// The lowest baseline.
 const LAST: f64 = 24.0;
 /// Distance of baselines without lines under vectors, in mm.
 pub(super) const ROW: f64 = 6.0;
@@ -149,8 +148,6 @@ fn advance(text: &RichText, size: f64) -> f64 {
 pub(super) fn width_of(texts: &[RichText], size: f64) -> f64 {
     texts.iter().map(|text| advance(text, size)).sum()
 }
-
-/// The box around all marks.
 fn extent(drawing: &Drawing) -> Rect {
     let all = drawing.marks.iter().map(|mark| mark.shape.bounds());
     all.reduce(|a, b| a.union(b)).unwrap_or_default()

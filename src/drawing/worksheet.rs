@@ -1,5 +1,5 @@
 //! Additions of a work sheet to the panels: a table of the lengths that are measured, in the order of the construction, or
-//! with boxes to be filled in; and a ruler by which the size of a print is checked.
+//! with boxes to be filled in; the table of a key; a ruler by which the size of a print is checked.
 
 use super::context::SheetContext;
 use super::dims::Dims;
@@ -15,17 +15,15 @@ use super::text::{CAPTION, RichText};
 use crate::construction::{Action, Plan};
 use crate::quantity::{QuantityKind, QuantityRequest, What};
 use crate::sheet::Sheet;
-use crate::words::Wording;
+use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::{Point, Rect, Vec2};
 
 /// Length of the ruler, in mm of paper.
 const RULER: f64 = 50.0;
 /// Width and height of the ruler with its numbers, and words above it, in mm.
-pub(super) const RULER_ROOM: [f64; 2] = [64.0, 18.6];
+const RULER_ROOM: [f64; 2] = [64.0, 18.6];
 /// The same height, in rows of the table.
-pub(super) const RULER_ROWS: usize = 3;
-
-/// A table and a ruler.
+const RULER_ROWS: usize = 3;
 pub(super) struct Worksheet {
     pub table: Table<CELLS>,
     /// By row: the measured length, in units of its kind; empty on a sheet to be filled in.
@@ -68,19 +66,14 @@ impl Worksheet {
             let least = least(panel, page);
             let name = format!("{} {}", context.shown(from, plan), context.shown(to, plan));
             lengths.push(Some((value, kind)));
-            rows.push(Cells {
-                texts: [
-                    RichText::math(&name),
-                    millimetres(&words, value, least),
-                    RichText::math(symbol(kind)),
-                    RichText::plain(&words.write(value, VALUE)),
-                    RichText::plain(&kind.unit(context.scene().units)),
-                ],
-                id: Some(format!("measured-{}", lengths.len())),
-                since: step,
-                stands_out: false,
-                boxes: [false; CELLS],
-            });
+            let texts = [
+                RichText::math(&name),
+                millimetres(&words, value, least),
+                RichText::math(symbol(kind)),
+                RichText::plain(&words.write(value, VALUE)),
+                RichText::plain(&kind.unit(context.scene().units)),
+            ];
+            rows.push(Cells { since: step, ..Cells::new(texts, format!("measured-{}", lengths.len())) });
         }
         for value in context.values.iter() {
             let is_drawn =
@@ -91,13 +84,8 @@ impl Worksheet {
             let [number, unit] = [&value.written, &value.unit].map(|text| RichText::plain(text));
             let scale = least.map_or("", |_| symbol(value.kind));
             let mm = least.map_or_else(|| RichText::plain(""), |least| millimetres(&words, value.number, least));
-            rows.push(Cells {
-                texts: [RichText::math(&value.symbol), mm, RichText::math(scale), number, unit],
-                id: Some(value.name.clone()),
-                since: value.since,
-                stands_out: false,
-                boxes: [false; CELLS],
-            });
+            let texts = [RichText::math(&value.symbol), mm, RichText::math(scale), number, unit];
+            rows.push(Cells { since: value.since, ..Cells::new(texts, value.name.clone()) });
         }
         let table = table(words.language.segment(), words.language.value(), rows);
         Self { table, lengths, words, dims: context.surface.dims, place: TablePlace::Anywhere }
@@ -140,19 +128,14 @@ fn blank_row(context: &SheetContext<'_>, asked: &QuantityRequest, number: usize)
     let name = context.quantity(asked);
     let is_length = matches!(asked.what(), What::Segment { .. } | What::Length(..));
     let scale = if is_length { symbol(asked.kind()) } else { "" };
-    Cells {
-        texts: [
-            RichText::math(&name),
-            RichText::plain(""),
-            RichText::math(scale),
-            RichText::plain(""),
-            RichText::plain(&asked.kind().unit(context.scene().units)),
-        ],
-        id: Some(format!("box-{number}")),
-        since: 0,
-        stands_out: false,
-        boxes: [false, is_length, false, true, false],
-    }
+    let texts = [
+        RichText::math(&name),
+        RichText::plain(""),
+        RichText::math(scale),
+        RichText::plain(""),
+        RichText::plain(&asked.kind().unit(context.scene().units)),
+    ];
+    Cells { boxes: [false, is_length, false, true, false], ..Cells::new(texts, format!("box-{number}")) }
 }
 
 impl Item for Worksheet {
@@ -172,14 +155,14 @@ impl Item for Worksheet {
 }
 
 /// Draws the ruler with its words in the foot of a table, from the foot's lower left corner.
-pub(super) fn draw_ruler_at_foot(drawing: &mut Drawing, foot: Point, words: &Wording, dims: &Dims) {
+fn draw_ruler_at_foot(drawing: &mut Drawing, foot: Point, words: &Wording, dims: &Dims) {
     let from = foot + Vec2::new(2.0, -RULER_ROOM[1]);
     drawing.caption(RichText::plain(words.language.ruler()), from + Vec2::new(0.0, 4.2));
     ruler(drawing, from + Vec2::new(0.0, 7.4), dims.unit);
 }
 
 /// The least scale of a panel: it is no larger than the page, so millimetres at this scale are the widest.
-pub(super) fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
+fn least(panel: &Panel<'_>, page: [f64; 2]) -> f64 {
     let size = panel.needs.extent.size();
     panel.needs.mu.unwrap_or((size.x / page[0]).max(size.y / page[1]))
 }
@@ -249,8 +232,6 @@ impl Ruler {
         }
     }
 }
-
-/// A ruler below lines.
 struct RulerBelow {
     ruler: Ruler,
     /// Height of the lines, in mm.
@@ -302,5 +283,67 @@ fn ruler(drawing: &mut Drawing, from: Point, unit: f64) {
             let unit = if f64::from(mm) == RULER { " mm" } else { "" };
             drawing.caption(RichText::plain(&format!("{mm}{unit}")), Point::new(x, top.y + 3.6 + 4.4));
         }
+    }
+}
+
+/// A quantity of the form with its exact value.
+#[derive(Clone, Copy, Debug)]
+pub struct KeyRow<'a> {
+    /// The quantity.
+    pub asked: &'a QuantityRequest,
+    /// Its value in the scene's units.
+    pub value: f64,
+    /// By how much the value of a careful hand may differ; none for what is given.
+    pub allowed: Option<f64>,
+}
+
+/// Name, millimetres, scale, value, what a hand may be off by, unit.
+const KEY_CELLS: usize = 6;
+/// Style of what a hand may be off by.
+const ALLOWED: NumberStyle = NumberStyle::significant(2).trimmed().in_full(-5, 12).on(Medium::Figure);
+
+/// The table with a ruler below it.
+pub(super) struct KeyTable {
+    table: Table<KEY_CELLS>,
+    words: Wording,
+    dims: Dims,
+}
+
+impl KeyTable {
+    /// The table of these rows beside panels. Millimetres of a panel without a scale are those at its largest.
+    pub(super) fn new(context: &SheetContext<'_>, panels: &[Panel<'_>], rows: &[KeyRow<'_>]) -> KeyTable {
+        let (words, page) = (context.words, context.surface.page.size_mm());
+        let cells = rows.iter().zip(1..).map(|(row, number)| {
+            let kind = row.asked.kind();
+            let panel = panels.iter().find(|panel| panel.needs.kind == kind && row.asked.is_length_on_sheet());
+            let mm = panel.map(|panel| words.write(row.value / least(panel, page), HUNDREDTHS));
+            let allowed = row.allowed.map(|allowed| format!("± {}", words.write(allowed, ALLOWED)));
+            let texts = [
+                RichText::math(&context.quantity(row.asked)),
+                RichText::plain(&mm.unwrap_or_default()),
+                RichText::math(if panel.is_some() { symbol(kind) } else { "" }),
+                RichText::plain(&words.write(row.value, VALUE)),
+                RichText::plain(&allowed.unwrap_or_default()),
+                RichText::plain(&kind.unit(context.scene().units)),
+            ];
+            Cells::new(texts, format!("key-{number}"))
+        });
+        let head = [words.language.exercise_quantity(), "mm", "μ", words.language.value(), "±", ""];
+        let right_aligned = [false, true, false, true, false, false];
+        let names = ["name", "mm", "scale", "value", "allowed", "unit"];
+        let table = Table::new(head.map(RichText::plain), right_aligned, names, cells.collect());
+        KeyTable { table: Table { foot: (RULER_ROOM, RULER_ROWS), ..table }, words, dims: context.surface.dims }
+    }
+}
+
+impl Item for KeyTable {
+    fn asides(&self, room: Rect) -> Vec<Aside> {
+        self.table.asides(room)
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        let Some(area) = layout.aside else { return };
+        let foot = self.table.draw_in(drawing, area);
+        draw_ruler_at_foot(drawing, foot, &self.words, &self.dims);
     }
 }

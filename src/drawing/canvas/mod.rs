@@ -55,6 +55,14 @@ pub(in crate::drawing) struct Wanted {
     pub before: Vec<(u16, RichText)>,
 }
 
+impl Wanted {
+    /// A label of the usual look.
+    pub(in crate::drawing) fn new(name: String, request: LabelRequest) -> Wanted {
+        let (pen, before) = (Pen::Label, Vec::new());
+        Wanted { request, name, pen, number: None, optional: false, last: false, short: None, before }
+    }
+}
+
 impl<'a> Canvas<'a> {
     pub(in crate::drawing) fn new(
         drawing: &'a mut Drawing,
@@ -100,8 +108,6 @@ impl<'a> Canvas<'a> {
             held.keep_inset(self.prefix, inset);
         }
     }
-
-    /// The panel with its border.
     pub(in crate::drawing) fn frame(&self) -> Rect {
         self.frame
     }

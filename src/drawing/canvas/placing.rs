@@ -7,7 +7,7 @@ use crate::drawing::layout::HEADING;
 use crate::drawing::obstacles::Obstacles;
 use crate::drawing::shape::{Shape, overlap};
 use crate::drawing::sheet::{Mark, Pen};
-use crate::drawing::text::{CAPTION, LABEL, PlacedText, RichText};
+use crate::drawing::text::{CAPTION, PlacedText, RichText};
 use crate::text::Untrusted;
 use kurbo::{Point, Rect, Vec2};
 
@@ -29,8 +29,7 @@ impl Canvas<'_> {
         priority: u8,
     ) -> &mut Wanted {
         let markup = self.shown(name, standard);
-        let request = LabelRequest { text: RichText::math(&markup), size: LABEL, anchor, clearance, prefer, priority };
-        self.ask(name, request)
+        self.ask(name, LabelRequest::new(RichText::math(&markup), anchor, clearance, prefer, priority))
     }
 
     /// Requests a label as [`label`](Self::label) does, whose markup has the scene's own names already. A hyphen more at
@@ -43,22 +42,13 @@ impl Canvas<'_> {
         clearance: f64,
         prefer: Option<Vec2>,
     ) -> &mut Wanted {
-        let text = RichText::math(markup);
-        self.ask(&format!("{name}-"), LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority: 2 })
+        let request = LabelRequest::new(RichText::math(markup), anchor, clearance, prefer, 2);
+        self.ask(&format!("{name}-"), request)
     }
 
     /// Requests a label of the usual look; `name` is the end of its mark's id.
     pub(in crate::drawing) fn ask(&mut self, name: &str, request: LabelRequest) -> &mut Wanted {
-        self.request_label(Wanted {
-            request,
-            name: format!("label-{name}"),
-            pen: Pen::Label,
-            number: None,
-            optional: false,
-            last: false,
-            short: None,
-            before: Vec::new(),
-        })
+        self.request_label(Wanted::new(format!("label-{name}"), request))
     }
 
     /// Requests a label of any look.
@@ -69,15 +59,7 @@ impl Canvas<'_> {
 
     /// Requests plain words beside `anchor`.
     pub(in crate::drawing) fn words(&mut self, name: &str, words: &str, anchor: Point) {
-        let request = LabelRequest {
-            text: RichText::plain(words),
-            size: LABEL,
-            anchor,
-            clearance: 1.0,
-            prefer: None,
-            priority: 3,
-        };
-        self.ask(name, request);
+        self.ask(name, LabelRequest::new(RichText::plain(words), anchor, 1.0, None, 3));
     }
 
     /// The text shown for a name: `standard` unless the scene renames it.

@@ -139,8 +139,6 @@ fn looks(curves: &Curves, kinds: &[(QuantityKind, Vec<usize>)]) -> Vec<usize> {
     }
     numbers
 }
-
-/// The axis of the drive.
 fn drive_axis(context: &CurveContext<'_>, across: [f64; 2]) -> Axis {
     Axis::new(context.words, shown_range(context), across, APART, context.path.drive.is_angle())
 }

@@ -125,8 +125,6 @@ impl<'a> CurveContext<'a> {
             Line::new(vec![RichText::plain(&language.drive_position(&link, self.scene.units.length.as_str()))])
         }
     }
-
-    /// The rates of the drives.
     fn speeds(&self) -> Line {
         let (mechanism, units) = (&self.path.mechanism, self.scene.units);
         let mut parts: Vec<[String; 2]> = Vec::new();

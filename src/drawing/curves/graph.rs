@@ -73,8 +73,6 @@ impl<'a> Graph<'a> {
         let width = |tick: &f64| RichText::plain(&self.axis.tick(*tick)).width(CAPTION);
         self.axis.ticks.iter().map(width).fold(0.0, f64::max)
     }
-
-    /// Prefix of its marks' ids.
     fn prefix(&self) -> &'static str {
         match self.kind {
             QuantityKind::Angle => "angle",
@@ -168,8 +166,7 @@ impl<'a> Graph<'a> {
                 continue;
             };
             taken.push(area);
-            let request =
-                LabelRequest { text, size: LABEL, anchor, clearance: CLEARANCE, prefer: Some(toward), priority: 3 };
+            let request = LabelRequest::new(text, anchor, CLEARANCE, Some(toward), 3);
             let wanted = canvas.ask(curve.asked[0].name(), request);
             (wanted.pen, wanted.number) = (Pen::Curve, Some(*look));
         }
@@ -203,16 +200,8 @@ impl<'a> Graph<'a> {
             taken.push(Rect::from_center_size(request.anchor + middle, size));
             let word = if greatest { "greatest" } else { "least" };
             let name = format!("{word}-{}", curve.asked[0].name());
-            canvas.request_label(Wanted {
-                request,
-                name,
-                pen: Pen::Curve,
-                number: Some(*look),
-                optional: true,
-                last: false,
-                short: None,
-                before: Vec::new(),
-            });
+            let wanted = Wanted::new(name, request);
+            canvas.request_label(Wanted { pen: Pen::Curve, number: Some(*look), optional: true, ..wanted });
         }
     }
 
@@ -265,8 +254,6 @@ fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn
         canvas.draw(Pen::Curve, dot).number = Some(*look);
     }
 }
-
-/// The name of a panel.
 fn name(language: &Language, kind: QuantityKind) -> &str {
     match kind {
         QuantityKind::Angle => language.angle(),

@@ -15,7 +15,7 @@ use crate::drawing::lines::Line;
 use crate::drawing::panel::{Frame, Layer, Panel, numbered};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
-use crate::drawing::text::{Anchor, CAPTION, LABEL, PlacedText, RichText};
+use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
 use crate::drawing::view::{Extent, View, fitting_scale};
 use crate::geometry;
 use crate::quantity::QuantityKind;
@@ -192,10 +192,6 @@ fn scale_of<'a>(context: &'a CurveContext<'a>, kind: QuantityKind) -> Box<dyn La
     })
 }
 
-fn label(text: RichText, anchor: Point, clearance: f64, prefer: Option<Vec2>, priority: u8) -> LabelRequest {
-    LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority }
-}
-
 /// The area of the path in its panel.
 fn room_of_path(canvas: &Canvas<'_>) -> Rect {
     let frame = canvas.frame();
@@ -261,7 +257,7 @@ impl Locus<'_> {
         if let Some(center) = one.own.map(|place| view.at(place)) {
             canvas.draw_named("own", Pen::Joint, Shape::Circle { center, radius: 2.0 * DOT });
             let name = RichText::math(&self.context.shown(&one.name));
-            canvas.ask("own", label(name, center, 2.0 * DOT + 0.6, None, 3));
+            canvas.ask("own", LabelRequest::new(name, center, 2.0 * DOT + 0.6, None, 3));
         }
     }
 
@@ -293,11 +289,11 @@ impl Locus<'_> {
             canvas.draw_named("own", own_pen, vector);
             let along = (tip - pole).normalize();
             let prefer = Vec2::new(along.y, -along.x);
-            canvas.ask("own", label(RichText::math(symbol), pole.lerp(tip, 0.6), 0.9, Some(prefer), 2));
+            canvas.ask("own", LabelRequest::new(RichText::math(symbol), pole.lerp(tip, 0.6), 0.9, Some(prefer), 2));
         }
         self.marks(canvas, one.marks.iter().map(|(value, tip)| (*value, at(*tip))), pole);
         canvas.draw_named("pole", Pen::Pole, Shape::Circle { center: pole, radius: 0.9 });
-        canvas.ask("pole", label(RichText::math(pole_name), pole, 1.5, None, 3));
+        canvas.ask("pole", LabelRequest::new(RichText::math(pole_name), pole, 1.5, None, 3));
     }
 
     /// Draws the pieces of the curve as far as they are within `room`; returns these parts.
@@ -332,7 +328,7 @@ impl Locus<'_> {
             let away = center - pole;
             let prefer = (away.hypot() > 1.0).then(|| away.normalize());
             let text = RichText::plain(&numbers.join("; "));
-            canvas.ask(&format!("tip-{name}"), label(text, center, DOT + 0.6, prefer, 1));
+            canvas.ask(&format!("tip-{name}"), LabelRequest::new(text, center, DOT + 0.6, prefer, 1));
         }
     }
 
@@ -359,7 +355,7 @@ impl Locus<'_> {
             canvas.draw(Pen::Zero, Shape::Line(end - across, end + across));
             let words = format!("{} {}", self.context.words.language.limit(), self.context.drive_value(event.at));
             let name = format!("limit-{}", if near(event.at, low) { "low" } else { "high" });
-            canvas.ask(&name, label(RichText::plain(&words), end, STROKE, None, 2));
+            canvas.ask(&name, LabelRequest::new(RichText::plain(&words), end, STROKE, None, 2));
         }
     }
 }

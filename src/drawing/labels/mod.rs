@@ -10,7 +10,6 @@
 
 use kurbo::{Point, Vec2};
 
-mod boxes;
 mod moves;
 mod places;
 mod search;
@@ -53,11 +52,8 @@ pub(super) fn place_among(
             true => search.labels[index].first_place(),
             false => search.least_covering(index),
         });
-        let ink = request.text.ink_box(request.size);
-        let origin = Point::ORIGIN + (place.ink.origin() - ink.origin());
-        let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
         let struck = if left_out { 0.0 } else { search.struck(place.ink) };
-        PlacedLabel { text, leader: place.leader, struck, crowded, left_out }
+        PlacedLabel { text: text_at(request, place), leader: place.leader, struck, crowded, left_out }
     });
     placed.collect()
 }
@@ -69,7 +65,11 @@ pub(super) fn place_near(request: &LabelRequest, taken: &Taken) -> Option<Placed
     let count = search.labels[0].places.len();
     let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
     let place = search.labels[0].places[cheapest?.1];
-    let origin = Point::ORIGIN + (place.ink.origin() - request.text.ink_box(request.size).origin());
-    let text = PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle);
-    Some(PlacedLabel { text, leader: place.leader, struck: search.struck(place.ink), crowded: false, left_out: false })
+    let (text, struck) = (text_at(request, place), search.struck(place.ink));
+    Some(PlacedLabel { text, leader: place.leader, struck, crowded: false, left_out: false })
+}
+
+fn text_at(request: &LabelRequest, spot: Spot) -> PlacedText {
+    let origin = Point::ORIGIN + (spot.ink.origin() - request.text.ink_box(request.size).origin());
+    PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle)
 }

@@ -2,8 +2,7 @@
 
 use kurbo::{Rect, Vec2};
 
-use super::boxes::gap;
-use super::places::{LINE_GAP, LabelRequest, SIDES, Spot};
+use super::places::{LINE_GAP, LabelRequest, SIDES, Spot, gap};
 use super::search::{Effort, Search};
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.

@@ -5,8 +5,7 @@ use std::cell::Cell;
 
 use super::super::grid::Grid;
 use super::super::obstacles::Taken;
-use super::boxes::{Clipped, gap, inside, touch};
-use super::places::{FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot};
+use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot, gap, inside, touch};
 
 // Costs, in mm of distance from the anchor.
 /// Per millimetre of line inside the box.

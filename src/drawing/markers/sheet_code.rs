@@ -19,8 +19,6 @@ const ROBUST: u8 = 6;
 
 /// Pages and their signs.
 const PAGES: [(PageSize, &str); 3] = [(PageSize::A4, "A4"), (PageSize::A3, "A3"), (PageSize::Letter, "LT")];
-/// Panels and their signs.
-const PANELS: [(Sheet, char); 3] = [(Sheet::Scheme, 'L'), (Sheet::Velocity, 'V'), (Sheet::Acceleration, 'A')];
 
 /// What the code on a sheet says: which sheet of which scene it is, and where its panels stand at which scales.
 ///
@@ -123,15 +121,15 @@ impl SheetCode {
 
 impl PlacedPanel {
     fn text(&self) -> String {
-        let sign = PANELS.into_iter().find(|(panel, _)| *panel == self.panel).map_or('L', |(_, sign)| sign);
+        let sign = self.panel.letter();
         let [x, y] = self.origin.map(hundredths);
         format!("{sign}{}:{x}:{y}", shortest(self.mu))
     }
 
     fn read(text: &str) -> Option<PlacedPanel> {
         let first = text.chars().next()?;
-        let (panel, sign) = PANELS.into_iter().find(|(_, sign)| *sign == first)?;
-        let numbers: Vec<f64> = text[sign.len_utf8()..].split(':').map(number).collect::<Option<_>>()?;
+        let panel = Sheet::ALL.into_iter().find(|sheet| sheet.letter() == first)?;
+        let numbers: Vec<f64> = text[first.len_utf8()..].split(':').map(number).collect::<Option<_>>()?;
         let [mu, x, y] = numbers[..] else { return None };
         // The smallest scale keeps what is measured on paper finite.
         (mu >= 1.0 / LARGEST).then_some(PlacedPanel { panel, mu, origin: [x, y] })
@@ -170,8 +168,6 @@ fn hundredths(mm: f64) -> String {
     // Adding 0 takes the sign from −0.
     shortest(libm::round(100.0 * mm) / 100.0 + 0.0)
 }
-
-/// A sheet's number.
 fn whole(text: &str) -> Option<u16> {
     let number: u16 = text.parse().ok()?;
     // Without sign and zeros before it.

@@ -122,16 +122,11 @@ impl Overlay {
     pub fn set(text: &str) -> RichText {
         RichText::plain(&typeset(text))
     }
-
-    /// The table of values.
     pub(in crate::drawing) fn table(&self) -> Table<6> {
         let set = |texts: &[String; 6]| texts.each_ref().map(|text| Overlay::set(text));
         let row = |(value, number): (&OwnValue, usize)| Cells {
-            texts: set(&value.cells),
-            id: Some(format!("value-{number}")),
-            since: 0,
             stands_out: value.is_off,
-            boxes: [false; 6],
+            ..Cells::new(set(&value.cells), format!("value-{number}"))
         };
         let rows = self.values.iter().zip(1..).map(row).collect();
         let names = ["name", "own", "expected", "mm", "percent", "verdict"];

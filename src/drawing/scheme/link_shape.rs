@@ -10,14 +10,10 @@ use kurbo::{Line, ParamCurveNearest, Point, Rect};
 
 /// A point closer than this to a line, in mm, counts as on the line.
 pub(super) const ON_LINE: f64 = 0.3;
-
-/// A mechanism in one position.
 pub(super) struct Posed<'a> {
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
 }
-
-/// Shape of a link.
 pub(super) enum LinkShape {
     /// None besides its block or its guide.
     Nothing,
@@ -28,7 +24,6 @@ pub(super) enum LinkShape {
 }
 
 impl LinkShape {
-    /// Its straight lines.
     pub(super) fn lines(&self) -> Vec<[Point; 2]> {
         match self {
             LinkShape::Nothing => Vec::new(),
@@ -42,7 +37,6 @@ impl LinkShape {
 }
 
 impl Posed<'_> {
-    /// The shape of a link.
     pub(super) fn shape(&self, view: &View, link: BodyId) -> LinkShape {
         let points = &self.mechanism.body(link).points;
         let outline = outline(points.iter().map(|&p| self.pose.point(p)).collect());

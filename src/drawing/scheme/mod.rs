@@ -2,7 +2,6 @@
 //! on their pins, joints, special points, labels.
 
 mod drives;
-mod ground;
 pub(super) mod link_shape;
 mod links;
 mod names;
@@ -11,9 +10,8 @@ pub(super) mod sight;
 mod sliders;
 mod special;
 mod traces;
-mod values;
 
-pub(super) use ground::above;
+pub(super) use sliders::above;
 
 use super::canvas::Canvas;
 use super::context::SheetContext;
@@ -26,8 +24,6 @@ use crate::mechanism::{GROUND, Role};
 use on_paper::SchemeOnPaper;
 use sight::circles;
 use std::f64::consts::PI;
-
-/// Draws the mechanism.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
     SchemeOnPaper::new(context, view).draw(canvas);
 }

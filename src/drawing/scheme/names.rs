@@ -130,8 +130,6 @@ impl Near {
     pub(super) fn new(area: Rect) -> Self {
         Self { points: Vec::new(), grid: Grid::new(area) }
     }
-
-    /// Adds a point.
     pub(super) fn add(&mut self, point: Point) {
         self.grid.add(self.points.len(), Rect::from_points(point, point));
         self.points.push(point);

@@ -33,16 +33,12 @@ impl<'a> SchemeOnPaper<'a> {
     pub(super) fn at(&self, point: PointId) -> Point {
         self.view.at(self.pose.point(point))
     }
-
-    /// The mechanism in another position.
     pub(super) fn posed<'p>(&self, pose: &'p Pose) -> Posed<'p>
     where
         'a: 'p,
     {
         Posed { mechanism: self.mechanism, pose }
     }
-
-    /// The shape of a link.
     pub(super) fn shape(&self, link: BodyId) -> LinkShape {
         self.posed(self.pose).shape(self.view, link)
     }

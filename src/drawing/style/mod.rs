@@ -22,7 +22,6 @@ const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version:
 pub struct Style(Arc<StyleValues>);
 
 impl Default for Style {
-    /// The style `paper`.
     fn default() -> Self {
         Style::named(StyleName::default())
     }

@@ -44,8 +44,6 @@ impl From<Millimetres> for f64 {
         length.0
     }
 }
-
-/// The dashes of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Dashes {
     /// Dashes and gaps in turn.
@@ -107,8 +105,6 @@ impl<'de> Deserialize<'de> for Paint {
         deserializer.deserialize_str(Word { value, expecting })
     }
 }
-
-/// Reads a length.
 struct Length;
 
 impl Visitor<'_> for Length {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::super::number::number;
-use crate::drawing::{Cap, Colour, Drawing, Emphasis, Look, Mark, Pen, Shape};
+use crate::drawing::{Cap, Colour, Drawing, Emphasis, Look, Mark, Shape};
 
 /// Whether a pen draws lines and texts in a figure.
 #[derive(Clone, Copy, Default)]
@@ -69,7 +69,7 @@ pub(super) fn write_colour(file: &mut String, name: &str, Colour { red, green, b
 /// The name of a mark's look in styles and colours: its pen, a number where the drawing's style gives links or curves
 /// looks of their own, and its emphasis.
 pub(super) fn name(drawing: &Drawing, mark: &Mark) -> String {
-    let mut name = pen_name(mark.pen).to_owned();
+    let mut name = mark.pen.name().replace('_', "-");
     let look = |number| drawing.style.look(mark.pen, number);
     if let Some(number) = mark.number.filter(|&n| look(Some(n)) != look(None)) {
         let _ = write!(name, "-{}", number + 1);
@@ -80,50 +80,4 @@ pub(super) fn name(drawing: &Drawing, mark: &Mark) -> String {
         Emphasis::Earlier => "-earlier",
     });
     name
-}
-
-fn pen_name(pen: Pen) -> &'static str {
-    match pen {
-        Pen::Frame => "frame",
-        Pen::Ground => "ground",
-        Pen::Hatch => "hatch",
-        Pen::Link => "link",
-        Pen::LinkFill => "link-fill",
-        Pen::Slider => "slider",
-        Pen::Guide => "guide",
-        Pen::Joint => "joint",
-        Pen::Trace => "trace",
-        Pen::Beyond => "beyond",
-        Pen::Ghost => "ghost",
-        Pen::Construction => "construction",
-        Pen::Ray => "ray",
-        Pen::Vector => "vector",
-        Pen::Velocity => "velocity",
-        Pen::Acceleration => "acceleration",
-        Pen::Normal => "normal",
-        Pen::Tangential => "tangential",
-        Pen::Coriolis => "coriolis",
-        Pen::Pole => "pole",
-        Pen::Image => "image",
-        Pen::ImageFill => "image-fill",
-        Pen::ImagePoint => "image-point",
-        Pen::Special => "special",
-        Pen::Turning => "turning",
-        Pen::Leader => "leader",
-        Pen::Label => "label",
-        Pen::Caption => "caption",
-        Pen::Heading => "heading",
-        Pen::Grid => "grid",
-        Pen::Zero => "zero",
-        Pen::Curve => "curve",
-        Pen::Dead => "dead",
-        Pen::Limit => "limit",
-        Pen::Change => "change",
-        Pen::Stand => "stand",
-        Pen::Student => "student",
-        Pen::StudentPoint => "student-point",
-        Pen::Hint => "hint",
-        Pen::Marker => "marker",
-        Pen::MarkerWhite => "marker-white",
-    }
 }
