@@ -116,14 +116,12 @@ impl Segment {
     #[inline(always)]
     pub fn holds_all<L: Lanes, R: Row>(&self, lanes: L, drive: &R) -> bool {
         let (from, to) = (lanes.splat(self.from), lanes.splat(self.to));
-        let (mut outside, mut sum) = (from - to, lanes.splat(0.0));
+        let mut are_inside = true;
         for k in portions::<L, R>() {
             let value = lanes.load(drive, k);
-            outside = outside.larger(from - value).larger(value - to);
-            sum = sum + value;
+            are_inside &= lanes.are_at_most(from, value) & lanes.are_at_most(value, to);
         }
-        // A NaN may be lost in the largest value, but not in the sum.
-        lanes.largest(outside) <= 0.0 && !lanes.sum(sum).is_nan()
+        are_inside
     }
 
     /// Sets the unknowns of `block` to the values of the polynomials at these values of the drive.

@@ -1,6 +1,5 @@
 use super::action::{Chain, Closing, Tied, TiedClass};
-use super::close::portions;
-use super::{Block, vector};
+use super::{Block, portions, vector};
 use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
 use std::f64::consts::TAU;
 

@@ -7,16 +7,17 @@
 //! few vectors, one for each class in it, and the loop equations of `mechanism` follow from these.
 
 mod action;
+mod at_once;
 mod block;
 mod classes;
 mod close;
 mod columns;
 mod compile;
+mod pattern;
 mod rates;
 mod refine;
 mod solve;
 
-pub use action::Unknown;
-pub use block::{Block, Single, vector};
-pub use close::{Correction, portions, unit};
-pub use compile::{Input, InputKind, Kernel, Seat};
+pub use action::{Input, InputKind, Kernel, Seat, Unknown};
+pub use block::{Block, Coordinates, Single, portions, vector};
+pub use close::{Correction, unit};

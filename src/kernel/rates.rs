@@ -1,8 +1,7 @@
-use super::action::{Action, Chain, Closing, Placing, Unknown};
-use super::close::portions;
-use super::compile::InputKind;
+use super::action::{Action, Chain, Closing, InputKind, Placing, Unknown};
+use super::at_once::compute;
 use super::solve::solve;
-use super::{Block, Kernel};
+use super::{Block, Kernel, portions};
 use crate::geometry::{Lanes, MANY, Number, Pair, Row};
 use std::marker::PhantomData;
 
@@ -24,7 +23,11 @@ impl Kernel {
         for action in &self.actions {
             match action {
                 Action::Place(placing) => point_rates(lanes, block, placing),
-                Action::Close(closing) => group_rates(lanes, block, closing),
+                Action::Close(closing) => {
+                    if compute::<L, R, false, true>(lanes, block, closing, 0.0).is_none() {
+                        group_rates(lanes, block, closing);
+                    }
+                }
             }
         }
     }
@@ -32,7 +35,7 @@ impl Kernel {
 
 /// Computes velocity and acceleration of a placed point from those of the earlier point.
 #[inline(always)]
-fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+pub(super) fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Block { reaches, omegas, alphas, point_velocities, point_accelerations, .. } = block;
     let reach = &reaches[placing.reach];
     let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);
@@ -75,8 +78,8 @@ fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closi
     solve::<_, _, true>(lanes, block, closing);
     for (unknown, rates) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
-            Unknown::Spin(class) => block.omegas[class] = *rates,
-            Unknown::Slide(slider) => block.speeds[slider] = *rates,
+            Unknown::Spin(class) => lanes.copy(rates, &mut block.omegas[class]),
+            Unknown::Slide(slider) => lanes.copy(rates, &mut block.speeds[slider]),
         }
     }
     acceleration_sides(lanes, block, closing);
@@ -84,8 +87,8 @@ fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closi
     solve::<_, _, false>(lanes, block, closing);
     for (unknown, seconds) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
-            Unknown::Spin(class) => block.alphas[class] = *seconds,
-            Unknown::Slide(slider) => block.accelerations[slider] = *seconds,
+            Unknown::Spin(class) => lanes.copy(seconds, &mut block.alphas[class]),
+            Unknown::Slide(slider) => lanes.copy(seconds, &mut block.accelerations[slider]),
         }
     }
 }

@@ -1,7 +1,6 @@
 use super::action::{Closing, ReducedColumns};
 use super::block::System;
-use super::close::portions;
-use super::{Block, vector};
+use super::{Block, portions, vector};
 use crate::geometry::{Lanes, LinearSystem, Pair, Reduced, Row};
 use nalgebra::DMatrix;
 
