@@ -244,8 +244,8 @@ fn folders_use_earlier_folders_only() {
                     && ["Error", "order_of_figure", "order_of_result", "posed"].contains(&name.as_str()) => {}
                 // Work on all cores, below all folders.
                 None if name == "cores" => {}
-                // Sheets and texts of strangers, below all folders.
-                None if ["sheet", "text"].contains(&name.as_str()) => {}
+                // What goes wrong, sheets and texts of strangers, below all folders; the first also by its type.
+                None if ["Problem", "problem", "sheet", "text"].contains(&name.as_str()) => {}
                 Some(_) => wrong.push(format!("{}: {folder} uses {name}, which comes later", place(&path, line))),
                 None => wrong.push(format!("{}: `{name}` is no folder of src", place(&path, line))),
             }

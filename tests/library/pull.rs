@@ -8,6 +8,7 @@ use kinegon::scene::GivenBy;
 use support::files;
 use support::random::Random;
 use support::stages::solved;
+use support::survey::PULLS;
 
 /// Every scene that can be moved, with its name.
 fn movable() -> Vec<(String, Solution)> {
@@ -70,7 +71,7 @@ fn a_pulled_point_comes_nearest() {
                 assert_eq!(stays.pose.points, pull.to_value(pull.value()).pose.points, "{name}");
                 continue;
             }
-            for _ in 0..12 {
+            for _ in 0..PULLS.now() {
                 let off = Vector::new(random.between(-0.4, 0.4), random.between(-0.4, 0.4)) * size;
                 let place = start + off;
                 let before = pull.value();
@@ -100,7 +101,7 @@ fn a_pulled_point_comes_nearest() {
             }
         }
     }
-    assert!(met > 1000 && stopped > 30, "{met} met, {stopped} stopped");
+    assert!(met > 80 * PULLS.now() && stopped > 2 * PULLS.now(), "{met} met, {stopped} stopped");
 }
 
 #[test]

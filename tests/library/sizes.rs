@@ -4,6 +4,7 @@ use kinegon::drawing::{Drawing, Pen};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 use support::stages::solved;
+use support::survey::{DRAWN_LINKAGES, LINKAGES};
 
 /// A scene as drawn of many four-bar linkages in rows, each with three links.
 fn four_bars(count: usize) -> String {
@@ -40,9 +41,10 @@ fn drawn(count: usize) -> (Drawing, Duration) {
 
 #[test]
 fn a_thousand_links_are_drawn() {
-    let (figure, _) = drawn(334);
+    let count = DRAWN_LINKAGES.now();
+    let (figure, _) = drawn(count);
     let ids: Vec<&str> = figure.marks.iter().filter_map(|mark| mark.id.as_deref()).collect();
-    for k in 0..334 {
+    for k in 0..count {
         for id in ["link-a", "link-b", "link-c", "point-A", "point-B", "point-C", "point-D"] {
             let id = format!("scheme-{id}{k}");
             assert!(ids.contains(&id.as_str()), "{id} is not drawn");
@@ -50,15 +52,15 @@ fn a_thousand_links_are_drawn() {
     }
     // Two rays of each dyad in both plans; images that coincide share a mark.
     for plan in ["velocity-ray-", "acceleration-ray-"] {
-        assert_eq!(ids.iter().filter(|id| id.starts_with(plan)).count(), 2 * 334, "{plan}");
+        assert_eq!(ids.iter().filter(|id| id.starts_with(plan)).count(), 2 * count, "{plan}");
     }
     let lines = |pen: Pen| figure.marks.iter().filter(|mark| mark.pen == pen).count();
-    assert!(lines(Pen::Link) >= 1002, "{}", lines(Pen::Link));
+    assert!(lines(Pen::Link) >= 3 * count, "{}", lines(Pen::Link));
     // Every name of the scheme stands there or is told as left out: 4 points, 3 links, one ω of each linkage.
     let (panel, unlabelled) = &figure.unlabelled[0];
     assert_eq!(panel, "Scheme");
     let labels = ids.iter().filter(|id| id.starts_with("scheme-label-")).count();
-    assert_eq!(labels + unlabelled.len(), 8 * 334);
+    assert_eq!(labels + unlabelled.len(), 8 * count);
     assert!(ids.contains(&"scheme-unlabelled"), "the figure does not say that names are missing");
     let svg = figure.svg();
     resvg::usvg::Tree::from_str(&svg, &resvg::usvg::Options::default()).expect("the SVG can be read");
@@ -74,8 +76,9 @@ fn time_grows_hardly_faster_than_the_scene() {
     drawn(4);
     // The best of some, on a busy machine; n² would take 16 times as long, what is bounded less than 4 times.
     let best = |count: usize| (0..2).map(|_| drawn(count).1).min().unwrap_or_default();
-    let (small, large) = (best(60), best(240));
-    assert!(large < 10 * small, "60 linkages {small:?}, 240 linkages {large:?}");
+    let count = LINKAGES.now();
+    let (small, large) = (best(count), best(4 * count));
+    assert!(large < 10 * small, "{count} linkages {small:?}, 4 times as many {large:?}");
 }
 
 #[test]

@@ -76,6 +76,14 @@ pub const FOUR_BAR_POSITIONS: By<u32> = By(100, 300, 3000);
 pub const BRANCHES: By<usize> = By(20, 60, 400);
 /// The drive's step there, in turns or sizes of the mechanism.
 pub const BRANCH_STEP: By<f64> = By(1.0 / 360.0, 1.0 / 360.0, 0.5 / 360.0);
+/// One of so many mechanisms there has a limit of its drive, and one a drive that turns.
+pub const BRANCH_ENDS: By<usize> = By(10, 4, 4);
+/// Pulls of each point of `pull`.
+pub const PULLS: By<usize> = By(3, 12, 12);
+/// Linkages in one scene that is drawn whole.
+pub const DRAWN_LINKAGES: By<usize> = By(150, 334, 334);
+/// Linkages of the smaller of two scenes whose times are compared.
+pub const LINKAGES: By<usize> = By(30, 60, 60);
 /// Positions of each drive in `editing::driven`.
 pub const DRIVEN_POSITIONS: By<u32> = By(8, 24, 72);
 /// Scenes of each of the `properties`; PROPTEST_CASES asks for another number.
@@ -117,7 +125,7 @@ pub const OTHER_THINGS: By<u64> = By(3, 3, 200);
 /// Pictures of any pixels.
 pub const ANY_PIXELS: By<u64> = By(30, 30, 3000);
 /// Drawings of which points are proposed.
-pub const PROPOSED: By<(u64, usize)> = By((4, 1600), (4, 1600), (300, 2400));
+pub const PROPOSED: By<(u64, usize)> = By((2, 1600), (4, 1600), (300, 2400));
 /// The share of points that may be proposed elsewhere.
 pub const WRONGLY_PROPOSED: By<f64> = By(0.03, 0.03, 0.01);
 /// By how much fewer sheets with a mistake are told of all than from the typed form.
