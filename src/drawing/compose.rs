@@ -129,7 +129,7 @@ impl<'a> Composition<'a> {
         self.draw_holding(layout, None)
     }
 
-    /// The same, with labels where they were held in the picture before, if they can be there.
+    /// Draws the sheet with labels where they were held in the picture before, if they can be there.
     pub(super) fn draw_holding(&self, layout: &Layout, mut held: Option<&mut Held>) -> Drawing {
         if let Some(held) = &mut held {
             held.next();

@@ -66,7 +66,7 @@ impl Surface {
         Surface { page, dims: Dims::on_page(page, figure), mu }
     }
 
-    /// The same page with room for markers along its edges.
+    /// This page with room for markers along its edges.
     pub(super) fn with_markers(self) -> Surface {
         Surface { dims: self.dims.with_markers(), ..self }
     }
@@ -92,7 +92,7 @@ impl<'a> SheetContext<'a> {
         }
     }
 
-    /// The same sheet on another surface.
+    /// This context for another surface.
     pub(super) fn on(&self, surface: Surface) -> Self {
         Self { surface, ..self.clone() }
     }

@@ -74,7 +74,7 @@ impl Dims {
         Dims { unit, page, head, dot: 0.5 * dot, joint: 0.5 * joint, free: Free::PLAIN }
     }
 
-    /// The same with room for markers and the code along the edges.
+    /// These sizes with room for markers and the code along the edges.
     pub(super) fn with_markers(self) -> Dims {
         let page = self.page.map(|side| side * self.unit);
         let edge = EDGE + SIDE + WHITE + BORDER;
@@ -105,7 +105,7 @@ impl Dims {
 }
 
 impl Drawing {
-    /// The same sheet with all lengths multiplied by a factor; widths of lines are those of the style.
+    /// The sheet with all lengths multiplied by a factor; widths of lines are those of the style.
     pub(super) fn enlarged(mut self, factor: f64) -> Drawing {
         if factor == 1.0 {
             return self;

@@ -35,7 +35,7 @@ impl Inset {
             .or_else(|| Self::anew(canvas, crowd, reach))
     }
 
-    /// The same detail of a crowd that has moved, if it still has its room.
+    /// This detail for its crowd that has moved, if it still has its room.
     fn moved(self, canvas: &Canvas<'_>, crowd: Point, reach: f64) -> Option<Inset> {
         let Inset { radius, factor, .. } = self;
         let centre = crowd + (self.centre - self.crowd);

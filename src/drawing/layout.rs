@@ -10,7 +10,7 @@ use kurbo::{Affine, Rect};
 const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm.
 pub(super) const WHITE: f64 = 7.0;
-/// The same where contents need the room at given scales: around a plan, and around the scheme, where the feet of pivots
+/// That white where contents need the room at given scales: around a plan, and around the scheme, where the feet of pivots
 /// stand in it.
 pub(super) const LEAST_WHITE: [f64; 2] = [4.8, 6.4];
 /// Height of a panel's heading, in mm.
@@ -115,7 +115,7 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// A layout of an area of words, with panels of no place for their scales.
+    /// A layout of an area of words alone: its panels have scales, but no room for scale lines.
     pub(super) fn of_words(area: Rect, panels: Vec<Placed>) -> Layout {
         Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] }
     }

@@ -1,7 +1,17 @@
-//! Drawing: the marks on the sheet, in millimetres of paper, y down.
+//! Drawing: the marks on a sheet, in millimetres of paper, y down.
 //!
-//! Input is the geometry of a figure already brought to scale; output is a [`Drawing`], a flat list of marks in drawing
-//! order with every text measured and every label placed. The formats write that list and decide nothing.
+//! In: a solved scene. Out: a [`Drawing`], a flat list of marks in drawing order with every text measured and every label
+//! placed. The formats write that list and decide nothing.
+//!
+//! - `context` is what every layer asks: the solution with its `facts`, looked up once, the surface (page, sizes of letters,
+//!   scales) and what the sheet is for. It is made once and passed on; only a `Surface` knows the page.
+//! - `figure_sheets` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
+//!   scales while a mechanism moves, `held` where names were in the picture before.
+//! - `figure` puts a sheet together: `panels` with their layers, a `table` beside them, the `legend` and `words` below;
+//!   `compose` makes a sheet of it with a `layout`. `exercise`, `correction`, `over_photo` and `curves` are other sheets.
+//! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
+//! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
+//!   `style`, its `text`, the places of its `labels` off all `obstacles`, which a `grid` finds.
 
 mod arrow;
 mod canvas;

@@ -197,7 +197,7 @@ impl PlacedText {
         Self { text, size, origin, anchor: Anchor::Start }
     }
 
-    /// The same text in the same place, with another fixed point.
+    /// This text in its place, with another point that stays where a wider font is used.
     pub fn anchored(self, anchor: Anchor) -> Self {
         Self { anchor, ..self }
     }

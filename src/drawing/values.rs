@@ -35,7 +35,7 @@ const PAD: f64 = 3.0;
 const BETWEEN: f64 = 6.0;
 
 impl SheetContext<'_> {
-    /// The same sheet with the values that its figure shows.
+    /// This context with the values that its figure shows.
     pub(super) fn with_values(self) -> Self {
         Self { values: values(&self).into(), ..self }
     }

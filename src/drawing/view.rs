@@ -62,7 +62,7 @@ impl View {
         View { mu, origin: nalgebra::center(&extent.low, &extent.high), centre: area.center() }
     }
 
-    /// The same view, moved as little as possible so that a place is within an area.
+    /// This view, moved as little as possible so that a place is within an area.
     pub(super) fn holding(mut self, place: geometry::Point, area: Rect) -> View {
         let at = self.at(place);
         // Of an area without room its middle.

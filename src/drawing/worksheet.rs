@@ -22,7 +22,7 @@ use kurbo::{Point, Rect, Vec2};
 const RULER: f64 = 50.0;
 /// Width and height of the ruler with its numbers, and words above it, in mm.
 const RULER_ROOM: [f64; 2] = [64.0, 18.6];
-/// The same height, in rows of the table.
+/// Rows of the table that the ruler is as high as.
 const RULER_ROWS: usize = 3;
 pub(super) struct Worksheet {
     pub table: Table<CELLS>,
@@ -117,7 +117,7 @@ impl Worksheet {
         table
     }
 
-    /// The same without room for a ruler.
+    /// The table at these scales, without room for a ruler.
     pub(super) fn filled(&self, layout: &Layout) -> Table<CELLS> {
         Table { foot: ([0.0; 2], 0), ..self.at_scales(layout) }
     }

@@ -86,7 +86,7 @@ pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
     written(scene, mechanism, poses, count)
 }
 
-/// The same, with the number of all modes where not all are listed.
+/// Some assembly modes as a numbered list, with the number of all where not all are listed.
 #[must_use]
 pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, listed: &Listed) -> String {
     written(scene, mechanism, &listed.poses, listed.count)

@@ -29,7 +29,7 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabe
     place_among(requests, &Taken::of(obstacles), None)
 }
 
-/// The same among obstacles that are already found quickly. While a mechanism moves, `before` has for each label where
+/// Places labels among obstacles whose places are known already. While a mechanism moves, `before` has for each label where
 /// the middle of its ink was from its anchor: it stays there as long as nothing is much better, and the search is short.
 pub(super) fn place_among(
     requests: &[LabelRequest],

@@ -65,7 +65,7 @@ pub(super) const LEADER_GAP: f64 = 0.4;
 // Costs, in mm of distance from the anchor; the search adds those of things near a place.
 /// Of a direction normal to the preferred one; the opposite direction costs twice that.
 const DEVIATION: f64 = 1.2;
-/// The same for labels without a preference: a slight one for the upper right, where readers look first.
+/// Cost of a direction for labels without a preference: a slight one for the upper right, where readers look first.
 const HABIT: f64 = 0.25;
 /// Of a place elsewhere than the one where the label was before, per mm between them and at most: so small advantages do
 /// not move it, and it moves rather a little than far.

@@ -12,7 +12,7 @@ use crate::scene::ConstructionShown;
 /// Largest size of the scheme with a special point over that without it; more distant points are not drawn at their
 /// places: they would make the mechanism small.
 const REACH: f64 = 1.4;
-/// The same where they are to stand at their places: on sheets of exercises, and in figures as in the source paper.
+/// Largest such size where they are to stand at their places: on sheets of exercises, and in figures as in the source paper.
 const REACH_OF_PENCIL: f64 = 2.5;
 /// Room for the arrow towards a more distant one, in parts of the mechanism's size.
 const ARROW: f64 = 0.12;

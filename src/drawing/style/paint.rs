@@ -142,7 +142,7 @@ struct SizeForms;
 impl SizeForms {
     /// Smallest and largest size in mm; others are taken for mistakes.
     const MM: [f64; 2] = [0.1, 40.0];
-    /// The same as a part of the sheet, in per cent.
+    /// Smallest and largest part of the sheet, in per cent.
     const PERCENT: [f64; 2] = [0.1, 20.0];
 }
 

@@ -15,7 +15,7 @@ pub enum Text {
     Letters,
     /// As the outlines of the bundled font's letters: exactly the same in every program, whatever fonts it has.
     Outlines,
-    /// The same, with each glyph once in the file: half as large where many letters are the same, but not a path for each text.
+    /// As outlines, each glyph once in the file: half as large where many letters are the same, but not a path for each text.
     Glyphs,
 }
 

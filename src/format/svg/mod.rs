@@ -19,9 +19,7 @@ use svg::node::Blob;
 use svg::node::element::Element;
 
 impl Drawing {
-    /// The drawing as the text of an SVG file, with its texts as letters.
-    ///
-    /// The same as [`svg_with`] for [`Text::Letters`].
+    /// The drawing as the text of an SVG file, with its texts as letters: [`svg_with`] has other ways.
     pub fn svg(&self) -> String {
         svg_with(self, Text::Letters)
     }
