@@ -19,7 +19,7 @@ const SAME: f64 = 1e-6;
 enum Said {
     /// What it says already.
     AsItIs,
-    /// The same points and links where they are now.
+    /// The points and links that it names already, where they are now.
     Present,
     /// All points whose places have to be found.
     AllPoints,

@@ -59,7 +59,7 @@ impl fmt::Display for SceneError {
     }
 }
 
-/// The first error of a file.
+/// An error of a file whose place in the text is not found yet.
 #[derive(Debug, Clone)]
 pub(super) struct Wrong {
     /// The JSON path; if a part may be written in several ways, all its paths, of which the first that the text has
@@ -105,28 +105,26 @@ impl Wrong {
         Wrong { spot: Spot::Key, ..Wrong::value(path, message) }
     }
 
-    /// The same error at these bytes of the text.
+    /// Puts the error at these bytes of the text, whatever its path.
     pub fn at_bytes(self, bytes: Range<usize>) -> Wrong {
         Wrong { bytes: Some(bytes), ..self }
     }
 
-    /// The same error with a hint.
     pub fn hint(self, hint: impl Into<String>) -> Wrong {
         self.maybe_hint(Some(hint.into()))
     }
 
-    /// The same error with a hint, if there is one.
     pub fn maybe_hint(self, hint: Option<String>) -> Wrong {
         Wrong { hint, ..self }
     }
 
-    /// The same error with `path` before its paths.
+    /// Puts the error of a part into the whole: `path` leads to the part.
     pub fn inside(self, path: &[&str]) -> Wrong {
         let paths = self.paths.into_iter().map(|rest| [owned(path), rest].concat()).collect();
         Wrong { paths, ..self }
     }
 
-    /// The same error at the first of these paths that the text has.
+    /// Puts the error at the first of these paths that the text has, as a part may be written in several ways.
     pub fn at_first(self, paths: &[&[&str]]) -> Wrong {
         Wrong { paths: paths.iter().map(|path| owned(path)).collect(), ..self }
     }

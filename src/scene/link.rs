@@ -131,7 +131,7 @@ fn link(
     Ok((Link { points, shape, drive, angle_deg, motion: fields.motion }, push))
 }
 
-/// Refuses the keys that belong to the other way of giving a mechanism.
+/// Refuses keys of lengths in a drawing, and keys of a drawing in a scene given by lengths.
 fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<(), Wrong> {
     if given_by == GivenBy::Lengths {
         if fields.motion.is_some() {

@@ -8,8 +8,8 @@
 //! `build` fills the same types in Rust, and `write` makes their text. `fingerprint` is the short sign by which a sheet of paper
 //! knows its scene.
 //!
-//! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`. CONTRIBUTING.md has the
-//! whole list.
+//! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`; what its words mean and in which order
+//! people write its keys in `meaning`, which editing asks. CONTRIBUTING.md has the whole list.
 
 mod build;
 mod build_parts;

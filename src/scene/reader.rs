@@ -81,7 +81,8 @@ impl de::Error for Refusal {
 #[derive(Clone, Copy)]
 pub(super) struct Reader<'a>(pub &'a Json);
 
-/// Refuses what is not of a plain type, in the words of a scene, before the type is asked.
+/// Refuses what is not of a plain type, in the words of a scene, before the type is asked; a type that says itself what it
+/// expects asks for any value.
 macro_rules! plain_types {
     ($($read:ident: $allowed:pat $(if $condition:expr)? => $expected:literal,)*) => { $(
         fn $read<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Refusal> {

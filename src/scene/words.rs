@@ -25,7 +25,7 @@ pub(crate) fn nearest<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) 
     nearest_within(word, names, 3)
 }
 
-/// The same with one wrong letter in `letters`, as names of points are short.
+/// The most similar name, if at most one letter in `letters` differs: names of points are short.
 pub(crate) fn nearest_within<'a>(
     word: &str,
     names: impl IntoIterator<Item = &'a str>,

@@ -134,7 +134,7 @@ impl Study {
         numbers
     }
 
-    /// The same rows, computed on all cores.
+    /// The numbers of these rows as [`Self::rows`] gives them, computed on all cores.
     #[must_use]
     pub fn rows_on_all_cores(&self, rows: Range<u64>) -> Vec<f64> {
         let chunk = |at: u64| rows.start.max(at * CHUNK)..rows.end.min((at + 1) * CHUNK);

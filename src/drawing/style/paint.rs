@@ -85,7 +85,7 @@ impl<T> Visitor<'_> for Word<T> {
 impl<'de> Deserialize<'de> for Colour {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let expecting = "a colour as \"#b5361c\"";
-        deserializer.deserialize_str(Word { value: colour, expecting })
+        deserializer.deserialize_any(Word { value: colour, expecting })
     }
 }
 
@@ -102,7 +102,7 @@ impl<'de> Deserialize<'de> for Paint {
             _ => colour(text).map(Paint::Of),
         };
         let expecting = "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"pale\", \"curve\"";
-        deserializer.deserialize_str(Word { value, expecting })
+        deserializer.deserialize_any(Word { value, expecting })
     }
 }
 struct Length;
@@ -132,7 +132,7 @@ impl Visitor<'_> for Length {
 
 impl<'de> Deserialize<'de> for Millimetres {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_f64(Length)
+        deserializer.deserialize_any(Length)
     }
 }
 

@@ -75,7 +75,7 @@ const FURTHER: [i32; 3] = [1, 3, 6];
 /// Largest distance of a point from where it belongs, in parts of the mechanism's size, that is surely rounding.
 const ROUNDING: f64 = 0.002;
 
-/// The same where `near` says all that it can.
+/// Largest such distance where `near` says all that it can.
 const MOVED: f64 = 0.02;
 
 impl Reshape {
