@@ -12,7 +12,10 @@ use super::sheet::{CheckError, Measured};
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Tolerance;
+use crate::quantity::{QuantityKind, Unread};
 use crate::sheet::Sheet;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// All values with their verdicts, and the mistakes that explain those that are off.
 #[derive(Clone, Debug)]
@@ -40,14 +43,16 @@ impl Checked {
 /// whole drawing of dozens of values passes as surely, each may be off by two bands, 4.2 standard deviations.
 pub const BANDS: f64 = 2.0;
 
-/// How accurate somebody draws and computes, found from the scatter of all values.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// How accurate somebody draws and computes. Within the limits every error is equally likely.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "AccuracyResult")]
+#[non_exhaustive]
 pub struct Accuracy {
     /// Limit of the errors in lengths and places, in mm of paper.
     pub mm: f64,
     /// Limit of the errors in directions, in degrees.
     pub degrees: f64,
-    /// Limit of the relative errors of computed numbers, in per cent; 0 where no slips are seen.
+    /// Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
     pub percent: f64,
 }
 
@@ -121,7 +126,7 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
     let judged = judged.map(|((entry, band), reading)| {
         let mut difference =
             if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-        if entry.asked.kind() == crate::quantity::QuantityKind::Angle {
+        if entry.asked.kind() == QuantityKind::Angle {
             difference -= 360.0 * libm::round(difference / 360.0);
         }
         // Segments and lengths have no sign, whatever sign is written.
@@ -129,7 +134,7 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
             difference = entry.value.abs() - entry.expected.abs();
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-        let is_given = reading.is_err_and(|why| why.is_given());
+        let is_given = *reading == Err(Unread::Given);
         let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.

@@ -31,7 +31,6 @@ mod marks;
 mod mistakes;
 mod model;
 mod names;
-mod parts;
 #[cfg(feature = "photo")]
 mod photographs;
 mod points;
@@ -68,7 +67,6 @@ pub use feedback::Feedback;
 pub use form::{EmptyForm, FilledForm};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use mistakes::{Blank, Candidate, Mistake, Told};
-pub use parts::{Cause, ReportParts, ReportRow, report_parts};
 #[cfg(feature = "photo")]
 pub use photographs::{Aimed, PencilledPlan, PlacedPoint, PointVerdict, hundredths};
 pub use precision::Precision;
@@ -76,7 +74,7 @@ pub use prepared::Prepared;
 #[cfg(feature = "photo")]
 pub use proposed::{Found, Proposal, Proposals, proposed};
 pub use redrawn::redrawn;
-pub use report::report;
+pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
 
 pub use rows::{form_name, form_names};

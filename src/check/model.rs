@@ -27,27 +27,12 @@ pub(super) const TOGETHER: usize = 4;
 /// The kind of slips in computed numbers.
 pub(super) const COMPUTING: usize = 5;
 
-/// Why a value is not read from the drawing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum NotRead {
-    /// The scene gives it.
-    Given,
-    /// For any other reason.
-    Otherwise,
-}
-
-impl NotRead {
-    pub fn is_given(self) -> bool {
-        self == NotRead::Given
-    }
-}
-
 /// The construction as a student carries it out, with the facts that mistakes are made from.
 #[derive(Clone, Debug)]
 pub(super) struct Model {
     pub construction: Construction,
     /// By entry: how it is read.
-    pub readings: Vec<Result<Reading, NotRead>>,
+    pub readings: Vec<Result<Reading, Unread>>,
     pub scales: PerSheet<f64>,
     /// The values of a drawing without errors.
     pub exact: Values,
@@ -107,11 +92,6 @@ impl Model {
         let asked: Vec<QuantityRequest> = entries.iter().map(|e| e.asked.clone()).collect();
         let (mut construction, readings) = read_by_hand(solution, &asked);
         given_first(&mut construction.operations);
-        let why = |why| match why {
-            Unread::Given => NotRead::Given,
-            _ => NotRead::Otherwise,
-        };
-        let readings = readings.into_iter().map(|reading| reading.map_err(why)).collect();
         let given = mu.or(key.scales);
         let mut scales = PerSheet::default();
         for (sheet, scale) in scales.iter_mut() {
@@ -146,7 +126,7 @@ impl Model {
     pub fn bands(&self, tolerance: &Tolerance) -> Vec<Option<Band>> {
         let there: Vec<Reading> = self.readings.iter().flatten().copied().collect();
         let mut bands = self.construction.bands(self.scales, tolerance, &there).into_iter();
-        let band = |reading: &Result<Reading, NotRead>| {
+        let band = |reading: &Result<Reading, Unread>| {
             let band = reading.ok().and_then(|_| bands.next())?;
             (band.value.is_finite() && band.band.is_finite()).then_some(band)
         };

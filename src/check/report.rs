@@ -1,31 +1,102 @@
-//! The report as text, in the figure's language.
+//! The report in the figure's language: in parts, and as text from them.
 
 use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::explanation::{Explanation, Finding};
 use super::mistakes::{Candidate, Mistake};
+use super::rows::FormNames;
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Teller;
 use crate::construction::shown_text;
 use crate::words::{Language, Medium, NumberStyle, Wording};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// The report for the student: verdicts in the order of the construction, then the mistakes that were probably made.
 #[must_use]
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
-    let report = ReportText::new(checked, key, words, Medium::Text);
-    let mut lines = vec![report.counts()];
-    lines.extend(report.accuracy());
+    let parts = ReportText { checked, key, words, own: words.language, medium: Medium::Text }.parts();
+    let mut lines = vec![parts.counts];
+    lines.extend(parts.accuracy);
     lines.push(String::new());
-    lines.extend(report.table());
+    lines.extend(table(parts.columns, parts.rows));
     lines.push(String::new());
-    lines.extend(report.senses());
-    lines.extend(report.diagnosis());
+    lines.extend(parts.senses);
+    lines.push(parts.heading);
+    for (cause, number) in parts.causes.into_iter().zip(1..) {
+        lines.push(format!("{number}. {}", cause.done));
+        let caption = cause.caption.map(|caption| format!("({caption})"));
+        let more = caption.into_iter().chain([cause.should]).chain(cause.follows);
+        lines.extend(more.map(|line| format!("   {line}")));
+    }
+    lines.extend(parts.sure);
+    lines.extend(parts.further);
+    if !parts.others.is_empty() {
+        lines.push(String::new());
+        lines.push(words.language.check_others().to_owned());
+        lines.extend(parts.others.iter().map(|other| format!("  - {other}")));
+    }
     lines.join("\n") + "\n"
 }
 
-/// The sentences about one mistake.
-pub(super) struct Told {
+/// The rows of a table with their columns aligned, words to the left and numbers to the right.
+fn table(columns: [String; 8], rows: Vec<ReportRow>) -> Vec<String> {
+    let rows: Vec<[String; 8]> = [columns].into_iter().chain(rows.into_iter().map(|row| row.cells)).collect();
+    let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max();
+    let widths: Vec<usize> = (0..8).map(|c| width(c).unwrap_or(0)).collect();
+    let line = |row: &[String; 8]| {
+        let mut line = String::new();
+        for (column, cell) in row.iter().enumerate() {
+            let blanks = " ".repeat(widths[column] - cell.chars().count());
+            match column {
+                0 | 7 => line.push_str(&format!("{cell}{blanks}  ")),
+                _ => line.push_str(&format!("{blanks}{cell}  ")),
+            }
+        }
+        line.trim_end().to_owned()
+    };
+    rows.iter().map(line).collect()
+}
+
+/// A report in parts, in the markup of [`Overlay::set`](crate::drawing::Overlay::set). What is right and what was
+/// probably done stand apart, so that a page can say the one without the other.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ReportParts {
+    /// How many values are right, within the tolerance, off.
+    pub counts: String,
+    /// How much is allowed, and how accurate the drawing is.
+    pub accuracy: Vec<String>,
+    /// Headings of the cells of a value.
+    pub columns: [String; 8],
+    /// The values in the order of the construction.
+    pub rows: Vec<ReportRow>,
+    /// About rates without a sense, if there are any.
+    pub senses: Option<String>,
+    /// The heading of the mistakes, or the sentence that there are none, or that none can be told.
+    pub heading: String,
+    /// The mistakes that were probably made.
+    pub causes: Vec<Cause>,
+    /// How sure these are.
+    pub sure: Option<String>,
+    /// Which values nothing explains, and which plans are mirrored.
+    pub further: Vec<String>,
+    /// What else explains the values.
+    pub others: Vec<String>,
+}
+
+/// A value of a report.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ReportRow {
+    /// The name of the form's box.
+    pub name: String,
+    /// Name, own value, exact value, difference, the same on paper and in per cent, what is allowed, verdict.
+    pub cells: [String; 8],
+}
+
+/// A mistake that was probably made.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Cause {
     /// At which step, and what was done.
     pub done: String,
     /// The step's caption.
@@ -36,30 +107,76 @@ pub(super) struct Told {
     pub follows: Option<String>,
 }
 
-/// Writes the sentences about checked values.
-pub(super) struct ReportText<'a> {
-    pub checked: &'a Checked,
-    key: &'a AnswerKey<'a>,
-    words: &'a Wording,
-    pub own: &'static Language,
-    medium: Medium,
-    shown: ShownNames<'a>,
-}
-
-impl<'a> ReportText<'a> {
-    pub(super) fn new(
-        checked: &'a Checked,
-        key: &'a AnswerKey<'a>,
-        words: &'a Wording,
-        medium: Medium,
-    ) -> ReportText<'a> {
-        ReportText { checked, key, words, own: words.language, medium, shown: ShownNames::of(key.solution) }
+impl ReportParts {
+    /// The parts with all texts but the names of boxes set by a function, as in HTML.
+    #[must_use]
+    pub fn set(self, set: impl Fn(String) -> String) -> ReportParts {
+        let all = |texts: Vec<String>| texts.into_iter().map(&set).collect();
+        let cause = |Cause { done, caption, should, follows }| Cause {
+            done: set(done),
+            caption: caption.map(&set),
+            should: set(should),
+            follows: follows.map(&set),
+        };
+        let row = |ReportRow { name, cells }: ReportRow| ReportRow { name, cells: cells.map(&set) };
+        ReportParts {
+            counts: set(self.counts),
+            accuracy: all(self.accuracy),
+            columns: self.columns.map(&set),
+            rows: self.rows.into_iter().map(row).collect(),
+            senses: self.senses.map(&set),
+            heading: set(self.heading),
+            causes: self.causes.into_iter().map(cause).collect(),
+            sure: self.sure.map(&set),
+            further: all(self.further),
+            others: all(self.others),
+        }
     }
 }
 
+/// The parts of the report on checked values, in the wording's language, for a page or a figure.
+#[must_use]
+pub fn report_parts(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> ReportParts {
+    ReportText { checked, key, words, own: words.language, medium: Medium::Figure }.parts()
+}
+
+/// Writes the sentences about checked values.
+struct ReportText<'a> {
+    checked: &'a Checked,
+    key: &'a AnswerKey<'a>,
+    words: &'a Wording,
+    own: &'static Language,
+    medium: Medium,
+}
+
 impl ReportText<'_> {
+    fn parts(&self) -> ReportParts {
+        let form = FormNames::new(&self.key.solution.construction);
+        let row =
+            |value: &Judged| ReportRow { name: self.shown().in_form(&value.entry.row, &form), cells: self.row(value) };
+        let diagnosis = &self.checked.diagnosis;
+        let best = &diagnosis.best;
+        let others: &[Explanation] = if self.has_nothing_to_explain() { &[] } else { &diagnosis.others };
+        ReportParts {
+            counts: self.counts(),
+            accuracy: self.accuracy(),
+            columns: self.own.check_columns().map(str::to_owned),
+            rows: self.checked.values.iter().map(row).collect(),
+            senses: (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned()),
+            heading: self.heading(),
+            causes: best.findings.iter().map(|finding| self.cause(finding)).collect(),
+            sure: (!best.findings.is_empty()).then(|| self.sure(best)),
+            further: self.unexplained().into_iter().chain(self.mirrored()).collect(),
+            others: others.iter().map(|other| self.other(other)).collect(),
+        }
+    }
+
+    fn shown(&self) -> ShownNames<'_> {
+        ShownNames::of(self.key.solution)
+    }
+
     /// The sentence that counts the values that are right, within the tolerance, and off.
-    pub(super) fn counts(&self) -> String {
+    fn counts(&self) -> String {
         let count = |verdict| self.count(verdict).to_string();
         let [right, within, off] = [Verdict::Right, Verdict::WithinTolerance, Verdict::Off].map(count);
         match self.count(Verdict::SenseMissing) {
@@ -72,36 +189,12 @@ impl ReportText<'_> {
         self.checked.values.iter().filter(|v| v.verdict == verdict).count()
     }
 
-    /// The sentence about rates without a sense, if there are any.
-    pub(super) fn senses(&self) -> Option<String> {
-        (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned())
-    }
-
-    fn table(&self) -> Vec<String> {
-        let mut rows: Vec<[String; 8]> = vec![self.own.check_columns().map(str::to_owned)];
-        rows.extend(self.checked.values.iter().map(|value| self.row(value)));
-        let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max();
-        let widths: Vec<usize> = (0..8).map(|c| width(c).unwrap_or(0)).collect();
-        let line = |row: &[String; 8]| {
-            let mut line = String::new();
-            for (column, cell) in row.iter().enumerate() {
-                let blanks = " ".repeat(widths[column] - cell.chars().count());
-                match column {
-                    0 | 7 => line.push_str(&format!("{cell}{blanks}  ")),
-                    _ => line.push_str(&format!("{blanks}{cell}  ")),
-                }
-            }
-            line.trim_end().to_owned()
-        };
-        rows.iter().map(line).collect()
-    }
-
     fn number(&self, value: f64, digits: usize) -> String {
         self.words.write(value, significant(digits).on(self.medium))
     }
 
     /// A value as a row of the table.
-    pub(super) fn row(&self, value: &Judged) -> [String; 8] {
+    fn row(&self, value: &Judged) -> [String; 8] {
         let entry = &value.entry;
         let unit = entry.asked.kind().unit(self.key.solution.scene.units);
         let expected = if entry.is_magnitude { entry.expected.abs() } else { entry.expected };
@@ -125,7 +218,7 @@ impl ReportText<'_> {
             Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
-            self.shown.quantity(&entry.asked),
+            self.shown().quantity(&entry.asked),
             self.number(entry.value, 7),
             format!("{} {unit}", self.number(expected, 7)),
             self.number(value.difference, 3),
@@ -137,7 +230,7 @@ impl ReportText<'_> {
     }
 
     /// How much is allowed, and how accurate the drawing is.
-    pub(super) fn accuracy(&self) -> Vec<String> {
+    fn accuracy(&self) -> Vec<String> {
         let number = |x: f64| self.words.write(x, NumberStyle::shortest());
         let asked = &self.key.tolerance;
         let [mm, degrees] = [asked.mm, asked.degrees].map(number);
@@ -165,7 +258,7 @@ impl ReportText<'_> {
     }
 
     /// The heading of the mistakes that were found, or the sentence that there are none, or that none can be told.
-    pub(super) fn heading(&self) -> String {
+    fn heading(&self) -> String {
         let diagnosis = &self.checked.diagnosis;
         match (diagnosis.best.findings.len(), diagnosis.unexplained.first()) {
             (0, _) if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => {
@@ -174,7 +267,7 @@ impl ReportText<'_> {
             (0, _) if self.has_nothing_to_explain() => self.own.check_nothing().to_owned(),
             (0, Some(&first)) => {
                 let entry = &self.checked.values[first].entry;
-                let (step, name) = (entry.step.to_string(), self.shown.quantity(&entry.asked));
+                let (step, name) = (entry.step.to_string(), self.shown().quantity(&entry.asked));
                 if self.is_alone() {
                     self.own.check_none_alone(&step, &name)
                 } else {
@@ -192,45 +285,19 @@ impl ReportText<'_> {
         diagnosis.best.findings.is_empty() && diagnosis.unexplained.len() == 1 && self.count(Verdict::Off) == 1
     }
 
-    pub(super) fn has_nothing_to_explain(&self) -> bool {
+    fn has_nothing_to_explain(&self) -> bool {
         let diagnosis = &self.checked.diagnosis;
         let none = diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty();
         none && self.checked.is_passed()
     }
 
-    fn diagnosis(&self) -> Vec<String> {
-        let diagnosis = &self.checked.diagnosis;
-        let mut lines = vec![self.heading()];
-        if self.has_nothing_to_explain() {
-            return lines;
-        }
-        for (finding, number) in diagnosis.best.findings.iter().zip(1..) {
-            let told = self.told(finding);
-            lines.push(format!("{number}. {}", told.done));
-            let caption = told.caption.map(|caption| format!("({caption})"));
-            let more = caption.into_iter().chain([told.should]).chain(told.follows);
-            lines.extend(more.map(|line| format!("   {line}")));
-        }
-        if !diagnosis.best.findings.is_empty() {
-            lines.push(self.sure(&diagnosis.best));
-        }
-        lines.extend(self.unexplained());
-        lines.extend(self.mirrored());
-        if !diagnosis.others.is_empty() {
-            lines.push(String::new());
-            lines.push(self.own.check_others().to_owned());
-            lines.extend(diagnosis.others.iter().map(|other| format!("  - {}", self.other(other))));
-        }
-        lines
-    }
-
     /// What else explains the values, as far as it differs from the best explanation.
-    pub(super) fn other(&self, other: &Explanation) -> String {
+    fn other(&self, other: &Explanation) -> String {
         let best = &self.checked.diagnosis.best.findings;
         let new = other.findings.iter().filter(|f| !best.iter().any(|g| g.candidate.told == f.candidate.told));
         let told: Vec<String> = new
             .map(|f| {
-                let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.shown.named(name));
+                let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.shown().named(name));
                 format!("{}: {done}", self.step(f))
             })
             .collect();
@@ -239,18 +306,18 @@ impl ReportText<'_> {
     }
 
     /// The sentences about mirrored plans.
-    pub(super) fn mirrored(&self) -> impl Iterator<Item = String> {
+    fn mirrored(&self) -> impl Iterator<Item = String> {
         let language = self.words.language;
         self.checked.mirrored.iter().map(|plan| self.own.check_mirrored(&language.sheet(*plan).to_lowercase()))
     }
 
     /// The sentence about the unexplained values, if there are any.
-    pub(super) fn unexplained(&self) -> Option<String> {
+    fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
         (!values.is_empty() && !self.is_alone()).then(|| self.own.check_unexplained(&self.names(values)))
     }
 
-    pub(super) fn sure(&self, explanation: &Explanation) -> String {
+    fn sure(&self, explanation: &Explanation) -> String {
         let percent = (100.0 * explanation.probability).clamp(1.0, 99.0);
         self.own.check_sure(&format!("{percent:.0}"))
     }
@@ -260,9 +327,9 @@ impl ReportText<'_> {
     }
 
     /// The sentences about a mistake.
-    pub(super) fn told(&self, finding: &Finding) -> Told {
+    fn cause(&self, finding: &Finding) -> Cause {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = told_alone(candidate, &self.shown, self.words);
+        let [done, should] = told_alone(candidate, &self.shown(), self.words);
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -270,7 +337,7 @@ impl ReportText<'_> {
             [] => Some(self.own.check_follows_none().to_owned()),
             some => Some(self.own.check_follows(&self.names(some))),
         };
-        Told {
+        Cause {
             done,
             caption: step.map(|step| {
                 let caption = Teller::new(self.key.solution, self.words).caption(&step);
@@ -283,7 +350,7 @@ impl ReportText<'_> {
 
     fn names(&self, values: &[usize]) -> String {
         let names: Vec<String> =
-            values.iter().map(|&i| self.shown.quantity(&self.checked.values[i].entry.asked)).collect();
+            values.iter().map(|&i| self.shown().quantity(&self.checked.values[i].entry.asked)).collect();
         names.join(", ")
     }
 }

@@ -31,25 +31,13 @@ pub struct CheckResult {
     pub unexplained: Vec<String>,
     /// How accurate the drawing is, as the scatter of all values shows; not there where too few values are drawn.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub accuracy: Option<AccuracyResult>,
+    pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mirrored: Vec<&'static str>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
-}
-
-/// How accurate somebody draws and computes. Within the limits every error is equally likely.
-#[derive(Debug, Serialize, JsonSchema)]
-#[non_exhaustive]
-pub struct AccuracyResult {
-    /// Limit of the errors in lengths and places, in mm of paper.
-    pub mm: f64,
-    /// Limit of the errors in directions, in degrees.
-    pub degrees: f64,
-    /// Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
-    pub percent: f64,
 }
 
 /// A value with its verdict.
@@ -173,7 +161,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
         diagnosis: explanation(&diagnosis.best),
         others: diagnosis.others.iter().map(explanation).collect(),
         unexplained: names(&diagnosis.unexplained),
-        accuracy: checked.accuracy.map(|Accuracy { mm, degrees, percent }| AccuracyResult { mm, degrees, percent }),
+        accuracy: checked.accuracy,
         mirrored: mirrored.collect(),
         marks: None,
     }

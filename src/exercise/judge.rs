@@ -1,7 +1,7 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
 use super::given::sentences;
-use super::key::{key_rows, key_sentences};
+use super::sheets::{key_rows, key_sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Solution, Tolerance};
 use crate::drawing::{

@@ -1,10 +1,9 @@
 //! The teacher's key of an exercise: every value of the form.
 
 use super::judge::Exercise;
+use super::sheets::{key_rows, key_sentences};
 use crate::check::{BANDS, EmptyForm};
-use crate::construction::Solution;
-use crate::drawing::{Drawing, KeyRow, key_sheet};
-use crate::quantity::{Pencil, QuantityRequest};
+use crate::drawing::{Drawing, key_sheet};
 use crate::scene::schema_of;
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
@@ -98,22 +97,6 @@ impl Exercise {
     pub fn form<'a>(&'a self, name: &'a str) -> EmptyForm<'a> {
         EmptyForm { solution: &self.solution, scales: self.scales, exercise: Some(name) }
     }
-}
-
-/// The rows of a key's table.
-pub(super) fn key_rows<'a>(values: &'a [(QuantityRequest, f64)], pencil: &Pencil) -> Vec<KeyRow<'a>> {
-    let row = |(asked, value): &'a (QuantityRequest, f64)| KeyRow {
-        asked,
-        value: *value,
-        allowed: pencil.band(asked.name()).map(|band| BANDS * band.band),
-    };
-    values.iter().map(row).collect()
-}
-
-/// The sentences below the scales of a key.
-pub(super) fn key_sentences(solution: &Solution) -> Vec<String> {
-    let words = solution.wording();
-    vec![words.language.exercise_allowed().to_owned()]
 }
 
 /// The JSON Schema of keys.

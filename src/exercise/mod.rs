@@ -4,10 +4,8 @@
 //! conditions.
 //!
 //! In reading order: `numbers` finds the numbers of a scene file, `vary` replaces them, `judge` accepts or refuses a
-//! variant,
-//! `find` looks for accepted ones, `given` and `key` write what a student and a teacher are told, `sheets` has those of a
-//! scene as it stands. Nothing is read or
-//! written here.
+//! variant, `find` looks for accepted ones, `given` and `key` write what a student and a teacher are told, `sheets` what
+//! stands on their sheets, also for a scene as it stands. Nothing is read or written here.
 
 mod find;
 mod given;

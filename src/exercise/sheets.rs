@@ -1,10 +1,10 @@
-//! The sheets on which a student draws the plans of a scene as it stands.
+//! What the sheets of a student and of a teacher have beside the figure.
 
 use super::given::sentences;
-use crate::check::form_names;
+use crate::check::{BANDS, form_names};
 use crate::construction::Solution;
-use crate::drawing::{Drawing, drawing_sheets};
-use crate::quantity::QuantityRequest;
+use crate::drawing::{Drawing, KeyRow, drawing_sheets};
+use crate::quantity::{QuantityRequest, Pencil};
 
 impl Solution {
     /// The sheets on which the plans that the figure shows are drawn by hand, at the scales of the figure: first the
@@ -38,4 +38,20 @@ impl Solution {
         let given = sentences(&own.scene, own.scene.text(), &scales, &own.wording());
         drawing_sheets(&own, &scales, name, &asked, &given)
     }
+}
+
+/// The rows of a key's table.
+pub(super) fn key_rows<'a>(values: &'a [(QuantityRequest, f64)], pencil: &Pencil) -> Vec<KeyRow<'a>> {
+    let row = |(asked, value): &'a (QuantityRequest, f64)| KeyRow {
+        asked,
+        value: *value,
+        allowed: pencil.band(asked.name()).map(|band| BANDS * band.band),
+    };
+    values.iter().map(row).collect()
+}
+
+/// The sentences below the scales of a key.
+pub(super) fn key_sentences(solution: &Solution) -> Vec<String> {
+    let words = solution.wording();
+    vec![words.language.exercise_allowed().to_owned()]
 }

@@ -43,7 +43,7 @@ impl Reading {
 }
 
 /// Why a quantity is not read from a hand drawing.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Unread {
     /// The scene gives it.

@@ -11,21 +11,15 @@ macro_rules! catalogue {
                 turned_rays(from, to, other)
             }
             /// A cut line drawn along the guide in place of normal to it.
-            TurnedCutLine "turned-cut-line" 4.0 rays::turned_cut_line {
-                turned_cut_line(joint, point)
-            }
+            TurnedCutLine "turned-cut-line" 4.0 rays::turned_cut_line { turned_cut_line(joint, point) }
             /// A ray drawn from the wrong plan point.
             RayFromWrongPoint "ray-from-wrong-point" 5.0 rays::from_wrong_point {
                 ray_from_wrong_point(image, wrong, right)
             }
             /// A special point taken from the wrong pair of lines.
-            WrongLines "wrong-lines" 4.0 rays::wrong_lines {
-                wrong_lines(point, wrong, right)
-            }
+            WrongLines "wrong-lines" 4.0 rays::wrong_lines { wrong_lines(point, wrong, right) }
             /// A vector laid off reversed.
-            ReversedVector "reversed-vector" 4.0 vectors::reversed {
-                reversed_vector(from, to)
-            }
+            ReversedVector "reversed-vector" 4.0 vectors::reversed { reversed_vector(from, to) }
             /// A vector laid off in another direction: across, or off by an angle as from a misread protractor.
             TurnedVector "turned-vector" 3.0 vectors::turned {
                 turned_vector(from, to)
@@ -57,9 +51,7 @@ macro_rules! catalogue {
                 diameter_throughout(length)
             }
             /// All products of a crank with half its radius.
-            HalfTheRadius "half-the-radius" 2.0 crank::half_the_radius {
-                half_the_radius(length)
-            }
+            HalfTheRadius "half-the-radius" 2.0 crank::half_the_radius { half_the_radius(length) }
             /// A normal part from an absolute velocity, or from that of another link.
             NormalFromAbsolute "normal-from-absolute" 3.0 vectors::from_absolute {
                 normal_from_absolute(from, to, rate, length, velocity)
@@ -82,13 +74,9 @@ macro_rules! catalogue {
                 coriolis_without_two(from, to, rate, velocity)
             }
             /// The Coriolis part turned the wrong way.
-            CoriolisTurned "coriolis-turned" 5.0 coriolis::turned {
-                coriolis_turned(from, to, rate, velocity)
-            }
+            CoriolisTurned "coriolis-turned" 5.0 coriolis::turned { coriolis_turned(from, to, rate, velocity) }
             /// The Coriolis part laid off along the guide.
-            CoriolisAlong "coriolis-along-guide" 2.0 coriolis::along {
-                coriolis_along(from, to, rate, velocity)
-            }
+            CoriolisAlong "coriolis-along-guide" 2.0 coriolis::along { coriolis_along(from, to, rate, velocity) }
             /// The Coriolis part with another velocity than the sliding one.
             CoriolisVelocity "coriolis-wrong-velocity" 3.0 coriolis::of_wrong_velocity {
                 coriolis_velocity(from, to, rate, velocity, wrong)
@@ -99,9 +87,7 @@ macro_rules! catalogue {
                 coriolis_where_none(from, to, rate, length)
             }
             /// A Coriolis part at a guide that is at rest.
-            CoriolisAtRest "coriolis-at-rest" 2.0 coriolis::at_rest {
-                coriolis_at_rest(from, to, rate, velocity)
-            }
+            CoriolisAtRest "coriolis-at-rest" 2.0 coriolis::at_rest { coriolis_at_rest(from, to, rate, velocity) }
             /// The image of a link mirrored.
             MirroredImage "mirrored-image" 3.0 images::mirrored {
                 /// `other` is the image that fixes the side.
@@ -119,13 +105,9 @@ macro_rules! catalogue {
                 distances_exchanged_and_mirrored(from, to, point)
             }
             /// A segment measured from the wrong point.
-            WrongSegment "wrong-segment" 8.0 lengths::wrong_segment {
-                wrong_segment(segment, from, to)
-            }
+            WrongSegment "wrong-segment" 8.0 lengths::wrong_segment { wrong_segment(segment, from, to) }
             /// A component taken for a length.
-            Component "component" 4.0 lengths::component {
-                component(segment, axis, from, to)
-            }
+            Component "component" 4.0 lengths::component { component(segment, axis, from, to) }
             /// A wrong length, once or throughout.
             WrongLength "wrong-length" 4.0 lengths::wrong_length {
                 wrong_length(length, from, to)
@@ -142,9 +124,7 @@ macro_rules! catalogue {
                 alpha_from_wrong_length(rate, from, to, length)
             }
             /// A rate of rotation without division by the length.
-            NotDividedByLength "not-divided-by-length" 2.0 rates::not_divided {
-                not_divided_by_length(rate, length)
-            }
+            NotDividedByLength "not-divided-by-length" 2.0 rates::not_divided { not_divided_by_length(rate, length) }
             /// A rate taken with the wrong sense.
             WrongSense "wrong-sense" 6.0 rates::wrong_sense {
                 wrong_sense(rate)
@@ -152,9 +132,7 @@ macro_rules! catalogue {
                 wrong_sense_given(rate, from, to)
             }
             /// All rates of rotation written with the wrong sense.
-            SensesReversed "senses-reversed" 3.0 rates::senses_reversed {
-                senses_reversed()
-            }
+            SensesReversed "senses-reversed" 3.0 rates::senses_reversed { senses_reversed() }
             /// Revolutions per minute taken for radians per second, or the other way round.
             RevolutionsForRadians "revolutions-for-radians" 5.0 rates::revolutions {
                 revolutions_for_radians(rate)
@@ -166,50 +144,30 @@ macro_rules! catalogue {
                 revolutions_per_second(rate)
             }
             /// Degrees taken for radians, or the other way round.
-            DegreesForRadians "degrees-for-radians" 3.0 rates::degrees {
-                degrees_for_radians(rate)
-            }
+            DegreesForRadians "degrees-for-radians" 3.0 rates::degrees { degrees_for_radians(rate) }
             /// A segment taken with the wrong scale.
             WrongScale "wrong-scale" 4.0 rates::wrong_scale {
                 wrong_scale(segment, wrong, scale)
                 scale_forgotten(segment, scale)
             }
             /// The other assembly mode.
-            OtherMode "other-mode" 4.0 position::other_mode {
-                other_mode()
-            }
+            OtherMode "other-mode" 4.0 position::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.
-            CrankAngle "crank-angle" 3.0 position::crank_angle {
-                crank_angle(link, wrong, right)
-            }
+            CrankAngle "crank-angle" 3.0 position::crank_angle { crank_angle(link, wrong, right) }
             /// Two numbers swapped.
-            Swapped "swapped" 3.0 copying::swapped {
-                swapped(first, second)
-            }
+            Swapped "swapped" 3.0 copying::swapped { swapped(first, second) }
             /// Digits transposed.
-            DigitsTransposed "digits-transposed" 8.0 copying::transposed {
-                digits_transposed(quantity, written, meant)
-            }
+            DigitsTransposed "digits-transposed" 8.0 copying::transposed { digits_transposed(quantity, written, meant) }
             /// A decimal slipped.
-            DecimalSlipped "decimal-slipped" 8.0 copying::decimal {
-                decimal_slipped(quantity, written, meant)
-            }
+            DecimalSlipped "decimal-slipped" 8.0 copying::decimal { decimal_slipped(quantity, written, meant) }
             /// All values cut off in place of rounded.
-            Truncated "truncated" 1.0 copying::truncated {
-                truncated()
-            }
+            Truncated "truncated" 1.0 copying::truncated { truncated() }
             /// The wrong unit written beside a value.
-            WrongUnit "wrong-unit" 5.0 copying::unit {
-                wrong_unit(quantity, number, wrong, right)
-            }
+            WrongUnit "wrong-unit" 5.0 copying::unit { wrong_unit(quantity, number, wrong, right) }
             /// A value in another unit of length than the scene's, and no unit beside it.
-            OtherUnit "other-unit" 3.0 copying::other_unit {
-                other_unit(quantity, number, unit, own)
-            }
+            OtherUnit "other-unit" 3.0 copying::other_unit { other_unit(quantity, number, unit, own) }
             /// A value wrong for a reason that the catalogue does not know, and used in later operations.
-            Unknown "unknown" 5.0 unknown::everywhere {
-                unknown(quantity)
-            }
+            Unknown "unknown" 5.0 unknown::everywhere { unknown(quantity) }
         }
     };
 }

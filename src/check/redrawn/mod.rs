@@ -8,7 +8,7 @@ use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
-use super::report::ReportText;
+use super::report::{ReportParts, report_parts};
 use super::search::other_modes;
 use super::sheet::{CheckError, Measured};
 use super::verdict::Verdict;
@@ -63,40 +63,36 @@ pub fn redrawn(
     }
     let (points, lines) = sheets.finish();
 
-    let text = ReportText::new(checked, key, words, Medium::Figure);
+    let parts = report_parts(checked, key, words);
     Ok(Overlay {
         name: measured.name.clone().filter(|name| !name.is_blank()),
         points,
         lines,
         steps: wrong_steps(key, &found, words.language),
-        words: said(&text, &turns, words),
-        head: cells(words.language.check_columns().map(str::to_owned)),
-        values: (0..checked.values.len()).map(|index| own_value(&text, index)).collect(),
+        words: said(&parts, checked, &turns, words),
+        head: cells(&parts.columns),
+        values: (0..checked.values.len()).map(|index| own_value(&parts, checked, index)).collect(),
     })
 }
 
 /// The sentences below the figure: the verdict, the numbered mistakes, the unexplained values, and the rotation of
 /// given points.
-fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<String> {
-    let best = &text.checked.diagnosis.best;
-    let sure = if best.findings.is_empty() { String::new() } else { format!(" ({})", text.sure(best)) };
-    let mut said = vec![format!("{}. {}{sure}", text.counts(), text.heading())];
-    for (finding, number) in best.findings.iter().zip(1..) {
-        let told = text.told(finding);
+fn said(parts: &ReportParts, checked: &Checked, turns: &[(Sheet, f64)], words: &Wording) -> Vec<String> {
+    let sure = parts.sure.as_ref().map_or_else(String::new, |sure| format!(" ({sure})"));
+    let mut said = vec![format!("{}. {}{sure}", parts.counts, parts.heading)];
+    for ((finding, told), number) in checked.diagnosis.best.findings.iter().zip(&parts.causes).zip(1..) {
         let follows = match finding.follows.len() {
             0 => None,
-            few if few <= NAMED => told.follows,
+            few if few <= NAMED => told.follows.clone(),
             many => Some(words.language.check_follows_marked(&many.to_string(), &format!("({number})"))),
         };
         // Beside a figure there is no room to repeat what a slipped number should be.
         let [done, should] = finding.candidate.told.sentences(words);
-        let should = (!done.contains(&should)).then_some(told.should);
-        let sentences: Vec<String> = [told.done].into_iter().chain(should).chain(follows).collect();
+        let should = (!done.contains(&should)).then_some(told.should.clone());
+        let sentences: Vec<String> = [told.done.clone()].into_iter().chain(should).chain(follows).collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
     }
-    said.extend(text.senses());
-    said.extend(text.unexplained());
-    said.extend(text.mirrored());
+    said.extend(parts.senses.iter().chain(&parts.further).cloned());
     for &(sheet, degrees) in turns {
         if degrees.abs() > TURNED {
             let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
@@ -111,20 +107,19 @@ fn said(text: &ReportText<'_>, turns: &[(Sheet, f64)], words: &Wording) -> Vec<S
 }
 
 /// The cells of a report's row that the table beside the figure has.
-fn cells(row: [String; 8]) -> [String; COLUMNS.len()] {
+fn cells(row: &[String; 8]) -> [String; COLUMNS.len()] {
     COLUMNS.map(|column| row[column].clone())
 }
 
 /// A checked value as a row of that table, with the numbers of the mistakes that it follows from.
-fn own_value(text: &ReportText<'_>, index: usize) -> OwnValue {
-    let value = &text.checked.values[index];
-    let mut cells = cells(text.row(value));
-    for (number, finding) in (1..).zip(&text.checked.diagnosis.best.findings) {
+fn own_value(parts: &ReportParts, checked: &Checked, index: usize) -> OwnValue {
+    let mut cells = cells(&parts.rows[index].cells);
+    for (number, finding) in (1..).zip(&checked.diagnosis.best.findings) {
         if finding.follows.contains(&index) {
             cells[5].push_str(&format!(" ({number})"));
         }
     }
-    OwnValue { cells, is_off: value.verdict == Verdict::Off }
+    OwnValue { cells, is_off: checked.values[index].verdict == Verdict::Off }
 }
 
 /// The steps at which mistakes were made, each once.
