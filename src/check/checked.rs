@@ -1,5 +1,6 @@
 use super::answer_key::AnswerKey;
 use super::entry::{Entry, entries_by};
+use super::error::CheckError;
 use super::explanation::Diagnosis;
 use super::hand::{Hand, SLIP};
 use super::mistakes::Site;
@@ -8,7 +9,7 @@ use super::points::is_mirrored;
 use super::prepared::{Prepared, Ready};
 use super::score::Scorer;
 use super::search::{Search, hand};
-use super::sheet::{CheckError, Measured};
+use super::sheet::Measured;
 use super::shown::ShownNames;
 use super::verdict::{Judged, Verdict};
 use crate::construction::Tolerance;

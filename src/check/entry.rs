@@ -1,10 +1,11 @@
 use super::answer_key::AnswerKey;
+use super::error::CheckError;
 use super::names::{Meant, Names};
 use super::points::add_points;
 use super::precision::{Precision, most_digits, number, whole_rounding};
-use super::sheet::{CheckError, Given, Measured, Positive};
+use super::sheet::{Given, Measured, Positive};
 use super::unit;
-use crate::quantity::{QuantityKind, QuantityRequest, What};
+use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
 use crate::text;
 
@@ -53,23 +54,13 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
     entries_by(measured, key, &Names::new(key.solution))
 }
 
-/// Most values of a form: more than the largest construction by hand has.
-const MOST_VALUES: usize = 5_000;
-
 /// The same with the names of the scene's quantities, which many forms have in common.
 pub(super) fn entries_by(
     measured: &Measured,
     key: &AnswerKey<'_>,
     names: &Names<'_>,
 ) -> Result<Vec<Entry>, CheckError> {
-    let places = measured.points.iter().map(|plan| plan.places.len()).sum::<usize>();
-    let count = measured.values.len() + measured.faults.len() + places;
-    if count > MOST_VALUES {
-        let hint = "is this a form? `kinegon check` without a form prints an empty one";
-        return Err(CheckError::new(format!("a form has at most {MOST_VALUES} values, and here are {count}"), hint));
-    }
-    let mut faults = measured.faults.clone();
-    faults.extend(measured.bad_scales());
+    let mut faults = measured.all_faults()?;
     let reader = Reader::new(measured, key, names);
     let mut entries: Vec<Entry> = Vec::new();
     for given in &measured.values {
@@ -149,7 +140,7 @@ impl<'a> Reader<'a> {
     }
 
     fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
-        let number = number(&given.text)?;
+        let (number, precision, rounding) = number(&given.text)?;
         let (name, marked) = given.plain_name();
         let Meant { asked, row, expected, sheet, step } = self.names.meant(&name, self.names_ground)?;
         let kind = asked.kind();
@@ -160,16 +151,16 @@ impl<'a> Reader<'a> {
             let hint = format!("write it in {}", kind.unit(self.key.solution.scene.units));
             return Err(CheckError::about(&name, "is no length on paper, so `/mu` cannot follow it", hint));
         }
-        let (factor, factor_without_unit) = self.factors(given, &name, kind, on_paper.then_some(sheet))?;
+        let paper = on_paper.then_some((sheet, self.measured.mu[sheet]));
+        let (factor, factor_without_unit) = unit::factors(given, &name, kind, paper, self.key.solution.scene.units)?;
         let turns = asked.turns();
         let flips = turns && self.measured.positive == Some(Positive::Clockwise);
         let factor = if flips { -factor } else { factor };
         let signed = given.text.starts_with(['-', '+']);
-        let precision = Precision::of(core::iter::once(given.text.as_str()));
         Ok(Entry {
             text: given.text.clone(),
             value: number * factor,
-            rounding: precision.rounding(&given.text) * factor.abs(),
+            rounding: rounding * factor.abs(),
             precision,
             is_magnitude: asked.is_rate() && !signed && self.measured.positive.is_none(),
             factor,
@@ -183,34 +174,5 @@ impl<'a> Reader<'a> {
             row,
             asked,
         })
-    }
-
-    /// The factor from a written number to the scene's units, and the factor if the unit beside it were left out.
-    /// `paper`: the sheet on which it was measured in millimetres, if it was.
-    fn factors(
-        &self,
-        given: &Given,
-        name: &str,
-        kind: QuantityKind,
-        paper: Option<Sheet>,
-    ) -> Result<(f64, f64), CheckError> {
-        let units = self.key.solution.scene.units;
-        let Some(sheet) = paper else {
-            let factor = given.unit.as_ref().map_or(Ok(1.0), |unit| unit::factor(unit, kind, units))?;
-            return Ok((factor, 1.0));
-        };
-        let scale = self.measured.mu[sheet].ok_or_else(|| {
-            let mu = sheet.scale_key();
-            let hint = format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name());
-            CheckError::about(name, &format!("is in millimetres of paper, but your scale {mu} is missing"), hint)
-        })?;
-        match &given.unit {
-            // Beside millimetres of paper no unit may stand but mm.
-            Some(unit) if unit.trim() != "mm" => {
-                let says = format!("is in millimetres of paper, but `{}` stands beside it", text::shown(unit));
-                Err(CheckError::about(name, &says, "leave the unit out, or the `/mu`"))
-            }
-            _ => Ok((scale, scale)),
-        }
     }
 }

@@ -3,9 +3,10 @@
 
 use super::answer_key::AnswerKey;
 use super::checked::Checked;
+use super::error::CheckError;
 use super::marks::Awarded;
 use super::redrawn::redrawn;
-use super::sheet::{CheckError, Measured};
+use super::sheet::Measured;
 use crate::construction::Solution;
 use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
 use crate::format::{FeedbackPage, feedback_html};

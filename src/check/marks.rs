@@ -3,8 +3,9 @@
 use super::answer_key::AnswerKey;
 use super::checked::Checked;
 use super::entry::entries;
+use super::error::CheckError;
 use super::rows::{form_name, form_names};
-use super::sheet::{CheckError, Given, Measured};
+use super::sheet::{Given, Measured};
 use super::verdict::Verdict;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::sheet::PerSheet;

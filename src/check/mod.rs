@@ -22,6 +22,7 @@ mod covariance;
 mod datum;
 mod diagnosis;
 mod entry;
+mod error;
 mod explanation;
 mod feedback;
 mod fit;
@@ -77,7 +78,8 @@ pub use redrawn::redrawn;
 pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
 
+pub use error::CheckError;
 pub use rows::{form_name, form_names};
-pub use sheet::{CheckError, Given, Measured, PointsOf, Positive};
+pub use sheet::{Given, Measured, PointsOf, Positive};
 pub use student::Student;
 pub use verdict::{Judged, Verdict};

@@ -2,7 +2,7 @@
 
 use super::answer_key::AnswerKey;
 use super::entry::Entry;
-use super::sheet::CheckError;
+use super::error::CheckError;
 use super::together::ways_together;
 use crate::construction::{
     Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, PlaceId, Product, Reference,

@@ -1,8 +1,8 @@
 //! What quantity a written name means: by the names of the sheets or of results, its ends in either order, and with
 //! letters that a program has lost.
 
+use super::error::CheckError;
 use super::rows::FormNames;
-use super::sheet::CheckError;
 use super::shown::ShownNames;
 use crate::construction::{Solution, image_name};
 use crate::quantity::{Quantity, QuantityError, QuantityRequest};

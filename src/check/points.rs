@@ -1,9 +1,10 @@
 //! Values from the places of plan points on paper.
 
 use super::entry::Entry;
+use super::error::CheckError;
 use super::names::{Meant, Names};
 use super::precision::Precision;
-use super::sheet::{CheckError, Measured, PointsOf};
+use super::sheet::{Measured, PointsOf};
 use crate::construction::Plan;
 use crate::geometry::Vector;
 use crate::sheet::Sheet;
@@ -35,24 +36,21 @@ pub(super) fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &
         };
         let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
         let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
-        for (a, b) in pairs(points.kind, &places, names) {
-            let name = points.kind.segment_name(a, b);
+        for Distance { name, to, mm, rounding } in distances(points.kind, &places, &bands, names) {
             if entries.iter().any(|e| e.asked.name() == name) {
                 continue;
             }
-            let Meant { asked, row, expected, sheet, step } = names.quantity(&name).map_err(|e| e.at(&at(b)))?;
+            let Meant { asked, row, expected, sheet, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
             // The image of a point at rest is the pole itself.
             if expected == 0.0 {
                 continue;
             }
-            let [p, q] = [a, b].map(|n| places[n]);
-            let mm = libm::hypot(q[0] - p[0], q[1] - p[1]);
             entries.push(Entry {
                 row,
                 asked,
                 text: String::new(),
                 value: mm * mu,
-                rounding: rounding(&bands, [a, b]) * mu,
+                rounding: rounding * mu,
                 precision: Precision { decimals: 1, digits: 4 },
                 is_magnitude: false,
                 factor: mu,
@@ -69,12 +67,33 @@ pub(super) fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &
     Ok(())
 }
 
-/// The segments between given places: from the pole to each point, and those between points that a step names.
-fn pairs<'p>(plan: Sheet, places: &'p IndexMap<String, [f64; 2]>, names: &Names<'_>) -> Vec<(&'p str, &'p str)> {
+/// The distance of two given places.
+struct Distance<'p> {
+    /// The name of the segment.
+    name: String,
+    /// The point at its end.
+    to: &'p str,
+    mm: f64,
+    /// Half the width of the range in which it may be, in mm.
+    rounding: f64,
+}
+
+/// The distances between given places: from the pole to each point, and those between points that a step names.
+fn distances<'p>(
+    plan: Sheet,
+    places: &'p IndexMap<String, [f64; 2]>,
+    bands: &IndexMap<String, f64>,
+    names: &Names<'_>,
+) -> Vec<Distance<'p>> {
+    let distance = |from: &str, to: &'p str| {
+        let [p, q] = [from, to].map(|n| places[n]);
+        let (mm, rounding) = (libm::hypot(q[0] - p[0], q[1] - p[1]), rounding(bands, [from, to]));
+        Distance { name: plan.segment_name(from, to), to, mm, rounding }
+    };
     let points = || places.keys().map(String::as_str).filter(|name| *name != plan.pole());
-    let from_pole = points().map(|name| (plan.pole(), name));
-    let between = points().flat_map(|a| points().map(move |b| (a, b)));
-    from_pole.chain(between.filter(|(a, b)| names.order.contains_key(&plan.segment_name(a, b)))).collect()
+    let from_pole = points().map(|name| distance(plan.pole(), name));
+    let between = points().flat_map(|a| points().map(move |b| (a, b))).map(|(a, b)| distance(a, b));
+    from_pole.chain(between.filter(|distance| names.order.contains_key(&distance.name))).collect()
 }
 
 /// Half the width of the range in which the distance of two places may be, in mm: people write places to a tenth or a

@@ -1,6 +1,6 @@
 //! Numbers as they are written: their values, and how finely people write.
 
-use super::sheet::CheckError;
+use super::error::CheckError;
 
 /// The decimals and the significant digits to which somebody writes values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,8 +69,10 @@ fn counts(text: &str) -> (i32, i32) {
     (decimals as i32, digits as i32)
 }
 
-/// The number in a form's cell.
-pub(super) fn number(text: &str) -> Result<f64, CheckError> {
+/// The number in a form's cell, its precision as it stands alone, and half a unit of its last digit.
+pub(super) fn number(text: &str) -> Result<(f64, Precision, f64), CheckError> {
+    let precision = Precision::of(core::iter::once(text));
+    let rounding = precision.rounding(text);
     // Rust reads the words NaN and infinity as numbers too.
     let has_digits = text.contains(|c: char| c.is_ascii_digit());
     let number = if has_digits { text.parse::<f64>().ok() } else { None };
@@ -81,5 +83,5 @@ pub(super) fn number(text: &str) -> Result<f64, CheckError> {
     if !(number.is_finite() && number.abs() <= 1e100) {
         return Err(CheckError::about(text, "is too large", "is a digit or an exponent wrong?"));
     }
-    Ok(number)
+    Ok((number, precision, rounding))
 }

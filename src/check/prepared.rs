@@ -4,10 +4,10 @@
 use super::answer_key::AnswerKey;
 use super::covariance::Groups;
 use super::entry::Entry;
+use super::error::CheckError;
 use super::model::Model;
 use super::names::Names;
 use super::search::other_modes;
-use super::sheet::CheckError;
 use crate::quantity::Band;
 use crate::sheet::{PerSheet, Scales};
 use std::collections::BTreeMap;

@@ -1,6 +1,7 @@
+use super::error::CheckError;
 use crate::scene::Figure;
 use crate::sheet::{Scales, Sheet};
-use crate::text::{Untrusted, shown};
+use crate::text::Untrusted;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -32,15 +33,28 @@ impl Measured {
         self.values.iter().any(|given| given.name.contains(UNDER_SLIDER))
     }
 
-    /// The scales that are none.
-    pub(super) fn bad_scales(&self) -> impl Iterator<Item = CheckError> {
+    /// What is not understood of the form as a whole: lines of the file, and scales that are none.
+    ///
+    /// # Errors
+    /// There are too many values.
+    pub(super) fn all_faults(&self) -> Result<Vec<CheckError>, CheckError> {
+        let places = self.points.iter().map(|plan| plan.places.len()).sum::<usize>();
+        let count = self.values.len() + self.faults.len() + places;
+        if count > MOST_VALUES {
+            let hint = "is this a form? `kinegon check` without a form prints an empty one";
+            return Err(CheckError::new(
+                format!("a form has at most {MOST_VALUES} values, and here are {count}"),
+                hint,
+            ));
+        }
         let bad = self.mu.given().filter(|(_, mu)| !(mu.is_finite() && *mu > 0.0));
-        bad.map(|(sheet, _)| {
+        let bad = bad.map(|(sheet, _)| {
             CheckError::new(
                 format!("{} is no scale", sheet.scale_key()),
                 "a scale is a positive number: units of the scene per millimetre of paper",
             )
-        })
+        });
+        Ok(self.faults.iter().cloned().chain(bad).collect())
     }
 
     /// Asks for a figure at the scales of the student's own sheet, as far as the form has them.
@@ -48,6 +62,9 @@ impl Measured {
         figure.set_scales(self.mu.or(figure.given_scales()));
     }
 }
+
+/// Most values of a form: more than the largest construction by hand has.
+const MOST_VALUES: usize = 5_000;
 
 /// In the names of images of the ground under a slider, as `c_ground`.
 pub(super) const UNDER_SLIDER: &str = "_ground";
@@ -148,49 +165,5 @@ impl Positive {
             Positive::CounterClockwise => "counter-clockwise",
             Positive::Clockwise => "clockwise",
         }
-    }
-}
-
-/// Why values cannot be checked: what, and what to try.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{place}{message}")]
-#[non_exhaustive]
-pub struct CheckError {
-    /// The place in the file, followed by a colon; may be empty.
-    pub place: String,
-    /// What is wrong.
-    pub message: String,
-    /// What to try.
-    pub hint: Option<String>,
-}
-
-impl CheckError {
-    /// An error about the form as a whole.
-    pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
-        CheckError { place: String::new(), message: message.into(), hint: Some(hint.into()) }
-    }
-
-    /// An error about something that somebody wrote, which begins the message.
-    pub(super) fn about(written: &str, says: &str, hint: impl Into<String>) -> CheckError {
-        CheckError::new(format!("`{}` {says}", shown(written)), hint)
-    }
-
-    /// All errors of a form in one: each with its place, and what to try; `None` where there are none.
-    pub(super) fn all(mut errors: Vec<CheckError>) -> Option<CheckError> {
-        if errors.len() < 2 {
-            return errors.pop();
-        }
-        let lines = errors.iter().map(|error| match &error.hint {
-            Some(hint) => format!("\n  {error}: {hint}"),
-            None => format!("\n  {error}"),
-        });
-        let message = format!("{} things in this form are not understood:{}", errors.len(), lines.collect::<String>());
-        Some(CheckError { place: String::new(), message, hint: None })
-    }
-
-    /// The error with its place in the file.
-    pub(super) fn at(mut self, place: &str) -> CheckError {
-        self.place = format!("{place}: ");
-        self
     }
 }

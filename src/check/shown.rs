@@ -3,8 +3,8 @@
 //! Quantities keep their names in results; a form writes `vplan(o,b)` where the figure's notation calls the pole o. A
 //! form may have either name, and the usual ones of poles in all notations.
 
+use super::error::CheckError;
 use super::rows::FormNames;
-use super::sheet::CheckError;
 use crate::construction::{Plan, Solution};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{Head, QuantityName};

@@ -2,11 +2,12 @@
 
 use super::answer_key::AnswerKey;
 use super::entry::entries;
+use super::error::CheckError;
 use super::mistakes::{Candidate, Mistake, Site};
 use super::model::Model;
 use super::report::told_alone;
 use super::rows::form_names;
-use super::sheet::{CheckError, Given, Measured};
+use super::sheet::{Given, Measured};
 use super::shown::ShownNames;
 use crate::construction::{Change, Disturbance};
 use crate::quantity::QuantityKind;

@@ -1,6 +1,7 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
-use super::sheet::{CheckError, Given, Measured, PointsOf, Positive, WIDEST};
+use super::error::CheckError;
+use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, cell, shown};
 

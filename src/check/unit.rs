@@ -1,19 +1,47 @@
 //! Units as people write them beside values.
 
-use super::sheet::CheckError;
-use crate::quantity::QuantityKind;
+use super::error::CheckError;
+use super::sheet::Given;
+use crate::quantity::Kind;
 use crate::scene::{LengthUnit, TimeUnit, Units};
+use crate::sheet::Sheet;
 use crate::text::shown;
 
+/// The factor from a written number to the scene's units, and the factor if the unit beside it were left out. `paper`: the
+/// sheet on which it was measured in millimetres, if it was, with the scale that the form has for it.
+pub(super) fn factors(
+    given: &Given,
+    name: &str,
+    kind: QuantityKind,
+    paper: Option<(Sheet, Option<f64>)>,
+    units: Units,
+) -> Result<(f64, f64), CheckError> {
+    let Some((sheet, scale)) = paper else {
+        let factor = given.unit.as_ref().map_or(Ok(1.0), |unit| factor(unit, kind, units))?;
+        return Ok((factor, 1.0));
+    };
+    let scale = scale.ok_or_else(|| {
+        let mu = sheet.scale_key();
+        let hint = format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name());
+        CheckError::about(name, &format!("is in millimetres of paper, but your scale {mu} is missing"), hint)
+    })?;
+    match &given.unit {
+        // Beside millimetres of paper no unit may stand but mm.
+        Some(unit) if unit.trim() != "mm" => {
+            let says = format!("is in millimetres of paper, but `{}` stands beside it", shown(unit));
+            Err(CheckError::about(name, &says, "leave the unit out, or the `/mu`"))
+        }
+        _ => Ok((scale, scale)),
+    }
+}
+
 /// The factor from the unit `text` to the scene's unit of quantities of this kind.
-pub(super) fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckError> {
+fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckError> {
     let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
     let compact = compact.replace("^2", "²").replace("**2", "²");
     let known = || {
-        CheckError::new(
-            format!("`{}` is no unit of {}", shown(text), said(kind)),
-            format!("write `{}`, or leave the unit out", kind.unit(units)),
-        )
+        let hint = format!("write `{}`, or leave the unit out", kind.unit(units));
+        CheckError::about(text, &format!("is no unit of {}", said(kind)), hint)
     };
     let (top, below) = match compact.split_once('/') {
         Some((top, below)) => (top, Some(below)),

@@ -4,7 +4,7 @@ use super::given::sentences;
 use crate::check::{BANDS, form_names};
 use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, drawing_sheets};
-use crate::quantity::{QuantityRequest, Pencil};
+use crate::quantity::{Pencil, QuantityRequest};
 
 impl Solution {
     /// The sheets on which the plans that the figure shows are drawn by hand, at the scales of the figure: first the

@@ -9,10 +9,11 @@ mod track;
 use super::answer_key::AnswerKey;
 use super::checked::BANDS;
 use super::entry::entries;
+use super::error::CheckError;
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
-use super::sheet::{CheckError, Measured, PointsOf};
+use super::sheet::{Measured, PointsOf};
 use crate::sheet::Sheet;
 use track::{Track, Tracker};
 

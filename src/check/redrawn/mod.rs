@@ -6,11 +6,12 @@ pub mod sheets;
 
 use super::answer_key::AnswerKey;
 use super::checked::Checked;
+use super::error::CheckError;
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::report::{ReportParts, report_parts};
 use super::search::other_modes;
-use super::sheet::{CheckError, Measured};
+use super::sheet::Measured;
 use super::verdict::Verdict;
 use crate::construction::Action;
 use crate::drawing::{Overlay, OwnValue, WrongStep};
