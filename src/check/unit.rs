@@ -2,7 +2,7 @@
 
 use super::error::CheckError;
 use super::sheet::Given;
-use crate::quantity::Kind;
+use crate::quantity::QuantityKind;
 use crate::scene::{LengthUnit, TimeUnit, Units};
 use crate::sheet::Sheet;
 use crate::text::shown;
