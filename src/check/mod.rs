@@ -3,16 +3,22 @@
 //! explain the values best: the construction is replayed with one mistake, then with more, and every replay is compared
 //! with all values, right and wrong ones.
 //!
-//! In reading order: `sheet`, `file`, `table` and `unit` read the values, `template` writes an empty form, `filled` a filled one, `boxes` lists what a form asks for,
-//! `shown` has the names of the sheets; `entry` finds the quantity of each value, `precision` how finely it is written, `points` the
-//! distances between given places; `checked` gives each value its `verdict`, `prepared` keeps what many forms of one
-//! scene have in common.
+//! In reading order: `sheet` has the values of a form, `form` reads and writes them as JSON, `table` as a table; `rows` has
+//! the boxes of a scene's form, `shown` the names of the sheets, `names` finds what a written name means, `boxes` lists what
+//! a page asks for. `entry` makes of each value a quantity with its number (`precision`: how finely it is written; `unit`:
+//! the unit beside it; `points`: distances between given places); `error` says what is not understood. `answer_key` is what
+//! values are compared with, `prepared` keeps what many forms of one scene have in common; `checked` gives each value its
+//! `verdict`.
+//!
 //! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
 //! `datum`, `covariance`, `hand`, `walk`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the
 //! catalogue, `settle` fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the
-//! explanations and chooses the `explanation` that is told; `report` and `result` write it as text and JSON, `parts` piece by piece for a page, `redrawn/` draws the
-//! student's sheets as they probably were; `student` draws with mistakes on purpose; `photographs` has the plans of photographed sheets, `proposed/` finds their points among the pencil lines; `marks` gives the marks that
-//! values earn, `class` sums up many drawings, `feedback` makes of one what its student gets back. Nothing is read or printed here, and no plan is computed again.
+//! explanations and chooses the `explanation` that is told.
+//!
+//! `report` says it in parts and as text, `result` as JSON, `redrawn/` draws the student's sheets as they probably were,
+//! `marks` gives the marks that values earn, `class` sums up many drawings, `feedback` makes of one what its student gets
+//! back; `student` draws with mistakes on purpose; `photographs` has the plans of photographed sheets, `proposed/` finds
+//! their points among the pencil lines. Nothing is read or printed here, and no plan is computed again.
 
 mod answer_key;
 mod boxes;
