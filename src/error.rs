@@ -64,7 +64,9 @@ impl From<StudyError> for Error {
     fn from(error: StudyError) -> Error {
         match error {
             StudyError::Study(error) => error.into(),
-            StudyError::Scene(error) => error,
+            StudyError::Structure(error) => error.into(),
+            StudyError::Assembly(error) => error.into(),
+            StudyError::Cycle(error) => error.into(),
         }
     }
 }

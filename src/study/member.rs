@@ -2,12 +2,11 @@
 
 use super::number::has_links;
 use super::task::Status;
-use crate::Error;
-use crate::mechanism::Mechanism;
-use crate::position::Pose;
+use crate::cycle::CycleError;
+use crate::mechanism::{Mechanism, StructureError, mechanism};
+use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
 use crate::quantity::{Quantity, QuantityRequest, State};
 use crate::scene::{Scene, SceneError, SizeLimit};
-use crate::solve::posed;
 
 /// Why a study cannot be made of a scene.
 #[derive(Debug, thiserror::Error)]
@@ -15,9 +14,15 @@ pub enum StudyError {
     /// The study asks for what the scene does not have; the place is in the study.
     #[error(transparent)]
     Study(#[from] SceneError),
-    /// The scene gives no mechanism that can be assembled and moved.
+    /// The scene is no mechanism that can be solved.
     #[error(transparent)]
-    Scene(#[from] Error),
+    Structure(#[from] StructureError),
+    /// The scene cannot be assembled.
+    #[error(transparent)]
+    Assembly(#[from] AssemblyError),
+    /// The scene cannot be moved.
+    #[error(transparent)]
+    Cycle(#[from] CycleError),
 }
 
 /// The mechanism of a varied scene, in its position; else what became of it.
@@ -25,10 +30,18 @@ pub(super) fn member(scene: &Scene) -> Result<(Mechanism, Pose), Status> {
     if !has_links(scene) {
         return Err(Status::NoMechanism);
     }
-    posed(scene, SizeLimit::NUMBERS, None).map_err(|error| match error {
-        Error::Assembly(_) => Status::NotAssembled,
+    posed(scene).map_err(|error| match error {
+        StudyError::Assembly(_) => Status::NotAssembled,
         _ => Status::NoMechanism,
     })
+}
+
+/// The mechanism of a scene in the assembly mode that `near` picks.
+pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
+    SizeLimit::NUMBERS.check(scene)?;
+    let mechanism = with_nearest_sides(scene, mechanism(scene)?);
+    let pose = pose(&mechanism, &scene.near)?;
+    Ok((mechanism, pose))
 }
 
 /// The value of a quantity that needs no construction, of a vector its size; NaN where it has none.

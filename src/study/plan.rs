@@ -2,19 +2,18 @@
 
 use super::alone;
 use super::file::StudyFile;
-use super::member::{StudyError, member};
+use super::member::{StudyError, member, posed};
 use super::number::{Named, numbers};
 use super::task::{Column, Content, Outcome, Round, Status, Task, Wanted};
 use super::together;
 use super::vary::{Values, Varied};
+use crate::Problem;
 use crate::cores::on_all_cores;
 use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
 use crate::geometry::MANY;
 use crate::mechanism::Mechanism;
 use crate::quantity::{QuantityKind, QuantityRequest};
-use crate::scene::{GivenBy, Scene, SizeLimit, nearest};
-use crate::solve::posed;
-use crate::{Error, Problem};
+use crate::scene::{GivenBy, Scene, nearest};
 use std::ops::Range;
 
 /// Most rows of a study.
@@ -46,9 +45,9 @@ impl StudyFile {
     pub fn of(&self, scene: Scene) -> Result<Study, StudyError> {
         let file = self;
         if scene.given_by == GivenBy::Drawing {
-            return Err(Error::from(CycleError::Drawn).into());
+            return Err(CycleError::Drawn.into());
         }
-        let (mechanism, _) = posed(&scene, SizeLimit::NUMBERS, None)?;
+        let (mechanism, _) = posed(&scene)?;
         let round = round(file, &mechanism)?;
         let varied = varied(file, &scene, &round)?;
         let is_random = varied.iter().any(|v| !matches!(v.values, Values::Grid { .. }));
