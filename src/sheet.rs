@@ -25,6 +25,26 @@ pub enum Sheet {
     Acceleration,
 }
 
+/// What kind of value a quantity has; quantities of one kind may share an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum QuantityKind {
+    /// An angle, in degrees.
+    Angle,
+    /// An angular velocity, in rad per unit of time.
+    AngularVelocity,
+    /// An angular acceleration.
+    AngularAcceleration,
+    /// A coordinate, or a position along a guide.
+    Position,
+    /// A distance.
+    Length,
+    /// A velocity, or a segment of the velocity plan.
+    Velocity,
+    /// An acceleration, or a segment of the acceleration plan.
+    Acceleration,
+}
+
 /// What there is to say of a sheet.
 struct Facts {
     /// The word for it in files and on the page.
@@ -33,6 +53,8 @@ struct Facts {
     name: &'static str,
     /// The letter for it in the code of a printed sheet.
     letter: char,
+    /// What is drawn on it to scale.
+    drawn: QuantityKind,
     /// The key of its scale in scenes and forms.
     scale_key: &'static str,
     /// Its scale in sentences.
@@ -66,6 +88,7 @@ impl Sheet {
                 word: "scheme",
                 name: "scheme",
                 letter: 'L',
+                drawn: QuantityKind::Length,
                 scale_key: "mu_l",
                 scale_symbol: "μ_l",
                 segment: "L",
@@ -75,6 +98,7 @@ impl Sheet {
                 word: "velocity",
                 name: "velocity plan",
                 letter: 'V',
+                drawn: QuantityKind::Velocity,
                 scale_key: "mu_v",
                 scale_symbol: "μ_v",
                 segment: "vplan",
@@ -84,6 +108,7 @@ impl Sheet {
                 word: "acceleration",
                 name: "acceleration plan",
                 letter: 'A',
+                drawn: QuantityKind::Acceleration,
                 scale_key: "mu_a",
                 scale_symbol: "μ_a",
                 segment: "aplan",
@@ -114,6 +139,12 @@ impl Sheet {
     #[must_use]
     pub fn letter(self) -> char {
         self.facts().letter
+    }
+
+    /// What is drawn on it to scale.
+    #[must_use]
+    pub fn drawn(self) -> QuantityKind {
+        self.facts().drawn
     }
 
     /// The key of its scale in scenes and forms, as `mu_v`.

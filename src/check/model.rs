@@ -212,8 +212,7 @@ impl Model {
             let group = match (operation.sheet, &operation.kind) {
                 (Sheet::Scheme, OperationKind::Plot { .. }) => 0,
                 (Sheet::Scheme, _) => 1,
-                (Sheet::Velocity, _) => 2,
-                (Sheet::Acceleration, _) => 3,
+                (plan, _) => 1 + plan as usize,
             };
             let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))

@@ -273,8 +273,10 @@ impl Construction {
     pub fn step_number(&self, StepId { sheet, index }: StepId) -> usize {
         let before = match sheet {
             Sheet::Scheme => 0,
-            Sheet::Velocity => self.scheme.len(),
-            Sheet::Acceleration => self.scheme.len() + self.velocity.steps.len(),
+            _ => {
+                let earlier = self.plans().filter(|plan| plan.kind < sheet);
+                self.scheme.len() + earlier.map(|plan| plan.steps.len()).sum::<usize>()
+            }
         };
         before + index + 1
     }

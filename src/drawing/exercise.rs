@@ -18,7 +18,7 @@ use super::view::{Extent, View};
 use super::worksheet::{KeyRow, KeyTable, Ruler, TablePlace, Worksheet};
 use crate::construction::Solution;
 use crate::geometry;
-use crate::quantity::{QuantityKind, QuantityRequest};
+use crate::quantity::QuantityRequest;
 use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Point, Rect};
@@ -260,7 +260,7 @@ fn panel<'a>(context: &'a SheetContext<'a>, plan: Sheet) -> Option<Panel<'a>> {
     let name = context.words.language.sheet(plan);
     let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading);
     let needs = Needs {
-        kind: QuantityKind::drawn_on(plan),
+        kind: plan.drawn(),
         extent: extent(drawn, ConstructionShown::Whole),
         heading: frame.width(),
         above: 0.0,

@@ -50,7 +50,7 @@ impl Needs {
 
 /// The sheet on which a kind of quantity is drawn to scale.
 pub(super) fn sheet_of(kind: QuantityKind) -> Sheet {
-    Sheet::ALL.into_iter().find(|sheet| QuantityKind::drawn_on(*sheet) == kind).unwrap_or(Sheet::Scheme)
+    Sheet::ALL.into_iter().find(|sheet| sheet.drawn() == kind).unwrap_or(Sheet::Scheme)
 }
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
@@ -137,7 +137,7 @@ impl Layout {
 
     /// The scales of the panels, in units per mm.
     pub(super) fn mu(&self) -> Scales {
-        PerSheet::from_fn(|sheet| self.mu_of(QuantityKind::drawn_on(sheet)))
+        PerSheet::from_fn(|sheet| self.mu_of(sheet.drawn()))
     }
 }
 

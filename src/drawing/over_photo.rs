@@ -10,7 +10,6 @@ use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::Extent;
 use crate::construction::Solution;
-use crate::quantity::QuantityKind;
 use crate::scene::StyleName;
 use crate::sheet::Sheet;
 use kurbo::{Affine, Point, Rect, Vec2};
@@ -64,13 +63,8 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
             // Without the frame, which the sheet has.
             panel.layers.remove(0);
             let area = Affine::scale(1.0 / unit).transform_rect_bbox(area(&extent, placed.origin, placed.mu));
-            let place = Placed {
-                kind: QuantityKind::drawn_on(placed.panel),
-                frame: area.inflate(AROUND, AROUND),
-                area,
-                mu: placed.mu,
-                unit,
-            };
+            let place =
+                Placed { kind: placed.panel.drawn(), frame: area.inflate(AROUND, AROUND), area, mu: placed.mu, unit };
             panel.content = None;
             panel.draw(&mut drawing, &place, &solution.scene.figure.labels, &context.surface.dims, None);
         }

@@ -11,7 +11,6 @@ use super::sheet::Pen;
 use super::text::RichText;
 use super::view::{Extent, View};
 use crate::construction::Solution;
-use crate::quantity::QuantityKind;
 use crate::sheet::Sheet;
 
 /// Weight of the size of a panel beside that in focus.
@@ -54,7 +53,7 @@ pub(super) fn panels<'a>(
             // The width of the first panel's heading: it must not depend on the panel's letter.
             needs: Needs {
                 above: if panel == Sheet::Scheme { scheme::above(context) } else { 0.0 },
-                kind: QuantityKind::drawn_on(panel),
+                kind: panel.drawn(),
                 extent,
                 heading: frame(0).width(),
                 mu: context.surface.mu[panel],

@@ -149,7 +149,7 @@ impl List<'_> {
         let Some(plan) = self.context.plan(panel) else {
             return Vec::new();
         };
-        let kind = QuantityKind::drawn_on(plan.kind);
+        let kind = plan.kind.drawn();
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
         let stages = self.context.facts.steps.plan(plan.kind);
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);

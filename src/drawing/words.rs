@@ -15,7 +15,6 @@ use crate::construction::{
     Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, Ray, Relation, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
-use crate::quantity::QuantityKind;
 use crate::scene::QuantityName;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
@@ -64,7 +63,7 @@ impl<'a> StepWords<'a> {
         // Scales of plans of a usual size: they are part of the words.
         let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
         let mu = |(panel, extent): (Sheet, Extent)| Placed {
-            kind: QuantityKind::drawn_on(panel),
+            kind: panel.drawn(),
             frame: usual,
             area: usual,
             mu: context.surface.mu[panel].unwrap_or_else(|| fitting_scale(&extent, usual)),
@@ -362,7 +361,7 @@ impl Writer<'_> {
 
     /// A size in a plan or on the mechanism, with its length on paper.
     pub(super) fn size(&self, value: f64, kind: Option<Sheet>) -> String {
-        let kind = QuantityKind::drawn_on(kind.unwrap_or(Sheet::Scheme));
+        let kind = kind.unwrap_or(Sheet::Scheme).drawn();
         let unit = kind.unit(self.context.scene().units);
         let words = &self.context.words;
         let on_paper = self.layout.mu_of(kind).and_then(|mu| {

@@ -59,7 +59,7 @@ impl Worksheet {
         let mut lengths = Vec::new();
         let mut rows = Vec::new();
         for (step, plan, [from, to], value) in measured(context) {
-            let kind = QuantityKind::drawn_on(plan.map_or(Sheet::Scheme, |plan| plan.kind));
+            let kind = plan.map_or(Sheet::Scheme, |plan| plan.kind).drawn();
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };

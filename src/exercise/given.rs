@@ -16,7 +16,7 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     let scale = |(plan, mu): (Sheet, f64)| {
-        let unit = QuantityKind::drawn_on(plan).unit(scene.units);
+        let unit = plan.drawn().unit(scene.units);
         format!("{} = {} ({unit})/mm", plan.scale_symbol(), teller.number(mu))
     };
     let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.is_plan()).map(scale).collect();

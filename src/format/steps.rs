@@ -1,6 +1,6 @@
 use crate::construction::{Action, NOTHING, NumberedStep, Plan, Solution, Teller, Tolerance, plain_text, shown_text};
 use crate::geometry::{Vector, degrees_of};
-use crate::quantity::{Pencil, QuantityKind, Unread};
+use crate::quantity::{Pencil, Unread};
 use crate::scene::QuantityName;
 use crate::scene::Units;
 use crate::sheet::Sheet;
@@ -66,18 +66,14 @@ impl StepList<'_> {
         self.line(line);
     }
 
-    fn unit(&self, kind: Option<Sheet>) -> String {
-        QuantityKind::drawn_on(kind.unwrap_or(Sheet::Scheme)).unit(self.units)
-    }
-
-    fn mu(&self, kind: Option<Sheet>) -> Option<f64> {
-        self.pencil.scales[kind.unwrap_or(Sheet::Scheme)]
+    fn unit(&self, sheet: Sheet) -> String {
+        sheet.drawn().unit(self.units)
     }
 
     fn scales_line(&mut self) {
         let scale = |sheet: Sheet| {
-            let mu = self.words.write(self.mu(Some(sheet))?, NumberStyle::shortest());
-            Some(self.words.language.scale_per_mm(sheet.scale_symbol(), &mu, &self.unit(Some(sheet))))
+            let mu = self.words.write(self.pencil.scales[sheet]?, NumberStyle::shortest());
+            Some(self.words.language.scale_per_mm(sheet.scale_symbol(), &mu, &self.unit(sheet)))
         };
         let scales: Vec<String> = Sheet::ALL.into_iter().filter_map(scale).collect();
         let line = self.words.language.scales(&scales.join(", "));
@@ -127,18 +123,17 @@ impl StepList<'_> {
     }
 
     /// The band of a plan's segment.
-    fn segment_band(&self, kind: Option<Sheet>, from: &str, to: &str) -> String {
-        let name = kind.map(|kind| kind.segment_name(from, to));
-        self.band(&name.unwrap_or_default(), &self.unit(kind), self.mu(kind))
+    fn segment_band(&self, sheet: Sheet, from: &str, to: &str) -> String {
+        self.band(&sheet.segment_name(from, to), &self.unit(sheet), self.pencil.scales[sheet])
     }
 
     /// A value with its unit and its length on paper.
-    fn measure(&self, value: f64, kind: Option<Sheet>) -> String {
-        let on_paper = self.mu(kind).and_then(|mu| {
+    fn measure(&self, value: f64, sheet: Sheet) -> String {
+        let on_paper = self.pencil.scales[sheet].and_then(|mu| {
             let mm = self.words.on_paper(value, mu, HUNDREDTHS)?;
             Some(format!(" ({})", self.words.language.on_paper(&mm)))
         });
-        format!("{} {}{}", self.digits(value), self.unit(kind), on_paper.unwrap_or_default())
+        format!("{} {}{}", self.digits(value), self.unit(sheet), on_paper.unwrap_or_default())
     }
 
     fn step(&mut self, step: &NumberedStep<'_>) {
@@ -170,8 +165,8 @@ impl StepList<'_> {
     }
 
     /// A vector's size with its length on paper, and its direction.
-    fn vector(&self, vector: Vector, kind: Option<Sheet>) -> String {
-        let size = self.measure(vector.norm(), kind);
+    fn vector(&self, vector: Vector, sheet: Sheet) -> String {
+        let size = self.measure(vector.norm(), sheet);
         if vector == Vector::zeros() {
             return size;
         }
@@ -181,21 +176,21 @@ impl StepList<'_> {
     /// The equation and the values of a step, one per line.
     fn details(&self, step: &NumberedStep<'_>) -> Vec<String> {
         let plan = step.plan;
-        let kind = plan.map(|p| p.kind);
+        let sheet = step.sheet();
         let equation = self.text(&self.teller.formula(step).markup(), plan);
         let shown = |name: &str| match plan {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
         };
         let segment = |from: &str, to: &str, value: String| {
-            format!("{} {} = {value}{}", shown(from), shown(to), self.segment_band(kind, from, to))
+            format!("{} {} = {value}{}", shown(from), shown(to), self.segment_band(sheet, from, to))
         };
         match &step.step.action {
             Action::Pole { .. } | Action::NoConstruction { .. } => Vec::new(),
             Action::SpecialPoint { sine, .. } => vec![self.crossing(*sine)],
             Action::MeasureLength { from, to, value } => {
-                let band = self.band(&format!("L({from},{to})"), &self.unit(None), self.mu(None));
-                vec![format!("{equation} = {}{band}", self.measure(*value, None))]
+                let band = self.segment_band(sheet, from, to);
+                vec![format!("{equation} = {}{band}", self.measure(*value, sheet))]
             }
             Action::LayOff(arrow) => {
                 let [from, to] = arrow.ends();
@@ -206,8 +201,8 @@ impl StepList<'_> {
                     "{} {} = {}{}",
                     shown(from),
                     shown(to),
-                    self.vector(vector, kind),
-                    self.segment_band(kind, &arrow.from, &arrow.to)
+                    self.vector(vector, sheet),
+                    self.segment_band(sheet, &arrow.from, &arrow.to)
                 );
                 [equation].into_iter().filter(|equation| !equation.is_empty()).chain([drawn]).collect()
             }
@@ -216,25 +211,24 @@ impl StepList<'_> {
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Cross { point, sine, .. } => {
-                let pole = plan.map_or("", |p| p.kind.pole());
+                let pole = sheet.pole();
                 let vector = plan.and_then(|p| p.shown_segment(pole, point));
-                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
+                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, sheet)));
                 [self.crossing(*sine)].into_iter().chain(drawn).collect()
             }
             Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                let pole = plan.map_or("", |p| p.kind.pole());
+                let pole = sheet.pole();
                 let vector = plan.and_then(|p| p.shown_segment(pole, point));
-                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, kind)));
+                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, sheet)));
                 [equation].into_iter().filter(|equation| !equation.is_empty()).chain(drawn).collect()
             }
             Action::Measure { from, to, value } => {
                 let value = if plan.is_some_and(|plan| plan.is_nothing(*value)) { 0.0 } else { *value };
-                vec![segment(from, to, self.measure(value, kind))]
+                vec![segment(from, to, self.measure(value, sheet))]
             }
             Action::Solve { equations, unknowns } => {
-                let of = kind.unwrap_or(Sheet::Velocity);
                 let mut lines: Vec<String> =
-                    equations.iter().map(|e| self.text(&self.teller.equation(of, e), plan)).collect();
+                    equations.iter().map(|e| self.text(&self.teller.equation(sheet, e), plan)).collect();
                 let largest = unknowns.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let value = if value.abs() <= NOTHING * largest { &0.0 } else { value };

@@ -11,7 +11,8 @@ mod state;
 mod unit;
 mod value;
 
-pub use crate::scene::{Component, Head, QuantityKind, QuantityName};
+pub use crate::scene::{Component, Head, QuantityName};
+pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil};
 pub use lists::{measured_names, readable_names, step_names, step_pencil};
 pub use name::{Normality, QuantityError, QuantityRequest, Spot, What};

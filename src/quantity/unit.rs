@@ -1,6 +1,7 @@
 use super::name::{Normality, QuantityRequest, Spot, What};
 use crate::mechanism::Mechanism;
-use crate::scene::{Component, QuantityKind};
+use crate::scene::Component;
+use crate::sheet::QuantityKind;
 use crate::sheet::Sheet;
 use crate::words::Notation;
 

@@ -52,7 +52,7 @@ pub use kinds::Kind;
 pub use known::Near;
 pub use link::Link;
 pub use page::{Measure, Page, PageSize, Sizes};
-pub use quantity_name::{Argument, Component, Head, QuantityKind, QuantityName};
+pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub use read::{Scene, SizeLimit};
 pub use shape::{Length, Shape};
 pub use slider::Slider;

@@ -2,7 +2,7 @@
 //! which dimension. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
 use super::units::{Dimension, Units};
-use crate::sheet::Sheet;
+use crate::sheet::{QuantityKind, Sheet};
 use std::fmt;
 
 /// A quantity's name, well formed.
@@ -83,26 +83,6 @@ pub enum Component {
     Angle,
 }
 
-/// What kind of value a quantity has; quantities of one kind may share an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum QuantityKind {
-    /// An angle, in degrees.
-    Angle,
-    /// An angular velocity, in rad per unit of time.
-    AngularVelocity,
-    /// An angular acceleration.
-    AngularAcceleration,
-    /// A coordinate, or a position along a guide.
-    Position,
-    /// A distance.
-    Length,
-    /// A velocity, or a segment of the velocity plan.
-    Velocity,
-    /// An acceleration, or a segment of the acceleration plan.
-    Acceleration,
-}
-
 impl Head {
     /// The heads that are not the distance of two points, with their words.
     const WORDS: [(Head, &'static str); 13] = [
@@ -166,7 +146,7 @@ impl Head {
             Head::SlideAcceleration | Head::Coriolis | Head::Acceleration | Head::Normal | Head::Tangential => {
                 QuantityKind::Acceleration
             }
-            Head::Between(sheet) => QuantityKind::drawn_on(sheet),
+            Head::Between(sheet) => sheet.drawn(),
         }
     }
 }
@@ -231,6 +211,19 @@ impl QuantityName {
         self.arguments.join(&by.to_string())
     }
 
+    /// What stands behind its parentheses, as `.size` or `/mu`.
+    #[must_use]
+    pub fn tail(&self) -> &'static str {
+        match self.component {
+            Some(Component::X) => ".x",
+            Some(Component::Y) => ".y",
+            Some(Component::Size) => ".size",
+            Some(Component::Angle) => ".angle",
+            None if self.on_paper => "/mu",
+            None => "",
+        }
+    }
+
     /// The same name with other arguments.
     #[must_use]
     pub fn with_arguments(&self, arguments: Vec<String>) -> QuantityName {
@@ -273,29 +266,11 @@ impl QuantityName {
 
 impl fmt::Display for QuantityName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let tail = match self.component {
-            Some(Component::X) => ".x",
-            Some(Component::Y) => ".y",
-            Some(Component::Size) => ".size",
-            Some(Component::Angle) => ".angle",
-            None if self.on_paper => "/mu",
-            None => "",
-        };
-        write!(f, "{}({}){tail}", self.head.word(), self.subject())
+        write!(f, "{}({}){}", self.head.word(), self.subject(), self.tail())
     }
 }
 
 impl QuantityKind {
-    /// What is drawn to scale on a sheet.
-    #[must_use]
-    pub fn drawn_on(sheet: Sheet) -> QuantityKind {
-        match sheet {
-            Sheet::Scheme => QuantityKind::Length,
-            Sheet::Velocity => QuantityKind::Velocity,
-            Sheet::Acceleration => QuantityKind::Acceleration,
-        }
-    }
-
     /// Its dimension; that of an angle too, whose unit in results is the degree.
     #[must_use]
     pub fn dimension(self) -> Dimension {

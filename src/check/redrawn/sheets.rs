@@ -9,7 +9,6 @@ use super::super::verdict::Judged;
 use crate::construction::{Change, Disturbance, LineId, MeasuredAs, OperationKind, PlaceId, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
-use crate::quantity::QuantityKind;
 use crate::sheet::Sheet;
 use crate::words::{Medium, Wording};
 use indexmap::IndexMap;
@@ -273,7 +272,7 @@ impl<'a> Sheets<'a> {
 
     /// The magnitude of a value with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
-        let kind = QuantityKind::drawn_on(sheet);
+        let kind = sheet.drawn();
         let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
         format!("{value} {}", kind.unit(self.key.solution.scene.units))
     }
