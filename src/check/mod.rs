@@ -19,6 +19,41 @@
 //! `marks` gives the marks that values earn, `class` sums up many drawings, `feedback` makes of one what its student gets
 //! back; `student` draws with mistakes on purpose; `photographs` has the plans of photographed sheets, `proposed/` finds
 //! their points among the pencil lines. Nothing is read or printed here, and no plan is computed again.
+//!
+//! # A check replays mistakes
+//!
+//! Every classical mistake is a small function that changes operations (`mistakes/`): a ray turned, a product left
+//! out, another length measured. Slips of writing change the value that is compared, and what follows where the
+//! student goes on with it. Each replay predicts all values; honest errors, common to many values, give their
+//! covariance (`covariance`). The values are gone through in the order of the construction, each against what the
+//! earlier ones let expect; one that nothing explains pays for the range in which it could lie. How good the hand is
+//! (from the pencil's tolerance to a drawing program), and whether it goes on with numbers as it writes them, is
+//! found from the values, too, for each sheet (`fit`): so an exact sheet shows slips of a last digit that a pencil
+//! would hide, and a blunt pencil accuses nobody. Costs are −2 ln of likelihoods plus those of the mistakes, so that
+//! a further mistake must explain more than it costs.
+//!
+//! # It is never surer than it is right
+//!
+//! Any operation may also be wrong by an amount that no mistake gives (`mistakes/unknown.rs`). The amount is fitted
+//! so that the first wrong value is the written one (`settle`), and spreads over its whole range in the covariance:
+//! so it pays by itself for fitting whatever comes. The search looks at all candidates by the factors of the parent's
+//! covariance, at those only that concern a value still unexplained, and compares the likeliest completely.
+//! `diagnosis` refuses what a written value refutes, sums the probabilities of what is told in the same words, leaves
+//! a share for what no catalogue has, and tells a cause from 60 % on, else its place, else nothing. Priors and that
+//! share are set with students whom `tests/support/students` draws, who share nothing with the catalogue
+//! (`examples/calibration.rs`). Nothing is looked for where all values pass.
+//!
+//! # A student's drawing lies over the right one
+//!
+//! `redrawn` replays the mistakes that were found and keeps what is visibly elsewhere, as names, places and
+//! sentences; `drawing::overlay` draws these over the stepwise figure, whose marks know their steps: all pale but
+//! those of the wrong steps. Neither knows the other's business. `Feedback` makes sheets or a page for the student of
+//! it.
+//!
+//! # A class shares what its forms share
+//!
+//! `Prepared` keeps names, constructions of all assembly modes, bands and the covariance of a right drawing by the
+//! quantities and scales of the forms; each form then stays on one core.
 
 mod answer_key;
 mod boxes;

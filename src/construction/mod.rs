@@ -13,6 +13,34 @@
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
 //! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
 //! done; steps, bands, forms, checks and drawings read what it puts down.
+//!
+//! # The plan is the second route
+//!
+//! The special points are homogeneous crossings of cut lines; the rays are crossed, and the source paper's four
+//! equations solved with nalgebra's full pivoting (for a third-class group the same with two special points of its
+//! central link, for a dyad with its inner joint). This shares nothing with the loop equations but the pose. The
+//! result states the difference of the two routes beside the difference that rounding and the sines of the crossings
+//! allow. The paper's determinant is that of the loop equations over both sines: a special point at infinity breaks
+//! the construction, not the mechanism. Then the rates come from the loop equations alone, and the result says so.
+//!
+//! # One list of operations, carried out three ways
+//!
+//! Each operation names its sheet, its step, its role, and the places, lines and numbers that it reads and makes, by
+//! typed index. It is carried out in `Ball`s when it is written: these values are the plans, and their bounds tell
+//! how well the two routes to the rates must agree. `Values<f64>` carries the same list out on the values that a
+//! person has: lengths measured off the sheet, sizes computed from rates that were themselves solved for, in about a
+//! microsecond. Nothing else crosses lines: there is one interpreter (`run`), for both kinds of number.
+//!
+//! Operations and steps carry meanings, no words. `sentence` turns a step into its caption and its equation with the
+//! sentences of `words/`.
+//!
+//! # A plan has all points
+//!
+//! When a group's rates are known, `images` adds the image of every further point of its links: from two images that
+//! are there by division of their line or by two rays over the link's triangle, else by the motion relative to one,
+//! each part of it a step. `Extent::Rates` leaves that out, as the source paper does. A group without a construction
+//! takes its rates from the motion and goes the same way, from the known links on. An image's bounds are those of the
+//! rotation about a point of its link, so that they do not grow from crossing to crossing.
 
 mod body;
 mod construct;

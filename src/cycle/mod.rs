@@ -3,6 +3,18 @@
 //! their interpolating quintic must meet the mechanism to half the digits of f64. So no step reaches another branch,
 //! and one Newton step finds any position.
 //! Limit positions, where two branches meet and the drive can go no further, are located and end the path.
+//!
+//! # A path proves itself
+//!
+//! A branch is followed in steps that adapt. Between two nodes stands, for each unknown, the polynomial of degree 5
+//! that has both nodes' values and first and second derivatives; in the middle of every step it must meet the
+//! mechanism to half the digits of f64 (`trace`). So no step can end on another branch, and any position of the path
+//! is one Newton step away: tables, curves and searches begin there, in any order, on all cores. Next to change
+//! points, where rounded gaps would move links much further than rounding of the drive does, one step more is made
+//! with gaps of twice the digits (`kernel/refine.rs`). A step that takes more than four fifths of a determinant is
+//! halved; so limits are approached, and found from the power with which rates grow there: d^(−1/2) of the distance d
+//! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
+//! grow (a change point), the polynomial is followed to the other side.
 
 mod animation;
 mod circuit;

@@ -12,6 +12,43 @@
 //! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
 //!   `style`, its `text`, the places of its `labels` off all `obstacles`, which a `grid` finds.
+//!
+//! # A sheet is a list
+//!
+//! A `Panel` says how much room it wants and has a stack of `Layer`s, each of which draws itself on the panel's
+//! canvas: the frame, hints, the scheme or a plan, a student's drawing over it; a graph of curves or a hodograph
+//! likewise. An `Item` stands beside or below the panels: a table, the scales, lines of words. `Composition` asks all
+//! of them for their room, divides the paper (`layout`) and has them drawn. Figure, work sheet, exercise, key and
+//! correction differ only in what is on the list.
+//!
+//! # A sheet has the size of its letters
+//!
+//! It is laid out in units in which letters have one size, and then enlarged (`dims`): a style with larger letters is
+//! a smaller sheet, and all that has no size of its own is in proportion. Scales are chosen once for all sheets of a
+//! scene: of the sets between those that figure, steps and work sheet would have by themselves, the one with the
+//! largest contents that fits everywhere.
+//!
+//! # Values are a layer
+//!
+//! `construction/vectors.rs` names a plan's vectors by the symbols of the steps' equations; `values` makes one list
+//! of them, of rates and of given lengths. Scheme and plans ask for labels from that list, which are left out where
+//! they would be crossed; the results also stand in an item beside the panels, and in the table of a work sheet.
+//!
+//! # What is near is looked up
+//!
+//! A panel's marks and labels lie in a grid (`grid`), so that drawing grows with the scene and not with its square.
+//! The search for labels' places counts what it looks at and ends after so much work, never after so much time:
+//! output is the same to the byte (`labels/search.rs`). Names without a place by then are left out and told.
+//!
+//! # One figure holds all its steps
+//!
+//! Every mark says with which step it comes (`Mark::since`), and a shared name which step replaces it
+//! (`Mark::until`); `construction/passage.rs` joins the steps that are shown together by what they reach;
+//! `Solution::stepwise_figure` adds a layer of hints and the words, which are there in one step alone;
+//! `Drawing::after_step` leaves out what comes later. So nothing moves from sheet to sheet, and layers of an SVG are
+//! the same marks in groups. `HeldLayout` keeps layout and scales while a mechanism moves, with panels large enough
+//! for the whole cycle (`cycle::Animation`): any position is drawn on it in a millisecond. What leaves a panel is cut
+//! off at its edge (`clip`); places too close for their names are drawn again, larger, in a circle (`inset`).
 
 mod arrow;
 mod canvas;

@@ -5,6 +5,14 @@
 //! `document` changes a text value by value and `layout` makes what is added look like what is there; `names` reads the names that
 //! a text gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `drive` moves
 //! the mechanism, `reshape` pulls a joint to another place; `near` makes the text choose the assembly that was seen.
+//!
+//! # The text is the document
+//!
+//! A change made by hand, in a form or on the picture, is a change of the scene's text: values are replaced, the rest
+//! stays byte for byte. A pulled joint gets the lengths that it has at its new place while all other joints stay; a
+//! guide that this would take off a joint turns with its link where nothing else hangs on that, else holds the pulled
+//! joint on its line. What comes out is solved at once, and `near` says as little as chooses that assembly: first
+//! what it said, then present places, then all places.
 
 mod add;
 mod document;

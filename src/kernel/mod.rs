@@ -5,6 +5,17 @@
 //!
 //! Bodies connected by prismatic joints rotate together: they form one class with one angle. A loop is then a sum of
 //! few vectors, one for each class in it, and the loop equations of `mechanism` follow from these.
+//!
+//! # How many positions cost less than one after another
+//!
+//! Loops are turned into sums of few vectors, one for each class of links that turn together, and everything else
+//! into placings, one after another. Numbers stand in rows, one for each quantity, of one position or of many side by
+//! side (`geometry/lanes.rs`); each action runs along the rows in the widest registers that the processor turns out
+//! to have, by the same code as one position does number by number. So the cost of being general is paid once a
+//! block. Registers multiply and add with one rounding, on processors without that step by step, so a table has the
+//! same bytes on every machine and in the browser; last digits differ from those of one position. The many are
+//! positions of one path (`cycle/walker.rs`), or mechanisms of one kind with other lengths (`cycle/variants.rs`). A
+//! quantity of links alone needs no places of points, and then none are computed.
 
 mod action;
 mod at_once;

@@ -1,6 +1,14 @@
 //! In: a checked [`Scene`](crate::scene::Scene). Out: a [`Mechanism`]: bodies, joints and Assur groups in solving
 //! order. Names have become indices, shared points revolute joints, lengths local coordinates. No position is computed
 //! here: a mechanism is the same in every position.
+//!
+//! # A driven slider leaves nothing to find between its two links
+//!
+//! They have one rotation and slide as the scene says, so to the structure, the loops and the positions they are one
+//! *compound link* of changing lengths (`compound`): its lead stands in groups and loops, and `compound` gives the
+//! driven sliders between two of its links. Where a loop passes them they add −u ṡ, and −u s̈ − 2 ω ṡ J u, to the
+//! right sides; in the plans v_r, a_r and 2 ω × v_r are laid off before the ray. What a drive pushes from a known
+//! body is known too.
 
 mod build;
 mod compound;

@@ -3,6 +3,35 @@
 //! `construction`). One matrix serves velocities and accelerations; groups near a singular position get a warning,
 //! singular ones an error. Numbers are computed with twice the digits of f64 and a bound of the error, and rounded once
 //! at the end.
+//!
+//! # Why numbers come from loop equations
+//!
+//! For each independent loop of a group, from known body to known body, with the revolute joints p_k, arms r_k =
+//! p_(k+1) − p_k, J the quarter turn, u the unit guides:
+//!
+//! ```text
+//! velocity      Σ ω_k J r_k + Σ ṡ u = v_end − v_start
+//! acceleration  Σ α_k J r_k + Σ s̈ u = a_end − a_start + Σ ω_k² r_k − Σ 2 ω ṡ J u          (same matrix)
+//! ```
+//!
+//! Links that a prismatic joint ties together share one ω; so there are two unknowns for each loop whatever the
+//! joints: one computation for every class. Any other constraint between rotations is one equation more, Σ weight ω =
+//! 0, for one unknown more; its weights are whole numbers, as of teeth, so that angles need no counting of turns. A
+//! dyad's one loop is a 2 × 2 system. In classes III and IV each loop has one rate of its own (unless a closure link
+//! has two sliders); crossing with that rate's column leaves one 2 × 2 system (`closed_form`). Only differences of
+//! coordinates and of input motions enter, so far origins, odd units and large common velocities cost no digits.
+//!
+//! # How accuracy is stated
+//!
+//! Every number on the way to a motion is a ball: twice the digits of f64 and a bound of its error, which sums and
+//! products carry along (`geometry/ball.rs`). The loop equations are solved in f64; what the solution leaves of them,
+//! computed with all digits, gives a correction, until it is small enough (`refine`). The last one's bound is |A⁻¹|
+//! (|residual| + what the inputs bring + rounding), element by element; a group that hangs on another inherits its
+//! balls. Rounded once at the end, each ω and α of hard groups, given their joints' places, errs by less than 4 u of
+//! its own value whatever the condition, and velocities and accelerations stay below 1 u·condition
+//! (`tests/library/accuracy.rs`). The condition number is that of the matrix scaled by powers of two, in the row-sum
+//! norm: how much errors of coordinates are enlarged. A group counts as singular from condition 0.05/u (u = 2⁻⁵³):
+//! coordinates rounded to f64 would determine no digit.
 
 mod closed_form;
 mod error;

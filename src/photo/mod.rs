@@ -2,6 +2,16 @@
 //! and what straight lines a pencil has drawn on it.
 //!
 //! Places on paper are millimetres from the sheet's upper left corner, x to the right, y down; places in a picture are pixels likewise.
+//!
+//! # A photograph is a measurement
+//!
+//! `camera` finds focal length, axis, distortion, pose and the bend of the paper from the corners of eight markers by
+//! least squares, with wide suppositions about each; the covariance of all that becomes a radius for every place on
+//! paper. Edges are the middle of their rise, which blur does not move. A marker that does not fit the others is left
+//! out; corners that leave more than 0.15 mm are a refusal. A code that is too blurred goes through an equalizer that
+//! learns from the modules all codes share; else it is compared with the codes that the scene's sheets have.
+//! `check/proposed/` carries the construction out along the pencil lines, with and without each mistake of the
+//! catalogue, and proposes a place only where all explanations that come into question agree.
 
 mod camera;
 mod code;

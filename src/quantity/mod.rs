@@ -2,6 +2,13 @@
 //! reads it from its drawing ([`read_by_hand`]) and the scatter of honest drawings ([`Pencil`]). Each property of a
 //! quantity has a file. Not here: which mistake explains a wrong value (`check/`), and how a number is written
 //! (`words/`).
+//!
+//! # A hand drawing is the construction with errors
+//!
+//! An operation's elementary errors (up to 0.3 mm, 0.3°, all equally likely) go through the later ones; their
+//! difference quotients in quadrature make the band: 2.1 standard deviations (`band`). Pairs of drawings with all
+//! errors at once show where first order is not enough: the band then says that it is rough. Any operation may be
+//! replaced by a mistaken one.
 
 mod band;
 mod lists;

@@ -1,5 +1,44 @@
 //! What the library computes, draws and writes, held against mathematics, references and committed files.
 //! `cargo test --test library cycle::` runs one of the modules.
+//!
+//! - Numbers: `reference` solves over 650 scenes with 90-digit truth and measures errors in units of u·condition;
+//!   `accuracy` measures families of hard groups against a reference of 256 bits, which it holds to that truth;
+//!   `error_bounds` holds bounds at a given position to true errors, `whole_errors` every stated error and every
+//!   printed digit to 256 bits from the scene's text on, for random mechanisms from lengths and as drawn;
+//!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
+//!   starting scene to independent truth and its rates to finite differences.
+//! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles; `planted_modes` and
+//!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
+//!   `levers` turns slotted levers round.
+//! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
+//!   their plans to closing; `driven_cycles` moves each of their drives; `cycle` holds paths to closed forms, random
+//!   mechanisms and finite differences.
+//! - What may not matter: `invariants` turns, mirrors, scales, shifts and renames random groups; `properties` does so
+//!   with whole mechanisms, templates with other numbers, and holds their rates to differences and their plans to the
+//!   links' images.
+//! - Sizes: `sizes` draws a thousand links, and holds how time grows.
+//! - By hand: `pull` holds pulled points to being nearest and cranks to the pointer; `stage` its handles to the
+//!   marks, its own position to the figure, modes to their numbers.
+//! - Photographs: `photographs` holds places, refusals and proposed points to a camera of the tests' own
+//!   (`tests/support/camera`), which `camera` holds to mathematics.
+//! - Drawings: `drawing` measures label boxes and the ruler test, `gallery_measured` the same of twelve positions of
+//!   every scene; `worksheets` holds printed lengths to results on every page; `curves` and `hodographs` hold marked
+//!   extremes and tips to closed forms, `point_paths` paths, their cusps and double points.
+//! - The pencil: `pencil` holds the replayed construction to the numeric solution and simulated drawings to their
+//!   bands; `planted_mistakes` draws with mistakes put in.
+//! - Students: `students` draws exercises of all kinds once more, by a construction that shares nothing with the
+//!   check's (`tests/support/students`), with hands that err and mistakes of which many are in no catalogue;
+//!   `published_sets` prints one number of a textbook wrong. What is told must be true, and no surer than it is
+//!   right.
+//! - Photographs: `tests/support/camera` takes pictures of sheets as telephones do (paper bent, lens, light, sensor,
+//!   JPEG), knows where each point of the page is in them, and draws the plans of the students above on sheets with a
+//!   pencil; it shares nothing with what reads photographs. `camera` holds it to mathematics: edges to 0.02 pixels,
+//!   lengths of bent paper, cross ratios, Exif.
+//! - Input: `scene_read`, `scene_build`, `bad_scenes`; `editing` changes the texts of all scenes and back, to the
+//!   byte, pulls every joint and holds all others to their places; `fuzzed` takes what `fuzz/` has found the whole
+//!   way.
+//! - The repository: `committed_files` keeps `out/`, `templates/` and `docs/gallery` current; `architecture` holds
+//!   sources to the rules above.
 
 mod accuracy;
 mod architecture;

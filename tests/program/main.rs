@@ -1,5 +1,17 @@
 //! The program `kinegon` from outside: what it prints and writes, its messages and exit codes.
 //! `cargo test --test program styles::` runs one of the modules.
+//!
+//! `installed` looks at help, completions in their shells, manual pages, colours and the list of the package.
+//! `command_line` and its kin try hostile input; `command_line_check` checks forms, messages and the paper as a
+//! student; `outputs` and `signals` run every command that writes against limits, links, bad places and signals;
+//! `command_line_class` checks folders of forms, some broken, and marks counted by hand; `command_line_variants`
+//! forms of several exercises, and students' pages; `certain_digits` holds every digit that `solve --digits` prints
+//! to references; `exercises` sees anew what is asked of exercises, for every kind; `courses` reads files for
+//! learning management systems back by the importers' rules, and holds them to the keys; `step_sheets` looks for what
+//! each step draws and says; `styles` measures contrast, and colours as dichromats see them; `strangers` gives
+//! titles, labels, names and arguments that a terminal, a spreadsheet or a parser would obey, and reads everything
+//! back; `overlays` the same of students' drawings over the right figure; `wording` looks for words of another
+//! language; `students` runs the judge in Python of `tests/students`, where Python is installed.
 
 mod catalogue;
 mod certain_digits;
