@@ -212,7 +212,8 @@ impl Model {
             let group = match (operation.sheet, &operation.kind) {
                 (Sheet::Scheme, OperationKind::Plot { .. }) => 0,
                 (Sheet::Scheme, _) => 1,
-                (plan, _) => 1 + plan as usize,
+                (Sheet::Velocity, _) => 2,
+                (Sheet::Acceleration, _) => 3,
             };
             let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))
