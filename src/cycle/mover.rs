@@ -1,7 +1,7 @@
 use super::start::{stands, start};
 use super::{CycleError, Position};
 use crate::geometry::{OneByOne, Pair, UNIT_ROUNDOFF};
-use crate::kernel::{Coordinates, InputKind, Kernel, Single, Unknown};
+use crate::kernel::{InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 
@@ -43,9 +43,9 @@ pub struct Mover<'a> {
     block: Single,
     /// The drives' values at the present position.
     drives: Vec<f64>,
-    /// Angles and slides at the start of a move, and those from which its last step started.
-    start: Coordinates<[f64; 1]>,
-    carried: Coordinates<[f64; 1]>,
+    /// Directions of classes and positions of sliders at the start of a move.
+    turns: Vec<[[f64; 1]; 2]>,
+    slides: Vec<[f64; 1]>,
     /// Second derivatives of the unknowns by time at the step before, and that step's time; zero if there was none.
     seconds: Vec<f64>,
     time: f64,
@@ -75,8 +75,8 @@ impl<'a> Mover<'a> {
         let mut mover = Mover {
             mechanism,
             drives,
-            start: Coordinates::of(&block),
-            carried: Coordinates::of(&block),
+            turns: block.turns.clone(),
+            slides: block.slides.clone(),
             seconds: vec![0.0; kernel.unknowns.iter().flatten().count()],
             time: 0.0,
             determinants: vec![f64::NAN; determinants.len()],
@@ -116,7 +116,8 @@ impl<'a> Mover<'a> {
     #[inline]
     pub fn move_to(&mut self, values: &[f64]) -> Option<Position<'_>> {
         assert_eq!(values.len(), self.drives.len(), "each drive needs its value");
-        self.start.keep(&self.block);
+        self.turns.copy_from_slice(&self.block.turns);
+        self.slides.copy_from_slice(&self.block.slides);
         let reached = PIECES.into_iter().any(|pieces| self.go(values, pieces, shorter))
             || PIECES.into_iter().any(|pieces| self.go(values, pieces, |degrees| degrees));
         if !reached {
@@ -158,15 +159,11 @@ impl<'a> Mover<'a> {
     #[inline]
     fn step(&mut self, change: f64) -> bool {
         self.carry_on(change);
-        self.carried.keep(&self.block);
-        if !self.kernel.close_at_once::<_, _, true>(OneByOne, &mut self.block, self.sure) {
-            self.carried.restore(&mut self.block);
-            let found = self.kernel.assemble(OneByOne, &mut self.block, self.sure);
-            if !(found.closed && found.first <= OFF) {
-                return false;
-            }
-            self.rates();
+        let found = self.kernel.assemble(OneByOne, &mut self.block, self.sure);
+        if !(found.closed && found.first <= OFF) {
+            return false;
         }
+        self.rates();
         let is_on_branch = self.is_on_branch();
         if is_on_branch && self.has_changed() {
             // Equations less sharp than they were want a smaller last correction.
@@ -265,7 +262,8 @@ impl<'a> Mover<'a> {
         for (input, value) in self.drives.iter().enumerate() {
             self.kernel.set_input(OneByOne, &mut self.block, input, &[*value]);
         }
-        self.start.restore(&mut self.block);
+        self.block.turns.copy_from_slice(&self.turns);
+        self.block.slides.copy_from_slice(&self.slides);
         self.time = 0.0;
         self.kernel.assemble(OneByOne, &mut self.block, 0.0);
         self.rates();

@@ -116,12 +116,14 @@ impl Segment {
     #[inline(always)]
     pub fn holds_all<L: Lanes, R: Row>(&self, lanes: L, drive: &R) -> bool {
         let (from, to) = (lanes.splat(self.from), lanes.splat(self.to));
-        let mut are_inside = true;
+        let (mut outside, mut sum) = (from - to, lanes.splat(0.0));
         for k in portions::<L, R>() {
             let value = lanes.load(drive, k);
-            are_inside &= lanes.are_at_most(from, value) & lanes.are_at_most(value, to);
+            outside = outside.larger(from - value).larger(value - to);
+            sum = sum + value;
         }
-        are_inside
+        // A NaN may be lost in the largest value, but not in the sum.
+        lanes.largest(outside) <= 0.0 && !lanes.sum(sum).is_nan()
     }
 
     /// Sets the unknowns of `block` to the values of the polynomials at these values of the drive.

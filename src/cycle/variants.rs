@@ -1,7 +1,7 @@
 use super::start::{ratios, stands, start};
 use super::{CycleError, Drive, Position};
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
-use crate::kernel::{Block, Coordinates, InputKind, Kernel, Single};
+use crate::kernel::{Block, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 use fearless_simd::{Level, dispatch};
@@ -17,7 +17,7 @@ pub struct Variants<'a> {
     kernels: Vec<Kernel>,
     blocks: Vec<Block<Many>>,
     /// Where the mechanisms of the block that is being moved were.
-    before: Coordinates<Many>,
+    left: Stand,
     /// By mechanism and drive: the drive's value.
     drives: Vec<Vec<f64>>,
     /// The same in the poses that the mechanisms had first.
@@ -69,7 +69,7 @@ impl<'a> Variants<'a> {
             blocks: (0..count).step_by(MANY).map(block).collect(),
             drives,
             closed: vec![false; count],
-            before: Coordinates { turns: Vec::new(), slides: Vec::new() },
+            left: Stand::default(),
             kernels,
             registers: Level::new(),
         };
@@ -132,11 +132,11 @@ impl<'a> Variants<'a> {
 
     /// Puts a mechanism where it was; its drives must then be set to values near those it had.
     pub fn put_back(&mut self, mechanism: usize, kept: &Kept) {
-        let (coordinates, block, lane) =
-            (&kept.0[mechanism / MANY].coordinates, &mut self.blocks[mechanism / MANY], mechanism % MANY);
+        let (stand, block, lane) =
+            (&kept.0[mechanism / MANY].stand, &mut self.blocks[mechanism / MANY], mechanism % MANY);
         // Lanes beyond the last mechanism repeat it.
         let last = if mechanism + 1 == self.mechanisms.len() { MANY } else { lane + 1 };
-        (lane..last).for_each(|to| coordinates.restore_one(lane, to, block));
+        (lane..last).for_each(|to| stand.give_back(lane, to, block));
     }
 
     /// By mechanism: whether it went on along one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
@@ -164,18 +164,18 @@ impl<'a> Variants<'a> {
     pub fn compute(&mut self) {
         for first in (0..self.count()).step_by(MANY) {
             let block = first..self.count().min(first + MANY);
-            self.before.keep(&self.blocks[first / MANY]);
+            self.left.take(&self.blocks[first / MANY]);
             self.closed[block.clone()].fill(true);
             if self.compute_block(first) {
                 continue;
             }
             // Some mechanism does not close: find out which, leave those where they were and move the others.
-            self.before.restore(&mut self.blocks[first / MANY]);
+            self.left.give(&mut self.blocks[first / MANY]);
             for index in block.clone() {
                 self.closed[index] = self.reaches(index);
             }
             if !self.compute_block(first) {
-                self.before.restore(&mut self.blocks[first / MANY]);
+                self.left.give(&mut self.blocks[first / MANY]);
                 self.closed[block].fill(false);
             }
         }
@@ -206,7 +206,7 @@ impl<'a> Variants<'a> {
         }
         for lane in 0..MANY {
             if !self.closed[(first + lane).min(count - 1)] {
-                self.before.restore_one(lane, lane, block);
+                self.left.give_back(lane, lane, block);
             }
         }
         dispatch!(self.registers, simd => positions_and_rates(Registers(simd), kernel, block))
@@ -241,9 +241,42 @@ fn short_sine(x: f64) -> f64 {
 #[derive(Clone, Debug)]
 pub struct Kept(Vec<Rates>);
 
+/// Where the mechanisms of a block were.
+#[derive(Clone, Debug, Default)]
+struct Stand {
+    turns: Vec<[Many; 2]>,
+    slides: Vec<Many>,
+}
+
+impl Stand {
+    /// Notes where they are.
+    fn take(&mut self, block: &Block<Many>) {
+        self.turns.clone_from(&block.turns);
+        self.slides.clone_from(&block.slides);
+    }
+
+    /// Puts all of them back.
+    fn give(&self, block: &mut Block<Many>) {
+        block.turns.clone_from(&self.turns);
+        block.slides.clone_from(&self.slides);
+    }
+
+    /// Puts one of them to a place of the block.
+    fn give_back(&self, lane: usize, to_lane: usize, block: &mut Block<Many>) {
+        for (to, from) in block.turns.iter_mut().zip(&self.turns) {
+            for axis in 0..2 {
+                to[axis][to_lane] = from[axis][lane];
+            }
+        }
+        for (to, from) in block.slides.iter_mut().zip(&self.slides) {
+            to[to_lane] = from[lane];
+        }
+    }
+}
+
 #[derive(Clone, Debug)]
 struct Rates {
-    coordinates: Coordinates<Many>,
+    stand: Stand,
     omegas: Vec<Many>,
     alphas: Vec<Many>,
     speeds: Vec<Many>,
@@ -255,7 +288,7 @@ struct Rates {
 impl Rates {
     fn of(kernel: &Kernel, block: &Block<Many>) -> Rates {
         Rates {
-            coordinates: Coordinates::of(block),
+            stand: Stand { turns: block.turns.clone(), slides: block.slides.clone() },
             omegas: block.omegas.clone(),
             alphas: block.alphas.clone(),
             speeds: block.speeds.clone(),
@@ -285,7 +318,7 @@ fn went_on(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [b
     }
     let passed =
         |time: f64, was: [f64; 2], is: [f64; 2]| time * (0.5 * (was[0] + is[0]) + time / 12.0 * (was[1] - is[1]));
-    for (class, (from, to)) in was.coordinates.turns.iter().zip(&block.turns).enumerate() {
+    for (class, (from, to)) in was.stand.turns.iter().zip(&block.turns).enumerate() {
         let (omegas, alphas) = ([&was.omegas[class], &block.omegas[class]], [&was.alphas[class], &block.alphas[class]]);
         for lane in 0..MANY {
             let rates = |end: usize| [omegas[end][lane], alphas[end][lane]];
@@ -295,7 +328,7 @@ fn went_on(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [b
             ask(lane, (by.abs() <= 1.0) & (cosine > 0.0) & ((sine - short_sine(by)).abs() <= AGREED));
         }
     }
-    for (slider, (from, to)) in was.coordinates.slides.iter().zip(&block.slides).enumerate() {
+    for (slider, (from, to)) in was.stand.slides.iter().zip(&block.slides).enumerate() {
         let speeds = [&was.speeds[slider], &block.speeds[slider]];
         let seconds = [&was.accelerations[slider], &block.accelerations[slider]];
         for lane in 0..MANY {

@@ -34,32 +34,19 @@ impl<'a, R: Row> Walker<'a, R> {
         found.is_some()
     }
 
-    /// Assembles the mechanism at these values of the drive, and computes its rates if `RATES`; `false` if they do not
-    /// all lie on the segment found, one is next to a change point, or a loop does not close.
+    /// Assembles the mechanism at these values of the drive; `false` if they do not all lie on the segment found, one
+    /// is next to a change point, or a loop does not close.
     #[inline(always)]
-    fn assemble<L: Lanes, const RATES: bool>(&mut self, lanes: L, values: &R) -> bool {
+    fn assemble<L: Lanes>(&mut self, lanes: L, values: &R) -> bool {
         let segment = &self.path.segments[self.segment];
         if !segment.holds_all(lanes, values) || self.is_blank(values) {
             return false;
         }
-        let (kernel, block) = (self.kernel, &mut self.block);
-        self.path.set_inputs(lanes, block, values);
-        segment.predict(lanes, values, block);
-        if RATES {
-            set_scene_rates(kernel, block);
-        }
-        if !segment.delicate {
-            if kernel.close_at_once::<L, R, RATES>(lanes, block, segment.sure) {
-                return true;
-            }
-            segment.predict(lanes, values, block);
-        }
-        let found = kernel.assemble(lanes, block, segment.sure);
+        self.path.set_inputs(lanes, &mut self.block, values);
+        segment.predict(lanes, values, &mut self.block);
+        let found = self.kernel.assemble(lanes, &mut self.block, segment.sure);
         if found.closed && segment.delicate {
-            kernel.refine(block);
-        }
-        if found.closed && RATES {
-            kernel.rates(lanes, block);
+            self.kernel.refine(&mut self.block);
         }
         found.closed
     }
@@ -71,13 +58,14 @@ impl<'a, R: Row> Walker<'a, R> {
         let near = |at: f64| values.as_ref().iter().any(|v| (v - at).abs() < blank);
         self.path.changes.iter().any(|change| near(change.at))
     }
-}
 
-/// Sets the rates of the drives as the scene says.
-#[inline(always)]
-fn set_scene_rates<R: Row>(kernel: &Kernel, block: &mut Block<R>) {
-    for (index, input) in kernel.inputs.iter().enumerate() {
-        kernel.set_rates(block, index, input.rate, input.second);
+    #[inline(always)]
+    fn scene_rates<L: Lanes>(&mut self, lanes: L) {
+        for (index, input) in self.kernel.inputs.iter().enumerate() {
+            let block = &mut self.block;
+            self.kernel.set_rates(block, index, input.rate, input.second);
+        }
+        self.kernel.rates(lanes, &mut self.block);
     }
 }
 
@@ -87,22 +75,21 @@ impl Walker<'_> {
     /// point.
     #[inline]
     pub fn positions(&mut self, value: &[f64; 1]) -> Option<&mut Single> {
-        let found = self.seek(value[0]) && self.assemble::<_, false>(OneByOne, value);
+        let found = self.seek(value[0]) && self.assemble(OneByOne, value);
         found.then_some(&mut self.block)
     }
 
     /// The position and the rates for the drives running as the scene says; `None` as for [`Self::positions`].
     #[inline]
     pub fn motions(&mut self, value: &[f64; 1]) -> Option<&Single> {
-        let found = self.seek(value[0]) && self.assemble::<_, true>(OneByOne, value);
-        found.then_some(&self.block)
+        self.positions(value)?;
+        Some(self.rates())
     }
 
     /// The rates at the position computed last, for the drives running as the scene says.
     #[inline]
     pub fn rates(&mut self) -> &Single {
-        set_scene_rates(self.kernel, &mut self.block);
-        self.kernel.rates(OneByOne, &mut self.block);
+        self.scene_rates(OneByOne);
         &self.block
     }
 
@@ -195,15 +182,11 @@ impl Walker<'_, Many> {
 
     #[inline(always)]
     fn together<L: Lanes>(&mut self, lanes: L, values: &Many, task: Task) -> bool {
-        match task {
-            Task::Positions => self.assemble::<_, false>(lanes, values),
-            Task::Motions => self.assemble::<_, true>(lanes, values),
-            Task::Rates => {
-                set_scene_rates(self.kernel, &mut self.block);
-                self.kernel.rates(lanes, &mut self.block);
-                true
-            }
+        let found = task == Task::Rates || self.assemble(lanes, values);
+        if found && task != Task::Positions {
+            self.scene_rates(lanes);
         }
+        found
     }
 }
 

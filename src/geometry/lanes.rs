@@ -1,5 +1,5 @@
 use super::{Number, Pair};
-use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask};
+use fearless_simd::{Simd, SimdBase, SimdFloat};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
@@ -89,9 +89,6 @@ pub trait Lanes: Copy {
     /// Sets the `k`th portion of a row.
     fn store<R: Row>(self, row: &mut R, k: usize, numbers: Self::Number);
 
-    /// Whether all lanes are at most those of `limit`; not where one is NaN.
-    fn are_at_most(self, numbers: Self::Number, limit: Self::Number) -> bool;
-
     /// The sum over all lanes; NaN if one of them is NaN.
     fn sum(self, numbers: Self::Number) -> f64;
 
@@ -102,14 +99,6 @@ pub trait Lanes: Copy {
     #[inline(always)]
     fn pair<R: Row>(self, rows: &[R; 2], k: usize) -> Pair<Self::Number> {
         Pair { x: self.load(&rows[0], k), y: self.load(&rows[1], k) }
-    }
-
-    /// Copies a row. Portion by portion: where the compiler sees whole rows it calls a function of the C library.
-    #[inline(always)]
-    fn copy<R: Row>(self, from: &R, to: &mut R) {
-        for k in 0..R::LEN / Self::COUNT {
-            self.store(to, k, self.load(from, k));
-        }
     }
 
     /// Sets the `k`th portion of a row of vectors.
@@ -142,11 +131,6 @@ impl Lanes for OneByOne {
     #[inline(always)]
     fn store<R: Row>(self, row: &mut R, k: usize, number: f64) {
         row.as_mut()[k] = number;
-    }
-
-    #[inline(always)]
-    fn are_at_most(self, number: f64, limit: f64) -> bool {
-        number <= limit
     }
 
     #[inline(always)]
@@ -190,11 +174,6 @@ impl<S: Simd> Lanes for Registers<S> {
     #[inline(always)]
     fn store<R: Row>(self, row: &mut R, k: usize, register: Register<S>) {
         register.numbers.store_slice(&mut row.as_mut()[k * Self::COUNT..(k + 1) * Self::COUNT]);
-    }
-
-    #[inline(always)]
-    fn are_at_most(self, register: Register<S>, limit: Register<S>) -> bool {
-        register.numbers.simd_le(limit.numbers).all_true()
     }
 
     #[inline(always)]

@@ -1,76 +1,5 @@
-use crate::geometry::{Point, Turn, Vector, quarter_turn};
-use crate::mechanism::{BodyId, Reduction};
-use std::collections::BTreeSet;
-
-/// A mechanism compiled for many positions.
-#[derive(Clone, Debug)]
-pub struct Kernel {
-    /// By body: its class and its first point.
-    pub seats: Vec<Seat>,
-    /// The drives, in the order of [`Mechanism::drive_names`](crate::mechanism::Mechanism::drive_names).
-    pub inputs: Vec<Input>,
-    /// By group: its unknowns.
-    pub unknowns: Vec<Vec<Unknown>>,
-    pub(super) classes: usize,
-    pub(super) sliders: usize,
-    /// The largest numbers of loops and of ties of a group.
-    pub(super) loops: usize,
-    pub(super) ties: usize,
-    /// Number of slots: of points, then of places of bodies without points.
-    pub(super) slots: usize,
-    /// Number of columns of loop equations; the first is zero.
-    pub(super) columns: usize,
-    pub(super) placings: usize,
-    /// Origin of the places in a block, a point of the ground: coordinates far from the fixed frame's origin would lose
-    /// digits.
-    pub origin: Vector,
-    pub(super) fixed: Vec<(usize, Point)>,
-    pub(super) actions: Vec<Action>,
-}
-
-/// A body's class, its rotation in it, and the body's first point.
-#[derive(Clone, Copy, Debug)]
-pub struct Seat {
-    /// Its class.
-    pub class: usize,
-    /// Rotation of the body's frame relative to the class.
-    pub turn: Turn,
-    /// The slot of the body's first point.
-    pub slot: usize,
-    /// That point in the body's frame.
-    pub local: Point,
-}
-
-/// A drive, whose value a scene or a sweep sets.
-#[derive(Clone, Debug)]
-pub struct Input {
-    /// The driven body; of a slider the sliding link.
-    pub body: BodyId,
-    /// Whether it is an angle or a slide.
-    pub kind: InputKind,
-    /// The scene's angle in degrees, or position along the guide; none where another link's angle is given in its
-    /// place.
-    pub value: Option<f64>,
-    /// The scene's angular velocity in rad per unit of time, or velocity along the guide.
-    pub rate: f64,
-    /// The scene's angular acceleration in rad, or acceleration along the guide.
-    pub second: f64,
-}
-
-/// The coordinate that a drive sets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InputKind {
-    /// The angle of a class.
-    Turning {
-        /// The class.
-        class: usize,
-    },
-    /// A slider along its guide.
-    Sliding {
-        /// The slider.
-        slider: usize,
-    },
-}
+use crate::geometry::{Vector, quarter_turn};
+use crate::mechanism::Reduction;
 
 /// An unknown of a group's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,8 +40,6 @@ pub(super) struct Closing {
     /// The columns of the reduced equations, if they reduce; the unknowns are then in the order shared, shared, own,
     /// own.
     pub reduced: Option<ReducedColumns>,
-    /// If it is of a common kind.
-    pub pattern: Option<Pattern>,
     /// The largest component of a member's vector with all sliders at zero: the group's size for slides. Not zero, even
     /// where all of a loop belongs to one class and its vector vanishes.
     pub size: f64,
@@ -203,89 +130,6 @@ pub(super) enum ReducedColumns {
     },
 }
 
-/// A group of a common kind, computed at a stroke: its loops have no columns but those of its unknowns, and of a slider's
-/// guide on a body whose rotation is known.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Pattern {
-    One(PatternLoop),
-    /// Two loops that share the rotations of their arms.
-    Two([PatternLoop; 2]),
-}
-
-/// A loop of such a group.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PatternLoop {
-    /// As in [`Chain`].
-    pub ends: Option<[usize; 2]>,
-    /// The member of the group's first unknown.
-    pub first: Arm,
-    /// The member of its second unknown, or of a guide on a body whose rotation is known; else [`NO_ARM`].
-    pub second: Arm,
-    pub own: Own,
-    pub order: Order,
-}
-
-/// A member of a loop.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Arm {
-    pub class: usize,
-    pub column: usize,
-}
-
-/// The further unknown of a loop: of two loops the one that is not shared, of a single one a slide.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Own {
-    Nothing,
-    Spin(Arm),
-    Slide {
-        slider: usize,
-        /// Column of the guide.
-        column: usize,
-        /// Whether the guide is on the second arm's body; else on the first one's.
-        on_second: bool,
-    },
-}
-
-/// The order of a loop's members: A the first arm, B the second, C its own. Sums keep it, so that they are rounded alike
-/// wherever they are computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Order {
-    A,
-    Ab,
-    Ba,
-    Abc,
-    Acb,
-    Bac,
-    Bca,
-    Cab,
-    Cba,
-}
-
-/// In place of an arm that a loop does not have: the ground, with the zero column.
-pub(super) const NO_ARM: Arm = Arm { class: 0, column: ZERO };
-
-impl PatternLoop {
-    /// The columns of the arms and of its own unknown.
-    pub fn columns(&self) -> [usize; 3] {
-        let own = match self.own {
-            Own::Nothing => ZERO,
-            Own::Spin(own) => own.column,
-            Own::Slide { column, .. } => column,
-        };
-        [self.first.column, self.second.column, own]
-    }
-
-    /// The class of its own unknown; the ground for a slide.
-    pub fn own_class(&self) -> usize {
-        if let Own::Spin(own) = self.own { own.class } else { NO_ARM.class }
-    }
-
-    /// Its slider; any where it has none.
-    pub fn slider(&self) -> usize {
-        if let Own::Slide { slider, .. } = self.own { slider } else { 0 }
-    }
-}
-
 impl ReducedColumns {
     pub fn new(reduction: Reduction, chains: &[Chain]) -> Option<ReducedColumns> {
         match (reduction, chains) {
@@ -341,42 +185,5 @@ impl Action {
                 Action::Close(copy)
             }
         }
-    }
-}
-
-impl Kernel {
-    /// Whether `other` has the same actions in the same order, with any lengths.
-    #[must_use]
-    pub fn is_like(&self, other: &Kernel) -> bool {
-        let slots = |k: &Kernel| k.fixed.iter().map(|f| f.0).collect::<Vec<_>>();
-        let without_lengths = |k: &Kernel| k.actions.iter().map(Action::without_lengths).collect::<Vec<_>>();
-        slots(self) == slots(other) && without_lengths(self) == without_lengths(other)
-    }
-
-    /// A kernel without the points that are no end of a loop: for angles, slides and their rates only.
-    #[must_use]
-    pub fn without_places(&self) -> Kernel {
-        let mut wanted = BTreeSet::new();
-        let mut kept: Vec<Action> = Vec::new();
-        for action in self.actions.iter().rev() {
-            match action {
-                Action::Close(closing) => {
-                    wanted.extend(closing.chains.iter().filter_map(|c| c.ends).flatten());
-                }
-                Action::Place(placing) if wanted.contains(&placing.to) => {
-                    wanted.insert(placing.from);
-                }
-                Action::Place(_) => continue,
-            }
-            kept.push(action.clone());
-        }
-        kept.reverse();
-        Kernel { actions: kept, ..self.clone() }
-    }
-
-    /// A body's class and first point.
-    #[must_use]
-    pub fn seat(&self, body: BodyId) -> &Seat {
-        &self.seats[body.0]
     }
 }

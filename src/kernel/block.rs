@@ -1,7 +1,6 @@
 use super::Kernel;
 use super::action::{Action, Closing, Placing, ReducedColumns};
-use crate::geometry::{Lanes, LinearSystem, Point, Row, Turn, Vector};
-use std::ops::Range;
+use crate::geometry::{LinearSystem, Point, Row, Turn, Vector};
 
 /// Positions and rates of mechanisms of one kind, side by side: a row of numbers for each quantity.
 ///
@@ -161,57 +160,9 @@ fn own_squares(closing: &Closing) -> [f64; 2] {
     })
 }
 
-/// The angles and slides of a block, kept to return to them.
-#[derive(Clone, Debug)]
-pub struct Coordinates<R> {
-    /// By class: cosine and sine of its angle.
-    pub turns: Vec<[R; 2]>,
-    /// By slider: its position along the guide.
-    pub slides: Vec<R>,
-}
-
-impl<R: Row> Coordinates<R> {
-    /// Those of a block now.
-    #[must_use]
-    pub fn of(block: &Block<R>) -> Self {
-        Coordinates { turns: block.turns.clone(), slides: block.slides.clone() }
-    }
-
-    /// Keeps those of a block, in the memory that is there.
-    #[inline]
-    pub fn keep(&mut self, block: &Block<R>) {
-        self.turns.clone_from(&block.turns);
-        self.slides.clone_from(&block.slides);
-    }
-
-    /// Puts all positions of the block back.
-    #[inline]
-    pub fn restore(&self, block: &mut Block<R>) {
-        block.turns.clone_from(&self.turns);
-        block.slides.clone_from(&self.slides);
-    }
-
-    /// Puts what was kept of one position to a position of the block.
-    pub fn restore_one(&self, from: usize, to: usize, block: &mut Block<R>) {
-        for (row, kept) in block.turns.iter_mut().flatten().zip(self.turns.iter().flatten()) {
-            row[to] = kept[from];
-        }
-        for (row, kept) in block.slides.iter_mut().zip(&self.slides) {
-            row[to] = kept[from];
-        }
-    }
-}
-
 /// The vector at one position.
 #[inline]
 #[must_use]
 pub fn vector<R: Row>(rows: &[R; 2], position: usize) -> Vector {
     Vector::new(rows[0][position], rows[1][position])
-}
-
-/// Indices of the portions of a row that `lanes` computes together.
-#[inline(always)]
-#[must_use]
-pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
-    0..R::LEN / L::COUNT
 }

@@ -1,8 +1,10 @@
-use super::action::{Action, Closing, InputKind, Placing, Unknown};
+use super::action::{Action, Closing, Placing, Unknown};
 use super::columns::{correct_columns, turn_columns};
+use super::compile::InputKind;
 use super::solve::{determinant, solve};
-use super::{Block, Kernel, Single, portions};
+use super::{Block, Kernel, Single};
 use crate::geometry::{Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, quarters_of};
+use std::ops::Range;
 
 /// Most Newton steps for one group from a near start.
 const STEPS: usize = 12;
@@ -35,14 +37,14 @@ impl Kernel {
             InputKind::Turning { class } => {
                 let turns = &mut block.turns[class];
                 let quarters = quarters_of(values[0]);
-                let [low, high] = [-NEAR, NEAR].map(|by| lanes.splat(90.0 * quarters + by));
-                let mut are_near = true;
+                let mut farthest = lanes.splat(0.0);
                 for k in portions::<L, R>() {
                     let degrees = lanes.load(values, k);
-                    are_near &= lanes.are_at_most(low, degrees) & lanes.are_at_most(degrees, high);
+                    let away = degrees - lanes.splat(90.0 * quarters);
+                    farthest = farthest.larger(away).larger(-away);
                     lanes.store_pair(turns, k, direction_near(degrees, quarters));
                 }
-                if !are_near {
+                if lanes.largest(farthest) > NEAR {
                     for k in 0..R::LEN {
                         let direction = direction_near(values[k], quarters_of(values[k]));
                         OneByOne.store_pair(turns, k, direction);
@@ -159,6 +161,13 @@ impl Kernel {
     }
 }
 
+/// Indices of the portions of a row that `lanes` computes together.
+#[inline(always)]
+#[must_use]
+pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
+    0..R::LEN / L::COUNT
+}
+
 #[inline(always)]
 pub(super) fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let turn = &block.turns[placing.class];
@@ -196,19 +205,13 @@ fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, su
     for _ in 0..STEPS {
         turn_columns(lanes, block, closing);
         solve::<_, _, true>(lanes, block, closing);
-        let squares = squared_corrections(lanes, block, closing);
-        let mut is_sure = true;
-        for k in portions::<L, R>() {
-            is_sure &= lanes.are_at_most(squares[k], lanes.splat(sure * sure));
-        }
-        if is_sure {
-            let longest = longest_correction::<L, R>(lanes, &squares);
+        let longest = longest_correction(lanes, block, closing);
+        if longest <= sure {
             correct(lanes, block, closing, Size::Tiny);
             correct_columns(lanes, block, closing);
             let [first, doubt] = start.unwrap_or([longest, 0.0]);
             return Correction { first, last: longest, closed: true, doubt };
         }
-        let longest = longest_correction::<L, R>(lanes, &squares);
         if sure > 0.0 && longest <= 0.5 * before.min(2.0 * NEAR_START) {
             start.get_or_insert([longest, 0.0]);
             correct(lanes, block, closing, Size::of(longest));
@@ -235,11 +238,12 @@ fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, su
     Correction { first: f64::INFINITY, last: f64::INFINITY, closed: false, doubt: f64::INFINITY }
 }
 
-/// By portion: the squared norms of the positions' corrections, as vectors of angles in radians and slides in parts of
-/// the group's size: upper bounds of their components' squares.
+/// The largest norm of a position's correction, as a vector of angles in radians and slides in parts of the group's
+/// size: an upper bound of its components. NaN if one is NaN.
 #[inline(always)]
-fn squared_corrections<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Closing) -> [L::Number; MANY] {
-    let mut squares = [lanes.splat(0.0); MANY];
+fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Closing) -> f64 {
+    let zero = lanes.splat(0.0);
+    let mut squares = [zero; MANY];
     for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
         let scale = lanes.splat(match unknown {
             Unknown::Spin(_) => 1.0,
@@ -250,13 +254,6 @@ fn squared_corrections<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &C
             squares[k] = squares[k].plus_product(step, step);
         }
     }
-    squares
-}
-
-/// The largest root of these squares; NaN if one is NaN.
-#[inline(always)]
-fn longest_correction<L: Lanes, R: Row>(lanes: L, squares: &[L::Number; MANY]) -> f64 {
-    let zero = lanes.splat(0.0);
     let (mut sum, mut longest) = (zero, zero);
     for k in portions::<L, R>() {
         sum = sum + squares[k];

@@ -1,5 +1,6 @@
 use super::action::{Chain, Closing, Tied, TiedClass};
-use super::{Block, portions, vector};
+use super::close::portions;
+use super::{Block, vector};
 use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
 use std::f64::consts::TAU;
 

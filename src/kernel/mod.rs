@@ -18,17 +18,16 @@
 //! quantity of links alone needs no places of points, and then none are computed.
 
 mod action;
-mod at_once;
 mod block;
 mod classes;
 mod close;
 mod columns;
 mod compile;
-mod pattern;
 mod rates;
 mod refine;
 mod solve;
 
-pub use action::{Input, InputKind, Kernel, Seat, Unknown};
-pub use block::{Block, Coordinates, Single, portions, vector};
-pub use close::{Correction, unit};
+pub use action::Unknown;
+pub use block::{Block, Single, vector};
+pub use close::{Correction, portions, unit};
+pub use compile::{Input, InputKind, Kernel, Seat};

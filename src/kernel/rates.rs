@@ -1,7 +1,8 @@
-use super::action::{Action, Chain, Closing, InputKind, Placing, Unknown};
-use super::at_once::compute;
+use super::action::{Action, Chain, Closing, Placing, Unknown};
+use super::close::portions;
+use super::compile::InputKind;
 use super::solve::solve;
-use super::{Block, Kernel, portions};
+use super::{Block, Kernel};
 use crate::geometry::{Lanes, MANY, Number, Pair, Row};
 use std::marker::PhantomData;
 
@@ -23,11 +24,7 @@ impl Kernel {
         for action in &self.actions {
             match action {
                 Action::Place(placing) => point_rates(lanes, block, placing),
-                Action::Close(closing) => {
-                    if compute::<L, R, false, true>(lanes, block, closing, 0.0).is_none() {
-                        group_rates(lanes, block, closing);
-                    }
-                }
+                Action::Close(closing) => group_rates(lanes, block, closing),
             }
         }
     }
@@ -35,7 +32,7 @@ impl Kernel {
 
 /// Computes velocity and acceleration of a placed point from those of the earlier point.
 #[inline(always)]
-pub(super) fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Block { reaches, omegas, alphas, point_velocities, point_accelerations, .. } = block;
     let reach = &reaches[placing.reach];
     let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);
@@ -78,8 +75,8 @@ fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closi
     solve::<_, _, true>(lanes, block, closing);
     for (unknown, rates) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
-            Unknown::Spin(class) => lanes.copy(rates, &mut block.omegas[class]),
-            Unknown::Slide(slider) => lanes.copy(rates, &mut block.speeds[slider]),
+            Unknown::Spin(class) => block.omegas[class] = *rates,
+            Unknown::Slide(slider) => block.speeds[slider] = *rates,
         }
     }
     acceleration_sides(lanes, block, closing);
@@ -87,8 +84,8 @@ fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closi
     solve::<_, _, false>(lanes, block, closing);
     for (unknown, seconds) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
-            Unknown::Spin(class) => lanes.copy(seconds, &mut block.alphas[class]),
-            Unknown::Slide(slider) => lanes.copy(seconds, &mut block.accelerations[slider]),
+            Unknown::Spin(class) => block.alphas[class] = *seconds,
+            Unknown::Slide(slider) => block.accelerations[slider] = *seconds,
         }
     }
 }

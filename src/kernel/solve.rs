@@ -1,6 +1,7 @@
 use super::action::{Closing, ReducedColumns};
 use super::block::System;
-use super::{Block, portions, vector};
+use super::close::portions;
+use super::{Block, vector};
 use crate::geometry::{Lanes, LinearSystem, Pair, Reduced, Row};
 use nalgebra::DMatrix;
 
