@@ -1,13 +1,14 @@
 use super::answer_key::AnswerKey;
 use super::error::CheckError;
 use super::names::{Meant, Names};
-use super::points::add_points;
+use super::points::{Distance, distances};
 use super::precision::{Precision, most_digits, number, whole_rounding};
 use super::sheet::{Given, Measured, Positive};
 use super::unit;
 use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
 use crate::text;
+use indexmap::IndexMap;
 
 /// A written value and the quantity it stands for.
 #[derive(Clone, Debug)]
@@ -97,6 +98,63 @@ pub(super) fn entries_by(
     let place = |e: &Entry| names.order.get_index_of(e.asked.name());
     entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
     Ok(entries)
+}
+
+/// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
+/// name. A distance that is written already keeps its value.
+fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
+    for points in &measured.points {
+        let sheet = points.kind;
+        let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
+        let Some(mu) = measured.mu[sheet] else {
+            let mu = sheet.scale_key();
+            return Err(CheckError::new(
+                format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
+                format!("add {mu}, the scale of your {}", sheet.name()),
+            ));
+        };
+        let pole = points.kind.pole();
+        let Some(own_pole) = points.pole() else {
+            return Err(CheckError::new(
+                format!("the places of the {} do not have its pole {pole}", sheet.name()),
+                format!("add \"{pole}\": [x, y]"),
+            ));
+        };
+        let construction = &names.solution.construction;
+        let named = |name: &str| {
+            if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
+        };
+        let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+        let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
+        for Distance { name, to, mm, rounding } in distances(points.kind, &places, &bands, names) {
+            if entries.iter().any(|e| e.asked.name() == name) {
+                continue;
+            }
+            let Meant { asked, row, expected, sheet, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
+            // The image of a point at rest is the pole itself.
+            if expected == 0.0 {
+                continue;
+            }
+            entries.push(Entry {
+                row,
+                asked,
+                text: String::new(),
+                value: mm * mu,
+                rounding: rounding * mu,
+                precision: Precision { decimals: 1, digits: 4 },
+                is_magnitude: false,
+                factor: mu,
+                factor_without_unit: mu,
+                unit: None,
+                on_paper: true,
+                per_mm: Some(mu),
+                sheet,
+                step,
+                expected,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// The values of a form that are not understood by themselves: their places among its values, each with why.

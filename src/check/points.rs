@@ -1,85 +1,25 @@
-//! Values from the places of plan points on paper.
+//! What the places of plan points on paper tell: distances, and whether a plan is mirrored.
 
-use super::entry::Entry;
-use super::error::CheckError;
-use super::names::{Meant, Names};
-use super::precision::Precision;
-use super::sheet::{Measured, PointsOf};
+use super::names::Names;
+use super::sheet::PointsOf;
 use crate::construction::Plan;
 use crate::geometry::Vector;
 use crate::sheet::Sheet;
 use indexmap::IndexMap;
 
-/// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
-/// name. A distance that is written already keeps its value.
-pub(super) fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
-    for points in &measured.points {
-        let sheet = points.kind;
-        let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
-        let Some(mu) = measured.mu[sheet] else {
-            let mu = sheet.scale_key();
-            return Err(CheckError::new(
-                format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
-                format!("add {mu}, the scale of your {}", sheet.name()),
-            ));
-        };
-        let pole = points.kind.pole();
-        let Some(own_pole) = points.pole() else {
-            return Err(CheckError::new(
-                format!("the places of the {} do not have its pole {pole}", sheet.name()),
-                format!("add \"{pole}\": [x, y]"),
-            ));
-        };
-        let construction = &names.solution.construction;
-        let named = |name: &str| {
-            if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
-        };
-        let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
-        let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
-        for Distance { name, to, mm, rounding } in distances(points.kind, &places, &bands, names) {
-            if entries.iter().any(|e| e.asked.name() == name) {
-                continue;
-            }
-            let Meant { asked, row, expected, sheet, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
-            // The image of a point at rest is the pole itself.
-            if expected == 0.0 {
-                continue;
-            }
-            entries.push(Entry {
-                row,
-                asked,
-                text: String::new(),
-                value: mm * mu,
-                rounding: rounding * mu,
-                precision: Precision { decimals: 1, digits: 4 },
-                is_magnitude: false,
-                factor: mu,
-                factor_without_unit: mu,
-                unit: None,
-                on_paper: true,
-                per_mm: Some(mu),
-                sheet,
-                step,
-                expected,
-            });
-        }
-    }
-    Ok(())
-}
-
 /// The distance of two given places.
-struct Distance<'p> {
+pub(super) struct Distance<'p> {
     /// The name of the segment.
-    name: String,
+    pub name: String,
     /// The point at its end.
-    to: &'p str,
-    mm: f64,
+    pub to: &'p str,
+    pub mm: f64,
     /// Half the width of the range in which it may be, in mm.
-    rounding: f64,
+    pub rounding: f64,
 }
 
 /// The distances between given places: from the pole to each point, and those between points that a step names.
-fn distances<'p>(
+pub(super) fn distances<'p>(
     plan: Sheet,
     places: &'p IndexMap<String, [f64; 2]>,
     bands: &IndexMap<String, f64>,
