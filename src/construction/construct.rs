@@ -1,6 +1,6 @@
 //! The construction of all groups, one after another.
 
-use super::construction::{Construction, Extent};
+use super::constructed::{Construction, Extent};
 use super::cut::{Special, SpecialId, special_points};
 use super::leg::DrawnSpecial;
 use super::step::Action;

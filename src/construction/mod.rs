@@ -44,7 +44,7 @@
 
 mod body;
 mod construct;
-mod construction;
+mod constructed;
 mod cut;
 mod equations;
 mod formula;
@@ -68,7 +68,7 @@ mod vectors;
 mod writer;
 
 pub use construct::construct;
-pub use construction::{Agreement, Construction, Extent, NumberedStep};
+pub use constructed::{Agreement, Construction, Extent, NumberedStep};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub use formula::{Formula, FormulaTerm, Known, NamedPart};
 pub use markup::{display, shown_text};

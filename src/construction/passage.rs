@@ -1,6 +1,6 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
-use super::construction::{Construction, NumberedStep};
+use super::constructed::{Construction, NumberedStep};
 use super::markup::{marked, rate_symbol};
 use super::plan::PointRole;
 use super::sentence::Teller;

@@ -1,6 +1,6 @@
 //! The unknown rates of a group: solved for, or taken from the computed motion, and compared with it.
 
-use super::construction::Agreement;
+use super::constructed::Agreement;
 use super::number::{NumberId, Rate};
 use super::writer::Writer;
 use crate::geometry::span;

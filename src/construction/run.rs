@@ -104,6 +104,7 @@ impl Values {
     }
 
     /// Replaces a place, in units of its sheet, by where it was found.
+    #[cfg(feature = "photo")]
     pub(crate) fn put_place(&mut self, id: PlaceId, at: Vector) {
         self.places[id.0] = Pair { x: at.x, y: at.y };
     }

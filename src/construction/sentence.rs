@@ -1,6 +1,6 @@
 //! Captions of steps, and the equations that are said with them.
 
-use super::construction::{Construction, NumberedStep};
+use super::constructed::{Construction, NumberedStep};
 use super::cut::Special;
 use super::formula::{Formula, Known};
 use super::markup::{marked, measured, no_construction, rate_symbol, subscript};

@@ -1,5 +1,5 @@
 use super::construct::construct;
-use super::construction::{Construction, Extent};
+use super::constructed::{Construction, Extent};
 use super::markup::{no_construction, plain_text};
 use crate::mechanism::Mechanism;
 use crate::motion::{Motion, MotionError, motion};

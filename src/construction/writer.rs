@@ -1,6 +1,6 @@
 //! Writes operations one after another, carries out each at once, and draws nothing twice.
 
-use super::construction::{Construction, Extent};
+use super::constructed::{Construction, Extent};
 use super::name::image_name;
 use super::number::{End, Equation, NumberId, NumberKind, Product, Rate};
 use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, StepId};

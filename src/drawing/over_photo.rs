@@ -58,7 +58,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     for placed in &code.panels {
         let Some(plan) = context.plan(placed.panel) else { continue };
         let extent = sight::extent(plan, context.figure().construction);
-        let all = panels(&context, &vec![(placed.panel, extent)], |panel| vec![content(&context, panel)]);
+        let all = panels(&context, &[(placed.panel, extent)], |panel| vec![content(&context, panel)]);
         for mut panel in all {
             // Without the frame, which the sheet has.
             panel.layers.remove(0);

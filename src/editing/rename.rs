@@ -65,10 +65,10 @@ impl Renaming<'_> {
         let is = |name: &str| name == self.from;
         let angle = |link: &str| format!("angle({link})");
         match (meaning(&path, is_key)?, self.what) {
-            (Meaning::OfPlan, _) => return self.renamer.plan_name(word),
-            (Meaning::Quantity, _) => return self.renamer.quantity(word),
-            (Meaning::PairOfLink(link), Named::Point) => return self.pair(link, word),
-            (Meaning::PairOfGuide(slider), Named::Point) => return self.pair(self.names.carrier(slider), word),
+            (Meaning::OfPlan, _) => self.renamer.plan_name(word),
+            (Meaning::Quantity, _) => self.renamer.quantity(word),
+            (Meaning::PairOfLink(link), Named::Point) => self.pair(link, word),
+            (Meaning::PairOfGuide(slider), Named::Point) => self.pair(self.names.carrier(slider), word),
             (Meaning::PointOrAngle, Named::Link) => (word == angle(self.from)).then(|| angle(self.to)),
             (Meaning::Point | Meaning::PointOrAngle, Named::Point) => is(word).then(|| self.to.to_owned()),
             (Meaning::Link, Named::Link) => is(word).then(|| self.to.to_owned()),
