@@ -78,6 +78,8 @@ pub const BRANCHES: By<usize> = By(20, 60, 400);
 pub const BRANCH_STEP: By<f64> = By(1.0 / 360.0, 1.0 / 360.0, 0.5 / 360.0);
 /// One of so many mechanisms there has a limit of its drive, and one a drive that turns.
 pub const BRANCH_ENDS: By<usize> = By(10, 4, 4);
+/// Of how many positions of such branches one at most is unclear: few mechanisms may have one that is mostly so.
+pub const BRANCH_UNCLEAR: By<usize> = By(10, 20, 20);
 /// Pulls of each point of `pull`.
 pub const PULLS: By<usize> = By(3, 12, 12);
 /// Linkages in one scene that is drawn whole.

@@ -10,7 +10,7 @@ use kinegon::scene::Near;
 use support::exact::exceeds;
 use support::planted::{Planted, pattern};
 use support::random::Random;
-use support::survey::{BRANCH_ENDS, BRANCH_STEP, BRANCHES};
+use support::survey::{BRANCH_ENDS, BRANCH_STEP, BRANCH_UNCLEAR, BRANCHES};
 
 /// Mechanisms of each class.
 fn enough() -> usize {
@@ -203,7 +203,7 @@ fn follow(class: &str, seed: u64) {
     let count = seen.problems.len();
     seen.problems.truncate(12);
     assert!(count == 0, "{count}:\n{}", seen.problems.join("\n"));
-    assert!(unclear * 20 < positions && turns.min(limits) * BRANCH_ENDS.now() > enough());
+    assert!(unclear * BRANCH_UNCLEAR.now() < positions && turns.min(limits) * BRANCH_ENDS.now() > enough());
 }
 
 #[test]
