@@ -59,7 +59,7 @@ pub enum OperationRole {
     Image,
     /// A vector of a plan.
     Vector,
-    /// A number: what [`NumberKind`] says.
+    /// A number that is read, measured or computed.
     Number,
     /// The rates that equations are solved for.
     Rates,

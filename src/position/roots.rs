@@ -38,7 +38,7 @@ pub fn real_roots_of_first_degree(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
 /// 2π.
 ///
 /// `f` is sampled at 8 angles, which determine it. On each half circle it becomes a polynomial of τ = tan(φ′/2) on [−1,
-/// 1], whose roots are separated by those of its derivative. A double root whose value rounding has raised to [`RAISED`] of
+/// 1], whose roots are separated by those of its derivative. A double root whose value rounding has raised to `RAISED` of
 /// the largest is kept: the caller must test the roots.
 pub fn real_roots(f: impl Fn(Vector) -> f64) -> Vec<Vector> {
     let samples: [f64; SAMPLES] = std::array::from_fn(|k| {
