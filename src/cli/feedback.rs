@@ -93,13 +93,16 @@ impl Pages {
 
     /// The files of a form's page.
     pub(super) fn of(&self, form: usize, feedback: &Feedback) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-        let bytes = |format: &PageFormat| match format {
-            #[cfg(feature = "pdf")]
-            PageFormat::Pdf => crate::format::pdf_pages(&feedback.sheets(), Some(FEEDBACK_MARK))
-                .map_err(|error| Failure::unclear(error.to_string())),
-            PageFormat::Html => Ok(feedback.html().into_bytes()),
+        let file = |format: &PageFormat| -> Result<(PathBuf, Vec<u8>), Failure> {
+            let bytes = match format {
+                #[cfg(feature = "pdf")]
+                PageFormat::Pdf => crate::format::pdf_pages(&feedback.sheets(), Some(FEEDBACK_MARK))
+                    .map_err(|error| Failure::unclear(error.to_string()))?,
+                PageFormat::Html => feedback.html().into_bytes(),
+            };
+            Ok((self.path(form, *format), bytes))
         };
-        self.formats.iter().map(|format| Ok((self.path(form, *format), bytes(format)?))).collect()
+        self.formats.iter().map(file).collect()
     }
 }
 
