@@ -3,7 +3,7 @@
 use arrow_array::{Array, Float64Array, RecordBatch};
 use arrow_ipc::reader::FileReader;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
-use kinegon::format::Columns;
+use kinegon::format::{ColumnFormat, Columns, columns_of};
 use kinegon::{Scene, Solution, solve};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
@@ -28,12 +28,12 @@ fn written() -> (Vec<String>, Vec<Option<f64>>, [Vec<RecordBatch>; 2]) {
     let sweep = Sweep::new(&path, steps, Some(&names)).expect("quantities");
     let numbers = sweep.rows(0..sweep.steps().count());
 
-    let mut arrow = Columns::arrow(&sweep, Vec::new()).expect("memory can be written");
+    let mut arrow = Columns::new(ColumnFormat::Arrow, &columns_of(&sweep), Vec::new()).expect("memory can be written");
     arrow.rows(&numbers).expect("memory can be written");
     let arrow = std::io::Cursor::new(arrow.finish().expect("memory can be written"));
     let arrow = FileReader::try_new(arrow, None).expect("an Arrow file");
 
-    let mut parquet = Columns::parquet(&sweep, Vec::new()).expect("memory can be written");
+    let mut parquet = Columns::new(ColumnFormat::Parquet, &columns_of(&sweep), Vec::new()).expect("memory can be written");
     parquet.rows(&numbers).expect("memory can be written");
     let parquet = parquet.finish().expect("memory can be written");
     let parquet = ParquetRecordBatchReaderBuilder::try_new(bytes::Bytes::from(parquet));

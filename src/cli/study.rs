@@ -227,21 +227,24 @@ enum Form {
     Columns(format::Columns<Output>),
 }
 
+#[cfg(feature = "arrow")]
+impl Form {
+    fn columns(form: format::ColumnFormat, table: &Table, out: Output) -> Result<Form, Failure> {
+        format::Columns::new(form, &table.columns, out).map(Form::Columns).map_err(|error| table.unwritable(error))
+    }
+}
+
 impl<'a> Writer<'a> {
     /// The head of the table; `None` if nobody reads stdout.
     fn new(table: &'a Table, files: &mut FileSet) -> Result<Option<Self>, Failure> {
         let mut out = Output::new(files, table.place)?;
         let form = match table.format {
             #[cfg(feature = "arrow")]
-            TableFormat::Parquet => {
-                Form::Columns(format::Columns::study_parquet(&table.columns, out).map_err(|e| table.unwritable(e))?)
-            }
+            TableFormat::Parquet => Form::columns(format::ColumnFormat::Parquet, table, out)?,
             #[cfg(feature = "arrow")]
-            TableFormat::Arrow => {
-                Form::Columns(format::Columns::study_arrow(&table.columns, out).map_err(|e| table.unwritable(e))?)
-            }
+            TableFormat::Arrow => Form::columns(format::ColumnFormat::Arrow, table, out)?,
             TableFormat::Csv | TableFormat::Jsonl => {
-                if !out.put(&format::study_header(&table.columns))? {
+                if !out.put(&format::csv_header(&table.columns))? {
                     return Ok(None);
                 }
                 Form::Text(out)
@@ -258,11 +261,9 @@ impl<'a> Writer<'a> {
             *self.tally.entry(row[status] as usize).or_default() += 1;
         }
         match &mut self.form {
-            Form::Text(out) => out.put(&format::study_lines(columns, numbers)),
+            Form::Text(out) => out.put(&format::csv_rows(columns, numbers)),
             #[cfg(feature = "arrow")]
-            Form::Columns(out) => {
-                out.study_rows(columns, numbers).map(|()| true).map_err(|error| self.table.unwritable(error))
-            }
+            Form::Columns(out) => out.rows(numbers).map(|()| true).map_err(|error| self.table.unwritable(error)),
         }
     }
 

@@ -61,7 +61,7 @@ impl TableFormat {
     /// Rows as text; empty for the binary formats.
     fn text(self, sweep: &Sweep, numbers: &Numbers) -> String {
         match self {
-            TableFormat::Csv => format::csv_rows(sweep, numbers),
+            TableFormat::Csv => format::csv_rows(&format::columns_of(sweep), numbers),
             TableFormat::Jsonl => format::json_lines(sweep, numbers),
             #[cfg(feature = "arrow")]
             TableFormat::Arrow | TableFormat::Parquet => String::new(),
@@ -79,11 +79,8 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
             format::ColumnsError::Io(error) => files::unwritable(place, &error),
             other => Failure::outside(format!("{} cannot be written: {other}", place.display())),
         };
-        let columns = match format {
-            TableFormat::Parquet => format::Columns::parquet(sweep, out),
-            _ => format::Columns::arrow(sweep, out),
-        };
-        let mut columns = columns.map_err(unwritable)?;
+        let form = if format == TableFormat::Parquet { format::ColumnFormat::Parquet } else { format::ColumnFormat::Arrow };
+        let mut columns = format::Columns::new(form, &format::columns_of(sweep), out).map_err(unwritable)?;
         pieces(sweep).each(
             |rows| sweep.rows(rows),
             |numbers: Numbers| columns.rows(&numbers).map(|()| true).map_err(unwritable),
@@ -91,7 +88,7 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
         columns.finish().map_err(unwritable)?.end()?;
         return files.finish();
     }
-    if format == TableFormat::Csv && !out.put(&format::csv_header(sweep))? {
+    if format == TableFormat::Csv && !out.put(&format::csv_header(&format::columns_of(sweep)))? {
         return Ok(());
     }
     let text = |rows| format.text(sweep, &sweep.rows(rows));

@@ -1,5 +1,4 @@
 use super::table::status;
-use crate::cycle::Sweep;
 use crate::study::{Column, Content};
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray, UInt64Array};
 use arrow_ipc::writer::FileWriter;
@@ -24,8 +23,18 @@ pub enum ColumnsError {
     Parquet(#[from] ParquetError),
 }
 
-/// A writer of tables by columns of f64, in Apache Arrow's or Parquet's file format; null where there is no number.
+/// A file format that holds a table by columns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ColumnFormat {
+    /// Apache Arrow's file format.
+    Arrow,
+    /// Apache Parquet.
+    Parquet,
+}
+
+/// A writer of tables by columns; null where there is no number.
 pub struct Columns<W: Write + Send> {
+    contents: Vec<Content>,
     schema: Arc<Schema>,
     output: Output<W>,
 }
@@ -36,70 +45,42 @@ enum Output<W: Write + Send> {
 }
 
 impl<W: Write + Send> Columns<W> {
-    /// A table in Arrow's file format.
+    /// A table with these columns.
     ///
     /// # Errors
     /// The head of the file cannot be written.
-    pub fn arrow(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
-        Self::arrow_of(schema(sweep), out)
-    }
-
-    fn arrow_of(schema: Arc<Schema>, out: W) -> Result<Self, ColumnsError> {
-        let output = Output::Arrow(Box::new(FileWriter::try_new(out, &schema)?));
-        Ok(Self { schema, output })
-    }
-
-    /// A table in Parquet's file format.
-    ///
-    /// # Errors
-    /// The head of the file cannot be written.
-    pub fn parquet(sweep: &Sweep, out: W) -> Result<Self, ColumnsError> {
-        Self::parquet_of(schema(sweep), out)
-    }
-
-    fn parquet_of(schema: Arc<Schema>, out: W) -> Result<Self, ColumnsError> {
-        let output = Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?));
-        Ok(Self { schema, output })
-    }
-
-    /// A study's table in Arrow's file format.
-    ///
-    /// # Errors
-    /// The head of the file cannot be written.
-    pub fn study_arrow(columns: &[Column], out: W) -> Result<Self, ColumnsError> {
-        Self::arrow_of(Arc::new(study_schema(columns)), out)
-    }
-
-    /// A study's table in Parquet's file format.
-    ///
-    /// # Errors
-    /// The head of the file cannot be written.
-    pub fn study_parquet(columns: &[Column], out: W) -> Result<Self, ColumnsError> {
-        Self::parquet_of(Arc::new(study_schema(columns)), out)
-    }
-
-    /// Adds rows of a study, as [`Study::rows`](crate::study::Study::rows) gives them.
-    ///
-    /// # Errors
-    /// They cannot be written.
-    pub fn study_rows(&mut self, columns: &[Column], numbers: &[f64]) -> Result<(), ColumnsError> {
-        self.add(study_arrays(columns, numbers))
-    }
-
-    /// Adds rows, as [`Sweep::rows`] gives them.
-    ///
-    /// # Errors
-    /// They cannot be written.
-    pub fn rows(&mut self, numbers: &[Option<f64>]) -> Result<(), ColumnsError> {
-        let width = self.schema.fields().len();
-        let column = |index: usize| -> ArrayRef {
-            let values = numbers.iter().skip(index).step_by(width).copied();
-            Arc::new(values.collect::<Float64Array>())
+    pub fn new(format: ColumnFormat, columns: &[Column], out: W) -> Result<Self, ColumnsError> {
+        let field = |column: &Column| {
+            let (kind, may_lack) = match column.content {
+                Content::Index => (DataType::UInt64, false),
+                Content::Status => (DataType::Utf8, false),
+                Content::Number => (DataType::Float64, true),
+            };
+            Field::new(&column.name, kind, may_lack)
         };
-        self.add((0..width).map(column).collect())
+        let schema = Arc::new(Schema::new(columns.iter().map(field).collect::<Vec<_>>()));
+        let output = match format {
+            ColumnFormat::Arrow => Output::Arrow(Box::new(FileWriter::try_new(out, &schema)?)),
+            ColumnFormat::Parquet => Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?)),
+        };
+        Ok(Self { contents: columns.iter().map(|column| column.content).collect(), schema, output })
     }
 
-    fn add(&mut self, arrays: Vec<ArrayRef>) -> Result<(), ColumnsError> {
+    /// Adds rows, as [`Sweep::rows`](crate::cycle::Sweep::rows) and [`Study::rows`](crate::study::Study::rows) give them.
+    ///
+    /// # Errors
+    /// They cannot be written.
+    pub fn rows<T: Copy + Into<Option<f64>>>(&mut self, numbers: &[T]) -> Result<(), ColumnsError> {
+        let array = |(index, content): (usize, &Content)| -> ArrayRef {
+            let values = numbers.iter().skip(index).step_by(self.contents.len());
+            let values = values.map(|&number| number.into().filter(|x: &f64| x.is_finite()));
+            match content {
+                Content::Index => Arc::new(values.map(|x| x.map(|x| x as u64)).collect::<UInt64Array>()),
+                Content::Status => Arc::new(values.map(|x| x.map(status)).collect::<StringArray>()),
+                Content::Number => Arc::new(values.collect::<Float64Array>()),
+            }
+        };
+        let arrays = self.contents.iter().enumerate().map(array).collect();
         let batch = RecordBatch::try_new(self.schema.clone(), arrays)?;
         match &mut self.output {
             Output::Arrow(writer) => writer.write(&batch)?,
@@ -121,36 +102,4 @@ impl<W: Write + Send> Columns<W> {
             Output::Parquet(writer) => Ok(writer.into_inner()?),
         }
     }
-}
-
-fn schema(sweep: &Sweep) -> Arc<Schema> {
-    let field = |name: String| Field::new(name, DataType::Float64, true);
-    Arc::new(Schema::new(sweep.header().into_iter().map(field).collect::<Vec<_>>()))
-}
-
-/// The columns of a study as Arrow has them.
-fn study_schema(columns: &[Column]) -> Schema {
-    let field = |column: &Column| {
-        let (kind, may_lack) = match column.content {
-            Content::Index => (DataType::UInt64, false),
-            Content::Status => (DataType::Utf8, false),
-            Content::Number => (DataType::Float64, true),
-        };
-        Field::new(&column.name, kind, may_lack)
-    };
-    Schema::new(columns.iter().map(field).collect::<Vec<_>>())
-}
-
-/// Rows of a study by columns.
-fn study_arrays(columns: &[Column], numbers: &[f64]) -> Vec<ArrayRef> {
-    let width = columns.len();
-    let array = |(index, column): (usize, &Column)| -> ArrayRef {
-        let values = numbers.iter().skip(index).step_by(width).copied();
-        match column.content {
-            Content::Index => Arc::new(values.map(|x| x as u64).collect::<UInt64Array>()),
-            Content::Status => Arc::new(values.map(status).map(Some).collect::<StringArray>()),
-            Content::Number => Arc::new(values.map(|x| x.is_finite().then_some(x)).collect::<Float64Array>()),
-        }
-    };
-    columns.iter().enumerate().map(array).collect()
 }

@@ -1,8 +1,5 @@
-use crate::accuracy::{Bounds, bounds};
-use crate::construction::{Solution, coincident_name};
-use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::motion::Motion;
+use crate::construction::Solution;
+use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::quantity::QuantityKind;
 use crate::scene::{DecimalMark, Units};
 use crate::words::NumberStyle;
@@ -22,48 +19,24 @@ impl Solution {
     /// The rows of that table.
     #[must_use]
     pub fn digit_rows(&self) -> Vec<DigitRow> {
-        let Solution { scene, mechanism, pose, motion, construction } = self;
-        let bounds = &bounds(scene, mechanism, pose, motion);
-        let mut table = Table { units: scene.units, bounds, motion, lines: Vec::new() };
-        for (link, body) in mechanism.links() {
-            // Only the motion of an unsolved link's point is known.
-            if body.role != Role::Unsolved {
-                let (rates, [omega, alpha]) = (motion.body(link), bounds.angular_rates(link));
-                let name = |letter: &str| format!("{letter}({})", body.name);
-                table.line(name("omega"), rates.omega, omega, QuantityKind::AngularVelocity);
-                table.line(name("alpha"), rates.alpha, alpha, QuantityKind::AngularAcceleration);
-            }
+        let result = self.result();
+        let mut table = Table { units: self.scene.units, lines: Vec::new() };
+        for (link, rates) in &result.links {
+            let [omega, alpha] = ["omega", "alpha"].map(|head| format!("{head}({link})"));
+            table.line(omega, rates.omega, rates.omega_error, QuantityKind::AngularVelocity);
+            table.line_if_known(alpha, rates.alpha, rates.alpha_error, QuantityKind::AngularAcceleration);
         }
-        for slider in (0..mechanism.sliders.len()).map(SliderId) {
-            let (slide, [velocity, acceleration]) = (motion.slide(slider), bounds.slide(slider));
-            let name = mechanism.slider_name(slider);
-            let letter = |letter: &str| format!("{letter}({name})");
-            table.line(letter("v_r"), slide.velocity, velocity, QuantityKind::Velocity);
-            table.line(letter("a_r"), slide.acceleration, acceleration, QuantityKind::Acceleration);
-            let coriolis = motion.coriolis(pose, slider, mechanism.slider(slider).on);
-            let bound = bounds.coriolis(slider);
-            table.vector(&letter("a_c"), coriolis, bound, QuantityKind::Acceleration);
+        for (slider, slide) in &result.sliders {
+            let [velocity, acceleration] = ["v_r", "a_r"].map(|head| format!("{head}({slider})"));
+            table.line(velocity, slide.velocity, slide.velocity_error, QuantityKind::Velocity);
+            let kind = QuantityKind::Acceleration;
+            table.line_if_known(acceleration, slide.acceleration, slide.acceleration_error, kind);
+            table.vector(&format!("a_c({slider})"), slide.coriolis, slide.coriolis_error, kind);
         }
-        let holders = mechanism.holders();
-        for point in (0..mechanism.points.len()).map(PointId) {
-            if let Some(body) = holder(mechanism, &holders[point.0]) {
-                table.point(mechanism.point_name(point), body, pose.point(point), bounds.motion_of(body, point));
-            }
-        }
-        for slider in &mechanism.sliders {
-            let (at, on) = (mechanism.point_name(slider.at), mechanism.body(slider.on));
-            if !on.points.contains(&slider.at) {
-                let name = coincident_name(at, &on.name);
-                table.point(&name, slider.on, pose.point(slider.at), bounds.motion_of(slider.on, slider.at));
-            }
-        }
-        for special in construction.special.iter().flatten() {
-            if special.is_assur
-                && let Some(place) = special.place.finite()
-            {
-                let [_, velocity, acceleration] = bounds.special(special).unwrap_or_default();
-                table.point(&special.name, special.link, place, [velocity, acceleration]);
-            }
+        for (point, motion) in &result.points {
+            let [velocity, acceleration] = ["v", "a"].map(|head| format!("{head}({point})"));
+            table.vector(&velocity, motion.velocity, motion.velocity_error, QuantityKind::Velocity);
+            table.vector(&acceleration, motion.acceleration, motion.acceleration_error, QuantityKind::Acceleration);
         }
         table.lines
     }
@@ -82,24 +55,13 @@ pub struct DigitRow {
     pub bound: String,
 }
 
-/// Of the bodies that have a point the one from which its motion is computed: preferably one of known motion.
-pub(super) fn holder(mechanism: &Mechanism, bodies: &[BodyId]) -> Option<BodyId> {
-    bodies.iter().copied().find(|&b| mechanism.is_known(b)).or(bodies.first().copied())
-}
-
-struct Table<'a> {
+struct Table {
     units: Units,
-    bounds: &'a Bounds<'a>,
-    motion: &'a Motion,
     lines: Vec<DigitRow>,
 }
 
-impl Table<'_> {
+impl Table {
     fn line(&mut self, name: String, value: f64, bound: f64, kind: QuantityKind) {
-        let is_acceleration = matches!(kind, QuantityKind::Acceleration | QuantityKind::AngularAcceleration);
-        if is_acceleration && !self.bounds.has_accelerations() {
-            return;
-        }
         let (value, bound) = match certain(value, bound) {
             // The value is left out: nothing is known of its digits.
             _ if bound.is_infinite() => ("?".to_owned(), "no bound can be given here".to_owned()),
@@ -109,26 +71,27 @@ impl Table<'_> {
         self.lines.push(DigitRow { name, value, unit: kind.unit(self.units), bound });
     }
 
+    fn line_if_known(&mut self, name: String, value: Option<f64>, bound: Option<f64>, kind: QuantityKind) {
+        if let (Some(value), Some(bound)) = (value, bound) {
+            self.line(name, value, bound, kind);
+        }
+    }
+
     /// Size, direction and components of a vector, whose components are each off by at most `bound`.
-    fn vector(&mut self, name: &str, vector: Vector, bound: f64, kind: QuantityKind) {
+    fn vector(&mut self, name: &str, vector: Option<[f64; 2]>, bound: Option<f64>, kind: QuantityKind) {
+        let (Some([x, y]), Some(bound)) = (vector, bound) else { return };
+        let vector = Vector::new(x, y);
         let (size, off) = (vector.norm(), bound * SQRT_2);
         let rounded = |value: f64| if value == 0.0 { 0.0 } else { 4.0 * UNIT_ROUNDOFF * value };
         self.line(format!("{name}.size"), size, off + rounded(size), kind);
         // The tip lies in a circle about that of the computed vector: seen from its start, asin(off/size) to either side.
         // With this circle about the start there is no direction.
-        if off < size && (self.bounds.has_accelerations() || kind == QuantityKind::Velocity) {
+        if off < size {
             let turned = libm::asin(off / size).to_degrees() + rounded(180.0);
             self.line(format!("{name}.angle"), degrees_of(vector), turned, QuantityKind::Angle);
         }
-        self.line(format!("{name}.x"), vector.x, bound, kind);
-        self.line(format!("{name}.y"), vector.y, bound, kind);
-    }
-
-    fn point(&mut self, name: &str, body: BodyId, p: Point, [velocity, acceleration]: [f64; 2]) {
-        let motion = self.motion.body(body);
-        let (v, a) = (motion.velocity_at(p), motion.acceleration_at(p));
-        self.vector(&format!("v({name})"), v, velocity, QuantityKind::Velocity);
-        self.vector(&format!("a({name})"), a, acceleration, QuantityKind::Acceleration);
+        self.line(format!("{name}.x"), x, bound, kind);
+        self.line(format!("{name}.y"), y, bound, kind);
     }
 }
 

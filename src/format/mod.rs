@@ -27,7 +27,7 @@ mod workbench;
 
 pub use self::backdrop::Backdrop;
 #[cfg(feature = "arrow")]
-pub use self::columns::{Columns, ColumnsError};
+pub use self::columns::{ColumnFormat, Columns, ColumnsError};
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
 pub use self::json::{json, json_line};
@@ -43,6 +43,6 @@ pub use self::result::{
 };
 pub use self::structure::{listed_modes, mode, modes, structure};
 pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
-pub use self::table::{csv_header, csv_rows, json_lines, study_header, study_lines};
+pub use self::table::{columns_of, csv_header, csv_rows, json_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};

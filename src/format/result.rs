@@ -1,9 +1,8 @@
-use super::digits::holder;
 use super::pencil::PencilResult;
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Place, Point, Vector, degrees_of};
-use crate::mechanism::{BodyId, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role};
 use crate::quantity::{Quantity, QuantityRequest, measured_names};
 use crate::scene::SceneError;
 use crate::sheet::Sheet;
@@ -81,7 +80,7 @@ pub struct LinkResult {
 }
 
 /// The motion of a point.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Default, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct PointResult {
     /// Where it is.
@@ -213,13 +212,12 @@ impl Solution {
             };
             (body.name.clone(), link)
         });
-        let sliders = (0..mechanism.sliders.len()).map(|index| {
-            let id = SliderId(index);
+        let sliders = mechanism.slider_ids().map(|id| {
             let (slider, slide) = (mechanism.slider(id), motion.slide(id));
             let [velocity_error, acceleration_error] = bounds.slide(id);
             let result = SliderResult {
                 on: mechanism.body(slider.on).name.clone(),
-                position: pose.slides[index],
+                position: pose.slides[id.0],
                 position_error: bounds.slide_position(id),
                 velocity: slide.velocity,
                 velocity_error,
@@ -234,16 +232,12 @@ impl Solution {
         });
         let groups = mechanism.groups.iter().enumerate().map(|(index, group)| {
             let name = |&b: &BodyId| mechanism.body(b).name.clone();
-            let agreement = construction.agreement[index];
+            let (special, agreement) = (construction.special[index].iter(), construction.agreement[index]);
             GroupResult {
                 links: group.bodies.iter().map(name).collect(),
                 class: group.class.numeral(),
                 joints: group.pattern(mechanism),
-                special_points: construction.special[index]
-                    .iter()
-                    .filter(|s| s.is_assur)
-                    .map(|s| s.name.clone())
-                    .collect(),
+                special_points: special.filter(|s| s.is_assur).map(|s| s.name.clone()).collect(),
                 condition: motion.groups[index].condition,
                 disagreement: agreement.map(|a| a.difference),
                 disagreement_allowed: agreement.map(|a| a.allowed),
@@ -271,10 +265,7 @@ impl Solution {
     /// A quantity that is wanted has no value; the place is its place in the scene.
     pub fn whole_result(&self) -> Result<ResultFile, SceneError> {
         let mut result = self.result();
-        let names = match &self.scene.want {
-            Some(want) => want.clone(),
-            None => measured_names(&self.construction),
-        };
+        let names = self.scene.want.clone().unwrap_or_else(|| measured_names(&self.construction));
         let on_paper = names.iter().any(|name| name.ends_with("/mu"));
         let scales = on_paper.then(|| self.scales());
         for (index, name) in names.iter().enumerate() {
@@ -332,19 +323,19 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
                 moving(special.link, place, Some(special.link), errors)
             }
             Place::AtInfinity(direction) => PointResult {
-                position: None,
-                position_error: None,
                 at_infinity: Some(pair(direction)),
-                velocity: None,
-                velocity_error: None,
-                acceleration: None,
-                acceleration_error: None,
                 on: Some(mechanism.body(special.link).name.clone()),
+                ..PointResult::default()
             },
         };
         points.insert(special.name.clone(), result);
     }
     points
+}
+
+/// Of the bodies that have a point the one from which its motion is computed: preferably one of known motion.
+fn holder(mechanism: &Mechanism, bodies: &[BodyId]) -> Option<BodyId> {
+    bodies.iter().copied().find(|&b| mechanism.is_known(b)).or(bodies.first().copied())
 }
 
 fn pair(v: Vector) -> [f64; 2] {

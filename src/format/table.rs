@@ -3,57 +3,37 @@
 use crate::cycle::Sweep;
 use crate::study::{Column, Content, Status};
 
-/// The names of a table's numbers as the first line of a CSV file; a name with a comma is in quotes.
+/// The columns of a table over a drive, as a study has them; of a vector's numbers each is a column. Units are left out.
 #[must_use]
-pub fn csv_header(sweep: &Sweep) -> String {
-    header(sweep.header().iter().map(String::as_str))
+pub fn columns_of(sweep: &Sweep) -> Vec<Column> {
+    let column = |name| Column { name, content: Content::Number, unit: String::new() };
+    sweep.header().into_iter().map(column).collect()
 }
 
-/// The names of a study's columns as the first line of a CSV file; a name with a comma is in quotes.
+/// The names of a table's columns as the first line of a CSV file; a name with a comma is in quotes.
 #[must_use]
-pub fn study_header(columns: &[Column]) -> String {
-    header(columns.iter().map(|column| column.name.as_str()))
-}
-
-fn header<'a>(names: impl Iterator<Item = &'a str>) -> String {
+pub fn csv_header(columns: &[Column]) -> String {
     let quoted = |name: &str| if name.contains(',') { format!("\"{name}\"") } else { name.to_owned() };
-    names.map(quoted).collect::<Vec<_>>().join(",") + "\n"
+    columns.iter().map(|column| quoted(&column.name)).collect::<Vec<_>>().join(",") + "\n"
 }
 
-/// Rows of a table as lines of CSV: each number as the shortest text that reads back to it, an empty cell where there
-/// is none.
-#[must_use]
-pub fn csv_rows(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
-    let mut buffer = zmij::Buffer::new();
-    lines(numbers, sweep.header().len(), |text, _, number| {
-        if let Some(number) = number {
-            text.push_str(buffer.format(*number));
-        }
-    })
-}
-
-/// Rows of a study as lines of CSV: indices whole, states as words, each number as the shortest text that reads back to
+/// Rows of a table as lines of CSV: indices whole, states as words, each number as the shortest text that reads back to
 /// it, an empty cell where there is none.
 #[must_use]
-pub fn study_lines(columns: &[Column], numbers: &[f64]) -> String {
+pub fn csv_rows<T: Copy + Into<Option<f64>>>(columns: &[Column], numbers: &[T]) -> String {
     let mut buffer = zmij::Buffer::new();
-    lines(numbers, columns.len(), |text, index, number| match columns[index].content {
-        Content::Index => text.push_str(&format!("{number}")),
-        Content::Status => text.push_str(status(*number)),
-        Content::Number if number.is_finite() => text.push_str(buffer.format(*number)),
-        Content::Number => {}
-    })
-}
-
-/// Rows of so many cells, each written by `write` with its index in the row.
-fn lines<T>(cells: &[T], width: usize, mut write: impl FnMut(&mut String, usize, &T)) -> String {
-    let mut text = String::with_capacity(cells.len() * 20);
-    for row in cells.chunks_exact(width) {
-        for (index, cell) in row.iter().enumerate() {
+    let mut text = String::with_capacity(numbers.len() * 20);
+    for row in numbers.chunks_exact(columns.len()) {
+        for (index, (column, &number)) in columns.iter().zip(row).enumerate() {
             if index > 0 {
                 text.push(',');
             }
-            write(&mut text, index, cell);
+            match (column.content, number.into()) {
+                (Content::Index, Some(number)) => text.push_str(&format!("{number}")),
+                (Content::Status, Some(number)) => text.push_str(status(number)),
+                (Content::Number, Some(number)) if number.is_finite() => text.push_str(buffer.format(number)),
+                _ => {}
+            }
         }
         text.push('\n');
     }

@@ -1,8 +1,8 @@
-//! Catalogues: the sentences of one language in a text file, read once into a list in the order of the declarations.
+//! Catalogues: the sentences of one language, read once into a list in the order of their declarations.
 
 use std::collections::BTreeMap;
 
-/// All sentences of a language, with a method for each; `sentences/` declares them.
+/// All sentences of a language, with a method for each, which [`sentences`](super::sentences) declares.
 #[derive(Clone, Debug)]
 pub struct Language {
     /// Its code in scenes and on the command line, as `en`.
@@ -23,6 +23,16 @@ pub struct Declared {
     pub key: &'static str,
     /// The names of its blanks, in the order of the arguments that fill them.
     pub blanks: &'static [&'static str],
+    /// What it says in English.
+    pub english: &'static str,
+}
+
+impl Declared {
+    /// The English sentence.
+    #[must_use]
+    pub fn in_english(&self) -> Sentence {
+        Sentence::read_whole(self.english, self).expect("a test reads every English sentence")
+    }
 }
 
 /// A sentence: the words before its first blank, then the index of each blank among those declared and the words behind
@@ -34,11 +44,6 @@ pub struct Sentence {
 }
 
 impl Sentence {
-    /// A sentence without blanks.
-    pub fn of_words(words: &'static str) -> Sentence {
-        Sentence { start: words, rest: Vec::new() }
-    }
-
     /// Reads a sentence with these blanks in braces.
     ///
     /// # Errors

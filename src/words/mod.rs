@@ -2,24 +2,60 @@
 //! of figures and of the text of the construction. Names of quantities, keys of files and messages of errors are the
 //! same in every language and are not here.
 //!
-//! Each language is a text file of sentences with named blanks, as `english.txt`. `sentences/` declares every sentence
-//! once and gives it a method: the compiler checks that every blank is filled, a test that every language has every
-//! sentence. Those of mistakes are declared where the mistakes are, in `check/mistakes/`. A file is read once; then a sentence is found by its index. (Fluent and rust-i18n find
-//! sentences by name at run time, and bring plural forms that two or three sentences would use.)
+//! `sentences.rs` declares every sentence once, with its named blanks and its English words, and gives it a method: the
+//! compiler checks that every blank is filled. Every other language is a text file with the same keys, as `spanish.txt`;
+//! a test checks that it has every sentence. Sentences of mistakes are declared where the mistakes are, in
+//! `check/mistakes/`; their words stand in the text files, those in English in `english.txt`. A file is read once; then a
+//! sentence is found by its index. (Fluent and rust-i18n find sentences by name at run time, and bring plural forms that
+//! two or three sentences would use.)
 
 #[doc(hidden)] // for tests
 pub mod catalogue;
-#[doc(hidden)] // for tests
-pub mod languages;
 mod notation;
 mod number;
-mod sentences;
+#[doc(hidden)] // for tests
+pub mod sentences;
 
 pub use catalogue::Language;
 pub use notation::{Notation, with_prime};
 pub use number::{Medium, NumberStyle, power_of_ten};
 
-use crate::scene::{DecimalMark, Figure, NotationName};
+use crate::scene::{DecimalMark, Figure, LanguageName, NotationName};
+use catalogue::{Declared, Read, Sentence, read};
+use sentences::DECLARED;
+use std::sync::LazyLock;
+
+/// The text of a language's catalogue; the English one has only the sentences of mistakes.
+#[doc(hidden)] // for tests
+pub fn catalogue_of(name: LanguageName) -> &'static str {
+    match name {
+        LanguageName::English => include_str!("english.txt"),
+        LanguageName::Spanish => include_str!("spanish.txt"),
+    }
+}
+
+/// The languages in the order of [`LanguageName::ALL`]. A sentence that a catalogue lacks is said in English.
+static LANGUAGES: LazyLock<[Language; LanguageName::ALL.len()]> = LazyLock::new(|| {
+    let english: Vec<Sentence> = DECLARED.iter().map(Declared::in_english).collect();
+    let english_tables = read(catalogue_of(LanguageName::English), &[]).0.tables;
+    LanguageName::ALL.map(|name| {
+        let (Read { sentences, tables }, _) = read(catalogue_of(name), DECLARED);
+        let sentences = sentences.into_iter().zip(&english);
+        Language {
+            code: name.as_str(),
+            sentences: sentences.map(|(found, english)| found.unwrap_or_else(|| english.clone())).collect(),
+            tables: english_tables.iter().map(|(key, text)| (*key, *text)).chain(tables).collect(),
+        }
+    })
+});
+
+impl Language {
+    /// The language of that name.
+    #[must_use]
+    pub fn of(name: LanguageName) -> &'static Language {
+        &LANGUAGES[name as usize]
+    }
+}
 
 /// Language, notation and decimal mark of figures and steps.
 #[derive(Clone, Copy, Debug)]

@@ -27,7 +27,7 @@ pub(super) fn drawn(drawing: &Drawing) -> Vec<Drawn<'_>> {
     drawing.marks.iter().zip(drawing.halos()).filter(|(mark, _)| mark.shape.is_drawable()).collect()
 }
 
-/// All marks, written straight into one string: building an `Element` for each would take many times as long.
+/// All marks, written straight into one string: building an element for each would take many times as long.
 pub(super) fn body(drawing: &Drawing, text: Text) -> String {
     let drawn = drawn(drawing);
     let each = if text == Text::Letters { 160 } else { 600 };

@@ -242,61 +242,25 @@ fn sign(letter: char) -> Option<&'static str> {
     })
 }
 
+/// The commands of α to ω.
+const SMALL: &str = r"\alpha \beta \gamma \delta \varepsilon \zeta \eta \theta \iota \kappa \lambda \mu \nu \xi o \pi \rho
+\varsigma \sigma \tau \upsilon \varphi \chi \psi \omega";
+
+/// The commands of Α to Ω; there is no capital of the ς at the end of words.
+const CAPITAL: &str = r"A B \Gamma \Delta E Z H \Theta I K \Lambda M N \Xi O \Pi P
+none \Sigma T \Upsilon \Phi X \Psi \Omega";
+
 /// The command of a Greek letter; letters that look like Latin ones are Latin.
 fn greek(letter: char) -> Option<&'static str> {
-    Some(match letter {
-        'α' => "\\alpha",
-        'β' => "\\beta",
-        'γ' => "\\gamma",
-        'δ' => "\\delta",
-        'ε' => "\\varepsilon",
-        'ϵ' => "\\epsilon",
-        'ζ' => "\\zeta",
-        'η' => "\\eta",
-        'θ' => "\\theta",
-        'ϑ' => "\\vartheta",
-        'ι' => "\\iota",
-        'κ' => "\\kappa",
-        'λ' => "\\lambda",
-        'μ' | 'µ' => "\\mu",
-        'ν' => "\\nu",
-        'ξ' => "\\xi",
-        'ο' => "o",
-        'π' => "\\pi",
-        'ρ' => "\\rho",
-        'σ' => "\\sigma",
-        'ς' => "\\varsigma",
-        'τ' => "\\tau",
-        'υ' => "\\upsilon",
-        'φ' => "\\varphi",
-        'ϕ' => "\\phi",
-        'χ' => "\\chi",
-        'ψ' => "\\psi",
-        'ω' => "\\omega",
-        'Γ' => "\\Gamma",
-        'Δ' => "\\Delta",
-        'Θ' => "\\Theta",
-        'Λ' => "\\Lambda",
-        'Ξ' => "\\Xi",
-        'Π' => "\\Pi",
-        'Σ' => "\\Sigma",
-        'Υ' => "\\Upsilon",
-        'Φ' => "\\Phi",
-        'Ψ' => "\\Psi",
-        'Ω' => "\\Omega",
-        'Α' => "A",
-        'Β' => "B",
-        'Ε' => "E",
-        'Ζ' => "Z",
-        'Η' => "H",
-        'Ι' => "I",
-        'Κ' => "K",
-        'Μ' => "M",
-        'Ν' => "N",
-        'Ο' => "O",
-        'Ρ' => "P",
-        'Τ' => "T",
-        'Χ' => "X",
+    let (first, commands) = match letter {
+        'α'..='ω' => ('α', SMALL),
+        'Α'..='Ω' => ('Α', CAPITAL),
+        'ϵ' => return Some("\\epsilon"),
+        'ϑ' => return Some("\\vartheta"),
+        'µ' => return Some("\\mu"),
+        'ϕ' => return Some("\\phi"),
         _ => return None,
-    })
+    };
+    let mut commands = commands.split_whitespace();
+    commands.nth(letter as usize - first as usize).filter(|command| *command != "none")
 }

@@ -109,7 +109,8 @@ fn blanks_are_no_numbers() {
     let names = ["omega(3)", "angle(1)", "v(C)", "L(A,C)", "omega(3)"];
     let sweep = sweep(&path, steps(178.0, 182.0, 1.0), &names);
     let numbers = sweep.rows(0..5);
-    let csv = format::csv_header(&sweep) + &format::csv_rows(&sweep, &numbers);
+    let columns = format::columns_of(&sweep);
+    let csv = format::csv_header(&columns) + &format::csv_rows(&columns, &numbers);
     let lines: Vec<&str> = csv.lines().collect();
     assert_eq!(lines[0], "angle(1),omega(3),v(C).x,v(C).y,\"L(A,C)\"");
     assert_eq!(lines[3], "180.0,,,,");
@@ -179,7 +180,7 @@ fn errors_are_bounded() {
     let table = sweep(&path, steps(0.05, 170.0, 0.05), &names).with_errors(&scene);
     let header = "angle(1),angle(3),angle(3)_error,omega(3),omega(3)_error,alpha(3),alpha(3)_error,v(C).x,v(C).y,v(C)_error,\
                   x(C),x(C)_error,a(C).size,a(C).size_error,\"vplan(b,c)\"\n";
-    assert_eq!(format::csv_header(&table), header);
+    assert_eq!(format::csv_header(&format::columns_of(&table)), header);
     let numbers = table.rows(0..table.steps().count());
     let mut shares: Vec<f64> = Vec::new();
     for row in numbers.chunks(table.header().len()) {

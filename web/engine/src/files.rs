@@ -216,7 +216,8 @@ impl Kept {
             let hint = "write it with `kinegon sweep`, or name fewer quantities in the scene's `want`";
             return Err(Refused { hint: Some(hint.to_owned()), ..Refused::whole(message) });
         }
-        Ok(format::csv_header(&sweep) + &format::csv_rows(&sweep, &sweep.rows(0..count)))
+        let columns = format::columns_of(&sweep);
+        Ok(format::csv_header(&columns) + &format::csv_rows(&columns, &sweep.rows(0..count)))
     }
 
     /// What is drawn over the cycle.
