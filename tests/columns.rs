@@ -33,7 +33,8 @@ fn written() -> (Vec<String>, Vec<Option<f64>>, [Vec<RecordBatch>; 2]) {
     let arrow = std::io::Cursor::new(arrow.finish().expect("memory can be written"));
     let arrow = FileReader::try_new(arrow, None).expect("an Arrow file");
 
-    let mut parquet = Columns::new(ColumnFormat::Parquet, &columns_of(&sweep), Vec::new()).expect("memory can be written");
+    let mut parquet =
+        Columns::new(ColumnFormat::Parquet, &columns_of(&sweep), Vec::new()).expect("memory can be written");
     parquet.rows(&numbers).expect("memory can be written");
     let parquet = parquet.finish().expect("memory can be written");
     let parquet = ParquetRecordBatchReaderBuilder::try_new(bytes::Bytes::from(parquet));

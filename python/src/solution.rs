@@ -140,10 +140,9 @@ fn after(solution: &kinegon::Solution, step: usize, is_coarse: bool) -> Result<D
 fn steps(solution: &kinegon::Solution) -> Vec<Value> {
     let words = solution.wording();
     let teller = Teller::new(solution, &words);
-    let equation = |step: &NumberedStep<'_>| match &step.step.action {
+    let equation = |step: &NumberedStep<'_>| match &step.action {
         Action::Solve { equations, .. } => {
-            let kind = step.plan.map_or(Sheet::Velocity, |plan| plan.kind);
-            let told: Vec<String> = equations.iter().map(|equation| teller.equation(kind, equation)).collect();
+            let told: Vec<String> = equations.iter().map(|equation| teller.equation(step.sheet, equation)).collect();
             told.join("; ")
         }
         _ => teller.formula(step).markup(),
@@ -153,7 +152,7 @@ fn steps(solution: &kinegon::Solution) -> Vec<Value> {
             "number": step.number,
             "caption": shown_text(&teller.caption(&step), step.plan, &words),
             "equation": shown_text(&equation(&step), step.plan, &words),
-            "panel": step.sheet().as_str(),
+            "panel": step.sheet.as_str(),
         })
     };
     solution.construction.numbered_steps().map(step).collect()

@@ -126,12 +126,6 @@ impl Bounds<'_> {
         let value = self.motion.coriolis(self.pose, slider, on);
         self.from(|e| Some(e.coriolis(slider, on)), |ball| of_vector(ball, value))
     }
-
-    /// Whether accelerations have been computed.
-    #[must_use]
-    pub(crate) fn has_accelerations(&self) -> bool {
-        self.motion.order == Sheet::Acceleration
-    }
 }
 
 /// The bound of the error of a number with the true value `ball`; zero for one that the scene gives, which is printed as

@@ -1,4 +1,5 @@
 use super::Bounds;
+use crate::construction::Rate;
 use crate::geometry::UNIT_ROUNDOFF;
 use crate::mechanism::BodyId;
 use crate::quantity::{Component, Normality, Quantity, QuantityRequest, Snapshot, Spot, What};
@@ -14,7 +15,7 @@ pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
     match asked.what() {
         What::Coordinate(_, spot) => joint(spot),
         What::Length(a, b) => joint(a) && joint(b),
-        What::Velocity(a, b) | What::Acceleration(a, b) => joint(a) && b.as_ref().is_none_or(joint),
+        What::Motion(_, a, b) => joint(a) && b.as_ref().is_none_or(joint),
         What::Part(_, a, b, link) => link.is_some() && joint(a) && joint(b),
         What::Segment { .. } => false,
         _ => true,
@@ -34,17 +35,19 @@ impl Bounds<'_> {
             Quantity::Vector(v) => v.norm() * ROUNDINGS,
         };
         let bound = match asked.what() {
-            What::Omega(link) => self.angular_rates(*link)[0],
-            What::Alpha(link) => self.angular_rates(*link)[1],
+            What::Rate(rate) => {
+                let bounds = match *rate {
+                    Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates(link),
+                    Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide(slider),
+                };
+                bounds[rate.sheet().order()]
+            }
             What::Angle(link) => self.angle(*link)?,
             What::SlidePosition(slider) => self.slide_position(*slider)?,
-            What::SlideVelocity(slider) => self.slide(*slider)[0],
-            What::SlideAcceleration(slider) => self.slide(*slider)[1],
             What::Coriolis(slider, _) => self.coriolis(*slider),
             What::Coordinate(_, spot) => self.of_place(spot)?,
             What::Length(a, b) => SQRT_2 * (self.of_place(a)? + self.of_place(b)?) + rounding(&whole),
-            What::Velocity(a, b) => self.of_motion(0, a, b.as_ref())?,
-            What::Acceleration(a, b) => self.of_motion(1, a, b.as_ref())?,
+            What::Motion(sheet, a, b) => self.of_motion(sheet.order(), a, b.as_ref())?,
             What::Part(part, a, b, link) => self.of_part(*part, a, b, (*link)?)?,
             What::Segment { .. } => return None,
         };

@@ -69,10 +69,10 @@ pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
     let labels = SheetLabels::of(solution);
     let boxes = form_boxes(solution);
     let of_plan = |plan: &Plan| {
-        let mut names = vec![plan.kind.pole().to_owned()];
+        let mut names = vec![plan.sheet.pole().to_owned()];
         for found in &boxes {
             if let What::Segment { kind, from, to, .. } = found.asked.what()
-                && *kind == plan.kind
+                && *kind == plan.sheet
             {
                 names.extend([from, to].map(ToString::to_string));
             }

@@ -108,11 +108,11 @@ impl Prepared<'_> {
         };
         let plans = key.solution.construction.plans();
         let mirrored = plans.filter(|plan| {
-            let mut places = measured.points.iter().filter(|p| p.kind == plan.kind);
+            let mut places = measured.points.iter().filter(|p| p.kind == plan.sheet);
             places.any(|points| is_mirrored(points, plan))
         });
         let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
-        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.kind).collect() })
+        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.sheet).collect() })
     }
 }
 

@@ -117,8 +117,8 @@ impl<'a> Names<'a> {
         let subject = asked.subject();
         let image = image_name(subject.split(['/', ',']).next().unwrap_or(""));
         let steps = || self.solution.construction.numbered_steps();
-        let maker = steps().find(|s| s.sheet() == sheet && s.step.action.image() == Some(image.as_str()));
-        let last = steps().filter(|s| s.sheet() <= sheet).last();
+        let maker = steps().find(|s| s.sheet == sheet && s.action.image() == Some(image.as_str()));
+        let last = steps().filter(|s| s.sheet <= sheet).last();
         maker.or(last).map_or(0, |s| s.number)
     }
 }

@@ -87,7 +87,7 @@ impl Segment {
 fn rows(construction: &Construction) -> Vec<FormRow> {
     let mut rows: Vec<FormRow> = Vec::new();
     for step in construction.numbered_steps() {
-        let is_measured = step.step.action.is_measured();
+        let is_measured = step.action.is_measured();
         for name in step.names() {
             let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
             let segment = Segment::of(construction, &name);

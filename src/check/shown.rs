@@ -110,13 +110,13 @@ impl<'a> ShownNames<'a> {
 
     /// The plan point with that name in some other notation.
     fn other_notation(&self, plan: &Plan, name: &str) -> Option<String> {
-        let is_pole = |notation: &&Notation| plain(notation.pole(plan.kind)).replace('′', "'") == name;
-        if Notation::ALL.iter().any(is_pole) || (plan.kind == Sheet::Acceleration && name == "pi") {
-            return Some(plan.kind.pole().to_owned());
+        let is_pole = |notation: &&Notation| plain(notation.pole(plan.sheet)).replace('′', "'") == name;
+        if Notation::ALL.iter().any(is_pole) || (plan.sheet == Sheet::Acceleration && name == "pi") {
+            return Some(plan.sheet.pole().to_owned());
         }
         // Images in an acceleration plan may bear a prime.
         let primed = plan.points.keys().find(|point| with_prime(point).replace('′', "'") == name);
-        primed.filter(|_| plan.kind == Sheet::Acceleration).cloned()
+        primed.filter(|_| plan.sheet == Sheet::Acceleration).cloned()
     }
 
     /// A point as a sheet shows it, without markup; `None` where its label has been taken away or is no plain name.
@@ -145,7 +145,7 @@ impl<'a> ShownNames<'a> {
 
     /// The names of the points of the scheme.
     fn scheme_points(&self) -> impl Iterator<Item = &str> {
-        let special = self.solution.construction.special.iter().flatten().map(|special| special.name.as_str());
+        let special = self.solution.construction.special.iter().map(|special| special.name.as_str());
         self.solution.mechanism.points.iter().map(String::as_str).chain(special)
     }
 }

@@ -338,7 +338,7 @@ fn note_limits(traces: &Traces, figure: &Figure) {
 fn shown_steps(solution: &Solution, steps: Option<Steps>) -> Vec<bool> {
     let construction = &solution.construction;
     let panels = solution.scene.figure.shown_panels();
-    let is_shown = |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet());
+    let is_shown = |step: &NumberedStep<'_>| solution.scene.figure.focus.is_none() || panels.contains(&step.sheet);
     match steps {
         Some(Steps::Coarse) => {
             let passages = construction.passages();

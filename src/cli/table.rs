@@ -79,7 +79,8 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
             format::ColumnsError::Io(error) => files::unwritable(place, &error),
             other => Failure::outside(format!("{} cannot be written: {other}", place.display())),
         };
-        let form = if format == TableFormat::Parquet { format::ColumnFormat::Parquet } else { format::ColumnFormat::Arrow };
+        let form =
+            if format == TableFormat::Parquet { format::ColumnFormat::Parquet } else { format::ColumnFormat::Arrow };
         let mut columns = format::Columns::new(form, &format::columns_of(sweep), out).map_err(unwritable)?;
         pieces(sweep).each(
             |rows| sweep.rows(rows),

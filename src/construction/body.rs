@@ -1,11 +1,11 @@
 //! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
 //! else from a point of known motion.
 
+use super::constructed::{Anchor, LaidOff};
 use super::name::{coriolis_name, point_on, slide_name};
 use super::number::{NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
 use super::plan::PointRole;
-use super::record::{Anchor, LaidOff};
 use super::step::{Action, Added, Arrow, RelativePart, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
@@ -76,19 +76,18 @@ impl Writer<'_> {
     fn computed_motion(&mut self, by_hand: bool, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
         let (motion, at) = (self.motion.body(body), self.pose.point(point));
         let errors = self.motion.error(body);
-        let swing = motion.swing(at).norm();
+        let arm = (at - motion.at).norm();
         // The vector, the error that it inherits from the motion, and the size of the relative motion in it, which adds
         // rounding.
         let (vector, error, size) = match sheet {
+            Sheet::Scheme | Sheet::Velocity => {
+                let error = errors.velocity.norm() + errors.omega * arm;
+                (motion.velocity_at(at), error, motion.swing(at).norm())
+            }
             Sheet::Acceleration => {
                 let turned = motion.normal(at).norm() + motion.tangential(at).norm();
-                let arm = (at - motion.at).norm();
                 let error = errors.acceleration.norm() + (errors.alpha + 2.0 * motion.omega.abs() * errors.omega) * arm;
                 (motion.acceleration_at(at), error, turned)
-            }
-            _ => {
-                let error = errors.velocity.norm() + errors.omega * (at - motion.at).norm();
-                (motion.velocity_at(at), error, swing)
             }
         };
         let pole = self.pole_of(sheet).expect("every plan has a pole");
@@ -151,15 +150,21 @@ impl Writer<'_> {
         let length = self.length(from, to);
         let [from, to] = [from, to].map(|point| point_on(self.mechanism, body, point));
         let of = |part| VectorOf::Relative { link: body, from: from.clone(), to: to.clone(), part };
-        let turned = |rate| vec![Product::new(ProductKind::Turning, 1.0, &[rate, length])];
-        if sheet == Sheet::Velocity {
-            let turned = omega.map(turned).unwrap_or_default();
-            return Some(self.lay_off_part(sheet, place, turned, line.turned(1), of(RelativePart::Velocity)));
-        }
-        let normal = omega.map(|omega| vec![Product::new(ProductKind::Normal, -1.0, &[omega, omega, length])]);
-        let place = self.lay_off_part(sheet, place, normal.unwrap_or_default(), line, of(RelativePart::Normal));
-        let turned = alpha.map(turned).unwrap_or_default();
-        Some(self.lay_off_part(sheet, place, turned, line.turned(1), of(RelativePart::Tangential)))
+        let turned = |rate: Option<_>| {
+            rate.map(|rate| Product::new(ProductKind::Turning, 1.0, &[rate, length])).into_iter().collect()
+        };
+        let place = match sheet {
+            Sheet::Scheme | Sheet::Velocity => {
+                self.lay_off_part(sheet, place, turned(omega), line.turned(1), of(RelativePart::Velocity))
+            }
+            Sheet::Acceleration => {
+                let normal = omega.map(|omega| Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
+                let normal = normal.into_iter().collect();
+                let place = self.lay_off_part(sheet, place, normal, line, of(RelativePart::Normal));
+                self.lay_off_part(sheet, place, turned(alpha), line.turned(1), of(RelativePart::Tangential))
+            }
+        };
+        Some(place)
     }
 
     /// Lays off a vector and notes its meaning.

@@ -1,12 +1,11 @@
 use super::cut::{Special, SpecialId};
 use super::number::{End, NumberId, NumberKind, Rate};
-use super::operation::{Operation, PlaceId, StepId};
+use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::plan::Plan;
-use super::record::Record;
 use super::run::{Disturbance, Values};
-use super::step::{Action, Step};
-use crate::geometry::Point;
-use crate::mechanism::Mechanism;
+use super::step::{Action, VectorOf};
+use crate::geometry::{Ball, Point};
+use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
 
@@ -16,16 +15,12 @@ use indexmap::IndexMap;
 pub struct Construction {
     /// How far the plans go.
     pub extent: Extent,
-    /// By group: its special points.
-    pub special: Vec<Vec<Special>>,
+    /// The special points, group by group; a [`SpecialId`] counts them.
+    pub special: Vec<Special>,
     /// By group: how the construction's rates compare with the loop equations'; none where there is no construction.
     pub agreement: Vec<Option<Agreement>>,
-    /// Steps on the scheme.
-    pub scheme: Vec<Step>,
-    /// The velocity plan.
-    pub velocity: Plan,
-    /// The acceleration plan, if accelerations were asked for.
-    pub acceleration: Option<Plan>,
+    /// What is drawn on each sheet; nothing on one that was not asked for.
+    pub sheets: PerSheet<Plan>,
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
     pub operations: Vec<Operation>,
     /// Origin of the places of the scheme, the mechanism's first point: coordinates that count from a far origin would
@@ -33,15 +28,11 @@ pub struct Construction {
     pub origin: Point,
     /// By number: its kind.
     pub numbers: Vec<NumberKind>,
-    /// By group: how many special points those before it have.
-    pub(super) special_before: Vec<usize>,
-    /// By plan point: the index of the first step of its plan that makes it.
-    pub(super) made_by: IndexMap<(Sheet, String), usize>,
     /// Named points: joints and special points of the scheme, points of the plans.
     pub(super) places: IndexMap<(Sheet, String), PlaceId>,
     /// By the usual name of a leg's normal part, as in `n_b3`: the plan points where the known parts of the leg's
-    /// acceleration begin and end.
-    pub(super) known_parts: IndexMap<String, [String; 2]>,
+    /// acceleration begin and end; equal where the leg has no known part.
+    pub(crate) known_parts: IndexMap<String, [String; 2]>,
     /// By body: the numbers of ω and α; none for a given rate of zero.
     pub(crate) angular_rates: Vec<Option<[Option<NumberId>; 2]>>,
     /// By slider: the numbers of velocity and acceleration along the guide; none for a given rate of zero.
@@ -75,20 +66,15 @@ pub struct Agreement {
 }
 
 impl Construction {
-    pub(super) fn empty(mechanism: &Mechanism, order: Sheet, origin: Point, extent: Extent) -> Self {
-        let plan = |kind| Plan { kind, points: IndexMap::new(), steps: Vec::new(), largest: 0.0 };
+    pub(super) fn empty(mechanism: &Mechanism, origin: Point, extent: Extent) -> Self {
         Self {
             extent,
             special: Vec::new(),
             agreement: Vec::new(),
-            scheme: Vec::new(),
-            velocity: plan(Sheet::Velocity),
-            acceleration: (order == Sheet::Acceleration).then(|| plan(Sheet::Acceleration)),
+            sheets: PerSheet::from_fn(Plan::new),
             operations: Vec::new(),
             origin,
             numbers: Vec::new(),
-            special_before: Vec::new(),
-            made_by: IndexMap::new(),
             places: IndexMap::new(),
             known_parts: IndexMap::new(),
             angular_rates: vec![None; mechanism.bodies.len()],
@@ -101,26 +87,7 @@ impl Construction {
     /// A special point.
     #[must_use]
     pub fn special(&self, id: SpecialId) -> &Special {
-        let group = self.group_of(id).expect("a step names a special point that there is");
-        &self.special[group][id.0 - self.special_before[group]]
-    }
-
-    /// The group to which a special point belongs.
-    pub(super) fn group_of(&self, id: SpecialId) -> Option<usize> {
-        // Of groups without special points the last begins where the next one does.
-        let group = self.special_before.partition_point(|&before| before <= id.0).checked_sub(1)?;
-        (id.0 - self.special_before[group] < self.special[group].len()).then_some(group)
-    }
-
-    /// How many special points there are.
-    pub(super) fn special_count(&self) -> usize {
-        self.special_before.last().copied().unwrap_or(0) + self.special.last().map_or(0, Vec::len)
-    }
-
-    /// Adds the special points of the next group.
-    pub(super) fn add_special(&mut self, special: Vec<Special>) {
-        self.special_before.push(self.special_count());
-        self.special.push(special);
+        &self.special[id.0]
     }
 
     /// The number of a rate that is given or solved for: none of a given rate of zero.
@@ -129,7 +96,7 @@ impl Construction {
             Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates[link.0],
             Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide_rates[slider.0],
         };
-        numbers.map(|numbers| numbers[rate.order()])
+        numbers.map(|numbers| numbers[rate.sheet().order()])
     }
 
     pub(super) fn set_rate(&mut self, rate: Rate, number: NumberId) {
@@ -137,43 +104,30 @@ impl Construction {
             Rate::Omega(link) | Rate::Alpha(link) => &mut self.angular_rates[link.0],
             Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => &mut self.slide_rates[slider.0],
         };
-        numbers.get_or_insert_default()[rate.order()] = Some(number);
-    }
-
-    /// Notes which steps make the plans' points.
-    pub(super) fn note_makers(&mut self) {
-        let mut made_by = IndexMap::new();
-        for plan in self.plans() {
-            for (index, step) in plan.steps.iter().enumerate() {
-                if let Some(name) = step.action.image() {
-                    made_by.entry((plan.kind, name.to_owned())).or_insert(index);
-                }
-            }
-        }
-        self.made_by = made_by;
+        numbers.get_or_insert_default()[rate.sheet().order()] = Some(number);
     }
 
     /// A special point by name.
     #[must_use]
     pub fn special_point(&self, name: &str) -> Option<&Special> {
-        self.special.iter().flatten().find(|s| s.name == name)
+        self.special.iter().find(|s| s.name == name)
     }
 
-    /// The velocity plan and, if it was asked for, the acceleration plan.
+    /// The plans that were asked for, in the order in which they are drawn.
     pub fn plans(&self) -> impl Iterator<Item = &Plan> {
-        std::iter::once(&self.velocity).chain(&self.acceleration)
+        Sheet::PLANS.into_iter().filter_map(|sheet| self.plan_on(sheet))
     }
 
-    /// The plan on a sheet; none of the scheme.
+    /// The plan on a sheet; none on the scheme, which has no points of a plan.
     #[must_use]
     pub fn plan_on(&self, sheet: Sheet) -> Option<&Plan> {
-        self.plans().find(|plan| plan.kind == sheet)
+        Some(&self.sheets[sheet]).filter(|plan| !plan.points.is_empty())
     }
 
     /// The groups without a construction: for each the names of its special points at infinity; empty where these are
     /// not the reason.
     pub fn without(&self) -> impl Iterator<Item = &[String]> {
-        self.velocity.steps.iter().filter_map(|step| match &step.action {
+        self.sheets[Sheet::Velocity].steps.iter().filter_map(|action| match action {
             Action::NoConstruction { far } => Some(far.as_slice()),
             _ => None,
         })
@@ -183,13 +137,6 @@ impl Construction {
     #[must_use]
     pub(crate) fn counts(&self) -> [usize; 3] {
         self.record.counts()
-    }
-
-    /// The plan points where the known parts of a leg's acceleration begin and end, by the usual name `n_b3` of that end:
-    /// equal where the leg has no known part.
-    #[must_use]
-    pub(crate) fn known_parts(&self, normal_name: &str) -> Option<&[String; 2]> {
-        self.known_parts.get(normal_name)
     }
 
     /// The name of a plan point that may be called as if every leg had a normal part: `n_b3` also is the end of a
@@ -219,9 +166,7 @@ impl Construction {
                 let [a, b] = ends.map(|end| self.end_name(mechanism, end));
                 format!("L({a},{b})")
             }
-            NumberKind::Segment(sheet, [from, to]) => {
-                self.plan_on(*sheet).map_or_else(String::new, |plan| plan.kind.segment_name(from, to))
-            }
+            NumberKind::Segment(sheet, [from, to]) => sheet.segment_name(from, to),
             NumberKind::Rate(rate) => rate.name(mechanism),
             NumberKind::Reading(name) => name.clone(),
             NumberKind::Size => String::new(),
@@ -237,57 +182,38 @@ impl Construction {
         }
     }
 
-    /// All steps, numbered from 1 through the scheme, the velocity plan and the acceleration plan.
+    /// All steps, numbered from 1 through the sheets.
     pub fn numbered_steps(&self) -> impl Iterator<Item = NumberedStep<'_>> {
-        let scheme = self.scheme.iter().map(|step| (None, step));
-        let plans = self.plans().flat_map(|plan| plan.steps.iter().map(move |step| (Some(plan), step)));
-        (1..).zip(scheme.chain(plans)).map(|(number, (plan, step))| NumberedStep { number, plan, step })
+        let steps = self.sheets.iter().flat_map(|(sheet, plan)| plan.steps.iter().map(move |action| (sheet, action)));
+        (1..).zip(steps).map(|(number, (sheet, action))| {
+            let plan = self.plan_on(sheet);
+            NumberedStep { number, sheet, plan, action }
+        })
     }
 
     /// How many steps there are.
     #[must_use]
     pub fn step_count(&self) -> usize {
-        self.scheme.len() + self.plans().map(|plan| plan.steps.len()).sum::<usize>()
+        self.sheets.iter().map(|(_, plan)| plan.steps.len()).sum()
     }
 
     /// The step of that number.
     #[must_use]
     pub fn numbered_step(&self, number: usize) -> Option<NumberedStep<'_>> {
-        let mut index = number.checked_sub(1)?;
-        let of = |step, plan| Some(NumberedStep { number, plan, step });
-        if let Some(step) = self.scheme.get(index) {
-            return of(step, None);
-        }
-        index -= self.scheme.len();
-        for plan in self.plans() {
-            if let Some(step) = plan.steps.get(index) {
-                return of(step, Some(plan));
-            }
-            index -= plan.steps.len();
-        }
-        None
+        self.numbered_steps().nth(number.checked_sub(1)?)
     }
 
     /// The number of a step.
     #[must_use]
     pub fn step_number(&self, StepId { sheet, index }: StepId) -> usize {
-        let before = match sheet {
-            Sheet::Scheme => 0,
-            _ => {
-                let earlier = self.plans().filter(|plan| plan.kind < sheet);
-                self.scheme.len() + earlier.map(|plan| plan.steps.len()).sum::<usize>()
-            }
-        };
-        before + index + 1
+        let earlier = self.sheets.iter().filter(|(other, _)| *other < sheet);
+        earlier.map(|(_, plan)| plan.steps.len()).sum::<usize>() + index + 1
     }
 
     /// A step by its sheet and index.
     #[must_use]
-    pub fn step(&self, StepId { sheet, index }: StepId) -> Option<&Step> {
-        match sheet {
-            Sheet::Scheme => self.scheme.get(index),
-            _ => self.plan_on(sheet)?.steps.get(index),
-        }
+    pub fn step(&self, StepId { sheet, index }: StepId) -> Option<&Action> {
+        self.sheets[sheet].steps.get(index)
     }
 
     /// For each quantity, by name, the first step that yields it.
@@ -295,10 +221,9 @@ impl Construction {
     pub(crate) fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
         let mut steps = IndexMap::new();
         for step in self.numbered_steps() {
-            let sheet = step.sheet();
-            let index = step.number - self.step_number(StepId { sheet, index: 0 });
+            let index = step.number - self.step_number(StepId { sheet: step.sheet, index: 0 });
             for name in step.names() {
-                steps.entry(name).or_insert(StepId { sheet, index });
+                steps.entry(name).or_insert(StepId { sheet: step.sheet, index });
             }
         }
         steps
@@ -320,35 +245,88 @@ impl Construction {
 pub struct NumberedStep<'a> {
     /// Number of the step, from 1 through all sheets.
     pub number: usize,
+    /// The sheet on which it is drawn.
+    pub sheet: Sheet,
     /// The plan to which it belongs; none for the scheme.
     pub plan: Option<&'a Plan>,
     /// What is done.
-    pub step: &'a Step,
+    pub action: &'a Action,
 }
 
 impl NumberedStep<'_> {
-    /// The sheet on which it is drawn.
-    #[must_use]
-    pub fn sheet(&self) -> Sheet {
-        self.plan.map_or(Sheet::Scheme, |plan| plan.kind)
-    }
-
     /// Names of the quantities that the step yields.
     #[must_use]
     pub fn names(&self) -> Vec<String> {
-        let segment = |from: &str, to: &str| self.plan.map(|p| p.kind.segment_name(from, to)).into_iter().collect();
-        match &self.step.action {
-            Action::MeasureLength { from, to, .. } => vec![format!("L({from},{to})")],
-            Action::LayOff(arrow) => segment(&arrow.from, &arrow.to),
-            Action::Cross { point, .. } => segment(self.plan.map_or("", |p| p.kind.pole()), point),
-            Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                segment(self.plan.map_or("", |p| p.kind.pole()), point)
+        let sheet = self.sheet;
+        match self.action {
+            Action::MeasureLength { from, to, .. } | Action::Measure { from, to, .. } => {
+                vec![sheet.segment_name(from, to)]
             }
-            Action::Measure { from, to, .. } => segment(from, to),
+            Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                vec![sheet.segment_name(sheet.pole(), point)]
+            }
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
             Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {
                 Vec::new()
             }
         }
+    }
+}
+
+/// The results of the operations written so far, by what they are results of.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Record {
+    /// The results, with bounds of their rounding errors.
+    pub exact: Values<Ball>,
+    /// By place, by line and by number: the index of the operation that makes it.
+    pub makers: [Vec<usize>; 3],
+    /// By place: its names, as indices of [`Construction::places`](super::Construction).
+    pub names: Vec<Vec<usize>>,
+    /// The guides on the scheme.
+    pub guides: IndexMap<SliderId, LineId>,
+    /// The lines through two places, from the first towards the second.
+    pub joins: IndexMap<[PlaceId; 2], LineId>,
+    /// The distances of joints.
+    pub lengths: IndexMap<[PointId; 2], NumberId>,
+    /// By place: the lines drawn through it in a direction.
+    pub rays: IndexMap<PlaceId, Vec<(Along, LineId)>>,
+    /// By plan, body and point: the place of that motion in the plan.
+    pub motions: IndexMap<(Sheet, BodyId, PointId), PlaceId>,
+    /// By plan and body: the point whose motion was there first, and its place.
+    pub first_motions: IndexMap<(Sheet, BodyId), (PointId, PlaceId)>,
+    /// The vectors laid off between images of points, by their ends.
+    pub laid_off: IndexMap<PlaceId, LaidOff>,
+    /// The joint by which the motion of a body follows from a known one.
+    pub anchors: IndexMap<BodyId, Anchor>,
+}
+
+/// A vector laid off in a plan.
+#[derive(Clone, Debug)]
+pub(super) struct LaidOff {
+    pub start: PlaceId,
+    pub end: PlaceId,
+    pub of: VectorOf,
+}
+
+/// The joint by which the motion of a body follows from that of a neighbour.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Anchor {
+    /// The joint.
+    pub joint: JointId,
+    /// The neighbour, whose motion is known.
+    pub from: BodyId,
+}
+
+impl Record {
+    /// How many places, lines and numbers the operations make.
+    pub fn counts(&self) -> [usize; 3] {
+        self.makers.each_ref().map(Vec::len)
+    }
+
+    /// Notes the place of the motion of a body's point in a plan; an earlier one stays.
+    pub fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
+        self.motions.entry((sheet, body, point)).or_insert(place);
+        self.first_motions.entry((sheet, body)).or_insert((point, place));
     }
 }

@@ -1,6 +1,6 @@
 use super::name::{coriolis_name, image_name, normal_name, point_on};
 use crate::geometry::{Crossing, Line, Place, quarter_turn};
-use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, Joint, Leg, Mechanism, PointId, SliderId, SpecialPoint};
+use crate::mechanism::{BodyId, Carried, DrivenSlide, Joint, Leg, Mechanism, PointId, SliderId, SpecialPoint};
 use crate::position::Pose;
 use crate::words::Wording;
 use smallvec::{SmallVec, smallvec};
@@ -177,6 +177,8 @@ fn driven_slides(mechanism: &Mechanism, point: &SpecialPoint, leg: &Leg) -> Vec<
 pub struct Special {
     /// Its name, as in `S3`.
     pub name: String,
+    /// Its group, by its index in the mechanism.
+    pub group: usize,
     /// Whether it is a special (Assur) point, not a joint.
     pub is_assur: bool,
     /// The joint, where it is not a special (Assur) point.
@@ -206,9 +208,7 @@ impl Special {
         }
         [first, second]
     }
-}
 
-impl Special {
     /// Name of the end of the Coriolis acceleration of the slider in a leg, as in `k_a3`: laid off from the image of A,
     /// of a slider that leads to link 3. Empty for a leg without a slider.
     #[must_use]
@@ -220,10 +220,10 @@ impl Special {
     }
 }
 
-/// The special points (and dyads' inner joints) by which the plans of `group` are drawn.
+/// The special points (and dyads' inner joints) by which the plans of a group are drawn.
 #[must_use]
-pub(super) fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) -> Vec<Special> {
-    let points = group.special.iter().map(|point| {
+pub(super) fn special_points(mechanism: &Mechanism, pose: &Pose, index: usize) -> Vec<Special> {
+    let points = mechanism.groups[index].special.iter().map(|point| {
         let cuts = point.legs.map(|leg| CutLine::new(mechanism, pose, point, &leg));
         let mut crossing = cuts[0].line.crossing(&cuts[1].line);
         if let Some(target) = point.target {
@@ -233,6 +233,7 @@ pub(super) fn special_points(mechanism: &Mechanism, pose: &Pose, group: &Group) 
             is_assur: point.target.is_none(),
             target: point.target,
             name: point.name.clone(),
+            group: index,
             link: point.link,
             cuts,
             crossing,

@@ -1,28 +1,33 @@
 //! Equations of legs: the vector equation behind a ray, the normal part, and the rates in a measured segment.
 
 use super::cut::{CutLine, Special, Term};
-use super::formula::{Formula, Known, NamedPart};
-use super::markup::{marked, measured, subscript};
+use super::markup::{Formula, Known, NamedPart, marked, measured, subscript};
 use super::name::{image_name, point_on};
 use super::sentence::Teller;
-use super::step::{LegEquation, Ray, RayOf};
+use super::step::{LegEquation, Ray, RayOf, Relation};
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, PointId};
 use crate::sheet::Sheet;
 
 impl Teller<'_> {
-    /// The vector equation behind a ray: motion of the sought point relative to the leg's start.
-    pub(super) fn ray_equation(&self, kind: Sheet, ray: &Ray) -> Formula {
+    /// The vector equation behind a ray: motion of the sought point relative to the leg's start, or of a further point
+    /// of a link relative to one with an image.
+    pub(super) fn ray_equation(&self, sheet: Sheet, ray: &Ray) -> Formula {
         let (special, side) = match ray.of {
             RayOf::Leg(special, side) => (self.construction.special(special), side),
-            RayOf::Arm { link, from, to, .. } => return self.arm_equation(kind, link, [from, to]),
+            // At an angle to a line of images no equation is needed.
+            RayOf::Arm { .. } if ray.relation == Relation::Angle => return Formula::default(),
+            RayOf::Arm { link, from, to, .. } => {
+                let [from, to] = [from, to].map(|point| point_on(self.mechanism, link, point));
+                let mut formula = Formula::equal(sheet, &to, &from);
+                let relative = sheet.vector().to_owned() + &subscript(&[&to, &from]);
+                formula.add('+', relative, Known::Direction, None);
+                return formula;
+            }
         };
         let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
-        let mut formula = match kind {
-            Sheet::Acceleration => self.relative_acceleration(special, cut, &start),
-            _ => self.leg_velocity(special, cut, &start),
-        };
+        let mut formula = self.leg_equation(sheet, special, cut, &start);
         // A point of the ground has no velocity: its term is left out, with one of the plus signs beside it.
         let ground = self.mechanism.body(GROUND);
         let is_under = cut.leg.base == GROUND && cut.start().is_some_and(|start| !ground.points.contains(&start));
@@ -33,89 +38,48 @@ impl Teller<'_> {
         formula
     }
 
-    /// The vector equation behind a ray for the image of a further point of a link.
-    fn arm_equation(&self, kind: Sheet, link: BodyId, ends: [PointId; 2]) -> Formula {
-        let [from, to] = ends.map(|point| point_on(self.mechanism, link, point));
-        match kind {
-            Sheet::Acceleration => Formula::default(),
-            _ => self.relative_velocity(&to, &from),
-        }
-    }
-
-    /// The vector equation of the velocity of one point by that of another of the same link.
-    fn relative_velocity(&self, to: &str, from: &str) -> Formula {
-        let mut formula = Formula::default();
-        formula.vector(format!("v{}", subscript(&[to])), Known::Nothing, None);
-        formula.sign(" = ");
-        formula.vector(format!("v{}", subscript(&[from])), Known::Entirely, None);
-        formula.sign(" + ");
-        formula.vector(format!("v{}", subscript(&[to, from])), Known::Direction, None);
-        formula
-    }
-
-    /// The vector equation behind a velocity ray: what driven sliders of the leg add, then the velocity along the ray,
-    /// which is a sliding velocity where nothing else moves.
-    fn leg_velocity(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
-        let mut formula = self.relative_velocity(&point.name, start);
-        let along = formula.terms.split_off(formula.terms.len() - 2);
-        let r = self.words.notation.relative;
-        let sliding = |slide: &DrivenSlide| format!("v_{r}({})", self.mechanism.slider_name(slide.slider));
-        for slide in &cut.slides {
-            formula.sign(&format!(" {} ", plus_or_minus(slide)));
-            formula.vector(sliding(slide), Known::Entirely, Some(NamedPart::Sliding));
-        }
-        let turns = cut.terms.iter().any(|term| self.turning(point, term).is_some());
-        match cut.slide(self.mechanism).filter(|_| !turns) {
-            Some(slide) => {
-                formula.sign(&format!(" {} ", plus_or_minus(&slide)));
-                formula.vector(sliding(&slide), Known::Direction, Some(NamedPart::Sliding));
-            }
-            None => formula.terms.extend(along),
-        }
-        formula
-    }
-
-    /// The vector equation behind an acceleration ray: what the sliders of the leg add, normal and tangential part.
-    /// Parts that are zero in every position are left out.
-    fn relative_acceleration(&self, point: &Special, cut: &CutLine, start: &str) -> Formula {
+    /// The vector equation behind the ray of a leg: what the sliders of the leg add, then what the ray carries. Parts
+    /// that are zero in every position are left out.
+    fn leg_equation(&self, sheet: Sheet, point: &Special, cut: &CutLine, start: &str) -> Formula {
         let notation = self.words.notation;
-        let mut formula = Formula::default();
-        formula.vector(format!("a{}", subscript(&[&point.name])), Known::Nothing, None);
-        formula.sign(" = ");
-        formula.vector(format!("a{}", subscript(&[start])), Known::Entirely, None);
-        let slider = |slide: &DrivenSlide| self.mechanism.slider_name(slide.slider);
-        let mut add = |sign: char, markup: String, known: Known, part: NamedPart| {
-            formula.sign(&format!(" {sign} "));
-            formula.vector(markup, known, Some(part));
+        let mut formula = Formula::equal(sheet, &point.name, start);
+        let add_slide = |formula: &mut Formula, slide: &DrivenSlide, known: Known, part: NamedPart| {
+            let index = if part == NamedPart::Coriolis { notation.coriolis } else { notation.relative };
+            let markup = format!("{}_{index}({})", sheet.vector(), self.mechanism.slider_name(slide.slider));
+            formula.add(if slide.sign < 0.0 { '−' } else { '+' }, markup, known, Some(part));
         };
-        let (relative, coriolis) = (notation.relative, notation.coriolis);
+        let has_coriolis = |slide: &DrivenSlide| sheet == Sheet::Acceleration && self.has_coriolis(slide);
         for slide in &cut.slides {
-            add(plus_or_minus(slide), format!("a_{relative}({})", slider(slide)), Known::Entirely, NamedPart::Sliding);
-            if self.has_coriolis(slide) {
-                let added = format!("a_{coriolis}({})", slider(slide));
-                add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+            add_slide(&mut formula, slide, Known::Entirely, NamedPart::Sliding);
+            if has_coriolis(slide) {
+                add_slide(&mut formula, slide, Known::Entirely, NamedPart::Coriolis);
             }
         }
         let passed = cut.slide(self.mechanism);
-        if let Some(slide) = passed.as_ref().filter(|slide| self.has_coriolis(slide)) {
-            let added = format!("a_{coriolis}({})", slider(slide));
-            add(plus_or_minus(slide), added, Known::Entirely, NamedPart::Coriolis);
+        if let Some(slide) = passed.as_ref().filter(|slide| has_coriolis(slide)) {
+            add_slide(&mut formula, slide, Known::Entirely, NamedPart::Coriolis);
         }
         let points = subscript(&[&point.name, start]);
-        let turning = || cut.terms.iter().filter_map(|term| self.turning(point, term));
-        if turning().any(|link| self.turns(link)) {
-            add('+', format!("a^{}{points}", notation.normal), Known::Entirely, NamedPart::Normal);
-        }
-        if turning().next().is_some() {
-            add('+', format!("a^{}{points}", notation.tangential), Known::Direction, NamedPart::Tangential);
-        }
-        if let Some(slide) = passed {
-            add(
-                plus_or_minus(&slide),
-                format!("a_{relative}({})", slider(&slide)),
-                Known::Direction,
-                NamedPart::Sliding,
-            );
+        let turning: Vec<BodyId> = cut.terms.iter().filter_map(|term| self.turning(point, term)).collect();
+        match sheet {
+            // Turning and sliding together are one velocity along the ray.
+            Sheet::Scheme | Sheet::Velocity => match passed.filter(|_| turning.is_empty()) {
+                Some(slide) => add_slide(&mut formula, &slide, Known::Direction, NamedPart::Sliding),
+                None => formula.add('+', format!("v{points}"), Known::Direction, None),
+            },
+            Sheet::Acceleration => {
+                if turning.iter().any(|&link| self.turns(link)) {
+                    let normal = format!("a^{}{points}", notation.normal);
+                    formula.add('+', normal, Known::Entirely, Some(NamedPart::Normal));
+                }
+                if !turning.is_empty() {
+                    let tangential = format!("a^{}{points}", notation.tangential);
+                    formula.add('+', tangential, Known::Direction, Some(NamedPart::Tangential));
+                }
+                if let Some(slide) = passed {
+                    add_slide(&mut formula, &slide, Known::Direction, NamedPart::Sliding);
+                }
+            }
         }
         formula
     }
@@ -186,8 +150,8 @@ impl Teller<'_> {
     ///
     /// Each term has the sign of its component along the segment from its start to the special point's image.
     #[must_use]
-    pub fn equation(&self, kind: Sheet, LegEquation { special, side, from, segment }: &LegEquation) -> String {
-        let (rate, slide) = (kind.rate(), kind.vector());
+    pub fn equation(&self, sheet: Sheet, LegEquation { special, side, from, segment }: &LegEquation) -> String {
+        let (rate, slide) = (sheet.rate(), sheet.vector());
         let mechanism = self.mechanism;
         let point = self.construction.special(*special);
         let cut = &point.cuts[*side];
@@ -221,10 +185,6 @@ impl Teller<'_> {
             });
             left.push_str(&written);
         }
-        format!("{left} = {}", measured(kind, from, &image_name(&point.name)))
+        format!("{left} = {}", measured(sheet, from, &image_name(&point.name)))
     }
-}
-
-fn plus_or_minus(slide: &DrivenSlide) -> char {
-    if slide.sign < 0.0 { '−' } else { '+' }
 }

@@ -105,8 +105,8 @@ impl Writer<'_> {
             rates.map(|rate| rate.map_or(Ball::default(), |rate| self.construction.record.exact.numbers[rate.0]));
         let arm = Pair::between(self.pose.point(from), self.pose.point(point));
         let turned = match sheet {
+            Sheet::Scheme | Sheet::Velocity => arm.quarter_turn() * omega,
             Sheet::Acceleration => arm.quarter_turn() * alpha - arm * (omega * omega),
-            _ => arm.quarter_turn() * omega,
         };
         let rotated = self.construction.record.exact.places[base.0] + turned;
         if rotated.errors().norm() < self.construction.record.exact.places[place.0].errors().norm() {
@@ -153,8 +153,8 @@ impl Writer<'_> {
         let rays = [(pair[0], pair[1]), (pair[1], pair[0])].map(|(end, other)| {
             let arm = self.join(end.point, point);
             let (along, relation) = match sheet {
+                Sheet::Scheme | Sheet::Velocity => (Along::line(arm).turned(1), Relation::Perpendicular),
                 Sheet::Acceleration => (Along::angle(base, [side, arm]), Relation::Angle),
-                _ => (Along::line(arm).turned(1), Relation::Perpendicular),
             };
             let of = RayOf::Arm { link: body, from: end.point, to: point, other: other.point };
             let (through, to) = (end.name.clone(), name.to_owned());

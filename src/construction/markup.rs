@@ -1,4 +1,5 @@
-//! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high.
+//! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high. Vector
+//! equations term by term.
 
 use super::plan::Plan;
 use crate::scene::{Head, QuantityName};
@@ -56,8 +57,8 @@ pub(super) fn subscript(names: &[&str]) -> String {
 pub(crate) fn rate_symbol(name: &str) -> String {
     let parsed = QuantityName::parse(name);
     match parsed.as_ref().map(|name| (name.head, name.arguments.as_slice())) {
-        Some((Head::Omega, [link])) => format!("ω_{{{link}}}"),
-        Some((Head::Alpha, [link])) => format!("α_{{{link}}}"),
+        Some((Head::Omega, [link])) => format!("{}_{{{link}}}", Sheet::Velocity.rate()),
+        Some((Head::Alpha, [link])) => format!("{}_{{{link}}}", Sheet::Acceleration.rate()),
         _ => name.to_owned(),
     }
 }
@@ -89,6 +90,104 @@ pub fn display(name: &str) -> String {
 }
 
 /// A plan segment times its scale, as written in an equation.
-pub(super) fn measured(kind: Sheet, from: &str, to: &str) -> String {
-    format!("{} ({} {})", kind.scale_symbol(), marked(from), marked(to))
+pub(super) fn measured(sheet: Sheet, from: &str, to: &str) -> String {
+    format!("{} ({} {})", sheet.scale_symbol(), marked(from), marked(to))
+}
+
+/// The vector equation of a step, term by term.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Formula {
+    /// Its vectors, and the signs and words between them, in reading order.
+    pub terms: Vec<FormulaTerm>,
+}
+
+/// A vector of a formula, or a sign, number or words beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FormulaTerm {
+    /// The term in markup: `_{…}` low, `^{…}` high.
+    pub markup: String,
+    /// How much of the vector is known when it is drawn.
+    pub known: Known,
+    /// Its kind, for parts of a velocity or an acceleration that have a name.
+    pub part: Option<NamedPart>,
+}
+
+/// How much of a vector is known: on the board a vector known entirely is underlined twice, one known in direction
+/// once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// A sign or a number, no vector.
+    Sign,
+    /// Words, no vector.
+    Words,
+    /// Neither size nor direction.
+    Nothing,
+    /// The direction alone.
+    Direction,
+    /// Size and direction.
+    Entirely,
+}
+
+/// A part of a velocity or acceleration that has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NamedPart {
+    /// Normal (centripetal) acceleration.
+    Normal,
+    /// Tangential acceleration.
+    Tangential,
+    /// Relative velocity or acceleration along a guide.
+    Sliding,
+    /// Coriolis acceleration.
+    Coriolis,
+}
+
+impl Formula {
+    /// Whether there is no equation.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.terms.iter().all(|term| term.markup.is_empty())
+    }
+
+    /// The whole equation in markup.
+    #[must_use]
+    pub fn markup(&self) -> String {
+        self.terms.iter().map(|t| t.markup.as_str()).collect()
+    }
+
+    /// The equation of the motion of a point: its vector, and that of the point from which it follows.
+    pub(super) fn equal(sheet: Sheet, point: &str, start: &str) -> Formula {
+        let mut formula = Formula::default();
+        formula.vector(sheet.vector().to_owned() + &subscript(&[point]), Known::Nothing, None);
+        formula.sign(" = ");
+        formula.vector(sheet.vector().to_owned() + &subscript(&[start]), Known::Entirely, None);
+        formula
+    }
+
+    /// Adds a sign and a vector.
+    pub(super) fn add(&mut self, sign: char, markup: String, known: Known, part: Option<NamedPart>) {
+        self.sign(&format!(" {sign} "));
+        self.vector(markup, known, part);
+    }
+
+    /// Adds a sign or a number.
+    pub(super) fn sign(&mut self, markup: &str) {
+        self.vector(markup.to_owned(), Known::Sign, None);
+    }
+
+    /// Adds words.
+    pub(super) fn words(&mut self, words: &str) {
+        self.vector(words.to_owned(), Known::Words, None);
+    }
+
+    /// Adds a term.
+    pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<NamedPart>) {
+        self.terms.push(FormulaTerm { markup, known, part });
+    }
+}
+
+impl From<String> for Formula {
+    /// An equation of scalars, as one term.
+    fn from(markup: String) -> Self {
+        Formula { terms: vec![FormulaTerm { markup, known: Known::Sign, part: None }] }
+    }
 }

@@ -6,9 +6,9 @@
 //! construct nothing again. A [`Solution`] holds all results of a scene.
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
-//! carried out by `run`; `writer`, which writes them down in `record` and in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `rates`, `joint_images`, `images`; `construct`, which goes through all groups. `step`, `plan`, `sentence`,
-//! `equations` and `passage` are for captions.
+//! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
+//! `leg`, `group`, `rates`, `joint_images`, `images`; `solution`, which goes through all groups. `step`, `plan`, `markup`,
+//! `sentence`, `equations`, `vectors` and `passage` are for captions.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
 //! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
@@ -43,11 +43,9 @@
 //! rotation about a point of its link, so that they do not grow from crossing to crossing.
 
 mod body;
-mod construct;
 mod constructed;
 mod cut;
 mod equations;
-mod formula;
 mod group;
 mod images;
 mod joint_images;
@@ -59,7 +57,6 @@ mod operation;
 mod passage;
 mod plan;
 mod rates;
-mod record;
 mod run;
 mod sentence;
 mod solution;
@@ -67,11 +64,9 @@ mod step;
 mod vectors;
 mod writer;
 
-pub use construct::construct;
 pub use constructed::{Agreement, Construction, Extent, NumberedStep};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
-pub use formula::{Formula, FormulaTerm, Known, NamedPart};
-pub use markup::{display, shown_text};
+pub use markup::{Formula, FormulaTerm, Known, NamedPart, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
 pub(crate) use name::point_on;
 pub use name::{coincident_name, image_name, normal_name};
@@ -83,7 +78,7 @@ pub use passage::{Aim, Passage};
 pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
 pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::Teller;
-pub use solution::Solution;
-pub use step::{Action, Added, Arrow, ArrowKind, LegEquation, Ray, RayOf, Relation, RelativePart, Step, VectorOf};
+pub use solution::{Solution, construct};
+pub use step::{Action, Added, Arrow, ArrowKind, LegEquation, Ray, RayOf, Relation, RelativePart, VectorOf};
 pub use vectors::PlanVector;
 pub(crate) use writer::Writer;

@@ -84,9 +84,13 @@ pub enum Rate {
 }
 
 impl Rate {
-    /// 0 for a velocity, 1 for an acceleration.
-    pub(super) fn order(self) -> usize {
-        usize::from(matches!(self, Rate::Alpha(_) | Rate::SlideAcceleration(_)))
+    /// The plan from which it is found.
+    #[must_use]
+    pub fn sheet(self) -> Sheet {
+        match self {
+            Rate::Omega(_) | Rate::SlideVelocity(_) => Sheet::Velocity,
+            Rate::Alpha(_) | Rate::SlideAcceleration(_) => Sheet::Acceleration,
+        }
     }
 
     /// The link of an angular rate.

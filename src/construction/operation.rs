@@ -244,19 +244,8 @@ impl OperationKind {
     /// Whether several steps may use its result: what is given, joining lines and sums belong to no step.
     #[must_use]
     pub(super) fn is_shared(&self) -> bool {
-        match self {
-            OperationKind::Pole { .. }
-            | OperationKind::Plot { .. }
-            | OperationKind::Join { .. }
-            | OperationKind::Take { .. }
-            | OperationKind::Compute { .. } => true,
-            OperationKind::Draw { .. }
-            | OperationKind::Cross { .. }
-            | OperationKind::Divide { .. }
-            | OperationKind::LayOff { .. }
-            | OperationKind::Measure { .. }
-            | OperationKind::Solve { .. } => false,
-        }
+        use OperationKind::{Compute, Join, Plot, Pole, Take};
+        matches!(self, Pole { .. } | Plot { .. } | Join { .. } | Take { .. } | Compute { .. })
     }
 
     /// The elementary errors of the hand in this operation, independent of each other and of other operations' errors.

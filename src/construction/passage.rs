@@ -48,24 +48,24 @@ impl Construction {
         for (index, step) in steps.iter().enumerate() {
             let last = passages.last().map(|passage| passage.aim);
             let aim = aim(&steps[index..], last);
-            let group = match step.step.action {
-                Action::SpecialPoint { special, .. } => self.group_of(special),
+            let group = match step.action {
+                Action::SpecialPoint { special, .. } => Some(self.special(*special).group),
                 _ => present.and_then(|(_, group, _)| group),
             };
             let joins = present.is_some_and(|(sheet, own, is_reached)| {
-                sheet == step.sheet()
+                sheet == step.sheet
                     && last == Some(aim)
                     && match aim {
                         Aim::SpecialPoints => own == group,
-                        Aim::Crossing => !is_reached || step.step.action.is_measured(),
+                        Aim::Crossing => !is_reached || step.action.is_measured(),
                         Aim::Start | Aim::Images => true,
                         Aim::Rates => !is_reached,
                         Aim::Nothing => false,
                     }
             });
             let was_reached = joins && present.is_some_and(|(.., is_reached)| is_reached);
-            let reached = matches!(step.step.action, Action::Cross { .. } | Action::Solve { .. });
-            present = Some((step.sheet(), group, was_reached || reached));
+            let reached = matches!(step.action, Action::Cross { .. } | Action::Solve { .. });
+            present = Some((step.sheet, group, was_reached || reached));
             match passages.last_mut().filter(|_| joins) {
                 Some(passage) => passage.steps[1] = step.number,
                 None => passages.push(Passage { aim, steps: [step.number; 2] }),
@@ -83,7 +83,7 @@ impl Construction {
 
 /// The aim of the first of some steps; `last` is that of the passage before it.
 fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
-    let actions = || steps.iter().map(|step| &step.step.action);
+    let actions = || steps.iter().map(|step| step.action);
     let Some(action) = actions().next() else { return Aim::Nothing };
     match action {
         Action::SpecialPoint { .. } | Action::MeasureLength { .. } => Aim::SpecialPoints,
@@ -120,126 +120,93 @@ fn towards<'a>(actions: impl Iterator<Item = &'a Action>) -> Option<RayOf> {
     None
 }
 
+/// What the steps of a passage do, by the names of points, lines and rates.
+#[derive(Default)]
+struct Told {
+    special: Vec<String>,
+    lengths: Vec<String>,
+    vectors: Vec<String>,
+    rays: Vec<String>,
+    crossing: String,
+    segments: Vec<String>,
+    unknowns: Vec<String>,
+}
+
 impl Teller<'_> {
     /// The caption of a passage: the sentences of its steps, shortened; names between backticks, as in
     /// [`caption`](Teller::caption).
     #[must_use]
     pub fn passage_caption(&self, passage: &Passage) -> String {
+        let language = self.words.language;
         let steps: Vec<NumberedStep<'_>> = self.construction.steps_of(passage).collect();
-        match steps.as_slice() {
+        let first = match steps.as_slice() {
             [] => return String::new(),
             [step] => return self.caption(step),
-            _ => {}
-        }
+            [first, ..] => first,
+        };
+        let told = self.told(&steps);
+        // A sentence with a list, empty for an empty one.
+        let joined = |list: &[String], sentence: fn(&Language, &str) -> String| match list {
+            [] => String::new(),
+            _ => sentence(language, &list.join(", ")),
+        };
+        let measured = |list| joined(list, Language::join_measure);
+        let laid_off = joined(&told.vectors, Language::join_lay_off);
         let sentences = match passage.aim {
-            Aim::SpecialPoints => self.joined_special_points(&steps),
-            Aim::Start => vec![self.caption(&steps[0]), self.joined_vectors(&steps)],
-            Aim::Crossing => vec![self.joined_vectors(&steps), self.joined_rays(&steps), self.joined_segments(&steps)],
-            Aim::Rates => vec![self.joined_rates(&steps)],
-            Aim::Images => vec![self.joined_images(&steps)],
+            Aim::SpecialPoints if told.special.len() == 1 => vec![self.caption(first), measured(&told.lengths)],
+            Aim::SpecialPoints => {
+                vec![language.join_special_points(&told.special.join(", ")), measured(&told.lengths)]
+            }
+            Aim::Start => vec![self.caption(first), laid_off],
+            Aim::Crossing => {
+                let crossing = match told.rays.as_slice() {
+                    [first, second] if !told.crossing.is_empty() => language.join_cross(first, second, &told.crossing),
+                    _ => String::new(),
+                };
+                vec![laid_off, crossing, measured(&told.segments)]
+            }
+            Aim::Rates => vec![language.join_rates(&told.segments.join(", "), &told.unknowns.join(", "))],
+            Aim::Images => {
+                let images: Vec<String> = steps.iter().filter_map(|step| self.image_made(step)).map(marked).collect();
+                vec![language.join_images(&images.join(", "))]
+            }
             Aim::Nothing => steps.iter().map(|step| self.caption(step)).collect(),
         };
         let said: Vec<String> = sentences.into_iter().filter(|sentence| !sentence.is_empty()).collect();
         said.join(" ")
     }
 
-    fn joined_special_points(&self, steps: &[NumberedStep<'_>]) -> Vec<String> {
-        let language = self.words.language;
-        let mut special = Vec::new();
-        let mut lengths = Vec::new();
+    fn told(&self, steps: &[NumberedStep<'_>]) -> Told {
+        let pair = |from: &str, to: &str| format!("{} {}", marked(from), marked(to));
+        let mut told = Told::default();
         for step in steps {
-            match &step.step.action {
-                Action::SpecialPoint { point, special: id, .. } => special.push((step, point, *id)),
-                Action::MeasureLength { from, to, .. } => lengths.push(pair(from, to)),
-                _ => {}
-            }
-        }
-        let found = match special.as_slice() {
-            [(step, ..)] => self.caption(step),
-            _ => {
-                let names: Vec<String> = special.iter().map(|(_, point, _)| marked(point)).collect();
-                language.join_special_points(&names.join(", "))
-            }
-        };
-        vec![found, self.joined(lengths, Language::join_measure)]
-    }
-
-    /// What is laid off.
-    fn joined_vectors(&self, steps: &[NumberedStep<'_>]) -> String {
-        let vectors = steps.iter().filter_map(|step| match &step.step.action {
-            Action::LayOff(arrow) => Some(pair(&arrow.from, &arrow.to)),
-            _ => None,
-        });
-        self.joined(vectors.collect(), Language::join_lay_off)
-    }
-
-    fn joined_rays(&self, steps: &[NumberedStep<'_>]) -> String {
-        let language = self.words.language;
-        let rays: Vec<String> = steps
-            .iter()
-            .filter_map(|step| match &step.step.action {
+            match step.action {
+                Action::SpecialPoint { point, .. } => told.special.push(marked(point)),
+                Action::MeasureLength { from, to, .. } => told.lengths.push(pair(from, to)),
+                Action::LayOff(arrow) => told.vectors.push(pair(&arrow.from, &arrow.to)),
                 Action::Ray(ray) => {
                     let sentence = match ray.relation {
                         Relation::Perpendicular => Language::join_normal,
                         Relation::Parallel => Language::join_parallel,
                         Relation::Angle => Language::join_at_angle,
                     };
-                    Some(sentence(language, &marked(&ray.through), &self.line_of(ray)))
+                    told.rays.push(sentence(self.words.language, &marked(&ray.through), &self.line_of(ray)));
                 }
-                _ => None,
-            })
-            .collect();
-        let point = steps.iter().find_map(|step| match &step.step.action {
-            Action::Cross { point, .. } => Some(point),
-            _ => None,
-        });
-        match (rays.as_slice(), point) {
-            ([first, second], Some(point)) => language.join_cross(first, second, &marked(point)),
-            _ => String::new(),
+                Action::Cross { point, .. } => told.crossing = marked(point),
+                Action::Measure { from, to, .. } => told.segments.push(pair(from, to)),
+                Action::Solve { unknowns, .. } => {
+                    told.unknowns.extend(unknowns.iter().map(|(name, _)| rate_symbol(name)))
+                }
+                _ => {}
+            }
         }
+        told
     }
 
-    fn joined_segments(&self, steps: &[NumberedStep<'_>]) -> String {
-        self.joined(segments(steps), Language::join_measure)
+    /// The image that a step makes first; not the end of a part of a vector that leads there.
+    fn image_made<'a>(&self, step: &NumberedStep<'a>) -> Option<&'a str> {
+        let (plan, name) = (step.plan?, step.action.image()?);
+        let maker = plan.steps.iter().find(|action| action.image() == Some(name))?;
+        (plan.points.get(name)?.role == PointRole::Image && std::ptr::eq(maker, step.action)).then_some(name)
     }
-
-    fn joined_rates(&self, steps: &[NumberedStep<'_>]) -> String {
-        let unknowns = steps.iter().find_map(|step| match &step.step.action {
-            Action::Solve { unknowns, .. } => Some(unknowns),
-            _ => None,
-        });
-        let names: Vec<String> = unknowns.into_iter().flatten().map(|(name, _)| rate_symbol(name)).collect();
-        self.words.language.join_rates(&segments(steps).join(", "), &names.join(", "))
-    }
-
-    fn joined_images(&self, steps: &[NumberedStep<'_>]) -> String {
-        // Images alone, each in the passage that makes it.
-        let made = |step: &NumberedStep<'_>| {
-            let (plan, name) = (step.plan?, step.step.action.image()?);
-            let is_image = plan.points.get(name).is_some_and(|point| point.role == PointRole::Image);
-            let maker = self.construction.made_by.get(&(step.sheet(), name.to_owned()))?;
-            (is_image && std::ptr::eq(&plan.steps[*maker], step.step)).then(|| marked(name))
-        };
-        let names: Vec<String> = steps.iter().filter_map(made).collect();
-        self.words.language.join_images(&names.join(", "))
-    }
-
-    /// A sentence with a list, empty for an empty one.
-    fn joined(&self, list: Vec<String>, sentence: fn(&Language, &str) -> String) -> String {
-        if list.is_empty() { String::new() } else { sentence(self.words.language, &list.join(", ")) }
-    }
-}
-
-/// The measured segments of some steps, each by its ends.
-fn segments(steps: &[NumberedStep<'_>]) -> Vec<String> {
-    let measured = steps.iter().filter_map(|step| match &step.step.action {
-        Action::Measure { from, to, .. } => Some(pair(from, to)),
-        _ => None,
-    });
-    measured.collect()
-}
-
-/// A distance by its two ends, marked for a caption.
-fn pair(from: &str, to: &str) -> String {
-    format!("{} {}", marked(from), marked(to))
 }

@@ -1,20 +1,20 @@
 //! A plan: its points, and the steps by which it is drawn.
 
-use super::step::{Action, Arrow, Ray, Step};
+use super::step::{Action, Arrow, Ray};
 use crate::geometry::Vector;
 use crate::sheet::Sheet;
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
 
-/// A velocity or acceleration plan: its points and the steps by which it is drawn.
+/// A velocity or acceleration plan: its points and the steps by which it is drawn. The scheme has steps alone.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// Velocity or acceleration plan.
-    pub kind: Sheet,
+    /// The sheet on which it is drawn.
+    pub sheet: Sheet,
     /// Its points by name, in order of construction; vectors from the pole, in units of the plan.
     pub points: IndexMap<String, PlanPoint>,
     /// The steps by which it is drawn, in order.
-    pub steps: Vec<Step>,
+    pub steps: Vec<Action>,
     /// The length of the longest vector from the pole to a point.
     pub(super) largest: f64,
 }
@@ -50,6 +50,10 @@ pub enum PointRole {
 pub const NOTHING: f64 = 1e-12;
 
 impl Plan {
+    pub(super) fn new(sheet: Sheet) -> Plan {
+        Plan { sheet, points: IndexMap::new(), steps: Vec::new(), largest: 0.0 }
+    }
+
     /// The vector from one plan point to another; `None` for an unknown name.
     #[must_use]
     pub fn segment(&self, from: &str, to: &str) -> Option<Vector> {
@@ -73,16 +77,16 @@ impl Plan {
     #[must_use]
     pub fn shown(&self, name: &str, written: String, notation: &Notation) -> String {
         use PointRole::{Image, Known, Pole, Special};
-        let pole = notation.pole(self.kind);
+        let pole = notation.pole(self.sheet);
         let Some(point) = self.points.get(name) else {
             return written;
         };
         // A point of the ground under a slider has no name of its own in a plan.
         let is_under = point.role == PointRole::Pole && name.ends_with("_ground");
-        if name == self.kind.pole() || is_under {
+        if name == self.sheet.pole() || is_under {
             return pole.to_owned();
         }
-        let primes = notation.primes && self.kind == Sheet::Acceleration;
+        let primes = notation.primes && self.sheet == Sheet::Acceleration;
         let shown = match point.role {
             Pole | Known | Special | Image if primes => with_prime(&written),
             _ => written,
@@ -93,10 +97,9 @@ impl Plan {
             false => shown,
         }
     }
-
     /// The vectors that the steps lay off, in order.
     pub fn arrows(&self) -> impl Iterator<Item = &Arrow> {
-        self.steps.iter().filter_map(|s| match &s.action {
+        self.steps.iter().filter_map(|action| match action {
             Action::LayOff(arrow) => Some(arrow),
             _ => None,
         })
@@ -104,7 +107,7 @@ impl Plan {
 
     /// The rays that the steps draw, in order.
     pub fn rays(&self) -> impl Iterator<Item = &Ray> {
-        self.steps.iter().filter_map(|s| match &s.action {
+        self.steps.iter().filter_map(|action| match action {
             Action::Ray(ray) => Some(ray),
             _ => None,
         })

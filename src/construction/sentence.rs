@@ -2,8 +2,7 @@
 
 use super::constructed::{Construction, NumberedStep};
 use super::cut::Special;
-use super::formula::{Formula, Known};
-use super::markup::{marked, measured, no_construction, rate_symbol, subscript};
+use super::markup::{Formula, Known, marked, measured, no_construction, rate_symbol, subscript};
 use super::name::point_on;
 use super::solution::Solution;
 use super::step::{Action, Added, Arrow, Ray, RayOf, Relation, RelativePart, VectorOf};
@@ -32,13 +31,13 @@ impl<'a> Teller<'a> {
 
     /// The caption of a step, one line; names of points between backticks, the rest in markup.
     #[must_use]
-    pub fn caption(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> String {
+    pub fn caption(&self, NumberedStep { sheet, action, .. }: &NumberedStep<'_>) -> String {
         let language = self.words.language;
-        match &step.action {
-            Action::Pole { images } => self.pole(plan.map_or(Sheet::Velocity, |plan| plan.kind), images),
+        match action {
+            Action::Pole { images } => self.pole(*sheet, images),
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
             Action::MeasureLength { from, to, .. } => language.measure_length(&marked(from), &marked(to)),
-            Action::LayOff(arrow) => self.lay_off(plan.map_or(Sheet::Velocity, |plan| plan.kind), arrow).1,
+            Action::LayOff(arrow) => self.lay_off(*sheet, arrow).1,
             Action::Ray(ray) => {
                 let sentence = match ray.relation {
                     Relation::Perpendicular => Language::ray_normal,
@@ -67,13 +66,12 @@ impl<'a> Teller<'a> {
 
     /// The equation that belongs to a step, as `v_{S3} = v_B + v_{S3B}`; empty where there is none.
     #[must_use]
-    pub fn formula(&self, NumberedStep { plan, step, .. }: &NumberedStep<'_>) -> Formula {
-        let kind = plan.map_or(Sheet::Velocity, |plan| plan.kind);
-        match &step.action {
+    pub fn formula(&self, &NumberedStep { sheet, action, .. }: &NumberedStep<'_>) -> Formula {
+        match action {
             Action::MeasureLength { from, to, .. } => format!("L{}", subscript(&[from, to])).into(),
-            Action::LayOff(arrow) => self.lay_off(kind, arrow).0,
-            Action::Ray(ray) => self.ray_equation(kind, ray),
-            Action::Measure { from, to, .. } => measured(kind, from, to).into(),
+            Action::LayOff(arrow) => self.lay_off(sheet, arrow).0,
+            Action::Ray(ray) => self.ray_equation(sheet, ray),
+            Action::Measure { from, to, .. } => measured(sheet, from, to).into(),
             Action::Divide { point, between: [from, to], points } => {
                 let [first, second, third] = points.map(|point| self.mechanism.point_name(point));
                 let [from, to, point] = [from, to, point].map(|name| marked(name));
@@ -106,8 +104,8 @@ impl<'a> Teller<'a> {
         }
     }
 
-    fn pole(&self, kind: Sheet, images: &[String]) -> String {
-        let (pole, scale) = (self.words.notation.pole(kind), kind.scale_symbol());
+    fn pole(&self, sheet: Sheet, images: &[String]) -> String {
+        let (pole, scale) = (self.words.notation.pole(sheet), sheet.scale_symbol());
         if images.is_empty() {
             return self.words.language.choose_pole(pole, scale);
         }
@@ -129,10 +127,10 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of a vector that is laid off.
-    pub(super) fn lay_off(&self, kind: Sheet, arrow: &Arrow) -> (Formula, String) {
+    pub(super) fn lay_off(&self, sheet: Sheet, arrow: &Arrow) -> (Formula, String) {
         let Arrow { from, to, of } = arrow;
         match of {
-            VectorOf::Point(body, point) => self.known_vector(*body, *point, kind),
+            VectorOf::Point(body, point) => self.known_vector(*body, *point, sheet),
             VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
             VectorOf::Relative { link, from, to, part } => self.relative(*link, [from, to], *part),
             VectorOf::Sliding(slider, under) => {
@@ -169,19 +167,19 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of the known velocity or acceleration of body `base` at a point.
-    fn known_vector(&self, base: BodyId, point: PointId, kind: Sheet) -> (Formula, String) {
+    fn known_vector(&self, base: BodyId, point: PointId, sheet: Sheet) -> (Formula, String) {
         let (mechanism, language, notation) = (self.mechanism, self.words.language, self.words.notation);
         let body = mechanism.body(base);
         let under = mechanism.point_name(point);
         let name = &point_on(mechanism, base, point);
-        let letter = kind.vector();
+        let letter = sheet.vector();
         match &body.role {
             Role::Driver { pivot, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
                 let (arm, line) = (format!("L{}", subscript(&[k, name])), format!("{k}{name}"));
                 let (end, pair) = (subscript(&[name]), subscript(&[name, k]));
                 let (n, t) = (notation.normal, notation.tangential);
-                match kind {
+                match sheet {
                     Sheet::Acceleration if *alpha == 0.0 => (
                         format!("a{end} = a^{n}{pair} = ω_{link}^2 {arm}").into(),
                         language.lay_off_normal_acceleration(name, k, link),
@@ -193,7 +191,7 @@ impl<'a> Teller<'a> {
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),
                     ),
-                    _ => (
+                    Sheet::Scheme | Sheet::Velocity => (
                         format!("v{end} = ω_{link} {arm}").into(),
                         language.lay_off_velocity(name, &line, link),
                     ),

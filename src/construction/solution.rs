@@ -1,7 +1,12 @@
-use super::construct::construct;
+//! A solved scene, and the construction of all its groups, one after another.
+
 use super::constructed::{Construction, Extent};
+use super::cut::{Special, SpecialId, special_points};
+use super::leg::DrawnSpecial;
 use super::markup::{no_construction, plain_text};
-use crate::mechanism::Mechanism;
+use super::step::Action;
+use super::writer::Writer;
+use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, PointId};
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
 use crate::scene::{ConstructionShown, Scene};
@@ -56,5 +61,99 @@ impl Solution {
         // Warnings are in English whatever the language of the figure.
         let without = self.construction.without().map(|far| plain_text(&no_construction(&Wording::default(), far)));
         found.into_iter().flatten().cloned().chain(without)
+    }
+}
+
+/// The construction of both plans from one pole each, for every group of `mechanism`.
+///
+/// Joints are plotted at their places. Lengths between two points of one link are taken from the scene, other lengths
+/// are measured, as are all in a drawn configuration. A guide that runs through two points of its link is drawn through
+/// them, any other in its direction. For a group without a construction, and for bodies whose motion follows from it,
+/// rates and vectors are taken from `motion`.
+#[must_use]
+pub fn construct(mechanism: &Mechanism, pose: &Pose, motion: &Motion, extent: Extent) -> Construction {
+    let mut writer = Writer::new(mechanism, pose, motion, extent);
+    for group in &mechanism.groups {
+        writer.group(group);
+        if extent == Extent::Points {
+            group.bodies.iter().for_each(|&body| writer.further_images(body));
+        }
+    }
+    if extent == Extent::Points {
+        mechanism.body_ids().filter(|&body| mechanism.is_known(body)).for_each(|body| writer.further_images(body));
+    }
+    writer.construction
+}
+
+impl Writer<'_> {
+    /// Constructs the next group: each of its special points by two rays, then the rates from measured segments.
+    /// Without such a construction the rates come from the motion.
+    fn group(&mut self, group: &Group) {
+        let first = self.construction.special.len();
+        let special = special_points(self.mechanism, self.pose, self.construction.agreement.len());
+        let equations = LoopEquations::new(self.mechanism, group);
+        for &link in &group.bodies {
+            if let AngularRate::Known(body) = equations.angular_rate_of(link) {
+                self.construction.angular_rates[link.0] = self.construction.angular_rates[body.0];
+            }
+        }
+        let has_crossing =
+            |s: &Special| s.place.finite().is_some() && s.cuts.iter().all(|c| c.line.direction().is_some());
+        let equation_count = 2 * special.len() + equations.angular.len();
+        let has_rays = equation_count == equations.unknowns && special.iter().all(has_crossing);
+        let ids = (first..).map(SpecialId);
+        let drawn: Vec<Option<DrawnSpecial<'_>>> =
+            special.iter().zip(ids).map(|(special, id)| self.special_point(special, id, has_rays)).collect();
+        let mut starts: Vec<(BodyId, PointId)> = Vec::new();
+        let cuts = special.iter().flat_map(|s| &s.cuts);
+        let legs = cuts.filter_map(|cut| cut.start().map(|point| (cut.leg.base, point)));
+        let hanging = group.hanging(self.mechanism).into_iter();
+        for (base, point) in legs.chain(hanging.map(|(joint, base, _)| (base, self.mechanism.joint_point(joint)))) {
+            if !starts.contains(&(base, point)) {
+                starts.push((base, point));
+                self.plans().iter().for_each(|&sheet| self.known_vector(sheet, base, point));
+            }
+        }
+        let drawn: Option<Vec<DrawnSpecial<'_>>> = drawn.into_iter().collect();
+        let constructed = drawn.filter(|_| has_rays).and_then(|drawn| self.rates(group, &equations, &drawn));
+        if constructed.is_none() {
+            self.without_construction(group, &equations, &special);
+        }
+        let agreement = constructed.map(|()| self.agreement(group, &equations));
+        self.construction.agreement.push(agreement);
+        self.construction.special.extend(special);
+    }
+
+    /// Constructs both plans; `None` where rays are parallel or the equations have no solution.
+    fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[DrawnSpecial<'_>]) -> Option<()> {
+        for &sheet in self.plans() {
+            self.rays(sheet, group, equations, drawn)?;
+            if sheet == Sheet::Velocity {
+                self.note_anchors(group);
+            }
+            if sheet == Sheet::Velocity || self.construction.extent == Extent::Rates {
+                self.images(sheet, group);
+            }
+        }
+        self.image_steps(group);
+        if self.construction.extent == Extent::Points && self.plans().contains(&Sheet::Acceleration) {
+            self.relative_images(Sheet::Acceleration, group);
+        }
+        Some(())
+    }
+
+    /// Notes that the group has no construction, and takes its rates from the motion.
+    fn without_construction(&mut self, group: &Group, equations: &LoopEquations, special: &[Special]) {
+        let far = special.iter().filter(|s| s.place.finite().is_none()).map(|s| s.name.clone());
+        let far: Vec<String> = far.collect();
+        for &sheet in self.plans() {
+            let step = self.begin(sheet);
+            self.finish(step, Action::NoConstruction { far: far.clone() });
+        }
+        self.take_computed_rates(group, equations);
+        self.note_anchors(group);
+        for &sheet in self.plans() {
+            self.relative_images(sheet, group);
+        }
     }
 }

@@ -3,14 +3,7 @@ use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
 use crate::sheet::Sheet;
 
-/// A step at the board: the facts from which [`Teller`](super::Teller) makes sentences and equations.
-#[derive(Clone, Debug)]
-pub struct Step {
-    /// What is done.
-    pub action: Action,
-}
-
-/// The action of a step.
+/// What is done in a step at the board: the facts from which [`Teller`](super::Teller) makes sentences and equations.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Action {
@@ -186,8 +179,9 @@ impl Added {
     #[must_use]
     pub fn on(sheet: Sheet) -> &'static [Added] {
         match sheet {
+            Sheet::Scheme => &[],
+            Sheet::Velocity => &[Added::SlidingVelocity],
             Sheet::Acceleration => &[Added::SlidingAcceleration, Added::Coriolis],
-            _ => &[Added::SlidingVelocity],
         }
     }
 }

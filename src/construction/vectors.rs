@@ -1,7 +1,7 @@
 //! The vectors of a plan by their symbols: whole velocities and accelerations from the pole, relative ones and their
 //! parts between plan points.
 
-use super::formula::{Known, NamedPart};
+use super::markup::{Known, NamedPart};
 use super::name::{coincident_name, image_name};
 use super::plan::{Plan, PointRole};
 use super::sentence::Teller;
@@ -30,14 +30,14 @@ impl Teller<'_> {
     #[must_use]
     pub fn vectors(&self, plan: &Plan) -> Vec<PlanVector> {
         let mut vectors = self.whole_vectors(plan);
-        for action in plan.steps.iter().map(|step| &step.action) {
+        for action in &plan.steps {
             let (ends, made, formula, kind, link) = match action {
                 Action::LayOff(arrow) if matches!(arrow.of, VectorOf::Point(..)) => continue,
                 Action::LayOff(arrow) => {
                     if matches!(arrow.of, VectorOf::Normal(special, _) if self.construction.special(special).is_assur) {
                         continue;
                     }
-                    (arrow.ends(), &arrow.to, self.lay_off(plan.kind, arrow).0, arrow.kind(), None)
+                    (arrow.ends(), &arrow.to, self.lay_off(plan.sheet, arrow).0, arrow.kind(), None)
                 }
                 Action::Ray(ray) => {
                     let RayOf::Leg(special, side) = ray.of else { continue };
@@ -45,7 +45,7 @@ impl Teller<'_> {
                     if special.is_assur {
                         continue;
                     }
-                    let formula = self.ray_equation(plan.kind, ray);
+                    let formula = self.ray_equation(plan.sheet, ray);
                     let link = Some(special.cuts[side].carrier);
                     ([ray.through.as_str(), ray.to.as_str()], &ray.to, formula, ArrowKind::Relative, link)
                 }
@@ -79,7 +79,7 @@ impl Teller<'_> {
 
     /// The velocities or accelerations of all points with images, and of the points under sliders.
     fn whole_vectors(&self, plan: &Plan) -> Vec<PlanVector> {
-        let letter = plan.kind.vector();
+        let letter = plan.sheet.vector();
         let is_image = |name: &str| {
             let role = plan.points.get(name).map(|point| point.role);
             matches!(role, Some(PointRole::Image | PointRole::Known))
@@ -87,7 +87,7 @@ impl Teller<'_> {
         let mut names = names_of_points(self.mechanism);
         names.retain(|name| is_image(&image_name(name)));
         let vector = |name: String| PlanVector {
-            ends: [plan.kind.pole().to_owned(), image_name(&name)],
+            ends: [plan.sheet.pole().to_owned(), image_name(&name)],
             symbol: format!("{letter}_{{{name}}}"),
             kind: ArrowKind::Whole,
             made: image_name(&name),

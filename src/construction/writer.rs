@@ -5,7 +5,7 @@ use super::name::image_name;
 use super::number::{End, Equation, NumberId, NumberKind, Product, Rate};
 use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, StepId};
 use super::plan::{Plan, PlanPoint, PointRole};
-use super::step::{Action, Step};
+use super::step::Action;
 use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::Motion;
@@ -50,7 +50,7 @@ impl<'a> Writer<'a> {
     /// A writer with the poles of the plans and the rates that the scene gives.
     pub(super) fn new(mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion, extent: Extent) -> Self {
         let origin = pose.points.first().copied().unwrap_or_default();
-        let empty = Construction::empty(mechanism, motion.order, origin, extent);
+        let empty = Construction::empty(mechanism, origin, extent);
         let mut writer = Writer::continued(mechanism, pose, motion, empty);
         for &sheet in writer.plans() {
             writer.begin_plan(sheet);
@@ -88,17 +88,14 @@ impl<'a> Writer<'a> {
         self.motion.order.plans_up_to()
     }
 
-    /// The plan of a sheet; never called for the scheme.
+    /// The plan of a sheet.
     pub(super) fn plan(&mut self, sheet: Sheet) -> &mut Plan {
-        match (sheet, &mut self.construction.acceleration) {
-            (Sheet::Acceleration, Some(plan)) => plan,
-            _ => &mut self.construction.velocity,
-        }
+        &mut self.construction.sheets[sheet]
     }
 
     /// Whether a plan shows a point of that name.
     pub(super) fn shows(&self, sheet: Sheet, name: &str) -> bool {
-        self.construction.plan_on(sheet).is_some_and(|plan| plan.points.contains_key(name))
+        self.construction.sheets[sheet].points.contains_key(name)
     }
 
     /// Begins a step on a sheet.
@@ -113,12 +110,9 @@ impl<'a> Writer<'a> {
 
     /// Adds a step that has done this to its sheet; its operations belong to it, unless several steps may use them.
     pub(super) fn take_step(&mut self, Written { sheet, operations }: Written, action: Action) -> StepId {
-        let steps = match sheet {
-            Sheet::Scheme => &mut self.construction.scheme,
-            _ => &mut self.plan(sheet).steps,
-        };
+        let steps = &mut self.plan(sheet).steps;
         let id = StepId { sheet, index: steps.len() };
-        steps.push(Step { action });
+        steps.push(action);
         for operation in &mut self.construction.operations[operations] {
             if operation.sheet == sheet && operation.step.is_none() && !operation.kind.is_shared() {
                 operation.step = Some(id);

@@ -166,7 +166,7 @@ impl<'a> SheetContext<'a> {
     /// The Assur points, in a figure that shows them.
     pub(super) fn special(&self) -> impl Iterator<Item = &'a Special> {
         let shown = self.figure().special_points;
-        self.construction().special.iter().flatten().filter(move |special| shown && special.is_assur)
+        self.construction().special.iter().filter(move |special| shown && special.is_assur)
     }
     pub(super) fn values_of(&self, sheet: Sheet) -> impl Iterator<Item = &Value> {
         self.values.iter().filter(move |value| value.panel == sheet)

@@ -268,7 +268,7 @@ fn panel<'a>(context: &'a SheetContext<'a>, plan: Sheet) -> Option<Panel<'a>> {
         white: AROUND_PLAN,
         weight: 1.0,
     };
-    let pole = drawn.kind.pole();
+    let pole = drawn.sheet.pole();
     let layer = move |canvas: &mut Canvas<'_>, view: &View| {
         let (center, radius) = (view.at(geometry::Point::origin()), 2.0 * context.surface.dims.dot);
         canvas.draw_named(&format!("point-{pole}"), Pen::Pole, Shape::Circle { center, radius });

@@ -60,7 +60,7 @@ impl Facts {
 /// `n_{b_{rod}C}`.
 fn markup(mechanism: &Mechanism, construction: &Construction) -> IndexMap<String, String> {
     let mut shown = IndexMap::new();
-    for special in construction.special.iter().flatten() {
+    for special in construction.special.iter() {
         let links = links(mechanism, special);
         let long = links.iter().any(|link| link.chars().count() > 1);
         let low = links.join(if long { "," } else { "" });

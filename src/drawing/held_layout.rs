@@ -212,7 +212,7 @@ impl HeldLayout {
                 panel,
                 name: name.clone(),
                 at: self.enlarged() * view.at(point.vector.into()),
-                is_fixed: name == plan.kind.pole(),
+                is_fixed: name == plan.sheet.pole(),
             })
         });
         handles.collect()

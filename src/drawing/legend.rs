@@ -169,7 +169,7 @@ fn routes(context: &SheetContext<'_>) -> (String, bool) {
             (language.agreement(&difference, &allowed), true)
         }
         _ => {
-            let far = construction.special.iter().flatten().any(|special| special.place.finite().is_none());
+            let far = construction.special.iter().any(|special| special.place.finite().is_none());
             let why = if far { language.one_route_far() } else { language.one_route() };
             (why.to_owned(), false)
         }

@@ -27,8 +27,8 @@ impl Writer<'_> {
         let with_details: Vec<&NumberedStep<'_>> = match aim {
             Aim::SpecialPoints => return self.lengths(steps),
             Aim::Crossing => return self.crossing(steps),
-            Aim::Rates => steps.iter().filter(|step| matches!(step.step.action, Action::Solve { .. })).collect(),
-            Aim::Start => steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_))).collect(),
+            Aim::Rates => steps.iter().filter(|step| matches!(step.action, Action::Solve { .. })).collect(),
+            Aim::Start => steps.iter().filter(|step| matches!(step.action, Action::LayOff(_))).collect(),
             Aim::Images | Aim::Nothing => steps.iter().collect(),
         };
         match with_details.as_slice() {
@@ -40,7 +40,7 @@ impl Writer<'_> {
     /// The measured lengths of special points, two in a line.
     fn lengths(&mut self, steps: &[NumberedStep<'_>]) {
         let half = 0.5 * self.area.width();
-        let measured = steps.iter().filter_map(|step| match &step.step.action {
+        let measured = steps.iter().filter_map(|step| match &step.action {
             Action::MeasureLength { value, .. } => Some((step, *value)),
             _ => None,
         });
@@ -56,13 +56,13 @@ impl Writer<'_> {
     /// The equations behind both rays, and what has been laid off: below the caption, with the equations beside it;
     /// after the caption, with the equations below; after the equations; or, where that is too long, below them.
     fn crossing(&mut self, steps: &[NumberedStep<'_>]) {
-        let laid_off = steps.iter().filter(|step| matches!(step.step.action, Action::LayOff(_)));
+        let laid_off = steps.iter().filter(|step| matches!(step.action, Action::LayOff(_)));
         let laid_off: Vec<NumberedStep<'_>> = laid_off.copied().collect();
         let width = width_of(&self.formula(&laid_off), EQUATION);
         let is_beside = self.area.x0 > self.captions.x0;
         let after_caption = Rect { x0: self.caption_end + BETWEEN, ..self.captions };
         let is_after_caption = !is_beside && width <= after_caption.width();
-        let rays = steps.iter().filter_map(|step| match &step.step.action {
+        let rays = steps.iter().filter_map(|step| match &step.action {
             Action::Ray(ray) => Some((step, ray)),
             _ => None,
         });

@@ -8,7 +8,7 @@ use super::layout::{Item, Layout};
 use super::plan::sight::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
-use crate::construction::{Plan, Solution};
+use crate::construction::{Plan, Rate, Solution};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::Sheet;
@@ -54,7 +54,7 @@ impl SheetContext<'_> {
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
     pub(super) fn quantity(&self, asked: &QuantityRequest) -> String {
         let plan = match asked.what() {
-            What::Segment { kind, .. } => self.construction().plans().find(|plan| plan.kind == *kind),
+            What::Segment { kind, .. } => self.construction().plans().find(|plan| plan.sheet == *kind),
             _ => None,
         };
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
@@ -73,7 +73,9 @@ impl SheetContext<'_> {
     /// Which sense is positive, of links and of slides.
     fn note_on_senses(&self, asked: &[QuantityRequest]) -> String {
         let language = self.words.language;
-        let slides = asked.iter().filter(|a| matches!(a.what(), What::SlideVelocity(_) | What::SlideAcceleration(_)));
+        let slides = asked
+            .iter()
+            .filter(|a| matches!(a.what(), What::Rate(Rate::SlideVelocity(_) | Rate::SlideAcceleration(_))));
         let slides: Vec<String> = slides.map(|asked| self.quantity(asked)).collect();
         match slides.is_empty() {
             true => language.exercise_senses().to_owned(),
@@ -86,7 +88,7 @@ impl SheetContext<'_> {
         let language = self.words.language;
         let is_named = |plan: &Plan, name: &str| {
             asked.iter().any(|asked| match asked.what() {
-                What::Segment { kind, from, to, .. } => *kind == plan.kind && (from == name || to == name),
+                What::Segment { kind, from, to, .. } => *kind == plan.sheet && (from == name || to == name),
                 _ => false,
             })
         };

@@ -1,6 +1,6 @@
 //! Steps of a construction, and which of them makes what is drawn.
 
-use crate::construction::{Action, Construction, Plan};
+use crate::construction::{Action, Construction, NumberedStep};
 use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
 
@@ -15,6 +15,7 @@ pub enum Steps {
 
 /// For points, rays and vectors the step of the construction that makes them. Steps count from 1, through the scheme,
 /// the velocity plan and the acceleration plan.
+#[derive(Default)]
 pub(super) struct StepNumbers {
     special: IndexMap<String, u16>,
     /// Solved rates, by the names of their quantities.
@@ -33,23 +34,18 @@ pub(super) struct PlanSteps {
 
 impl StepNumbers {
     pub(super) fn new(construction: &Construction) -> Self {
-        let mut before = construction.scheme.len();
-        let special = (1..).zip(&construction.scheme).filter_map(|(number, step)| match &step.action {
-            Action::SpecialPoint { point, .. } => Some((point.clone(), number)),
-            _ => None,
-        });
-        let special = special.collect();
-        let mut plan = |plan: Option<&Plan>| {
-            let steps = plan.map(|plan| PlanSteps::new(plan, before));
-            before += plan.map_or(0, |plan| plan.steps.len());
-            steps.unwrap_or_default()
-        };
-        let solved = construction.numbered_steps().filter_map(|step| match &step.step.action {
-            Action::Solve { unknowns, .. } => Some((step.number as u16, unknowns)),
-            _ => None,
-        });
-        let rates = solved.flat_map(|(number, unknowns)| unknowns.iter().map(move |(name, _)| (name.clone(), number)));
-        Self { rates: rates.collect(), special, plans: PerSheet::from_fn(|sheet| plan(construction.plan_on(sheet))) }
+        let mut numbers = Self::default();
+        for NumberedStep { number, sheet, action, .. } in construction.numbered_steps() {
+            let number = number as u16;
+            if let Action::SpecialPoint { point, .. } = action {
+                numbers.special.insert(point.clone(), number);
+            }
+            if let Action::Solve { unknowns, .. } = action {
+                numbers.rates.extend(unknowns.iter().map(|(name, _)| (name.clone(), number)));
+            }
+            numbers.plans[sheet].add(number, sheet, action);
+        }
+        numbers
     }
 
     /// The step that finds a special point.
@@ -67,36 +63,30 @@ impl StepNumbers {
 }
 
 impl PlanSteps {
-    fn new(plan: &Plan, before: usize) -> Self {
-        let number = |index: usize| (before + index + 1) as u16;
-        let mut steps = Self { last: number(plan.steps.len().saturating_sub(1)), ..Self::default() };
-        for (index, step) in plan.steps.iter().enumerate() {
-            let number = number(index);
-            let mut made = |point: &String| {
-                steps.points.entry(point.clone()).or_insert(number);
-            };
-            match &step.action {
-                Action::Pole { images } => {
-                    made(&plan.kind.pole().to_owned());
-                    images.iter().for_each(made);
-                }
-                // The start of a vector may have no step of its own.
-                Action::LayOff(arrow) => {
-                    [&arrow.from, &arrow.to].into_iter().for_each(made);
-                    let ends = [arrow.from.clone(), arrow.to.clone()];
-                    steps.vectors.entry(ends).or_insert(number);
-                }
-                Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                    made(point)
-                }
-                Action::Ray(ray) => {
-                    let ends = [ray.through.clone(), ray.to.clone()];
-                    steps.rays.entry(ends).or_insert(number);
-                }
-                _ => {}
+    /// Adds the next step.
+    fn add(&mut self, number: u16, sheet: Sheet, action: &Action) {
+        self.last = number;
+        let mut made = |point: &str| {
+            self.points.entry(point.to_owned()).or_insert(number);
+        };
+        match action {
+            Action::Pole { images } => {
+                made(sheet.pole());
+                images.iter().for_each(|image| made(image));
             }
+            // The start of a vector may have no step of its own.
+            Action::LayOff(arrow) => {
+                [&arrow.from, &arrow.to].into_iter().for_each(|point| made(point));
+                let ends = [arrow.from.clone(), arrow.to.clone()];
+                self.vectors.entry(ends).or_insert(number);
+            }
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => made(point),
+            Action::Ray(ray) => {
+                let ends = [ray.through.clone(), ray.to.clone()];
+                self.rays.entry(ends).or_insert(number);
+            }
+            _ => {}
         }
-        steps
     }
 
     /// The step that makes a point; the plan's last for a point without a step.

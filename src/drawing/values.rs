@@ -99,7 +99,7 @@ impl List<'_> {
         let mut values = self.rates(Sheet::Velocity);
         // Angular accelerations belong to the acceleration plan.
         let has_plan = self.context.figure().shown_panels().contains(&Sheet::Acceleration);
-        if has_plan && self.context.construction().acceleration.is_some() {
+        if has_plan && self.context.construction().plan_on(Sheet::Acceleration).is_some() {
             values.extend(self.rates(Sheet::Acceleration));
         }
         let mechanism = self.context.mechanism();
@@ -149,14 +149,14 @@ impl List<'_> {
         let Some(plan) = self.context.plan(panel) else {
             return Vec::new();
         };
-        let kind = plan.kind.drawn();
+        let kind = plan.sheet.drawn();
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
-        let stages = self.context.facts.steps.plan(plan.kind);
+        let stages = self.context.facts.steps.plan(plan.sheet);
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);
         let mut values: Vec<Value> = Vec::new();
         for vector in self.context.teller().vectors(plan) {
             let Some(segment) = plan.segment(&vector.ends[0], &vector.ends[1]) else { continue };
-            let is_whole = vector.ends[0] == plan.kind.pole();
+            let is_whole = vector.ends[0] == plan.sheet.pole();
             let is_nothing = segment.norm() <= NOTHING * largest;
             if vector.ends.iter().any(hides) || (is_nothing && !is_whole) {
                 continue;

@@ -228,9 +228,9 @@ impl Writer<'_> {
     pub(super) fn details(&mut self, step: &NumberedStep<'_>) {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
-        let kind = plan.map(|p| p.kind);
+        let kind = plan.map(|p| p.sheet);
         let formula = self.context.teller().formula(step);
-        let action = &step.step.action;
+        let action = &step.action;
         let end = match action {
             Action::Solve { equations, unknowns } => return self.solution(equations, unknowns, plan),
             Action::Ray(ray) => self.ray_equation(ray, &formula, plan, from),
@@ -274,7 +274,7 @@ impl Writer<'_> {
 
     /// The equations of the step, at least two in a line, and their solution.
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let kind = plan.map_or(Sheet::Velocity, |plan| plan.kind);
+        let kind = plan.map_or(Sheet::Velocity, |plan| plan.sheet);
         let set =
             |equation: &LegEquation| self.pieces(&self.context.teller().equation(kind, equation), plan, RichText::math);
         let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();

@@ -59,7 +59,7 @@ impl Worksheet {
         let mut lengths = Vec::new();
         let mut rows = Vec::new();
         for (step, plan, [from, to], value) in measured(context) {
-            let kind = plan.map_or(Sheet::Scheme, |plan| plan.kind).drawn();
+            let kind = plan.map_or(Sheet::Scheme, |plan| plan.sheet).drawn();
             let Some(panel) = panels.iter().find(|panel| panel.needs.kind == kind) else {
                 continue;
             };
@@ -186,7 +186,7 @@ fn measured<'a>(context: &'a SheetContext<'_>) -> impl Iterator<Item = (u16, Opt
         Some(plan) => is_hidden(context.figure(), plan, name),
         None => !context.figure().special_points && context.construction().special_point(name).is_some(),
     };
-    context.construction().numbered_steps().filter_map(move |step| match &step.step.action {
+    context.construction().numbered_steps().filter_map(move |step| match &step.action {
         Action::MeasureLength { from, to, value } | Action::Measure { from, to, value } => {
             let hidden = is_hidden(step.plan, from) || is_hidden(step.plan, to);
             (!hidden).then_some((step.number as u16, step.plan, [from.as_str(), to.as_str()], *value))

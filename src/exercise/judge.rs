@@ -3,7 +3,7 @@
 use super::given::sentences;
 use super::sheets::{key_rows, key_sentences};
 use crate::check::{BANDS, form_names};
-use crate::construction::{Action, Construction, Solution, Tolerance};
+use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
 use crate::drawing::{
     Drawing, FigureSheets, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales, shows_special_points,
 };
@@ -204,7 +204,7 @@ fn values(asked: &[QuantityRequest], solution: &Solution) -> Vec<(QuantityReques
 
 /// Whether a hand finds all angular velocities and accelerations well.
 fn is_sure(pencil: &Pencil, values: &[(QuantityRequest, f64)]) -> Result<(), Refusal> {
-    let is_rate = |asked: &QuantityRequest| matches!(asked.what(), What::Omega(_) | What::Alpha(_));
+    let is_rate = |asked: &QuantityRequest| matches!(asked.what(), What::Rate(Rate::Omega(_) | Rate::Alpha(_)));
     let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
     for (asked, value) in rates() {
         let alike = rates().filter(|(a, _)| a.kind() == asked.kind());
@@ -228,7 +228,7 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
             return Err(Refusal::Routes);
         }
     }
-    let sines = construction.numbered_steps().filter_map(|s| match &s.step.action {
+    let sines = construction.numbered_steps().filter_map(|s| match &s.action {
         Action::Cross { sine, .. } | Action::SpecialPoint { sine, .. } => Some(sine.abs()),
         _ => None,
     });
@@ -241,14 +241,14 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
 /// Whether everything that is measured is long enough on paper, or zero.
 fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
     for step in construction.numbered_steps() {
-        let value = match (&step.step.action, step.plan) {
+        let value = match (&step.action, step.plan) {
             (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => value.abs(),
             (Action::Cross { point, .. }, Some(plan)) => plan.points[point].vector.norm(),
             _ => continue,
         };
         let sizes = step.plan.into_iter().flat_map(|plan| plan.points.values()).map(|point| point.vector.norm());
         let largest = sizes.reduce(f64::max).unwrap_or(value);
-        let mm = value / scales[step.sheet()].ok_or(Refusal::Sheet)?;
+        let mm = value / scales[step.sheet].ok_or(Refusal::Sheet)?;
         if mm < SHORTEST && value > ZERO * largest {
             return Err(Refusal::Short);
         }

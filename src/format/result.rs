@@ -232,12 +232,13 @@ impl Solution {
         });
         let groups = mechanism.groups.iter().enumerate().map(|(index, group)| {
             let name = |&b: &BodyId| mechanism.body(b).name.clone();
-            let (special, agreement) = (construction.special[index].iter(), construction.agreement[index]);
+            let agreement = construction.agreement[index];
+            let special = construction.special.iter().filter(|special| special.group == index && special.is_assur);
             GroupResult {
                 links: group.bodies.iter().map(name).collect(),
                 class: group.class.numeral(),
                 joints: group.pattern(mechanism),
-                special_points: special.filter(|s| s.is_assur).map(|s| s.name.clone()).collect(),
+                special_points: special.map(|special| special.name.clone()).collect(),
                 condition: motion.groups[index].condition,
                 disagreement: agreement.map(|a| a.difference),
                 disagreement_allowed: agreement.map(|a| a.allowed),
@@ -316,7 +317,7 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
         let under = point_of(slider.on, slider.at, Some(slider.on));
         points.entry(name).or_insert(under);
     }
-    for special in construction.special.iter().flatten().filter(|s| s.is_assur) {
+    for special in construction.special.iter().filter(|s| s.is_assur) {
         let result = match special.place {
             Place::At(place) => {
                 let errors = bounds.special(special).unwrap_or_default();

@@ -28,15 +28,13 @@ impl Solution {
         list.scales_line();
         list.pencil_lines();
         list.heading(language.on_the_mechanism());
-        let mut steps = construction.numbered_steps().peekable();
-        while let Some(step) = steps.next_if(|step| step.plan.is_none()) {
-            list.step(&step);
-        }
-        for plan in construction.plans() {
-            list.heading(language.sheet(plan.kind));
-            while let Some(step) = steps.next_if(|step| step.sheet() == plan.kind) {
-                list.step(&step);
+        let mut sheet = Sheet::Scheme;
+        for step in construction.numbered_steps() {
+            if step.sheet != sheet {
+                sheet = step.sheet;
+                list.heading(language.sheet(sheet));
             }
+            list.step(&step);
         }
         for agreement in construction.agreement.iter().flatten() {
             let [difference, allowed] = [agreement.difference, agreement.allowed].map(|x| words.write(x, ONE_DIGIT));
@@ -176,55 +174,39 @@ impl StepList<'_> {
     /// The equation and the values of a step, one per line.
     fn details(&self, step: &NumberedStep<'_>) -> Vec<String> {
         let plan = step.plan;
-        let sheet = step.sheet();
+        let sheet = step.sheet;
         let equation = self.text(&self.teller.formula(step).markup(), plan);
         let shown = |name: &str| match plan {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
         };
-        let segment = |from: &str, to: &str, value: String| {
-            format!("{} {} = {value}{}", shown(from), shown(to), self.segment_band(sheet, from, to))
+        // The vector between two plan points as it is drawn; its band is known by the names in the order of the steps.
+        let drawn = |[from, to]: [&str; 2], [first, second]: [&str; 2]| {
+            let vector = self.vector(plan?.shown_segment(from, to)?, sheet);
+            Some(format!("{} {} = {vector}{}", shown(from), shown(to), self.segment_band(sheet, first, second)))
         };
-        match &step.step.action {
+        let from_pole = |point: &str| drawn([sheet.pole(), point], [sheet.pole(), point]);
+        let lines = |first: String, drawn: Option<String>| {
+            [first].into_iter().filter(|line| !line.is_empty()).chain(drawn).collect()
+        };
+        match step.action {
             Action::Pole { .. } | Action::NoConstruction { .. } => Vec::new(),
             Action::SpecialPoint { sine, .. } => vec![self.crossing(*sine)],
             Action::MeasureLength { from, to, value } => {
                 let band = self.segment_band(sheet, from, to);
                 vec![format!("{equation} = {}{band}", self.measure(*value, sheet))]
             }
-            Action::LayOff(arrow) => {
-                let [from, to] = arrow.ends();
-                let Some(vector) = plan.and_then(|p| p.shown_segment(from, to)) else {
-                    return Vec::new();
-                };
-                let drawn = format!(
-                    "{} {} = {}{}",
-                    shown(from),
-                    shown(to),
-                    self.vector(vector, sheet),
-                    self.segment_band(sheet, &arrow.from, &arrow.to)
-                );
-                [equation].into_iter().filter(|equation| !equation.is_empty()).chain([drawn]).collect()
-            }
+            Action::LayOff(arrow) => lines(equation, drawn(arrow.ends(), [&arrow.from, &arrow.to])),
             Action::Ray(ray) => {
                 let direction = self.words.language.direction(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
-            Action::Cross { point, sine, .. } => {
-                let pole = sheet.pole();
-                let vector = plan.and_then(|p| p.shown_segment(pole, point));
-                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, sheet)));
-                [self.crossing(*sine)].into_iter().chain(drawn).collect()
-            }
-            Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                let pole = sheet.pole();
-                let vector = plan.and_then(|p| p.shown_segment(pole, point));
-                let drawn = vector.map(|vector| segment(pole, point, self.vector(vector, sheet)));
-                [equation].into_iter().filter(|equation| !equation.is_empty()).chain(drawn).collect()
-            }
+            Action::Cross { point, sine, .. } => lines(self.crossing(*sine), from_pole(point)),
+            Action::Divide { point, .. } | Action::Coincide { point, .. } => lines(equation, from_pole(point)),
             Action::Measure { from, to, value } => {
                 let value = if plan.is_some_and(|plan| plan.is_nothing(*value)) { 0.0 } else { *value };
-                vec![segment(from, to, self.measure(value, sheet))]
+                let band = self.segment_band(sheet, from, to);
+                vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(value, sheet))]
             }
             Action::Solve { equations, unknowns } => {
                 let mut lines: Vec<String> =

@@ -1,6 +1,6 @@
 //! Bands of quantities: the scatter that honest errors of a hand drawing give them.
 
-use super::name::QuantityRequest;
+use super::name::{QuantityError, QuantityRequest, step_names};
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use crate::construction::{Change, Construction, Disturbance, Solution, Tolerance, Values};
 use crate::sheet::{PerSheet, Scales};
@@ -89,6 +89,17 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
         (asked, band)
     });
     Pencil { tolerance, scales: *scales, quantities: all.collect() }
+}
+
+/// What honest hands find for the quantities of the steps when they draw at the figure's scales.
+///
+/// # Errors
+/// A name that the construction gives is not understood.
+pub fn step_pencil(solution: &Solution, tolerance: Tolerance) -> Result<Pencil, QuantityError> {
+    let names = step_names(&solution.construction);
+    let asked =
+        names.iter().map(|name| QuantityRequest::new(name, &solution.mechanism)).collect::<Result<Vec<_>, _>>()?;
+    Ok(pencil(solution, &solution.scales(), tolerance, asked))
 }
 
 impl Construction {

@@ -11,18 +11,14 @@
 //! replaced by a mistaken one.
 
 mod band;
-mod lists;
 mod name;
 mod reading;
-mod state;
 mod unit;
 mod value;
 
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
-pub use band::{Band, Pencil, pencil};
-pub use lists::{measured_names, readable_names, step_names, step_pencil};
-pub use name::{Normality, QuantityError, QuantityRequest, Spot, What};
+pub use band::{Band, Pencil, pencil, step_pencil};
+pub use name::{Normality, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names, step_names};
 pub use reading::{Reading, Sense, Unread, read_by_hand};
-pub use state::{Snapshot, State};
-pub use value::Quantity;
+pub use value::{Quantity, Snapshot, State};

@@ -1,7 +1,8 @@
 //! Names of quantities, and the quantities they name.
 
 use crate::Problem;
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::construction::{Action, Construction, Rate, Solution, coincident_name};
+use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::text::shown;
@@ -69,28 +70,20 @@ pub struct QuantityRequest {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum What {
-    /// Angular velocity of a link.
-    Omega(BodyId),
-    /// Angular acceleration of a link.
-    Alpha(BodyId),
+    /// A rate of a link or of a slider.
+    Rate(Rate),
     /// Angle of a link's axis from +x.
     Angle(BodyId),
     /// Position of a slider along its guide.
     SlidePosition(SliderId),
-    /// Velocity of a slider along its guide.
-    SlideVelocity(SliderId),
-    /// Acceleration of a slider along its guide.
-    SlideAcceleration(SliderId),
     /// Coriolis acceleration of a slider, and the body that carries its guide.
     Coriolis(SliderId, BodyId),
     /// A coordinate of a place: axis 0 for x, 1 for y.
     Coordinate(usize, Spot),
     /// Distance of two places.
     Length(Spot, Spot),
-    /// Velocity of a place, relative to the second place if there is one.
-    Velocity(Spot, Option<Spot>),
-    /// Acceleration of a place, relative to the second place if there is one.
-    Acceleration(Spot, Option<Spot>),
+    /// The vector of a place in this plan, its velocity or its acceleration, relative to the second place if there is one.
+    Motion(Sheet, Spot, Option<Spot>),
     /// Normal or tangential part of the acceleration of the first place relative to the second; the link to which both
     /// belong.
     Part(Normality, Spot, Spot, Option<BodyId>),
@@ -207,29 +200,24 @@ impl Finder<'_> {
 
     fn what(&self, QuantityName { head, arguments, on_paper, .. }: &QuantityName) -> Result<What, QuantityError> {
         let (first, second) = (arguments.first().map_or("", String::as_str), arguments.get(1).map(String::as_str));
-        let spots = || Ok((self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
+        let motion =
+            |sheet| Ok(What::Motion(sheet, self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
         let two_spots = || Ok((self.spot(first)?, self.spot(second.ok_or_else(|| self.form())?)?));
         Ok(match *head {
-            Head::Omega => What::Omega(self.link(first)?),
-            Head::Alpha => What::Alpha(self.link(first)?),
+            Head::Omega => What::Rate(Rate::Omega(self.link(first)?)),
+            Head::Alpha => What::Rate(Rate::Alpha(self.link(first)?)),
             Head::Angle => What::Angle(self.link(first)?),
             Head::SlidePosition => What::SlidePosition(self.slider(first)?),
-            Head::SlideVelocity => What::SlideVelocity(self.slider(first)?),
-            Head::SlideAcceleration => What::SlideAcceleration(self.slider(first)?),
+            Head::SlideVelocity => What::Rate(Rate::SlideVelocity(self.slider(first)?)),
+            Head::SlideAcceleration => What::Rate(Rate::SlideAcceleration(self.slider(first)?)),
             Head::Coriolis => {
                 let id = self.slider(first)?;
                 What::Coriolis(id, self.mechanism.slider(id).on)
             }
             Head::X => What::Coordinate(0, self.spot(first)?),
             Head::Y => What::Coordinate(1, self.spot(first)?),
-            Head::Velocity => {
-                let (a, b) = spots()?;
-                What::Velocity(a, b)
-            }
-            Head::Acceleration => {
-                let (a, b) = spots()?;
-                What::Acceleration(a, b)
-            }
+            Head::Velocity => return motion(Sheet::Velocity),
+            Head::Acceleration => return motion(Sheet::Acceleration),
             Head::Normal | Head::Tangential => {
                 let part = if *head == Head::Normal { Normality::Normal } else { Normality::Tangential };
                 let (a, b) = two_spots()?;
@@ -306,4 +294,57 @@ impl Finder<'_> {
         let common = links().filter(holds_first).find(|&link| holds(link, b));
         common.or_else(|| links().filter(holds_first).find(|&link| is_joined(link)))
     }
+}
+
+/// Names of the quantities that results and steps give and that may be read from a hand drawing: measured lengths and
+/// segments, rates, vectors by size and angle, angles of links, positions of sliders.
+#[must_use]
+pub fn readable_names(solution: &Solution) -> Vec<String> {
+    let Solution { mechanism, motion, construction, .. } = solution;
+    let mut names = measured_names(construction);
+    for (_, body) in mechanism.links().filter(|(_, b)| b.role != Role::Unsolved) {
+        // A link with one point has no line whose angle could be measured.
+        let heads = ["angle", "omega", "alpha"].into_iter().skip(usize::from(body.points.len() < 2));
+        names.extend(heads.map(|head| format!("{head}({})", body.name)));
+    }
+    for slider in mechanism.slider_ids() {
+        let slider = mechanism.slider_name(slider);
+        names.extend(["position", "v_r", "a_r"].map(|head| format!("{head}({slider})")));
+        names.push(format!("a_c({slider}).size"));
+    }
+    let sliders = mechanism.sliders.iter();
+    let under = sliders.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
+    let special = construction.special.iter();
+    let special = special.filter(|s| s.is_assur && s.place.finite().is_some());
+    let points = mechanism.points.iter().cloned().chain(under);
+    for point in points.chain(special.map(|s| s.name.clone())) {
+        for head in ["v", "a"] {
+            names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
+        }
+    }
+    if motion.order == Sheet::Velocity {
+        names.retain(|name| !QuantityName::parse(name).is_some_and(|name| name.needs_accelerations()));
+    }
+    names
+}
+
+/// Names of the lengths and segments that the construction measures, in its order.
+#[must_use]
+pub fn measured_names(construction: &Construction) -> Vec<String> {
+    names(construction, |action| action.is_measured())
+}
+
+/// Names of the quantities whose values the construction's steps give: first those measured, then those of each plan in
+/// order.
+#[must_use]
+pub fn step_names(construction: &Construction) -> Vec<String> {
+    let mut all = measured_names(construction);
+    all.extend(names(construction, |action| !action.is_measured()));
+    all
+}
+
+/// Names that the steps of some kinds give, in their order.
+fn names(construction: &Construction, is_wanted: impl Fn(&Action) -> bool) -> Vec<String> {
+    let steps = construction.numbered_steps().filter(|s| is_wanted(s.action));
+    steps.flat_map(|s| s.names()).collect()
 }

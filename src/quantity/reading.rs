@@ -105,17 +105,14 @@ impl Reader<'_> {
     fn number(&mut self, asked: &QuantityRequest) -> Result<(NumberId, Sense), Unread> {
         let name = asked.name();
         let number = match asked.what() {
-            What::Omega(link) => self.rate(Rate::Omega(*link))?,
-            What::Alpha(link) => self.rate(Rate::Alpha(*link))?,
-            What::SlideVelocity(id) => self.rate(Rate::SlideVelocity(*id))?,
-            What::SlideAcceleration(id) => self.rate(Rate::SlideAcceleration(*id))?,
+            What::Rate(rate) => self.rate(*rate)?,
             What::Angle(link) => return Ok((self.axis(name, *link)?, Sense::Angle)),
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
             What::Segment { kind, from, to, .. } => return self.segment(*kind, from, to),
-            What::Velocity(a, b) | What::Acceleration(a, b) => {
-                let drawn = self.vector(asked.sheet(), a, b.as_ref())?;
+            What::Motion(sheet, a, b) => {
+                let drawn = self.vector(*sheet, a, b.as_ref())?;
                 return self.component(asked, drawn);
             }
             What::Coriolis(id, on) => {
@@ -262,8 +259,7 @@ impl Reader<'_> {
     }
 
     /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
-    fn segment(&mut self, kind: Sheet, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
-        let sheet = kind;
+    fn segment(&mut self, sheet: Sheet, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
         let construction = &self.writer.construction;
         let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name).to_owned());
         let [from, to] = [from.as_str(), to.as_str()];
@@ -279,7 +275,7 @@ impl Reader<'_> {
         if ends[0] == ends[1] {
             return Err(Unread::Given);
         }
-        Ok((self.measure(sheet, &kind.segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
+        Ok((self.measure(sheet, &sheet.segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
     }
 
     /// The number of this kind that the construction measures.
@@ -298,7 +294,7 @@ impl Reader<'_> {
                 (self.writer.mechanism.point_name(*point) == name).then_some(End::Joint(*point))
             }
             Spot::Special(name) => {
-                let mut special = self.writer.construction.special.iter().flatten();
+                let mut special = self.writer.construction.special.iter();
                 special.position(|s| s.name == *name).map(|index| End::Special(SpecialId(index)))
             }
         }
@@ -346,7 +342,7 @@ impl Reader<'_> {
         let sheet = Sheet::Acceleration;
         if let Spot::Special(special) = a {
             let construction = &self.writer.construction;
-            if let Some([start, end]) = construction.known_parts(&normal_name(b.name(), special)) {
+            if let Some([start, end]) = construction.known_parts.get(&normal_name(b.name(), special)) {
                 let image = image_name(special);
                 let [from, to] = match part {
                     Normality::Normal => [start, end],

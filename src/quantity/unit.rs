@@ -1,8 +1,8 @@
 use super::name::{Normality, QuantityRequest, Spot, What};
+use crate::construction::Rate;
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
-use crate::sheet::QuantityKind;
-use crate::sheet::Sheet;
+use crate::sheet::{QuantityKind, Sheet};
 use crate::words::Notation;
 
 /// The parts of a symbol: letter, upper and lower index, text behind them.
@@ -33,22 +33,13 @@ impl QuantityRequest {
     }
 
     pub(super) fn is_of_vectors(&self) -> bool {
-        matches!(self.what, What::Coriolis(..) | What::Velocity(..) | What::Acceleration(..) | What::Part(..))
+        matches!(self.what, What::Coriolis(..) | What::Motion(..) | What::Part(..))
     }
 
     /// Whether it can be evaluated without the places and motions of points.
     #[must_use]
     pub fn is_of_links_alone(&self) -> bool {
-        matches!(
-            self.what,
-            What::Omega(_)
-                | What::Alpha(_)
-                | What::Angle(_)
-                | What::Coriolis(..)
-                | What::SlidePosition(_)
-                | What::SlideVelocity(_)
-                | What::SlideAcceleration(_)
-        )
+        matches!(self.what, What::Rate(_) | What::Angle(_) | What::Coriolis(..) | What::SlidePosition(_))
     }
 
     /// Whether special points or plans are needed to evaluate it.
@@ -59,7 +50,7 @@ impl QuantityRequest {
             What::Segment { .. } => true,
             What::Coordinate(_, spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
-            What::Velocity(a, b) | What::Acceleration(a, b) => special(a) || b.as_ref().is_some_and(special),
+            What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
             _ => false,
         }
     }
@@ -67,30 +58,24 @@ impl QuantityRequest {
     /// The sheet from which it is read.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
-        match (&self.what, self.kind()) {
-            (What::Velocity(..), _) => Sheet::Velocity,
-            (What::Acceleration(..) | What::Part(..) | What::Coriolis(..), _) => Sheet::Acceleration,
-            (_, QuantityKind::Velocity | QuantityKind::AngularVelocity) => Sheet::Velocity,
-            (_, QuantityKind::Acceleration | QuantityKind::AngularAcceleration) => Sheet::Acceleration,
-            (_, QuantityKind::Angle | QuantityKind::Position | QuantityKind::Length) => Sheet::Scheme,
+        match &self.what {
+            What::Rate(rate) => rate.sheet(),
+            What::Motion(sheet, ..) | What::Segment { kind: sheet, .. } => *sheet,
+            What::Part(..) | What::Coriolis(..) => Sheet::Acceleration,
+            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => Sheet::Scheme,
         }
     }
 
     /// Whether it is a length on its sheet; rates are computed from lengths.
     #[must_use]
     pub fn is_length_on_sheet(&self) -> bool {
-        let is_turning = matches!(
-            self.kind(),
-            QuantityKind::Angle | QuantityKind::AngularVelocity | QuantityKind::AngularAcceleration
-        );
-        !is_turning && !matches!(self.what, What::SlideVelocity(_) | What::SlideAcceleration(_))
+        !self.turns() && !self.is_rate()
     }
 
     /// Whether it is a rate that is solved for or given: its sense is written as a sign, or not at all.
     #[must_use]
     pub fn is_rate(&self) -> bool {
-        use What::{Alpha, Omega, SlideAcceleration, SlideVelocity};
-        matches!(self.what, Omega(_) | Alpha(_) | SlideVelocity(_) | SlideAcceleration(_))
+        matches!(self.what, What::Rate(_))
     }
 
     /// Whether it is an angle or an angular rate: its sign depends on the positive sense of rotation.
@@ -102,7 +87,7 @@ impl QuantityRequest {
     /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, whose zeros are dead centres.
     #[must_use]
     pub fn has_dead_centres(&self) -> bool {
-        matches!(self.what, What::Omega(_) | What::SlideVelocity(_))
+        matches!(self.what, What::Rate(Rate::Omega(_) | Rate::SlideVelocity(_)))
     }
 
     /// The part of its name in parentheses, as `4` of `omega(4)` and `alpha(4)`.
@@ -127,18 +112,17 @@ impl QuantityRequest {
             Symbol { after: format!("({})", parts.join("/")), ..plain(letter, lower.to_owned()) }
         };
         let symbol = match &self.what {
-            What::Omega(id) => plain("ω", link(*id)),
-            What::Alpha(id) => plain("α", link(*id)),
+            What::Rate(rate @ (Rate::Omega(id) | Rate::Alpha(id))) => plain(rate.sheet().rate(), link(*id)),
+            What::Rate(rate @ (Rate::SlideVelocity(id) | Rate::SlideAcceleration(id))) => {
+                slider(rate.sheet().vector(), notation.relative, *id)
+            }
             What::Angle(id) => plain("φ", link(*id)),
             What::SlidePosition(id) => slider("s", "", *id),
-            What::SlideVelocity(id) => slider("v", notation.relative, *id),
-            What::SlideAcceleration(id) => slider("a", notation.relative, *id),
             What::Coriolis(id, _) => slider("a", notation.coriolis, *id),
             What::Coordinate(0, spot) => plain("x", shown(spot.name())),
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
-            What::Velocity(a, b) => relative("v", "", a.name(), b.as_ref().map(|b| b.name())),
-            What::Acceleration(a, b) => relative("a", "", a.name(), b.as_ref().map(|b| b.name())),
+            What::Motion(sheet, a, b) => relative(sheet.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
             What::Part(normality, a, b, _) => {
                 let part = match normality {
                     Normality::Normal => notation.normal,

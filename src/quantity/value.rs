@@ -1,10 +1,11 @@
 //! Values of quantities in a position.
 
 use super::name::{Normality, QuantityError, QuantityRequest, Spot, What, unknown};
-use super::state::{Snapshot, State};
-use crate::construction::{Construction, Solution, image_name, normal_name};
+use crate::construction::{Construction, Rate, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
-use crate::mechanism::BodyId;
+use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::motion::Motion;
+use crate::position::Pose;
 use crate::scene::Component;
 use crate::sheet::{Scales, Sheet};
 
@@ -53,8 +54,13 @@ impl QuantityRequest {
         }
         let reader = Reader { asked: self, state, construction };
         let value = match &self.what {
-            What::Omega(link) => Number(state.spin(*link)[0]),
-            What::Alpha(link) => Number(state.spin(*link)[1]),
+            What::Rate(rate) => {
+                let rates = match *rate {
+                    Rate::Omega(link) | Rate::Alpha(link) => state.spin(link),
+                    Rate::SlideVelocity(id) | Rate::SlideAcceleration(id) => state.slide_rates(id),
+                };
+                Number(rates[rate.sheet().order()])
+            }
             What::Angle(link) => {
                 let axis = state.axis(*link);
                 Number(degrees_of(axis.ok_or_else(|| self.none("the link has no axis"))?))
@@ -64,16 +70,13 @@ impl QuantityRequest {
                 let why = "the guide has no point to count from";
                 Number(position.ok_or_else(|| self.none(why))?)
             }
-            What::SlideVelocity(id) => Number(state.slide_rates(*id)[0]),
-            What::SlideAcceleration(id) => Number(state.slide_rates(*id)[1]),
             What::Coriolis(id, on) => {
                 let twice = 2.0 * state.spin(*on)[0] * state.slide_rates(*id)[0];
                 Vector(quarter_turn(state.guide(*id)) * twice)
             }
             What::Coordinate(axis, spot) => Number(reader.place(spot)?.1[*axis]),
             What::Length(a, b) => Number((reader.place(b)?.1 - reader.place(a)?.1).norm()),
-            What::Velocity(a, b) => Vector(reader.difference(0, a, b.as_ref())?),
-            What::Acceleration(a, b) => Vector(reader.difference(1, a, b.as_ref())?),
+            What::Motion(sheet, a, b) => Vector(reader.difference(*sheet, a, b.as_ref())?),
             What::Part(part, a, b, link) => {
                 let [normal, tangential] = reader.parts(a, b, *link)?;
                 Vector(match part {
@@ -81,8 +84,12 @@ impl QuantityRequest {
                     Normality::Tangential => tangential,
                 })
             }
-            What::Segment { kind, from, to, on_paper } => {
-                Number(reader.segment(*kind, from, to, on_paper.then_some(scales))?)
+            What::Segment { kind, from, to, on_paper: false } => Number(reader.segment(*kind, from, to)?),
+            What::Segment { kind, from, to, on_paper: true } => {
+                let length = reader.segment(*kind, from, to)?;
+                let mu = scales.and_then(|scales| scales[*kind]);
+                let mm = length / mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
+                Number(if mm.is_finite() { mm } else { return Err(self.none("the scale is too small for it")) })
             }
         };
         Ok(match (value, self.written.component) {
@@ -127,22 +134,22 @@ impl<S: State> Reader<'_, S> {
         }
     }
 
-    /// Velocity (order 0) or acceleration (order 1) of place `a`, minus that of `b`.
-    fn difference(&self, order: usize, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
+    /// The vector of place `a` in a plan, its velocity or its acceleration, minus that of `b`.
+    fn difference(&self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
         let of = |spot: &Spot| -> Result<Vector, QuantityError> {
             let (body, place) = self.place(spot)?;
-            Ok(self.state.motion_at(body, place)[order])
+            Ok(self.state.motion_at(body, place)[sheet.order()])
         };
         Ok(of(a)? - b.map_or(Ok(Vector::zeros()), of)?)
     }
 
     /// Normal and tangential part of the acceleration of `a` relative to `b`.
     fn parts(&self, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<[Vector; 2], QuantityError> {
-        let plan = self.construction.and_then(|c| c.acceleration.as_ref());
+        let plan = self.construction.and_then(|c| c.plan_on(Sheet::Acceleration));
         if let (Spot::Special(special), Some(plan)) = (a, plan) {
             // The normal part starts at the image of `b`, or at the end of the parts of driven sliders laid off from
             // there; the Coriolis acceleration of the leg's slider, along the same line, counts with it.
-            let ends = self.construction.and_then(|c| c.known_parts(&normal_name(b.name(), special)));
+            let ends = self.construction.and_then(|c| c.known_parts.get(&normal_name(b.name(), special)));
             let parts =
                 ends.and_then(|[start, end]| plan.segment(start, end).zip(plan.segment(end, &image_name(special))));
             if let Some((normal, tangential)) = parts {
@@ -155,32 +162,83 @@ impl<S: State> Reader<'_, S> {
         Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
     }
 
-    /// The length of a plan segment, in the plan's units; in millimetres of paper if `scales` are given.
-    fn segment(
-        &self,
-        kind: Sheet,
-        from: &str,
-        to: &str,
-        scales: Option<Option<&Scales>>,
-    ) -> Result<f64, QuantityError> {
+    /// The length of a plan segment, in the plan's units.
+    fn segment(&self, sheet: Sheet, from: &str, to: &str) -> Result<f64, QuantityError> {
         let construction = self.construction.ok_or_else(|| self.none("there is no construction"))?;
-        let mut plans = construction.plans();
-        let plan = plans.find(|plan| plan.kind == kind);
-        let plan = plan.ok_or_else(|| self.none("there is no such plan"))?;
-        let [from, to] = [from, to].map(|name| construction.plan_name(kind, name));
+        let plan = construction.plan_on(sheet).ok_or_else(|| self.none("there is no such plan"))?;
+        let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
                 let known = plan.points.keys().map(String::as_str);
                 return Err(unknown(&self.asked.name, "plan point", name, known));
             }
         }
-        let length = plan.segment(from, to).map_or(0.0, |v| v.norm());
-        let Some(scales) = scales else {
-            return Ok(length);
-        };
-        let mu = scales.and_then(|scales| scales[kind]);
-        let mu = mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
-        let mm = length / mu;
-        if mm.is_finite() { Ok(mm) } else { Err(self.none("the scale is too small for it")) }
+        Ok(plan.segment(from, to).map_or(0.0, |v| v.norm()))
+    }
+}
+
+/// A position with its rates, as far as quantities are evaluated from it; in the fixed frame and in the scene's units.
+pub trait State {
+    /// Whether accelerations have been computed.
+    fn has_accelerations(&self) -> bool;
+    /// The place of a point.
+    fn place(&self, point: PointId) -> Point;
+    /// A vector along a link's axis; `None` for a link without one.
+    fn axis(&self, link: BodyId) -> Option<Vector>;
+    /// The unit direction of a slider's guide.
+    fn guide(&self, slider: SliderId) -> Vector;
+    /// A slider's position along its guide; `None` if there is no point to count from.
+    fn slide_position(&self, slider: SliderId) -> Option<f64>;
+    /// A slider's velocity and acceleration along its guide.
+    fn slide_rates(&self, slider: SliderId) -> [f64; 2];
+    /// A body's angular velocity and acceleration, in rad per unit of time.
+    fn spin(&self, body: BodyId) -> [f64; 2];
+    /// Velocity and acceleration of the body's point at a place.
+    fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2];
+}
+
+/// A pose and its motion.
+#[derive(Clone, Copy, Debug)]
+pub struct Snapshot<'a> {
+    /// The position.
+    pub pose: &'a Pose,
+    /// Its rates.
+    pub motion: &'a Motion,
+}
+
+impl State for Snapshot<'_> {
+    fn has_accelerations(&self) -> bool {
+        self.motion.order == Sheet::Acceleration
+    }
+
+    fn place(&self, point: PointId) -> Point {
+        self.pose.point(point)
+    }
+
+    fn axis(&self, link: BodyId) -> Option<Vector> {
+        self.pose.axes[link.0]
+    }
+
+    fn guide(&self, slider: SliderId) -> Vector {
+        self.pose.guide(slider)
+    }
+
+    fn slide_position(&self, slider: SliderId) -> Option<f64> {
+        self.pose.slides[slider.0]
+    }
+
+    fn slide_rates(&self, slider: SliderId) -> [f64; 2] {
+        let slide = self.motion.slide(slider);
+        [slide.velocity, slide.acceleration]
+    }
+
+    fn spin(&self, body: BodyId) -> [f64; 2] {
+        let body = self.motion.body(body);
+        [body.omega, body.alpha]
+    }
+
+    fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {
+        let body = self.motion.body(body);
+        [body.velocity_at(place), body.acceleration_at(place)]
     }
 }

@@ -76,7 +76,7 @@ fn image(solution: &Solution, plan: &Plan, link: BodyId) -> Image {
             continue;
         };
         let rates = motion.body(link);
-        let truth = match plan.kind {
+        let truth = match plan.sheet {
             Sheet::Velocity => rates.velocity_at(place),
             _ => rates.acceleration_at(place),
         };
@@ -99,10 +99,10 @@ fn every_point_has_an_image_at_the_end_of_its_vector() {
                 points += image.images.len();
                 if !image.missing.is_empty() {
                     faults
-                        .push(format!("{name}, {:?}, link {}: no image of {:?}", plan.kind, body.name, image.missing));
+                        .push(format!("{name}, {:?}, link {}: no image of {:?}", plan.sheet, body.name, image.missing));
                 }
                 if image.worst > MOST || image.worst.is_nan() {
-                    faults.push(format!("{name}, {:?}, link {}: off by {:e}", plan.kind, body.name, image.worst));
+                    faults.push(format!("{name}, {:?}, link {}: off by {:e}", plan.sheet, body.name, image.worst));
                 }
             }
         }
@@ -129,8 +129,10 @@ fn the_image_of_a_link_is_similar_to_it() {
                     let (off, allowed) = ((whole - part).norm(), MOST * size * ((b - a).norm() + (c - a).norm()));
                     links += 1;
                     if off > allowed {
-                        faults
-                            .push(format!("{name}, {:?}, link {}: {off:e}, allowed {allowed:e}", plan.kind, body.name));
+                        faults.push(format!(
+                            "{name}, {:?}, link {}: {off:e}, allowed {allowed:e}",
+                            plan.sheet, body.name
+                        ));
                     }
                 }
             }

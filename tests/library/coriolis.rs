@@ -1,9 +1,9 @@
 //! Coriolis accelerations in the plans: one notation, with the direction of the result's, and none on a guide that stands still.
 
-use kinegon::Solution;
 use kinegon::construction::{Action, Added, ArrowKind, Plan, Teller, VectorOf};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{GROUND, SliderId};
+use kinegon::{Sheet, Solution};
 use support::files;
 use support::stages::solved;
 
@@ -24,7 +24,7 @@ fn solution(scene: &str) -> Solution {
 }
 
 fn accelerations(solution: &Solution) -> &Plan {
-    solution.construction.acceleration.as_ref().expect("accelerations were asked for")
+    solution.construction.plan_on(Sheet::Acceleration).expect("accelerations were asked for")
 }
 
 /// 2 ω ẑ × v_r by the loop equations.
@@ -79,8 +79,8 @@ fn one_symbol_stands_for_it() {
         let words = solution.wording();
         let teller = Teller::new(&solution, &words);
         let (mut laid, mut rays) = (Vec::new(), Vec::new());
-        for step in solution.construction.numbered_steps().filter(|s| s.sheet() == kinegon::Sheet::Acceleration) {
-            match &step.step.action {
+        for step in solution.construction.numbered_steps().filter(|s| s.sheet == Sheet::Acceleration) {
+            match &step.action {
                 Action::LayOff(arrow) if arrow.kind() == ArrowKind::Coriolis => {
                     laid.push(teller.formula(&step).markup());
                 }

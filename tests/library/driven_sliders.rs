@@ -189,10 +189,10 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
     // The image of a point at rest under a slider is there from the beginning.
     let is_there =
         |reached: &[&str], point: &str| reached.contains(&point) || plan.points[point].vector == Vector::zeros();
-    for step in &plan.steps {
-        match &step.action {
+    for action in &plan.steps {
+        match action {
             Action::Pole { images } => {
-                reached.push(plan.kind.pole());
+                reached.push(plan.sheet.pole());
                 reached.extend(images.iter().map(String::as_str));
             }
             Action::LayOff(arrow) => {
@@ -219,7 +219,7 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
         let holds = |b: &kinegon::mechanism::Body| b.points.iter().any(|p| p.0 == index);
         for (body, _) in bodies.enumerate().filter(|(_, b)| holds(b)) {
             let (motion, at) = (&solution.motion.bodies[body], solution.pose.points[index]);
-            let truth = match plan.kind {
+            let truth = match plan.sheet {
                 Sheet::Velocity => motion.velocity_at(at),
                 _ => motion.acceleration_at(at),
             };
@@ -248,7 +248,7 @@ fn plans_close_and_show_what_drives_add() {
                 assert!(
                     length == 0.0 || lengths.any(close),
                     "{name}: no {kind:?} vector of {length} in the {:?} plan",
-                    plan.kind
+                    plan.sheet
                 );
             };
             for slider in case.scene["sliders"].as_array().into_iter().flatten() {
@@ -256,7 +256,7 @@ fn plans_close_and_show_what_drives_add() {
                     continue;
                 };
                 let rate = |key: &str| drive[key].as_f64().unwrap_or(0.0).abs();
-                match plan.kind {
+                match plan.sheet {
                     Sheet::Velocity => has(ArrowKind::Sliding, rate("speed")),
                     _ => {
                         has(ArrowKind::Sliding, rate("acceleration"));

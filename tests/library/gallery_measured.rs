@@ -73,7 +73,7 @@ fn figures_are_readable_in_every_position() {
         let before = wrong.len();
         wrong.extend(faults(drawing).iter().map(|fault| format!("{name}: {fault}")));
         for plan in construction.plans() {
-            let panel = match plan.kind {
+            let panel = match plan.sheet {
                 Sheet::Velocity => "velocity",
                 _ => "acceleration",
             };

@@ -135,7 +135,7 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
     assert!(off < 1e-9, "{name}: the pole is {off} mm off");
     let plan = solution.construction.plans().find(|plan| {
         matches!(
-            (plan.kind, panel.panel),
+            (plan.sheet, panel.panel),
             (kinegon::Sheet::Velocity, Sheet::Velocity) | (kinegon::Sheet::Acceleration, Sheet::Acceleration)
         )
     });

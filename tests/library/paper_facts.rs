@@ -6,9 +6,9 @@
 
 #![expect(clippy::excessive_precision, reason = "facts stand here with all digits in which they are known")]
 
-use kinegon::Solution;
 use kinegon::construction::Plan;
 use kinegon::quantity::Quantity;
+use kinegon::{Sheet, Solution};
 use support::stages::solved;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
@@ -125,8 +125,8 @@ fn figure_1_positions_and_rates() {
 #[test]
 fn figure_1_measured_segments() {
     let board = board(FIGURE_1);
-    let velocity = &board.construction.velocity;
-    let acceleration = board.construction.acceleration.as_ref().expect("asked for");
+    let velocity = &board.construction.sheets[Sheet::Velocity];
+    let acceleration = &board.construction.sheets[Sheet::Acceleration];
     // Equation of the paper; plan; segment; the cut line from the outer joint to the special point.
     let segments = [
         ("Eq. 7", velocity, ("b", "s3"), ("B", "S3"), "477.132368"),

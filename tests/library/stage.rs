@@ -106,16 +106,12 @@ fn handles_are_where_points_are_drawn() {
             }
             for handle in stage.plan_handles(&moved) {
                 same(&handle);
-                let plan = match handle.panel {
-                    Sheet::Velocity => Some(&moved.construction.velocity),
-                    _ => moved.construction.acceleration.as_ref(),
-                };
-                let plan = plan.expect("the plan of a panel");
+                let plan = &moved.construction.sheets[handle.panel];
                 let back = stage.plan_place(&moved, handle.panel, handle.at).expect("there is a panel");
                 let mu = stage.mu(handle.panel).expect("there is a scale");
                 let off = back * mu - plan.points[&handle.name].vector;
                 assert!(off.norm() <= 1e-9 * (mu + plan.points[&handle.name].vector.norm()), "{name}: {}", handle.name);
-                assert_eq!(handle.is_fixed, handle.name == plan.kind.pole());
+                assert_eq!(handle.is_fixed, handle.name == plan.sheet.pole());
             }
         }
     }

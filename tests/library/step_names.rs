@@ -72,8 +72,8 @@ fn wrong_names(solution: &Solution, all: &Drawing, step: usize) -> Vec<String> {
         |name: &str| solution.scene.figure.labels.get(name).map_or_else(|| name.to_owned(), Untrusted::for_terminal);
     let mut wrong = Vec::new();
     for (plan, panel) in construction.plans().zip(&drawing.panels[1..]) {
-        let steps = construction.numbered_steps().filter(|one| one.plan.is_some_and(|of| of.kind == plan.kind));
-        let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(&one.step.action, plan.kind.pole()));
+        let steps = construction.numbered_steps().filter(|one| one.plan.is_some_and(|of| of.sheet == plan.sheet));
+        let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(&one.action, plan.sheet.pole()));
         let mut names: Vec<String> = so_far.filter(|name| !is_unnamed(plan, name)).map(|name| renamed(&name)).collect();
         names.sort();
         names.dedup();
@@ -83,9 +83,9 @@ fn wrong_names(solution: &Solution, all: &Drawing, step: usize) -> Vec<String> {
             wrong.push(format!("step {step}, {}: {shown:?} in place of {names:?}", panel.0));
         }
     }
-    let special = construction.special.iter().flatten().filter(|special| special.is_assur);
+    let special = construction.special.iter().filter(|special| special.is_assur);
     for special in special {
-        let number = construction.numbered_steps().find(|one| match &one.step.action {
+        let number = construction.numbered_steps().find(|one| match &one.action {
             Action::SpecialPoint { point, .. } => *point == special.name,
             _ => false,
         });

@@ -99,7 +99,7 @@ fn a_geared_five_bar_is_where_its_lengths_and_wheels_put_it() {
             let agreement = agreement.expect("there is a construction");
             assert!(agreement.difference <= agreement.allowed && agreement.allowed < 1e-12, "{agreement:?}");
         }
-        let drawn = s.construction.acceleration.as_ref().expect("a plan").points["c"].vector;
+        let drawn = s.construction.sheets[kinegon::Sheet::Acceleration].points["c"].vector;
         assert!((drawn - acceleration).norm() < 1e-6 * acceleration.norm());
     }
 }

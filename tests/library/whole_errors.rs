@@ -352,7 +352,7 @@ fn compare_result(name: &str, result: &ResultFile, truths: &[Truth; 2], seen: &m
 /// Special points: the crossings of their cut lines, and the motion of their links there.
 fn compare_special(name: &str, solution: &Solution, result: &ResultFile, truths: &[Truth; 2], seen: &mut Seen) {
     let mechanism = &solution.mechanism;
-    for special in solution.construction.special.iter().flatten().filter(|s| s.is_assur) {
+    for special in solution.construction.special.iter().filter(|s| s.is_assur) {
         let got = &result.points[&special.name];
         let line = |truth: &Truth, cut: &CutLine| -> Option<[Pair; 2]> {
             let place = |point: kinegon::mechanism::PointId| truth.point(&mechanism.points[point.0]).map(|p| p.place);

@@ -84,8 +84,8 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
     let mut crossings = 0;
     for plan in solution.construction.plans() {
         let mut rays: Vec<(&str, Vector)> = Vec::new();
-        for step in &plan.steps {
-            match &step.action {
+        for action in &plan.steps {
+            match action {
                 Action::Ray(ray) => rays.push((&ray.to, ray.direction)),
                 Action::Cross { point, .. } => {
                     let own: Vec<Vector> =
@@ -103,7 +103,7 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
     }
     assert!(crossings > 0, "{kind}");
     // Cut lines, by their joints and directions.
-    for special in solution.construction.special.iter().flatten() {
+    for special in solution.construction.special.iter() {
         let [a, b] = special.cuts.each_ref().map(|cut| cut.line.direction());
         if let (true, Some(a), Some(b)) = (special.is_assur, a, b) {
             assert!(a.perp(&b).abs() >= 0.34, "{kind}: {}", special.name);
@@ -114,12 +114,12 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
 fn segments_are_long(kind: &str, solution: &Solution) {
     let figure = &solution.scene.figure;
     for plan in solution.construction.plans() {
-        let mu = match plan.kind {
+        let mu = match plan.sheet {
             Sheet::Velocity => figure.mu_v,
             _ => figure.mu_a,
         };
-        for step in &plan.steps {
-            if let Action::Measure { from, to, .. } = &step.action {
+        for action in &plan.steps {
+            if let Action::Measure { from, to, .. } = action {
                 let way = plan.points[to].vector - plan.points[from].vector;
                 let mm = way.norm() / mu.expect("a scale");
                 assert!(!(1e-6..5.0).contains(&mm), "{kind}: {from} {to} {mm} mm");
@@ -150,7 +150,7 @@ fn special_points_are_on_the_sheet(kind: &str, exercise: &Exercise) {
         assert!((on_sheet(*place) - *centre).hypot() < 1e-6, "{kind}");
     }
     let (_, frame) = &exercise.sheet.panels[0];
-    for special in exercise.solution.construction.special.iter().flatten() {
+    for special in exercise.solution.construction.special.iter() {
         let place = special.place.finite().expect("not at infinity");
         assert!(frame.contains(on_sheet(place)), "{kind}: {}", special.name);
         let drawn = format!("scheme-point-{}", special.name);

@@ -64,19 +64,19 @@ fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
     let (sin, cos) = libm::sincos(12.0_f64.to_radians());
     let scales = answer_key(solution, 1).scales;
     let points = solution.construction.plans().map(|plan| {
-        let mu = scales[plan.kind].expect("a panel");
-        let names = [plan.kind.pole(), "b", "c"];
+        let mu = scales[plan.sheet].expect("a panel");
+        let names = [plan.sheet.pole(), "b", "c"];
         let places = names.map(|name| {
             let v = plan.points[name].vector / mu;
             let mut at = [v.x, v.y];
-            if name == "c" && plan.kind == Sheet::Velocity {
+            if name == "c" && plan.sheet == Sheet::Velocity {
                 at = [at[0] + moved[0], at[1] + moved[1]];
             }
             let [x, y] = at;
             let turned = [30.0 + cos * x - sin * y, 50.0 + sin * x + cos * y];
             (name.to_owned(), turned)
         });
-        PointsOf { places: places.into_iter().collect(), ..PointsOf::new(plan.kind) }
+        PointsOf { places: places.into_iter().collect(), ..PointsOf::new(plan.sheet) }
     });
     Measured { mu: scales, points: points.collect(), ..Measured::default() }
 }

@@ -43,8 +43,7 @@ fn sheets_grow_and_nothing_moves() {
         let (solution, all) = drawn(&text);
         let count = all.steps.len();
         let construction = &solution.construction;
-        let told = construction.scheme.len() + construction.plans().map(|plan| plan.steps.len()).sum::<usize>();
-        assert_eq!(count, told, "{name}");
+        assert_eq!(count, construction.step_count(), "{name}");
         let mut before: Vec<Mark> = Vec::new();
         for step in 1..=count {
             let sheet = all.after_step(step);
@@ -75,15 +74,15 @@ fn each_step_draws_what_it_does() {
     for (name, text) in scenes() {
         let (solution, all) = drawn(&text);
         let construction = &solution.construction;
-        let plans = construction.plans().flat_map(|plan| &plan.steps);
-        for (number, step) in (1..).zip(construction.scheme.iter().chain(plans)) {
-            let new: Vec<&Mark> = all.marks.iter().filter(|m| m.since == number).collect();
+        for step in construction.numbered_steps() {
+            let number = step.number;
+            let new: Vec<&Mark> = all.marks.iter().filter(|m| usize::from(m.since) == number).collect();
             let has = |wanted: &dyn Fn(&Mark) -> bool| new.iter().any(|mark| wanted(mark));
             let named = |id: &str| {
                 let ends = |mark: &Mark| mark.id.as_deref().is_some_and(|own| own.ends_with(id));
                 has(&ends)
             };
-            let (kind, good) = match &step.action {
+            let (kind, good) = match step.action {
                 Action::Pole { .. } => ("pole", named("point-p") || named("point-pi") || has(&|m| m.pen == Pen::Pole)),
                 Action::SpecialPoint { point, .. } => {
                     ("special point", named(&format!("point-{point}")) && named(&format!("label-{point}")))
@@ -96,7 +95,7 @@ fn each_step_draws_what_it_does() {
             seen.insert(kind);
             // Names with primes and the like are spelt otherwise in ids; a vector that is nothing has no arrow, a length no line.
             let spelt = |s: &str| s.is_ascii() && !s.contains(|c: char| "'π()/".contains(c));
-            let whole = match &step.action {
+            let whole = match step.action {
                 Action::Ray(ray) => spelt(&ray.through) && spelt(&ray.to),
                 Action::Measure { value, .. } | Action::MeasureLength { value, .. } => *value > 1.0,
                 Action::Cross { point, .. } => {

@@ -33,7 +33,7 @@ fn images(solution: &Solution, plan: &Plan, link: BodyId) -> Vec<Imaged> {
         let name = coincident_name(mechanism.point_name(slider.at), &body.name);
         see(&name, pose.point(slider.at));
     }
-    let special = construction.special.iter().flatten();
+    let special = construction.special.iter();
     for special in special.filter(|s| s.link == link) {
         if let Some(place) = special.place.finite() {
             see(&special.name, place);
@@ -62,7 +62,7 @@ pub fn dissimilarity(solution: &Solution, result: &ResultFile, condition: f64) -
                     let far = (side.norm() / sizes.length).max(1.0);
                     let is_special = [p, q].iter().any(|x| x.name.starts_with('S'));
                     let blur = sizes.length * if is_special { far * far } else { 0.0 };
-                    let (expected, size, error, bound) = match plan.kind {
+                    let (expected, size, error, bound) = match plan.sheet {
                         Sheet::Velocity => {
                             (quarter_turn(side) * omega, sizes.velocity + 2.0 * sizes.omega * blur, omega_error, BOUND)
                         }
@@ -78,7 +78,7 @@ pub fn dissimilarity(solution: &Solution, result: &ResultFile, condition: f64) -
                     pairs += 1;
                     let part = if gap == 0.0 { 0.0 } else { gap / allowed };
                     if part.is_nan() || part > worst.0 {
-                        worst = (part, format!("{:?}, link {}, {}{}", plan.kind, body.name, p.name, q.name));
+                        worst = (part, format!("{:?}, link {}, {}{}", plan.sheet, body.name, p.name, q.name));
                     }
                 }
             }

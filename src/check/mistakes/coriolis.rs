@@ -81,10 +81,7 @@ pub(super) fn at_rest(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet == Sheet::Acceleration) {
         let OperationKind::Draw { line, .. } = operation.kind else { continue };
-        let Some(Action::Ray(ray)) = operation.step.and_then(|step| construction.step(step)).map(|step| &step.action)
-        else {
-            continue;
-        };
+        let Some(Action::Ray(ray)) = operation.step.and_then(|step| construction.step(step)) else { continue };
         let RayOf::Leg(special, side) = ray.of else { continue };
         let cut = &construction.special(special).cuts[side];
         let at_rest = |slider: &SliderId| site.key.solution.mechanism.slider(*slider).on == GROUND;

@@ -128,8 +128,7 @@ impl Triangle {
 /// The ray of a line, if it leads to the image of a further point of a link.
 fn arm_ray(site: &Site<'_>, line: LineId) -> Option<ArmRay> {
     let (index, operation) = site.operations().find(|(_, operation)| operation.kind.line() == Some(line))?;
-    let step = site.key.solution.construction.step(operation.step?)?;
-    match (&step.action, &operation.kind) {
+    match (site.key.solution.construction.step(operation.step?)?, &operation.kind) {
         (Action::Ray(ray), &OperationKind::Draw { through, along, .. }) if matches!(ray.of, RayOf::Arm { .. }) => {
             let arm = match along.reference {
                 Reference::Line(arm) | Reference::Angle { to: arm, .. } => arm,

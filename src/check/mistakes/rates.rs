@@ -52,7 +52,7 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
 
 /// The senses of all rates of rotation reversed on the form, as by somebody who counts clockwise as positive.
 pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
-    let is_turning = |what: &What| matches!(what, What::Omega(_) | What::Alpha(_));
+    let is_turning = |what: &What| matches!(what, What::Rate(Rate::Omega(_) | Rate::Alpha(_)));
     let signed = site.entries.iter().enumerate().filter(|(index, entry)| {
         is_turning(entry.asked.what()) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
@@ -180,7 +180,7 @@ fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor:
     }
     for (index, entry) in site.entries.iter().enumerate() {
         let what = entry.asked.what();
-        if !(matches!(what, What::Omega(_)) || also_alpha && matches!(what, What::Alpha(_))) {
+        if !(matches!(what, What::Rate(Rate::Omega(_))) || also_alpha && matches!(what, What::Rate(Rate::Alpha(_)))) {
             continue;
         }
         for factor in [factor, 1.0 / factor] {

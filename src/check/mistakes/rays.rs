@@ -9,8 +9,7 @@ use crate::sheet::Sheet;
 
 /// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
 fn ends<'s>(site: &'s Site<'_>, operation: &Operation) -> Option<[&'s str; 2]> {
-    let step = site.key.solution.construction.step(operation.step?)?;
-    match &step.action {
+    match site.key.solution.construction.step(operation.step?)? {
         Action::Ray(ray) if operation.role == OperationRole::Ray => Some([&ray.through, &ray.to]),
         _ => None,
     }

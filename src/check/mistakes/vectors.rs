@@ -5,7 +5,7 @@ use super::site::{Laid, Site};
 use super::told::{Blank, Told, tell};
 use crate::check::model::Edit;
 use crate::construction::{
-    Along, NumberId, NumberKind, OperationKind, PlaceId, Plan, Product, ProductKind, Rate, image_name,
+    Along, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Rate, image_name,
 };
 use crate::geometry::quarter_turn;
 use crate::sheet::Sheet;
@@ -21,8 +21,8 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     let laid = vectors.map(|vector| {
         let edit = vector.turned(vector.along.turned(2));
         let [start, end] = vector.ends;
-        let arrows = || site.key.solution.construction.plan_on(vector.sheet).into_iter().flat_map(Plan::arrows);
-        let laid = arrows().find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
+        let mut arrows = site.key.solution.construction.sheets[vector.sheet].arrows();
+        let laid = arrows.find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
         let [from, to] = laid.map_or([start, end], |arrow| arrow.ends()).map(Blank::from);
         site.candidate(tell::reversed_vector(from, to), vector.operation, edit)
     });
@@ -202,7 +202,8 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
             NumberKind::Length([_, end]) => image_name(solution.construction.end_name(&solution.mechanism, *end)),
             _ => continue,
         };
-        let absolute = solution.construction.velocity.points.get(&end).map(|point| point.vector.norm());
+        let images = &solution.construction.sheets[Sheet::Velocity].points;
+        let absolute = images.get(&end).map(|point| point.vector.norm());
         let segments = velocities(site, term.operation);
         let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(exact(*number).abs(), velocity));
         if let Some(velocity) = absolute.filter(|v| is_other(*v) && !is_there(*v)) {

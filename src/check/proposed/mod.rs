@@ -174,13 +174,13 @@ fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
     let mut points = Vec::new();
     for pencilled in plans {
         let mut shown = key.solution.construction.plans();
-        let Some(plan) = shown.find(|plan| plan.kind == pencilled.kind) else { continue };
+        let Some(plan) = shown.find(|plan| plan.sheet == pencilled.kind) else { continue };
         let mut measured = Measured { mu: key.scales, ..Measured::default() };
         measured.mu[pencilled.kind] = Some(pencilled.mu);
-        let mut own = PointsOf::new(plan.kind);
+        let mut own = PointsOf::new(plan.sheet);
         let right = |vector: crate::geometry::Vector| [vector.x / pencilled.mu, vector.y / pencilled.mu];
-        own.put(plan.kind.pole(), [0.0; 2], None);
-        for (name, point) in plan.points.iter().filter(|(name, _)| *name != plan.kind.pole()) {
+        own.put(plan.sheet.pole(), [0.0; 2], None);
+        for (name, point) in plan.points.iter().filter(|(name, _)| *name != plan.sheet.pole()) {
             own.put(name.as_str(), right(point.vector), None);
         }
         measured.points.push(own);
@@ -189,11 +189,11 @@ fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
         let model = Model::new(key, key.solution, measured.mu, &asked)?;
         let bands = model.bands(&key.tolerance);
         for (name, point) in &plan.points {
-            let segment = plan.kind.segment_name(plan.kind.pole(), name);
+            let segment = plan.sheet.segment_name(plan.sheet.pole(), name);
             let asked = asked.iter().zip(&bands).find(|(entry, _)| entry.asked.name() == segment);
             let Some((entry, Some(band))) = asked else { continue };
             let tolerance = (BANDS * band.band + entry.rounding) / pencilled.mu;
-            let kind = plan.kind;
+            let kind = plan.sheet;
             points.push(Proposal { kind, name: name.clone(), right: right(point.vector), tolerance, found: None });
         }
     }

@@ -13,7 +13,7 @@ use super::report::{ReportParts, report_parts};
 use super::search::other_modes;
 use super::sheet::Measured;
 use super::verdict::Verdict;
-use crate::construction::Action;
+use crate::construction::{Action, Rate};
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
@@ -135,15 +135,15 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         };
         // A step may solve for the rates of several links; the mistake is in that of one, whose sense is shown on the
         // scheme.
-        let solves = matches!(step.step.action, Action::Solve { .. });
+        let solves = matches!(step.action, Action::Solve { .. });
         let rate = candidate.told.quantity().and_then(|name| QuantityRequest::new(name, &key.solution.mechanism).ok());
         let link = match rate.as_ref().map(QuantityRequest::what) {
-            Some(What::Omega(link) | What::Alpha(link)) => key.solution.mechanism.body(*link).name.as_str(),
+            Some(What::Rate(Rate::Omega(link) | Rate::Alpha(link))) => key.solution.mechanism.body(*link).name.as_str(),
             _ => "",
         };
         wrong.push(WrongStep {
             step: step.number,
-            panel: if solves { Sheet::Scheme } else { step.sheet() },
+            panel: if solves { Sheet::Scheme } else { step.sheet },
             label: language.check_step(&step.number.to_string()),
             link: solves.then(|| link.to_owned()),
         });

@@ -32,9 +32,9 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, plan: &Plan) {
     let at = |name: &str| plan.points.get(name).map(|p| view.at(p.vector.into()));
     let steps = context.construction().numbered_steps();
-    for step in steps.filter(|step| step.plan.is_some_and(|of| of.kind == plan.kind)) {
+    for step in steps.filter(|step| step.plan.is_some_and(|of| of.sheet == plan.sheet)) {
         let number = step.number as u16;
-        match &step.step.action {
+        match &step.action {
             Action::Measure { from, to, .. } => {
                 if let (Some(from), Some(to)) = (at(from), at(to)) {
                     canvas.hint(number, from, to);

@@ -37,7 +37,7 @@ pub(super) struct PlanOnPaper<'a> {
 
 impl<'a> PlanOnPaper<'a> {
     pub(super) fn new(view: &'a View, context: &'a SheetContext<'a>, plan: &'a Plan) -> Self {
-        let steps = context.facts.steps.plan(plan.kind);
+        let steps = context.facts.steps.plan(plan.sheet);
         PlanOnPaper { view, context, plan, steps, images: images(context.mechanism(), plan) }
     }
 
@@ -114,11 +114,11 @@ impl<'a> PlanOnPaper<'a> {
     /// The vectors, those from the pole first.
     pub(super) fn vectors(&self, canvas: &mut Canvas<'_>) {
         let plan = self.plan;
-        let whole = match plan.kind {
+        let whole = match plan.sheet {
             Sheet::Acceleration => Pen::Acceleration,
             _ => Pen::Velocity,
         };
-        let pole = plan.kind.pole();
+        let pole = plan.sheet.pole();
         // In the source paper's plans no vector goes to a point that a relative motion leads to.
         let is_paper = self.context.figure().construction == ConstructionShown::Paper;
         let from_pole = |name: &str| {
@@ -146,7 +146,7 @@ impl<'a> PlanOnPaper<'a> {
             let pen = match laid.kind() {
                 ArrowKind::Whole => whole,
                 ArrowKind::Normal => Pen::Normal,
-                ArrowKind::Relative if plan.kind == Sheet::Acceleration => Pen::Tangential,
+                ArrowKind::Relative if plan.sheet == Sheet::Acceleration => Pen::Tangential,
                 ArrowKind::Relative => Pen::Image,
                 ArrowKind::Sliding => Pen::Vector,
                 ArrowKind::Coriolis => Pen::Coriolis,
@@ -176,17 +176,17 @@ impl<'a> PlanOnPaper<'a> {
         if let Some((number, _)) = arm.or_else(|| with().next()) {
             return Some(number);
         }
-        let mut all = self.context.construction().special.iter().flatten();
+        let mut all = self.context.construction().special.iter();
         let special = all.find(|special| image_name(&special.name) == name)?;
         self.context.number(special.link)
     }
 
     /// Draws the heads of relative vectors that rays carry, in a figure with values.
     pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
-        for value in self.context.values_of(self.plan.kind) {
+        for value in self.context.values_of(self.plan.sheet) {
             let ValueOf::Vector(PlanVector { ends: [from, to], on_ray: true, link, .. }) = &value.of else { continue };
             canvas.set_step(value.since);
-            let pen = match self.plan.kind {
+            let pen = match self.plan.sheet {
                 Sheet::Acceleration => Pen::Tangential,
                 _ => Pen::Image,
             };
@@ -201,7 +201,7 @@ impl<'a> PlanOnPaper<'a> {
     pub(super) fn values(&self, canvas: &mut Canvas<'_>) {
         let extent = extent(self.plan, self.context.figure().construction);
         let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
-        for value in self.context.values_of(self.plan.kind) {
+        for value in self.context.values_of(self.plan.sheet) {
             let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
             let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
             let along = to - from;

@@ -60,7 +60,7 @@ impl PlanOnPaper<'_> {
     /// Draws an arrow where the line to a far point leaves the panel, with the point's distance on paper.
     fn mark_far(&self, canvas: &mut Canvas<'_>, place: Point, names: &[&str]) {
         const ARROW: f64 = 8.0;
-        let pole = self.plan.kind.pole();
+        let pole = self.plan.sheet.pole();
         let laid = self.plan.arrows().find(|laid| names.contains(&laid.to.as_str()));
         let start = laid.map_or(pole, |laid| &laid.from);
         let start = if self.is_far(canvas, start) { pole } else { start };

@@ -43,7 +43,7 @@ pub(in crate::drawing) fn extent_of_images(plan: &Plan) -> Extent {
 /// Whether a plan point only leads to others, in a figure that does not show such points.
 pub(in crate::drawing) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
     let role = plan.points.get(name).map(|p| p.role);
-    let on_the_way = match plan.kind {
+    let on_the_way = match plan.sheet {
         Sheet::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
         _ => matches!(role, Some(PointRole::Special)),
     };

@@ -89,9 +89,9 @@ impl SchemeOnPaper<'_> {
     }
 
     fn hints(&self, canvas: &mut Canvas<'_>) {
-        for NumberedStep { number, step, .. } in self.context.construction().numbered_steps() {
+        for NumberedStep { number, action, .. } in self.context.construction().numbered_steps() {
             let number = number as u16;
-            let ends = match &step.action {
+            let ends = match action {
                 Action::MeasureLength { from, to, .. } => {
                     let joint = self.mechanism.point(from).map(|p| self.pose.point(p));
                     joint.zip(self.context.construction().special_point(to).and_then(|s| s.place.finite()))

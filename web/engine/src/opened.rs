@@ -123,10 +123,9 @@ pub fn places(text: &str) -> Result<Vec<Place>, Refused> {
 /// The steps of the construction, in the figure's language.
 fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
     let teller = Teller::new(solution, words);
-    let equations = |step: &NumberedStep<'_>| match &step.step.action {
+    let equations = |step: &NumberedStep<'_>| match &step.action {
         Action::Solve { equations, .. } => {
-            let kind = step.plan.map_or(Sheet::Velocity, |plan| plan.kind);
-            equations.iter().map(|equation| teller.equation(kind, equation)).collect()
+            equations.iter().map(|equation| teller.equation(step.sheet, equation)).collect()
         }
         _ => vec![teller.formula(step).markup()],
     };
@@ -134,7 +133,7 @@ fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
         number: step.number,
         caption: shown_text(&teller.caption(&step), step.plan, words),
         equation: shown_text(&equations(&step).join("; "), step.plan, words),
-        panel: step.sheet(),
+        panel: step.sheet,
     };
     solution.construction.numbered_steps().map(step).collect()
 }

@@ -157,7 +157,7 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
         let named = std::mem::take(&mut labels[index]);
         // Images of points at rest are the pole itself.
         let is_asked =
-            |name: &str| name == plan.kind.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
+            |name: &str| name == plan.sheet.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
         let points = named.into_iter().filter(|(name, _)| is_asked(name)).filter_map(|(name, label)| {
             let vector = plan.points.get(&name)?.vector / panel.mu;
             Some(RightPoint {
@@ -168,7 +168,7 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
             })
         });
         let points = points.collect();
-        Some(PlanInPhoto { kind: plan.kind, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
+        Some(PlanInPhoto { kind: plan.sheet, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
     });
     found.collect()
 }
