@@ -5,7 +5,6 @@ use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::scene::Scene;
-use crate::sheet::Sheet;
 
 /// Bounds of the whole error of every number of a pose and its motion, in the scene's units, angles in degrees: of
 /// places, rates, velocities and accelerations. Infinite where none can be given.
