@@ -4,7 +4,7 @@
 use super::cut::{CutLine, Special, SpecialId};
 use super::leg::{DrawnSpecial, LegLines};
 use super::name::{image_name, point_on};
-use super::number::{NumberId, NumberKind, Rate};
+use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
 use super::plan::PointRole;
 use super::step::{Action, Arrow, LegEquation, Ray, RayOf, Relation, VectorOf};
@@ -58,18 +58,23 @@ impl Writer<'_> {
         Some((legs, place))
     }
 
-    /// The length from the joint of a leg to the sought point; to a special point it is measured, in a step of its own.
+    /// The length from a leg's joint to the sought point, where an equation contains it; to a special point it is
+    /// measured along the cut line, in a step of its own.
     fn measured_length(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Option<NumberId> {
         let special = drawn.special;
         let from = special.cuts[side].measured_from()?;
-        let step = self.begin(Sheet::Scheme);
-        let length = self.length_to_point(drawn, side);
-        if let Some(place) = special.place.finite().filter(|_| special.is_assur) {
-            let value = (place - self.pose.point(from)).norm();
-            let (from, to) = (self.mechanism.point_name(from).to_owned(), special.name.clone());
-            self.finish(step, Action::MeasureLength { from, to, value });
+        if let Some(target) = special.target {
+            return (target != from).then(|| self.length(from, target));
         }
-        length
+        let (line, place) = (drawn.legs[side].line?, special.place.finite()?);
+        let step = self.begin(Sheet::Scheme);
+        let ends = [self.plot(from), drawn.place];
+        let kind = NumberKind::Length([End::Joint(from), End::Special(drawn.id)]);
+        let length = self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line));
+        let value = (place - self.pose.point(from)).norm();
+        let (from, to) = (self.mechanism.point_name(from).to_owned(), special.name.clone());
+        self.finish(step, Action::MeasureLength { from, to, value });
+        Some(length)
     }
 
     /// The plan name of the point from which a leg starts: `b`, or `c_iB` for the point of base `iB` that coincides

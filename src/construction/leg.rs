@@ -2,13 +2,13 @@
 //! to 38 of Quintero et al., 2011), normal parts and Coriolis accelerations.
 
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
-use super::number::{End, Equation, NumberId, NumberKind, Product, ProductKind};
-use super::operation::{Along, LineId, MeasuredAs, OperationRole, PlaceId};
+use super::number::{Equation, NumberId, Product, ProductKind};
+use super::operation::{Along, LineId, OperationRole, PlaceId};
 use super::plan::PointRole;
 use super::step::{Action, Added, Arrow, VectorOf};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
-use crate::mechanism::{AngularRate, AngularTerms, BodyId, LoopEquations, PointId, SliderId};
+use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, PointId};
 use crate::sheet::Sheet;
 
 /// Directions of a leg on the sheets.
@@ -19,7 +19,7 @@ pub(super) struct LegLines {
     /// Direction of the rays, a quarter turn counter-clockwise from the cut line.
     pub ray: Along,
     /// The cut line, once drawn on the scheme.
-    line: Option<LineId>,
+    pub line: Option<LineId>,
 }
 
 /// A special point on the scheme, with its legs.
@@ -31,14 +31,6 @@ pub(super) struct DrawnSpecial<'a> {
     pub place: PlaceId,
     /// By leg: the length from its joint to the point, where an equation contains it.
     pub lengths: [Option<NumberId>; 2],
-}
-
-/// A [`Term`] with its number.
-enum Summand {
-    /// The rotating link and its arm's length.
-    Turn(BodyId, NumberId),
-    /// The slider; +1 where the guide, signed away from the base, has the direction of the ray, else −1.
-    Slide(SliderId, f64),
 }
 
 impl Writer<'_> {
@@ -71,32 +63,13 @@ impl Writer<'_> {
         leg.line
     }
 
-    /// The length from a leg's joint to the sought point, where an equation contains it; to a special point it is
-    /// measured along the cut line.
-    pub(super) fn length_to_point(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Option<NumberId> {
-        let from = drawn.special.cuts[side].measured_from()?;
-        if let Some(target) = drawn.special.target {
-            return (target != from).then(|| self.length(from, target));
+    /// The length of the arm of a term that turns; none for one that slides, and for an arm of length zero.
+    fn arm_length(&mut self, drawn: &DrawnSpecial<'_>, side: usize, term: &Term) -> Option<NumberId> {
+        match *term {
+            Term::Turn { from, to: Some(to), .. } => Some(self.length(from, to)),
+            Term::Turn { to: None, .. } => drawn.lengths[side],
+            Term::Slide { .. } => None,
         }
-        let line = drawn.legs[side].line?;
-        let ends = [self.plot(from), drawn.place];
-        let kind = NumberKind::Length([End::Joint(from), End::Special(drawn.id)]);
-        Some(self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line)))
-    }
-
-    /// The terms of a leg with their numbers; arms of length zero are left out.
-    fn summands(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Vec<Summand> {
-        let cut = &drawn.special.cuts[side];
-        let summand = |term: &Term| match *term {
-            Term::Turn { link, from, to: Some(to) } => Some(Summand::Turn(link, self.length(from, to))),
-            Term::Turn { link, to: None, .. } => drawn.lengths[side].map(|length| Summand::Turn(link, length)),
-            Term::Slide { slider, from } => {
-                let ray = quarter_turn(cut.line.direction()?);
-                let guide = self.pose.guide(slider) * self.mechanism.slide_sign(slider, from);
-                Some(Summand::Slide(slider, guide.dot(&ray).signum()))
-            }
-        };
-        cut.terms.iter().filter_map(summand).collect()
     }
 
     /// The equation of a measured segment, which is the sum of the leg's terms.
@@ -109,9 +82,11 @@ impl Writer<'_> {
         segment: NumberId,
     ) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), vec![Product::plain(segment)]);
-        for summand in self.summands(drawn, side) {
-            match summand {
-                Summand::Turn(link, length) => match equations.angular_unknown(link) {
+        let cut = &drawn.special.cuts[side];
+        for term in &cut.terms {
+            let length = self.arm_length(drawn, side, term);
+            match (*term, length) {
+                (Term::Turn { link, .. }, Some(length)) => match equations.angular_unknown(link) {
                     Some(unknown) => left.push((unknown, Product::plain(length))),
                     None => {
                         if let Some(rate) = self.construction.angular_rates[link.0]?[sheet.order()] {
@@ -119,11 +94,15 @@ impl Writer<'_> {
                         }
                     }
                 },
-                Summand::Slide(slider, sign) => {
+                (Term::Slide { slider, from }, _) => {
                     if let Some(unknown) = equations.slide_unknown(slider) {
+                        let guide = self.pose.guide(slider) * self.mechanism.slide_sign(slider, from);
+                        // +1 where the guide, signed away from the base, has the direction of the ray, else −1.
+                        let sign = guide.dot(&quarter_turn(cut.line.direction()?)).signum();
                         left.push((unknown, Product::new(ProductKind::Sliding, sign, &[])));
                     }
                 }
+                (Term::Turn { .. }, None) => {}
             }
         }
         Some(Equation { left, right })
@@ -185,8 +164,8 @@ impl Writer<'_> {
     /// The signed size of a leg's normal part, against the cut line: an empty sum where nothing turns.
     fn normal_part(&mut self, drawn: &DrawnSpecial<'_>, side: usize) -> Option<Vec<Product>> {
         let mut sum = Vec::new();
-        for summand in self.summands(drawn, side) {
-            if let Summand::Turn(link, length) = summand
+        for term in &drawn.special.cuts[side].terms {
+            if let (Term::Turn { link, .. }, Some(length)) = (*term, self.arm_length(drawn, side, term))
                 && let Some(omega) = self.construction.angular_rates[link.0]?[0]
             {
                 sum.push(Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));

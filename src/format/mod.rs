@@ -2,7 +2,6 @@
 //! Out: the bytes of a file in a format that people or other programs read.
 //! Nothing is decided or computed here; the same input gives the same bytes everywhere.
 
-mod backdrop;
 #[cfg(feature = "arrow")]
 mod columns;
 #[doc(hidden)] // for tests
@@ -25,7 +24,6 @@ mod tikz;
 #[cfg(feature = "html")]
 mod workbench;
 
-pub use self::backdrop::Backdrop;
 #[cfg(feature = "arrow")]
 pub use self::columns::{ColumnFormat, Columns, ColumnsError};
 pub use self::digits::DigitRow;
@@ -41,8 +39,25 @@ pub use self::png::PngError;
 pub use self::result::{
     GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
 };
-pub use self::structure::{listed_modes, mode, modes, structure};
+pub use self::structure::{listed_modes, mode, structure};
 pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
 pub use self::table::{columns_of, csv_header, csv_rows, json_lines};
 #[cfg(feature = "html")]
 pub use self::workbench::{OpenScene, workbench};
+
+/// A grey picture as large as a sheet, over which it is drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Backdrop {
+    /// Pixels across and down.
+    pub size: [u32; 2],
+    /// Brightness row by row; 0 is black.
+    pub grey: Vec<u8>,
+}
+
+impl Backdrop {
+    /// Red, green, blue and 255 of each pixel.
+    #[cfg(any(feature = "png", all(feature = "pdf", feature = "cli")))]
+    fn colours(&self) -> Vec<u8> {
+        self.grey.iter().flat_map(|grey| [*grey, *grey, *grey, 255]).collect()
+    }
+}

@@ -1,6 +1,7 @@
-use resvg::tiny_skia::{BlendMode, Color, Pixmap, PixmapPaint, Transform};
+use resvg::tiny_skia::{BlendMode, Color, IntSize, Pixmap, PixmapPaint, Transform};
 use resvg::usvg::{Options, Tree};
 
+use super::Backdrop;
 use super::svg::{Text, svg_with};
 use crate::drawing::{Colour, Drawing};
 
@@ -50,40 +51,44 @@ impl Drawing {
         if !(dpi > 0.0 && dpi.is_finite()) {
             return Err(PngError::Resolution { dpi });
         }
-        let svg = svg_with(self, Text::Outlines);
-        let tree = Tree::from_str(&svg, &Options::default())?;
+        let tree = Tree::from_str(&svg_with(self, Text::Outlines), &Options::default())?;
         let scale = dpi / CSS_DPI;
         let pixels = |size: f32| (f64::from(size) * scale).round().max(1.0);
-        let (width, height) = (pixels(tree.size().width()), pixels(tree.size().height()));
-        let too_large = PngError::TooLarge { width, height };
-        if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
-            return Err(too_large);
-        }
-        // Both are at most 20 000, so they fit into u32.
-        let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
+        let size = [pixels(tree.size().width()), pixels(tree.size().height())];
         let Colour { red, green, blue } = self.style.background();
-        pixmap.fill(Color::from_rgba8(red, green, blue, 255));
-        let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
-        resvg::render(&tree, Transform::from_scale(across, down), &mut pixmap.as_mut());
-        encode(&pixmap, dpi)
+        encode(&rendered(&tree, size, Color::from_rgba8(red, green, blue, 255))?, dpi)
+    }
+
+    /// The bytes of a PNG file: the drawing over a picture, in that picture's pixels, as on a film: where the drawing
+    /// is white they stay as they are.
+    ///
+    /// # Errors
+    /// The picture has no pixels, or the file cannot be made.
+    pub fn png_over(&self, backdrop: &Backdrop) -> Result<Vec<u8>, PngError> {
+        let [width, height] = backdrop.size;
+        let tree = Tree::from_str(&svg_with(self, Text::Outlines), &Options::default())?;
+        let film = rendered(&tree, backdrop.size.map(f64::from), Color::WHITE)?;
+        let picture = IntSize::from_wh(width, height).and_then(|size| Pixmap::from_vec(backdrop.colours(), size));
+        let mut picture = picture.ok_or(PngError::TooLarge { width: f64::from(width), height: f64::from(height) })?;
+        let paint = PixmapPaint { blend_mode: BlendMode::Multiply, ..PixmapPaint::default() };
+        picture.draw_pixmap(0, 0, film.as_ref(), &paint, Transform::identity(), None);
+        let across = width as f32 / tree.size().width();
+        encode(&picture, f64::from(across) * CSS_DPI)
     }
 }
 
-/// A drawing over pixels of four bytes, as on a film: where it is white they stay as they are.
-pub(super) fn over(drawing: &Drawing, [width, height]: [u32; 2], pixels: Vec<u8>) -> Result<Vec<u8>, PngError> {
-    let svg = svg_with(drawing, Text::Outlines);
-    let tree = Tree::from_str(&svg, &Options::default())?;
-    let too_large = PngError::TooLarge { width: f64::from(width), height: f64::from(height) };
-    let size = resvg::tiny_skia::IntSize::from_wh(width, height);
-    let mut pixmap = size.and_then(|size| Pixmap::from_vec(pixels, size)).ok_or(too_large)?;
-    let across = width as f32 / tree.size().width();
-    let mut film =
-        Pixmap::new(width, height).ok_or(PngError::TooLarge { width: f64::from(width), height: f64::from(height) })?;
-    film.fill(Color::WHITE);
-    resvg::render(&tree, Transform::from_scale(across, height as f32 / tree.size().height()), &mut film.as_mut());
-    let paint = PixmapPaint { blend_mode: BlendMode::Multiply, ..PixmapPaint::default() };
-    pixmap.draw_pixmap(0, 0, film.as_ref(), &paint, Transform::identity(), None);
-    encode(&pixmap, f64::from(across) * CSS_DPI)
+/// A picture of so many pixels on a background.
+fn rendered(tree: &Tree, [width, height]: [f64; 2], background: Color) -> Result<Pixmap, PngError> {
+    let too_large = PngError::TooLarge { width, height };
+    if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
+        return Err(too_large);
+    }
+    // Both are at most 20 000, so they fit into u32.
+    let mut pixmap = Pixmap::new(width as u32, height as u32).ok_or(too_large)?;
+    pixmap.fill(background);
+    let (across, down) = (width as f32 / tree.size().width(), height as f32 / tree.size().height());
+    resvg::render(tree, Transform::from_scale(across, down), &mut pixmap.as_mut());
+    Ok(pixmap)
 }
 
 /// The pixels as a PNG file.

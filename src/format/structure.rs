@@ -1,6 +1,6 @@
 use crate::geometry::degrees_of;
 use crate::mechanism::{Body, BodyId, Class, Group, Joint, Mechanism, Role};
-use crate::position::{Count, Listed, Pose, search_warnings};
+use crate::position::{Listed, Pose, search_warnings};
 use crate::scene::{GivenBy, Scene};
 use crate::words::{Language, Wording};
 
@@ -78,21 +78,10 @@ fn joints(mechanism: &Mechanism, group: &Group) -> String {
     format!("{}-{}", of_link(group.links[0]), of_link(group.links[2]))
 }
 
-/// The assembly modes of a mechanism as a numbered list, with the places of its inner points and the angles of its
-/// groups' links; below it the warning, if any, that there may be more modes.
+/// Assembly modes of a mechanism as a numbered list, with the places of its inner points and the angles of its groups'
+/// links, and the number of all where not all are listed; below it the warning, if any, that there may be more modes.
 #[must_use]
-pub fn modes(scene: &Scene, mechanism: &Mechanism, poses: &[Pose]) -> String {
-    let count = Count { number: poses.len() as u64, is_exact: true };
-    written(scene, mechanism, poses, count)
-}
-
-/// Some assembly modes as a numbered list, with the number of all where not all are listed.
-#[must_use]
-pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, listed: &Listed) -> String {
-    written(scene, mechanism, &listed.poses, listed.count)
-}
-
-fn written(scene: &Scene, mechanism: &Mechanism, poses: &[Pose], count: Count) -> String {
+pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, Listed { poses, count }: &Listed) -> String {
     let words = Wording::of(&scene.figure);
     let language = words.language;
     let number = count.number.to_string();

@@ -1,6 +1,6 @@
 //! Catalogues: the sentences of one language, read once into a list in the order of their declarations.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// All sentences of a language, with a method for each, which [`sentences`](super::sentences) declares.
 #[derive(Clone, Debug)]
@@ -8,7 +8,7 @@ pub struct Language {
     /// Its code in scenes and on the command line, as `en`.
     pub code: &'static str,
     /// In the order of their declarations.
-    pub(super) sentences: Vec<Sentence>,
+    pub(super) sentences: Vec<&'static str>,
     /// Those of tables elsewhere, as they stand in the file.
     pub(super) tables: Tables,
 }
@@ -27,88 +27,44 @@ pub struct Declared {
     pub english: &'static str,
 }
 
-impl Declared {
-    /// The English sentence.
-    #[must_use]
-    pub fn in_english(&self) -> Sentence {
-        Sentence::read_whole(self.english, self).expect("a test reads every English sentence")
+/// A sentence with what stands for each of its blanks.
+#[must_use]
+pub fn filled(sentence: &str, blanks: &[&str], by: &[&str]) -> String {
+    let mut parts = sentence.split('{');
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for (name, words) in parts.filter_map(|part| part.split_once('}')) {
+        let blank = blanks.iter().position(|blank| *blank == name);
+        text.push_str(blank.map_or("", |blank| by[blank]));
+        text.push_str(words);
     }
+    text
 }
 
-/// A sentence: the words before its first blank, then the index of each blank among those declared and the words behind
-/// it.
-#[derive(Clone, Debug)]
-pub struct Sentence {
-    start: &'static str,
-    rest: Vec<(usize, &'static str)>,
-}
-
-impl Sentence {
-    /// Reads a sentence with these blanks in braces.
-    ///
-    /// # Errors
-    /// In words: a lone brace, or a blank that is not declared.
-    pub fn read(text: &'static str, blanks: &[&str]) -> Result<Sentence, String> {
-        let mut parts = text.split('{');
-        let start = parts.next().unwrap_or_default();
-        if start.contains('}') {
-            return Err("a } without its {".to_owned());
+/// The names of a sentence's blanks, which are among `known`.
+///
+/// # Errors
+/// In words: a lone brace, or a blank that is not known.
+pub fn blanks_of<'s>(sentence: &'s str, known: &[&str]) -> Result<BTreeSet<&'s str>, String> {
+    let mut parts = sentence.split('{');
+    let mut blanks = BTreeSet::new();
+    let mut words = parts.next().unwrap_or_default();
+    for part in parts {
+        let (name, rest) = part.split_once('}').ok_or("a { without its }")?;
+        if !known.contains(&name) {
+            return Err(format!("there is no {{{name}}} here, only {}", braced(known)));
         }
-        let rest = parts.map(|part| {
-            let (name, words) = part.split_once('}').ok_or("a { without its }")?;
-            if words.contains('}') {
-                return Err("a } without its {".to_owned());
-            }
-            let blank = blanks.iter().position(|blank| *blank == name);
-            Ok((blank.ok_or_else(|| format!("there is no {{{name}}} here, only {}", braced(blanks)))?, words))
-        });
-        Ok(Sentence { start, rest: rest.collect::<Result<_, String>>()? })
+        blanks.insert(name);
+        words = if words.contains('}') { words } else { rest };
     }
-
-    /// Reads a declared sentence, in which every blank must occur.
-    ///
-    /// # Errors
-    /// As of [`Sentence::read`], or a missing blank.
-    fn read_whole(text: &'static str, declared: &Declared) -> Result<Sentence, String> {
-        let sentence = Sentence::read(text, declared.blanks)?;
-        let is_missing = |blank: &usize| sentence.rest.iter().all(|(used, _)| used != blank);
-        match (0..declared.blanks.len()).find(is_missing) {
-            Some(blank) => Err(format!("{{{}}} is missing", declared.blanks[blank])),
-            None => Ok(sentence),
-        }
-    }
-
-    /// The words of a sentence without blanks.
-    pub fn plain(&self) -> &'static str {
-        self.start
-    }
-
-    /// The sentence with its blanks filled; `blanks` in the order of their declaration.
-    pub fn filled(&self, blanks: &[&str]) -> String {
-        let length = self.rest.iter().map(|(blank, words)| blanks[*blank].len() + words.len()).sum::<usize>();
-        let mut text = String::with_capacity(self.start.len() + length);
-        text.push_str(self.start);
-        for (blank, words) in &self.rest {
-            text.push_str(blanks[*blank]);
-            text.push_str(words);
-        }
-        text
-    }
-
-    /// The indices of its blanks, each once.
-    pub fn blanks(&self) -> std::collections::BTreeSet<usize> {
-        self.rest.iter().map(|(blank, _)| *blank).collect()
-    }
+    if words.contains('}') { Err("a } without its {".to_owned()) } else { Ok(blanks) }
 }
 
 impl Language {
     /// A sentence of a table by its key, with the blanks filled; the key where no language has it.
     #[must_use]
     pub(crate) fn of_table(&self, key: &str, blanks: &[(&str, String)]) -> String {
-        let (names, filled): (Vec<&str>, Vec<&str>) =
-            blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
-        let sentence = self.tables.get(key).and_then(|text| Sentence::read(text, &names).ok());
-        sentence.map_or_else(|| key.to_owned(), |sentence| sentence.filled(&filled))
+        let (names, by): (Vec<&str>, Vec<&str>) = blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
+        self.tables.get(key).map_or_else(|| key.to_owned(), |sentence| filled(sentence, &names, &by))
     }
 }
 
@@ -123,7 +79,7 @@ fn braced(names: &[&str]) -> String {
 /// The sentences of a catalogue.
 pub struct Read {
     /// In the order of their declarations, `None` where missing or unreadable.
-    pub sentences: Vec<Option<Sentence>>,
+    pub sentences: Vec<Option<&'static str>>,
     /// Those of tables elsewhere.
     pub tables: Tables,
 }
@@ -153,10 +109,14 @@ pub fn read(text: &'static str, declared: &[Declared]) -> (Read, Vec<String>) {
             fault(format!("no sentence is called `{key}`"));
             continue;
         };
-        match Sentence::read_whole(sentence, &declared[index]) {
-            Ok(_) if sentences[index].is_some() => fault(again()),
-            Ok(sentence) => sentences[index] = Some(sentence),
+        let blanks = declared[index].blanks;
+        match blanks_of(sentence, blanks) {
             Err(says) => fault(format!("`{key}`: {says}")),
+            Ok(used) => match blanks.iter().find(|blank| !used.contains(*blank)) {
+                Some(blank) => fault(format!("`{key}`: {{{blank}}} is missing")),
+                None if sentences[index].is_some() => fault(again()),
+                None => sentences[index] = Some(sentence),
+            },
         }
     }
     let lacking = declared.iter().zip(&sentences).filter(|(_, sentence)| sentence.is_none());

@@ -20,8 +20,8 @@ pub use catalogue::Language;
 pub use notation::{Notation, with_prime};
 pub use number::{Medium, NumberStyle, power_of_ten};
 
-use crate::scene::{DecimalMark, Figure, LanguageName, NotationName};
-use catalogue::{Declared, Read, Sentence, read};
+use crate::scene::{DecimalMark, Figure, LanguageName};
+use catalogue::{Read, read};
 use sentences::DECLARED;
 use std::sync::LazyLock;
 
@@ -36,14 +36,13 @@ pub fn catalogue_of(name: LanguageName) -> &'static str {
 
 /// The languages in the order of [`LanguageName::ALL`]. A sentence that a catalogue lacks is said in English.
 static LANGUAGES: LazyLock<[Language; LanguageName::ALL.len()]> = LazyLock::new(|| {
-    let english: Vec<Sentence> = DECLARED.iter().map(Declared::in_english).collect();
     let english_tables = read(catalogue_of(LanguageName::English), &[]).0.tables;
     LanguageName::ALL.map(|name| {
         let (Read { sentences, tables }, _) = read(catalogue_of(name), DECLARED);
-        let sentences = sentences.into_iter().zip(&english);
+        let sentences = sentences.into_iter().zip(DECLARED);
         Language {
             code: name.as_str(),
-            sentences: sentences.map(|(found, english)| found.unwrap_or_else(|| english.clone())).collect(),
+            sentences: sentences.map(|(found, declared)| found.unwrap_or(declared.english)).collect(),
             tables: english_tables.iter().map(|(key, text)| (*key, *text)).chain(tables).collect(),
         }
     })
@@ -81,12 +80,7 @@ impl Wording {
     pub fn of(figure: &Figure) -> Wording {
         Wording {
             language: Language::of(figure.language),
-            notation: match figure.notation {
-                NotationName::Paper => &notation::PAPER,
-                NotationName::English => &notation::ENGLISH,
-                NotationName::Russian => &notation::RUSSIAN,
-                NotationName::German => &notation::GERMAN,
-            },
+            notation: Notation::ALL[figure.notation as usize],
             decimal: figure.decimal,
         }
     }

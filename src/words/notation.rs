@@ -18,7 +18,7 @@ pub struct Notation {
 }
 
 impl Notation {
-    /// All notations.
+    /// The notations in the order of [`NotationName::ALL`](crate::scene::NotationName::ALL).
     pub const ALL: [&'static Notation; 4] = [&PAPER, &ENGLISH, &RUSSIAN, &GERMAN];
 
     /// The symbol of a plan's pole, in markup.
@@ -29,19 +29,18 @@ impl Notation {
 }
 
 /// H. Quintero, G. Calle, A. Díaz, E. Henao, Rev. Fac. Ing. Univ. Antioquia 60 (2011) 81–91.
-pub(super) const PAPER: Notation =
+const PAPER: Notation =
     Notation { poles: &[], primes: false, normal: "n", tangential: "t", coriolis: "c", relative: "r" };
 
 /// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.
-pub(super) const ENGLISH: Notation =
+const ENGLISH: Notation =
     Notation { poles: &[(Sheet::Velocity, "o"), (Sheet::Acceleration, "o′")], primes: true, ..PAPER };
 
 /// K. V. Frolov (ed.), *Теория механизмов и машин*, Высшая школа, Moscow 1987.
-pub(super) const RUSSIAN: Notation = Notation { tangential: "τ", coriolis: "k", ..PAPER };
+const RUSSIAN: Notation = Notation { tangential: "τ", coriolis: "k", ..PAPER };
 
 /// H. Kerle, B. Corves, M. Hüsing, *Getriebetechnik*, 5th ed., Springer Vieweg 2015.
-pub(super) const GERMAN: Notation =
-    Notation { poles: &[(Sheet::Velocity, "P_{v}"), (Sheet::Acceleration, "P_{a}")], ..PAPER };
+const GERMAN: Notation = Notation { poles: &[(Sheet::Velocity, "P_{v}"), (Sheet::Acceleration, "P_{a}")], ..PAPER };
 
 /// A name with a prime after its letter: `b′`, `d′_2`, `s′3`.
 #[must_use]

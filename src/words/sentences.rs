@@ -2,7 +2,7 @@
 //! Other languages are text files with the same keys. A declaration gives a method of [`Language`], so the compiler
 //! checks that every blank is filled.
 
-use super::catalogue::{Declared, Language};
+use super::catalogue::{Declared, Language, filled};
 use crate::sheet::Sheet;
 
 /// Declares the sentences and a method for each: `title = "…";` gives `title(&self) -> &str`, and
@@ -29,7 +29,7 @@ macro_rules! sentences {
         #[doc = $english]
         #[must_use]
         pub fn $key(&self) -> &str {
-            self.sentences[Key::$key as usize].plain()
+            self.sentences[Key::$key as usize]
         }
     };
     (@method $(#[$about:meta])* $key:ident ($($blank:ident),+) = $english:literal) => {
@@ -37,7 +37,8 @@ macro_rules! sentences {
         #[doc = $english]
         #[must_use]
         pub fn $key(&self, $($blank: &str),+) -> String {
-            self.sentences[Key::$key as usize].filled(&[$($blank),+])
+            let declared = &DECLARED[Key::$key as usize];
+            filled(self.sentences[Key::$key as usize], declared.blanks, &[$($blank),+])
         }
     };
 }

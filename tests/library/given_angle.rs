@@ -3,11 +3,11 @@
 
 use kinegon::Error;
 use kinegon::Sheet;
-use kinegon::format::{modes, structure};
+use kinegon::format::{listed_modes, structure};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::motion;
-use kinegon::position::{Pose, pose, poses};
+use kinegon::position::{Count, Listed, Pose, pose, poses};
 use kinegon::scene::Scene;
 use kinegon::words::Wording;
 use serde_json::{Value, json};
@@ -87,7 +87,9 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
                     let number = pose.assemblies[0].expect("a mode").mode;
                     let same = all[number - 1].points == pose.points;
                     assert!(same, "{what}: mode {number} is another");
-                    assert!(modes(&scene, &again, &all).contains(&format!("{number:3}. ")));
+                    let count = Count { number: all.len() as u64, is_exact: true };
+                    let listed = listed_modes(&scene, &again, &Listed { poses: all, count });
+                    assert!(listed.contains(&format!("{number:3}. ")));
                     let moved = motion(&again, &pose, Sheet::Acceleration).expect("it moves");
                     let error = (moved.body(id).omega - rates.body(id).omega).abs() / fastest;
                     assert!(error <= 100.0 * bound, "{what}: rate wrong by {error:.1e}");

@@ -4,6 +4,7 @@ use kinegon::check::Mistake;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Shape, curves};
+use kinegon::position::{Count, Listed};
 use kinegon::quantity::{QuantityRequest, pencil, step_names};
 use kinegon::scene::{LanguageName, NotationName, Scene};
 use kinegon::words::Wording;
@@ -62,7 +63,8 @@ fn all_said(name: &str, text: &str) -> Vec<String> {
     lines.extend(said_of_curves(&solution));
     let Solution { scene, mechanism, pose, .. } = &solution;
     let structure = format::structure(mechanism, &solution.wording());
-    let assembly = format::modes(scene, mechanism, std::slice::from_ref(pose));
+    let listed = Listed { poses: vec![pose.clone()], count: Count { number: 1, is_exact: true } };
+    let assembly = format::listed_modes(scene, mechanism, &listed);
     lines.extend([structure, assembly].iter().flat_map(|text| text.lines().map(str::to_owned)));
     lines
 }

@@ -47,12 +47,25 @@ impl Drawing {
         pdf_pages(std::slice::from_ref(self), None)
     }
 
+    /// The bytes of a PDF file of one page: the drawing over a picture as large as its sheet.
+    ///
+    /// # Errors
+    /// The page cannot be that large, or the file cannot be made.
+    #[cfg(feature = "cli")]
+    pub fn pdf_over(&self, backdrop: &super::Backdrop) -> Result<Vec<u8>, PdfError> {
+        let [width, height] = backdrop.size;
+        let image = krilla::image::Image::from_rgba8(backdrop.colours(), width, height);
+        let size = krilla::geom::Size::from_wh(self.width as f32, self.height as f32);
+        let size = size.ok_or(PdfError::Size { width: self.width, height: self.height })?;
+        pages(std::slice::from_ref(self), None, Some(&|surface| surface.draw_image(image.clone(), size)))
+    }
+
     /// Draws the sheet on a new page; returns its tags.
     fn draw_page(
         &self,
         document: &mut Document,
         fonts: &Fonts,
-        backdrop: Option<Backdrop<'_>>,
+        picture: Option<DrawPicture<'_>>,
     ) -> Result<TagGroup, PdfError> {
         let (width, height) = (self.width, self.height);
         let fits = |side: f64| side > 0.0 && side <= MOST_MM;
@@ -67,7 +80,7 @@ impl Drawing {
         let mut surface = page.surface();
         let millimetres = POINTS as f32;
         surface.push_transform(&Transform::from_scale(millimetres, millimetres));
-        if let Some(draw_picture) = backdrop {
+        if let Some(draw_picture) = picture {
             surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
             draw_picture(&mut surface);
             surface.end_tagged();
@@ -103,7 +116,7 @@ impl Drawing {
                 }
             }
         }
-        if backdrop.is_some() {
+        if picture.is_some() {
             surface.pop();
         }
         surface.pop();
@@ -124,40 +137,27 @@ pub fn pdf_pages(sheets: &[Drawing], keyword: Option<&str>) -> Result<Vec<u8>, P
 }
 
 /// Draws what lies under a sheet.
-type Backdrop<'a> = &'a dyn Fn(&mut Surface<'_>);
-
-/// A drawing over an image as large as its sheet.
-#[cfg(feature = "cli")]
-pub(super) fn over(drawing: &Drawing, image: krilla::image::Image) -> Result<Vec<u8>, PdfError> {
-    let size = krilla::geom::Size::from_wh(drawing.width as f32, drawing.height as f32);
-    let size = size.ok_or(PdfError::Size { width: drawing.width, height: drawing.height })?;
-    pages(
-        std::slice::from_ref(drawing),
-        None,
-        Some(&|surface: &mut Surface<'_>| surface.draw_image(image.clone(), size)),
-    )
-}
+type DrawPicture<'a> = &'a dyn Fn(&mut Surface<'_>);
 
 /// A page for each sheet, the same under all of them.
-fn pages(sheets: &[Drawing], keyword: Option<&str>, backdrop: Option<Backdrop<'_>>) -> Result<Vec<u8>, PdfError> {
+fn pages(sheets: &[Drawing], keyword: Option<&str>, picture: Option<DrawPicture<'_>>) -> Result<Vec<u8>, PdfError> {
     let first = sheets.first().ok_or_else(|| PdfError::Writing("it has no sheet".to_owned()))?;
     let fonts = Fonts::new();
     let mut document = Document::new();
     let mut tags = TagTree::new();
     for sheet in sheets {
-        tags.push(sheet.draw_page(&mut document, &fonts, backdrop)?);
+        tags.push(sheet.draw_page(&mut document, &fonts, picture)?);
     }
     document.set_tag_tree(tags);
     let mut about = Metadata::new().language(first.language.into());
     if !first.title.is_blank() {
         about = about.title(first.title.for_pdf());
     }
-    let about = about.description(first.description.clone()).creator("Kinegon".into());
-    let keywords = keyword.map(|keyword| vec![keyword.to_owned()]);
-    document.set_metadata(match keywords {
-        Some(keywords) => about.keywords(keywords),
-        None => about,
-    });
+    about = about.description(first.description.clone()).creator("Kinegon".into());
+    if let Some(keyword) = keyword {
+        about = about.keywords(vec![keyword.to_owned()]);
+    }
+    document.set_metadata(about);
     document.finish().map_err(|error| PdfError::Writing(format!("{error:?}")))
 }
 

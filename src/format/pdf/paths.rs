@@ -2,6 +2,7 @@
 
 use krilla::geom::{Path, PathBuilder};
 use krilla::surface::Surface;
+use kurbo::Affine;
 
 use crate::drawing::{Outline, OutlinePart, Point, Shape};
 
@@ -86,27 +87,15 @@ fn arc(path: &mut PathBuilder, center: Point, radius: f64, start: f64, sweep: f6
 
 /// Draws the outline of a glyph; it is in em, `origin` and `size` are in mm.
 pub(super) fn outline(path: &mut PathBuilder, glyph: &Outline, origin: Point, size: f64) {
-    let at = |point: Point| {
-        let place = origin + point.to_vec2() * size;
-        [length(place.x), length(place.y)]
-    };
+    let place = Affine::translate(origin.to_vec2()) * Affine::scale(size);
     for element in glyph {
-        match element {
-            OutlinePart::MoveTo(to) => {
-                let [x, y] = at(to);
-                path.move_to(x, y);
-            }
-            OutlinePart::LineTo(to) => {
-                let [x, y] = at(to);
-                path.line_to(x, y);
-            }
-            OutlinePart::QuadTo(by, to) => {
-                let ([x1, y1], [x, y]) = (at(by), at(to));
-                path.quad_to(x1, y1, x, y);
-            }
+        match place * element {
+            OutlinePart::MoveTo(to) => path.move_to(length(to.x), length(to.y)),
+            OutlinePart::LineTo(to) => path.line_to(length(to.x), length(to.y)),
+            OutlinePart::QuadTo(by, to) => path.quad_to(length(by.x), length(by.y), length(to.x), length(to.y)),
             OutlinePart::CurveTo(first, second, to) => {
-                let ([x1, y1], [x2, y2], [x, y]) = (at(first), at(second), at(to));
-                path.cubic_to(x1, y1, x2, y2, x, y);
+                let [first, second, to] = [first, second, to].map(|point| [length(point.x), length(point.y)]);
+                path.cubic_to(first[0], first[1], second[0], second[1], to[0], to[1]);
             }
             OutlinePart::ClosePath => path.close(),
         }

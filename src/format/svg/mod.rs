@@ -61,66 +61,39 @@ pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
     document(drawing, text, &groups(drawing, text), whole(drawing))
 }
 
-/// Marks that come and go together.
-struct Layer {
-    /// The step that draws them, from 1; 0 for marks that are there from the start.
-    step: u16,
-    /// Whether they are shown in that step only.
-    passing: bool,
-    /// The step from which later marks stand in their place.
-    until: Option<u16>,
-    /// Whether they lie below all marks of other layers: areas and construction lines.
-    below: bool,
-    /// The marks as SVG, one per line.
-    svg: String,
-}
-
-/// The layers from the lowest to the highest, without empty ones.
-fn layers(drawing: &Drawing, text: Text) -> Vec<Layer> {
-    let mut piles: BTreeMap<(bool, u16, bool, Option<u16>), Vec<Drawn<'_>>> = BTreeMap::new();
-    for one in drawn(drawing) {
-        let mark = one.0;
-        piles.entry((!lies_below(mark), mark.since, mark.passing, mark.until)).or_default().push(one);
-    }
-    let layer = |((above, step, passing, until), marks): ((bool, u16, bool, Option<u16>), Vec<Drawn<'_>>)| {
-        let mut svg = String::new();
-        write_marks(&mut svg, drawing, text, &marks);
-        Layer { step, passing, until, below: !above, svg }
-    };
-    piles.into_iter().map(layer).collect()
-}
-
-/// The marks with a group for each layer; passing layers are left out. Groups `step-03-until-07` with what later marks
-/// replace are hidden: all groups together are the finished figure.
+/// The marks with a group for each pile of marks that come and go together, from the lowest to the highest; those that
+/// are shown in one step only are left out. Groups `step-03-until-07` with what later marks replace are hidden: all
+/// groups together are the finished figure.
 fn groups(drawing: &Drawing, text: Text) -> String {
+    let lies_below = |mark: &Mark| matches!(mark.pen, Pen::LinkFill | Pen::ImageFill | Pen::Construction | Pen::Hint);
+    // By whether they lie above, the step that draws them, and the step from which later marks stand in their place.
+    let mut piles: BTreeMap<(bool, u16, Option<u16>), Vec<Drawn<'_>>> = BTreeMap::new();
+    for (mark, has_halo) in drawn(drawing).into_iter().filter(|(mark, _)| !mark.passing) {
+        piles.entry((!lies_below(mark), mark.since, mark.until)).or_default().push((mark, has_halo));
+    }
     let digits = drawing.steps.len().to_string().len().max(2);
     let mut written = String::new();
-    for layer in layers(drawing, text).into_iter().filter(|l| !l.passing) {
-        if layer.step == 0 {
-            written.push_str(&layer.svg);
+    for ((is_above, step, until), marks) in piles {
+        if step == 0 {
+            write_marks(&mut written, drawing, text, &marks);
             continue;
         }
-        let suffix = if layer.below { "-under" } else { "" };
+        let suffix = if is_above { "" } else { "-under" };
+        let replaced = until.map_or_else(String::new, |until| format!("-until-{until:0digits$}"));
         written.push_str("<g");
-        let until = layer.until.map_or_else(String::new, |until| format!("-until-{until:0digits$}"));
-        attribute(&mut written, "id", &format!("step-{:0digits$}{until}{suffix}", layer.step));
-        if layer.until.is_some() {
+        attribute(&mut written, "id", &format!("step-{step:0digits$}{replaced}{suffix}"));
+        if until.is_some() {
             attribute(&mut written, "visibility", "hidden");
         }
         written.push_str(">\n");
-        let words = drawing.steps.get(usize::from(layer.step) - 1);
-        if let (false, None, Some(words)) = (layer.below, layer.until, words) {
+        if let (true, None, Some(words)) = (is_above, until, drawing.steps.get(usize::from(step) - 1)) {
             let _ = writeln!(written, "<title>{}</title>", xml(words));
         }
-        written.push_str(&layer.svg);
+        write_marks(&mut written, drawing, text, &marks);
         written.push_str("</g>\n");
     }
     written.truncate(written.trim_end().len());
     written
-}
-
-fn lies_below(mark: &Mark) -> bool {
-    matches!(mark.pen, Pen::LinkFill | Pen::ImageFill | Pen::Construction | Pen::Hint)
 }
 
 /// The bundled font, then fonts of about the same width for where it is not installed.

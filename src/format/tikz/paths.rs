@@ -63,14 +63,8 @@ pub(super) fn write_outline(file: &mut String, glyph: &Outline, origin: Point, s
     let mut pen = Point::ORIGIN;
     for element in glyph {
         let [first, second, to] = match element {
-            OutlinePart::MoveTo(to) => {
-                file.push_str("\n  ");
-                write_point(file, at(to));
-                pen = to;
-                continue;
-            }
-            OutlinePart::LineTo(to) => {
-                file.push_str("--");
+            OutlinePart::MoveTo(to) | OutlinePart::LineTo(to) => {
+                file.push_str(if matches!(element, OutlinePart::MoveTo(_)) { "\n  " } else { "--" });
                 write_point(file, at(to));
                 pen = to;
                 continue;

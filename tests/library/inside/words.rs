@@ -2,7 +2,7 @@
 
 use kinegon::check::Mistake;
 use kinegon::scene::{DecimalMark, LanguageName};
-use kinegon::words::catalogue::{Declared, Read, Sentence, read};
+use kinegon::words::catalogue::{Declared, Read, blanks_of, filled, read};
 use kinegon::words::sentences::DECLARED;
 use kinegon::words::{Medium, NumberStyle, catalogue_of, with_prime};
 use std::collections::BTreeSet;
@@ -117,12 +117,11 @@ fn blanks_are_filled_by_name() {
     let text = "# Words.\n\nplan = \" plan\"\ncross = on {ray}: {image}, {ray}\nwrong.done = a = {image}";
     let (Read { sentences, tables }, faults) = read(text, &TWO);
     assert_eq!(faults, [""; 0]);
-    let [plan, cross] = [0, 1].map(|i| sentences[i].as_ref().expect("it is there"));
-    assert_eq!(plan.plain(), " plan");
-    assert_eq!(cross.filled(&["b", "r"]), "on r: b, r");
+    let [plan, cross] = [0, 1].map(|i| sentences[i].expect("it is there"));
+    assert_eq!(plan, " plan");
+    assert_eq!(filled(cross, &["image", "ray"], &["b", "r"]), "on r: b, r");
     // Braces in the text that fills a blank are no blanks.
-    let wrong = Sentence::read(tables["wrong.done"], &["image", "ray"]).expect("it can be read");
-    assert_eq!(wrong.filled(&["{ray}", "r"]), "a = {ray}");
+    assert_eq!(filled(tables["wrong.done"], &["image", "ray"], &["{ray}", "r"]), "a = {ray}");
 }
 
 #[test]
@@ -146,17 +145,14 @@ fn a_bad_line_is_named() {
 
 #[test]
 fn every_catalogue_says_everything() {
-    let english: Vec<Sentence> = DECLARED.iter().map(Declared::in_english).collect();
+    for declared in DECLARED {
+        let blanks = blanks_of(declared.english, declared.blanks);
+        let all = declared.blanks.iter().copied().collect();
+        assert_eq!(blanks, Ok(all), "the English words of `{}`", declared.key);
+    }
     for name in LanguageName::ALL.into_iter().filter(|name| *name != LanguageName::English) {
-        let (Read { sentences, .. }, faults) = read(catalogue_of(name), DECLARED);
+        let (_, faults) = read(catalogue_of(name), DECLARED);
         assert!(faults.is_empty(), "the catalogue of `{}`:\n{}", name.as_str(), faults.join("\n"));
-        // Each sentence uses the same blanks as in English.
-        for ((own, english), declared) in sentences.iter().flatten().zip(&english).zip(DECLARED) {
-            let [own, english] = [own, english].map(Sentence::blanks);
-            let different = own.symmetric_difference(&english).map(|blank| declared.blanks[*blank]);
-            let different: Vec<&str> = different.collect();
-            assert!(different.is_empty(), "`{}` in `{}` and in English: {different:?}", declared.key, name.as_str());
-        }
     }
 }
 
@@ -173,7 +169,7 @@ fn every_language_tells_every_mistake() {
             let mut used = BTreeSet::new();
             for key in ["done", "should"].map(|which| format!("{}.{which}", told.key)) {
                 let own = left.remove(key.as_str()).unwrap_or_else(|| panic!("{language:?} lacks {key}"));
-                let of = |text| Sentence::read(text, &blanks).unwrap_or_else(|says| panic!("{key}: {says}")).blanks();
+                let of = |text| blanks_of(text, &blanks).unwrap_or_else(|says| panic!("{key}: {says}"));
                 let [own, english] = [own, english[key.as_str()]].map(of);
                 assert_eq!(own, english, "the blanks of `{key}` in {language:?}");
                 used.extend(own);
