@@ -1,9 +1,8 @@
 use super::cut::{Special, SpecialId};
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
-use super::plan::Plan;
 use super::run::{Disturbance, Values};
-use super::step::{Action, VectorOf};
+use super::step::{Action, Plan, VectorOf};
 use crate::geometry::{Ball, Point};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
 use crate::sheet::{PerSheet, Sheet};

@@ -4,8 +4,7 @@
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::number::{Equation, NumberId, Product, ProductKind};
 use super::operation::{Along, LineId, OperationRole, PlaceId};
-use super::plan::PointRole;
-use super::step::{Action, Added, Arrow, VectorOf};
+use super::step::{Action, Added, Arrow, PointRole, VectorOf};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, PointId};

@@ -1,7 +1,7 @@
 //! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high. Vector
 //! equations term by term.
 
-use super::plan::Plan;
+use super::step::Plan;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::words::Wording;

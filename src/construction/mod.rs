@@ -7,8 +7,8 @@
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `rates`, `joint_images`, `images`; `solution`, which goes through all groups. `step`, `plan`, `markup`,
-//! `sentence`, `equations`, `vectors` and `passage` are for captions.
+//! `leg`, `group`, `images`; `solution`, which goes through all groups. `step`, `markup`, `sentence`, `equations` and
+//! `passage` are for captions.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
 //! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
@@ -48,20 +48,16 @@ mod cut;
 mod equations;
 mod group;
 mod images;
-mod joint_images;
 mod leg;
 mod markup;
 mod name;
 mod number;
 mod operation;
 mod passage;
-mod plan;
-mod rates;
 mod run;
 mod sentence;
 mod solution;
 mod step;
-mod vectors;
 mod writer;
 
 pub use constructed::{Agreement, Construction, Extent, NumberedStep};
@@ -75,10 +71,11 @@ pub use operation::{
     Along, ErrorUnit, LineId, MeasuredAs, Operation, OperationKind, OperationRole, PlaceId, Reference, StepId,
 };
 pub use passage::{Aim, Passage};
-pub use plan::{NOTHING, Plan, PlanPoint, PointRole};
 pub use run::{Change, Disturbance, Tolerance, Values};
-pub use sentence::Teller;
+pub use sentence::{PlanVector, Teller};
 pub use solution::{Solution, construct};
-pub use step::{Action, Added, Arrow, ArrowKind, LegEquation, Ray, RayOf, Relation, RelativePart, VectorOf};
-pub use vectors::PlanVector;
+pub use step::{
+    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation,
+    RelativePart, VectorOf,
+};
 pub(crate) use writer::Writer;

@@ -2,9 +2,8 @@
 
 use super::constructed::{Construction, NumberedStep};
 use super::markup::{marked, rate_symbol};
-use super::plan::PointRole;
 use super::sentence::Teller;
-use super::step::{Action, Arrow, RayOf, Relation, VectorOf};
+use super::step::{Action, Arrow, PointRole, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
 use crate::words::Language;
 
