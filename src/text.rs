@@ -130,21 +130,15 @@ impl JsonSchema for Untrusted {
     }
 }
 
-impl From<&str> for Untrusted {
-    fn from(text: &str) -> Untrusted {
-        Untrusted(text.to_owned())
+impl<T: AsRef<str> + ?Sized> From<&T> for Untrusted {
+    fn from(text: &T) -> Untrusted {
+        Untrusted(text.as_ref().to_owned())
     }
 }
 
 impl From<String> for Untrusted {
     fn from(text: String) -> Untrusted {
         Untrusted(text)
-    }
-}
-
-impl From<&String> for Untrusted {
-    fn from(text: &String) -> Untrusted {
-        Untrusted(text.clone())
     }
 }
 
@@ -163,12 +157,6 @@ impl PartialEq<str> for Untrusted {
 impl PartialEq<&str> for Untrusted {
     fn eq(&self, other: &&str) -> bool {
         self.0 == *other
-    }
-}
-
-impl PartialEq<Untrusted> for &str {
-    fn eq(&self, other: &Untrusted) -> bool {
-        *self == other.0
     }
 }
 

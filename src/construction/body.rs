@@ -5,7 +5,7 @@ use super::constructed::{Anchor, LaidOff};
 use super::name::{coriolis_name, point_on, slide_name};
 use super::number::{NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
-use super::step::{Action, Added, Arrow, PointRole, RelativePart, VectorOf};
+use super::step::{Action, Added, Arrow, PointRole, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role};
@@ -154,13 +154,13 @@ impl Writer<'_> {
         };
         let place = match sheet {
             Sheet::Scheme | Sheet::Velocity => {
-                self.lay_off_part(sheet, place, turned(omega), line.turned(1), of(RelativePart::Velocity))
+                self.lay_off_part(sheet, place, turned(omega), line.turned(1), of(VectorPart::Relative))
             }
             Sheet::Acceleration => {
                 let normal = omega.map(|omega| Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
                 let normal = normal.into_iter().collect();
-                let place = self.lay_off_part(sheet, place, normal, line, of(RelativePart::Normal));
-                self.lay_off_part(sheet, place, turned(alpha), line.turned(1), of(RelativePart::Tangential))
+                let place = self.lay_off_part(sheet, place, normal, line, of(VectorPart::Normal));
+                self.lay_off_part(sheet, place, turned(alpha), line.turned(1), of(VectorPart::Tangential))
             }
         };
         Some(place)

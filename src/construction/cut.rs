@@ -100,14 +100,11 @@ impl CutLine {
             Course::Normal(slider, at) => Line::new(pose.point(at), quarter_turn(pose.guide(slider))),
             Course::AtInfinity => None,
         };
-        Self {
-            leg: *leg,
-            course,
-            line: line.unwrap_or(Line::AtInfinity),
-            terms,
-            carrier,
-            slides: driven_slides(mechanism, point, leg),
-        }
+        // The driven sliders of the carrying link, then those of the link itself up to the sought point.
+        let last = mechanism.side(leg.carried.map_or(leg.outer, |c| c.inner), mechanism.lead(point.link));
+        let mut slides = leg.carrier_slides(mechanism);
+        slides.extend(mechanism.slides_between(last, point.link));
+        Self { leg: *leg, course, line: line.unwrap_or(Line::AtInfinity), terms, carrier, slides }
     }
 
     /// The slider to whose guide the line is normal, if it is a slider's.
@@ -160,15 +157,6 @@ impl CutLine {
             Course::AtInfinity => words.language.line_at_infinity().to_owned(),
         }
     }
-}
-
-/// The driven sliders of a leg: those of the carrying link, then those of the link itself up to the sought point.
-fn driven_slides(mechanism: &Mechanism, point: &SpecialPoint, leg: &Leg) -> Vec<DrivenSlide> {
-    let link = mechanism.lead(point.link);
-    let mut slides = leg.carrier_slides(mechanism);
-    let last = leg.carried.map_or(leg.outer, |carried| carried.inner);
-    slides.extend(mechanism.slides_between(mechanism.side(last, link), point.link));
-    slides
 }
 
 /// A point of a link found by two legs: a special (Assur) point, the crossing of their cut lines, or a dyad's inner

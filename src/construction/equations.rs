@@ -1,10 +1,10 @@
 //! Equations of legs: the vector equation behind a ray, the normal part, and the rates in a measured segment.
 
 use super::cut::{CutLine, Special, Term};
-use super::markup::{Formula, Known, NamedPart, marked, measured, subscript};
+use super::markup::{Formula, Known, marked, measured, subscript};
 use super::name::{image_name, point_on};
 use super::sentence::Teller;
-use super::step::{LegEquation, Ray, RayOf, Relation};
+use super::step::{LegEquation, Ray, RayOf, Relation, VectorPart};
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, PointId};
 use crate::sheet::Sheet;
@@ -43,41 +43,41 @@ impl Teller<'_> {
     fn leg_equation(&self, sheet: Sheet, point: &Special, cut: &CutLine, start: &str) -> Formula {
         let notation = self.words.notation;
         let mut formula = Formula::equal(sheet, &point.name, start);
-        let add_slide = |formula: &mut Formula, slide: &DrivenSlide, known: Known, part: NamedPart| {
-            let index = if part == NamedPart::Coriolis { notation.coriolis } else { notation.relative };
+        let add_slide = |formula: &mut Formula, slide: &DrivenSlide, known: Known, part: VectorPart| {
+            let index = if part == VectorPart::Coriolis { notation.coriolis } else { notation.relative };
             let markup = format!("{}_{index}({})", sheet.vector(), self.mechanism.slider_name(slide.slider));
             formula.add(if slide.sign < 0.0 { '−' } else { '+' }, markup, known, Some(part));
         };
         let has_coriolis = |slide: &DrivenSlide| sheet == Sheet::Acceleration && self.has_coriolis(slide);
         for slide in &cut.slides {
-            add_slide(&mut formula, slide, Known::Entirely, NamedPart::Sliding);
+            add_slide(&mut formula, slide, Known::Entirely, VectorPart::Sliding);
             if has_coriolis(slide) {
-                add_slide(&mut formula, slide, Known::Entirely, NamedPart::Coriolis);
+                add_slide(&mut formula, slide, Known::Entirely, VectorPart::Coriolis);
             }
         }
         let passed = cut.slide(self.mechanism);
         if let Some(slide) = passed.as_ref().filter(|slide| has_coriolis(slide)) {
-            add_slide(&mut formula, slide, Known::Entirely, NamedPart::Coriolis);
+            add_slide(&mut formula, slide, Known::Entirely, VectorPart::Coriolis);
         }
         let points = subscript(&[&point.name, start]);
         let turning: Vec<BodyId> = cut.terms.iter().filter_map(|term| self.turning(point, term)).collect();
         match sheet {
             // Turning and sliding together are one velocity along the ray.
             Sheet::Scheme | Sheet::Velocity => match passed.filter(|_| turning.is_empty()) {
-                Some(slide) => add_slide(&mut formula, &slide, Known::Direction, NamedPart::Sliding),
+                Some(slide) => add_slide(&mut formula, &slide, Known::Direction, VectorPart::Sliding),
                 None => formula.add('+', format!("v{points}"), Known::Direction, None),
             },
             Sheet::Acceleration => {
                 if turning.iter().any(|&link| self.turns(link)) {
                     let normal = format!("a^{}{points}", notation.normal);
-                    formula.add('+', normal, Known::Entirely, Some(NamedPart::Normal));
+                    formula.add('+', normal, Known::Entirely, Some(VectorPart::Normal));
                 }
                 if !turning.is_empty() {
                     let tangential = format!("a^{}{points}", notation.tangential);
-                    formula.add('+', tangential, Known::Direction, Some(NamedPart::Tangential));
+                    formula.add('+', tangential, Known::Direction, Some(VectorPart::Tangential));
                 }
                 if let Some(slide) = passed {
-                    add_slide(&mut formula, &slide, Known::Direction, NamedPart::Sliding);
+                    add_slide(&mut formula, &slide, Known::Direction, VectorPart::Sliding);
                 }
             }
         }

@@ -4,7 +4,7 @@
 
 use super::name::{coincident_name, coriolis_name, image_name, normal_name, point_on, slide_name};
 use super::operation::{Along, OperationRole, PlaceId};
-use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
+use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, cross};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, Leg, Mechanism, PointId, SliderId};
@@ -229,7 +229,10 @@ impl Writer<'_> {
         while let Some(laid) = vectors.pop() {
             let (to, role) = match vectors.is_empty() {
                 true => (name.clone(), PointRole::Image),
-                false => (self.free_name(sheet, part_name(mechanism, &from, &laid.of)), part_role(&laid.of)),
+                false => {
+                    let (name, role) = part_end(mechanism, &from, &laid.of);
+                    (self.free_name(sheet, name), role)
+                }
             };
             self.show(sheet, &to, laid.end, role);
             self.add_step_of(sheet, Arrow { from, to: to.clone(), of: laid.of }, laid.end);
@@ -256,22 +259,16 @@ impl Writer<'_> {
     }
 }
 
-/// The name of the end of a part of a relative motion that leads on, laid off from the plan point `from`.
-fn part_name(mechanism: &Mechanism, from: &str, of: &VectorOf) -> String {
+/// Name and role of the end of a part of a relative motion that leads on, laid off from the plan point `from`.
+fn part_end(mechanism: &Mechanism, from: &str, of: &VectorOf) -> (String, PointRole) {
     match of {
-        VectorOf::Relative { from, to, part: RelativePart::Normal, .. } => normal_name(from, to),
-        VectorOf::Relative { to, .. } => image_name(to),
-        VectorOf::Passed(slide, Added::Coriolis) => coriolis_name(from, &mechanism.body(slide.to).name),
-        VectorOf::Passed(slide, _) => slide_name(from, &mechanism.body(slide.to).name),
-        VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Sliding(..) => from.to_owned(),
-    }
-}
-
-fn part_role(of: &VectorOf) -> PointRole {
-    match of {
-        VectorOf::Relative { part: RelativePart::Normal, .. } => PointRole::Normal,
-        VectorOf::Relative { .. } => PointRole::Image,
-        _ => PointRole::Slid,
+        VectorOf::Relative { from, to, part: VectorPart::Normal, .. } => (normal_name(from, to), PointRole::Normal),
+        VectorOf::Relative { to, .. } => (image_name(to), PointRole::Image),
+        VectorOf::Passed(slide, Added::Coriolis) => {
+            (coriolis_name(from, &mechanism.body(slide.to).name), PointRole::Slid)
+        }
+        VectorOf::Passed(slide, _) => (slide_name(from, &mechanism.body(slide.to).name), PointRole::Slid),
+        VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Sliding(..) => (from.to_owned(), PointRole::Slid),
     }
 }
 
@@ -312,12 +309,7 @@ impl Writer<'_> {
             from = name;
         }
         let inner = mechanism.joint_point(second.inner);
-        let name = mechanism.point_name(inner);
-        let slider = mechanism.joint(second.inner).slider;
-        let end = match slider.is_some_and(|id| mechanism.slider(id).on == inner_link) {
-            true => coincident_name(name, &mechanism.body(inner_link).name),
-            false => name.to_owned(),
-        };
+        let end = point_on(mechanism, inner_link, inner);
         let to = image_name(&end);
         // A dyad's inner joint has its image already, the crossing of its rays.
         if !self.shows(sheet, &to) {
@@ -325,7 +317,7 @@ impl Writer<'_> {
                 link: inner_link,
                 from: mechanism.point_name(outer).to_owned(),
                 to: end,
-                part: RelativePart::Velocity,
+                part: VectorPart::Relative,
             };
             let step = self.begin(sheet);
             let place = self.motion(sheet, inner_link, inner);
@@ -333,7 +325,7 @@ impl Writer<'_> {
             let step = self.finish(step, Action::LayOff(Arrow { from, to, of }));
             self.claim(step, place);
         }
-        if let Some(slider) = slider {
+        if let Some(slider) = mechanism.joint(second.inner).slider {
             self.sliding_velocity_step(slider);
         }
     }
@@ -370,15 +362,12 @@ impl Writer<'_> {
                     self.relative_image(sheet, body, point);
                     let place = self.motion(sheet, body, point);
                     for other in bodies {
-                        if self.place_of_motion(sheet, other, point).is_none() {
-                            self.construction.record.note_motion(sheet, other, point, place);
-                        }
+                        self.construction.record.note_motion(sheet, other, point, place);
                     }
                 }
             }
         }
-        for joint in mechanism.joints_of(group) {
-            let Some(slider) = mechanism.joint(joint).slider else { continue };
+        for slider in mechanism.joints_of(group).into_iter().filter_map(|joint| mechanism.joint(joint).slider) {
             let ends = mechanism.slider(slider);
             for body in [ends.on, ends.link] {
                 self.relative_image(sheet, body, ends.at);
@@ -395,19 +384,14 @@ impl Writer<'_> {
                 let place = self.motion(sheet, mechanism.side(inner, carrier), point);
                 self.name_place(sheet, &image_name(mechanism.point_name(point)), place);
                 let other = mechanism.side(inner, mechanism.lead(special.link));
-                if self.place_of_motion(sheet, other, point).is_none() {
-                    self.construction.record.note_motion(sheet, other, point, place);
-                }
+                self.construction.record.note_motion(sheet, other, point, place);
             }
         }
-        for joint in mechanism.joints_of(group) {
-            let Some(slider) = mechanism.joint(joint).slider else { continue };
+        for slider in mechanism.joints_of(group).into_iter().filter_map(|joint| mechanism.joint(joint).slider) {
             let ends = mechanism.slider(slider);
-            let at = mechanism.point_name(ends.at);
-            let under = coincident_name(at, &mechanism.body(ends.on).name);
-            for (body, name) in [(ends.link, at), (ends.on, under.as_str())] {
+            for body in [ends.link, ends.on] {
                 let place = self.motion(sheet, body, ends.at);
-                self.name_place(sheet, &image_name(name), place);
+                self.name_place(sheet, &image_name(&point_on(mechanism, body, ends.at)), place);
             }
         }
     }

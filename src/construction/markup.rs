@@ -1,7 +1,7 @@
 //! Markup of captions and equations: names of points stand between backticks; `_{…}` is low, `^{…}` high. Vector
 //! equations term by term.
 
-use super::step::Plan;
+use super::step::{Plan, VectorPart};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
 use crate::words::Wording;
@@ -108,8 +108,8 @@ pub struct FormulaTerm {
     pub markup: String,
     /// How much of the vector is known when it is drawn.
     pub known: Known,
-    /// Its kind, for parts of a velocity or an acceleration that have a name.
-    pub part: Option<NamedPart>,
+    /// What it shows, for parts of a velocity or an acceleration that have a name.
+    pub part: Option<VectorPart>,
 }
 
 /// How much of a vector is known: on the board a vector known entirely is underlined twice, one known in direction
@@ -126,19 +126,6 @@ pub enum Known {
     Direction,
     /// Size and direction.
     Entirely,
-}
-
-/// A part of a velocity or acceleration that has a name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NamedPart {
-    /// Normal (centripetal) acceleration.
-    Normal,
-    /// Tangential acceleration.
-    Tangential,
-    /// Relative velocity or acceleration along a guide.
-    Sliding,
-    /// Coriolis acceleration.
-    Coriolis,
 }
 
 impl Formula {
@@ -164,7 +151,7 @@ impl Formula {
     }
 
     /// Adds a sign and a vector.
-    pub(super) fn add(&mut self, sign: char, markup: String, known: Known, part: Option<NamedPart>) {
+    pub(super) fn add(&mut self, sign: char, markup: String, known: Known, part: Option<VectorPart>) {
         self.sign(&format!(" {sign} "));
         self.vector(markup, known, part);
     }
@@ -180,7 +167,7 @@ impl Formula {
     }
 
     /// Adds a term.
-    pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<NamedPart>) {
+    pub(super) fn vector(&mut self, markup: String, known: Known, part: Option<VectorPart>) {
         self.terms.push(FormulaTerm { markup, known, part });
     }
 }

@@ -62,7 +62,7 @@ mod writer;
 
 pub use constructed::{Agreement, Construction, Extent, NumberedStep};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
-pub use markup::{Formula, FormulaTerm, Known, NamedPart, display, shown_text};
+pub use markup::{Formula, FormulaTerm, Known, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
 pub(crate) use name::point_on;
 pub use name::{coincident_name, image_name, normal_name};
@@ -75,7 +75,6 @@ pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub use solution::{Solution, construct};
 pub use step::{
-    Action, Added, Arrow, ArrowKind, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation,
-    RelativePart, VectorOf,
+    Action, Added, Arrow, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart,
 };
 pub(crate) use writer::Writer;

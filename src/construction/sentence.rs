@@ -2,10 +2,10 @@
 
 use super::constructed::{Construction, NumberedStep};
 use super::cut::Special;
-use super::markup::{Formula, Known, NamedPart, marked, measured, no_construction, rate_symbol, subscript};
+use super::markup::{Formula, Known, marked, measured, no_construction, rate_symbol, subscript};
 use super::name::{coincident_name, image_name, point_on};
 use super::solution::Solution;
-use super::step::{Action, Added, Arrow, ArrowKind, Plan, PointRole, Ray, RayOf, Relation, RelativePart, VectorOf};
+use super::step::{Action, Added, Arrow, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use crate::geometry::{Place, degrees_of};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -145,23 +145,21 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of the motion of one point of a link relative to another.
-    fn relative(&self, link: BodyId, [from, to]: [&str; 2], part: RelativePart) -> (Formula, String) {
+    fn relative(&self, link: BodyId, [from, to]: [&str; 2], part: VectorPart) -> (Formula, String) {
         let (language, notation) = (self.words.language, self.words.notation);
         let link = &self.mechanism.body(link).name;
         let (pair, line) = (subscript(&[to, from]), format!("{from}{to}"));
         let (to, from) = (marked(to), marked(from));
         let (equation, caption) = match part {
-            RelativePart::Velocity => {
-                (format!("v{pair} = ω_{link} L{pair}"), language.lay_off_relative(link, &to, &from, &line))
-            }
-            RelativePart::Normal => (
+            VectorPart::Normal => (
                 format!("a^{}{pair} = ω_{link}^2 L{pair}", notation.normal),
                 language.lay_off_relative_normal(&to, &from, &line),
             ),
-            RelativePart::Tangential => (
+            VectorPart::Tangential => (
                 format!("a^{}{pair} = α_{link} L{pair}", notation.tangential),
                 language.lay_off_relative_tangential(link, &to, &from, &line),
             ),
+            _ => (format!("v{pair} = ω_{link} L{pair}"), language.lay_off_relative(link, &to, &from, &line)),
         };
         (equation.into(), caption)
     }
@@ -200,21 +198,16 @@ impl<'a> Teller<'a> {
             Role::Carrier { .. } => {
                 let vector = format!("{letter}_{name}");
                 let caption = language.lay_off_given(&vector);
-                (self.given_vector(vector), caption)
+                let mut formula = Formula::default();
+                formula.vector(vector, Known::Entirely, None);
+                formula.words(language.given());
+                (formula, caption)
             }
             _ => (
                 format!("{letter}{}", subscript(&[under, &body.name])).into(),
                 language.lay_off_point_under(&body.name, &marked(under)),
             ),
         }
-    }
-
-    /// The formula of a given vector: its symbol and the word for "given".
-    fn given_vector(&self, vector: String) -> Formula {
-        let mut formula = Formula::default();
-        formula.vector(vector, Known::Entirely, None);
-        formula.words(self.words.language.given());
-        formula
     }
 
     /// Equation and caption of a slider's relative velocity, relative acceleration or Coriolis acceleration.
@@ -252,14 +245,12 @@ pub struct PlanVector {
     pub ends: [String; 2],
     /// Its symbol in markup, as in `v_{CB}`.
     pub symbol: String,
-    /// Its kind.
-    pub kind: ArrowKind,
+    /// What it shows.
+    pub part: VectorPart,
     /// The plan point with which it is there.
     pub made: String,
-    /// The link that it belongs to, where a ray says so.
+    /// The link that it belongs to, where a ray carries it, and no arrow.
     pub link: Option<BodyId>,
-    /// Whether a ray carries it, and no arrow.
-    pub on_ray: bool,
 }
 
 impl Teller<'_> {
@@ -268,13 +259,13 @@ impl Teller<'_> {
     pub fn vectors(&self, plan: &Plan) -> Vec<PlanVector> {
         let mut vectors = self.whole_vectors(plan);
         for action in &plan.steps {
-            let (ends, made, formula, kind, link) = match action {
+            let (ends, made, formula, part, link) = match action {
                 Action::LayOff(arrow) if matches!(arrow.of, VectorOf::Point(..)) => continue,
                 Action::LayOff(arrow) => {
                     if matches!(arrow.of, VectorOf::Normal(special, _) if self.construction.special(special).is_assur) {
                         continue;
                     }
-                    (arrow.ends(), &arrow.to, self.lay_off(plan.sheet, arrow).0, arrow.kind(), None)
+                    (arrow.ends(), &arrow.to, self.lay_off(plan.sheet, arrow).0, arrow.part(), None)
                 }
                 Action::Ray(ray) => {
                     let RayOf::Leg(special, side) = ray.of else { continue };
@@ -284,31 +275,28 @@ impl Teller<'_> {
                     }
                     let formula = self.ray_equation(plan.sheet, ray);
                     let link = Some(special.cuts[side].carrier);
-                    ([ray.through.as_str(), ray.to.as_str()], &ray.to, formula, ArrowKind::Relative, link)
+                    ([ray.through.as_str(), ray.to.as_str()], &ray.to, formula, VectorPart::Relative, link)
                 }
                 _ => continue,
             };
             // On a ray the vector is the one whose direction alone is known, with the sign before it; else the equation
             // begins with it.
-            let on_ray = link.is_some();
-            let index = match on_ray {
-                true => formula.terms.iter().position(|term| term.known == Known::Direction),
-                false => Some(0),
+            let index = match link {
+                Some(_) => formula.terms.iter().position(|term| term.known == Known::Direction),
+                None => Some(0),
             };
             let Some((index, term)) = index.and_then(|index| Some((index, formula.terms.get(index)?))) else {
                 continue;
             };
             let is_minus = index > 0 && formula.terms[index - 1].markup.contains('−');
-            let kind = if term.part == Some(NamedPart::Sliding) { ArrowKind::Sliding } else { kind };
             let [from, to] = if is_minus { [ends[1], ends[0]] } else { ends };
             let symbol = term.markup.split(" = ").next().unwrap_or_default();
             vectors.push(PlanVector {
                 ends: [from.to_owned(), to.to_owned()],
                 symbol: symbol.to_owned(),
-                kind,
+                part: term.part.unwrap_or(part),
                 made: made.clone(),
                 link,
-                on_ray,
             });
         }
         vectors
@@ -326,10 +314,9 @@ impl Teller<'_> {
         let vector = |name: String| PlanVector {
             ends: [plan.sheet.pole().to_owned(), image_name(&name)],
             symbol: format!("{letter}_{{{name}}}"),
-            kind: ArrowKind::Whole,
+            part: VectorPart::Whole,
             made: image_name(&name),
             link: None,
-            on_ray: false,
         };
         names.into_iter().map(vector).collect()
     }

@@ -145,25 +145,14 @@ pub enum VectorOf {
         from: String,
         /// … to this one.
         to: String,
-        /// Which part of it.
-        part: RelativePart,
+        /// Which part of it: all of a relative velocity, of an acceleration the normal or the tangential part.
+        part: VectorPart,
     },
     /// The sliding velocity at a slider, from the coincident point of the guide's body, given by name, to the slider's
     /// point.
     Sliding(SliderId, String),
     /// A part of the relative motion at a slider that a chain of vectors passes, in either direction.
     Passed(DrivenSlide, Added),
-}
-
-/// A part of the motion of one point of a link relative to another.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RelativePart {
-    /// The velocity, ω × r.
-    Velocity,
-    /// The normal acceleration, −ω² r.
-    Normal,
-    /// The tangential acceleration, α × r.
-    Tangential,
 }
 
 /// A part of the relative motion at a slider.
@@ -190,18 +179,20 @@ impl Added {
     }
 }
 
-/// Kind of a vector of a plan.
+/// What a vector of a plan shows of a velocity or an acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ArrowKind {
-    /// A whole velocity or acceleration, from the pole.
+pub enum VectorPart {
+    /// All of it, from the pole.
     Whole,
-    /// A normal part.
-    Normal,
-    /// A relative velocity of two points of one link, or a tangential acceleration.
+    /// The velocity of one point of a link relative to another, ω × r.
     Relative,
-    /// A sliding velocity or acceleration.
+    /// Normal (centripetal) acceleration, −ω² r.
+    Normal,
+    /// Tangential acceleration, α × r.
+    Tangential,
+    /// Relative velocity or acceleration along a guide.
     Sliding,
-    /// The Coriolis acceleration of a slider.
+    /// Coriolis acceleration.
     Coriolis,
 }
 
@@ -223,15 +214,15 @@ impl Arrow {
         }
     }
 
-    /// The kind of the vector.
+    /// What the vector shows.
     #[must_use]
-    pub fn kind(&self) -> ArrowKind {
+    pub fn part(&self) -> VectorPart {
         match self.of {
-            VectorOf::Point(..) => ArrowKind::Whole,
-            VectorOf::Normal(..) | VectorOf::Relative { part: RelativePart::Normal, .. } => ArrowKind::Normal,
-            VectorOf::Relative { .. } => ArrowKind::Relative,
-            VectorOf::Passed(_, Added::Coriolis) => ArrowKind::Coriolis,
-            VectorOf::Sliding(..) | VectorOf::Passed(..) => ArrowKind::Sliding,
+            VectorOf::Point(..) => VectorPart::Whole,
+            VectorOf::Normal(..) => VectorPart::Normal,
+            VectorOf::Relative { part, .. } => part,
+            VectorOf::Passed(_, Added::Coriolis) => VectorPart::Coriolis,
+            VectorOf::Sliding(..) | VectorOf::Passed(..) => VectorPart::Sliding,
         }
     }
 }

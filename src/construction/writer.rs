@@ -218,10 +218,7 @@ impl<'a> Writer<'a> {
 
     /// The pole of a plan.
     pub(crate) fn pole_of(&self, sheet: Sheet) -> Option<PlaceId> {
-        self.construction.operations.iter().find_map(|operation| match operation.kind {
-            OperationKind::Pole { place, .. } if operation.sheet == sheet => Some(place),
-            _ => None,
-        })
+        self.construction.place(sheet, sheet.pole())
     }
 
     /// A joint on the scheme.
@@ -299,22 +296,6 @@ impl<'a> Writer<'a> {
     ) -> NumberId {
         let number = self.new_number(kind);
         self.push(sheet, OperationRole::Number, OperationKind::Measure { number, from, to, how });
-        number
-    }
-
-    /// Measures a number as part of a step, if that is done on the same sheet.
-    pub(crate) fn measure_in(
-        &mut self,
-        step: Option<StepId>,
-        sheet: Sheet,
-        kind: NumberKind,
-        ends: [PlaceId; 2],
-        how: MeasuredAs,
-    ) -> NumberId {
-        let number = self.measure(sheet, kind, ends, how);
-        if let Some(operation) = self.construction.operations.last_mut() {
-            operation.step = step.filter(|step| step.sheet == sheet);
-        }
         number
     }
 

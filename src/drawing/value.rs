@@ -1,7 +1,7 @@
 //! A value to be written at a vector, a link or a length.
 
 use super::text::RichText;
-use crate::construction::{ArrowKind, PlanVector};
+use crate::construction::{PlanVector, VectorPart};
 use crate::mechanism::{BodyId, PointId};
 use crate::quantity::QuantityKind;
 use crate::sheet::Sheet;
@@ -45,7 +45,7 @@ impl Value {
         match &self.of {
             ValueOf::Rate(_) => true,
             ValueOf::Vector(vector) => {
-                matches!(vector.kind, ArrowKind::Whole | ArrowKind::Sliding | ArrowKind::Coriolis)
+                matches!(vector.part, VectorPart::Whole | VectorPart::Sliding | VectorPart::Coriolis)
             }
             ValueOf::Length(_) => false,
         }

@@ -12,7 +12,7 @@ use super::step_numbers::Steps;
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, fitting_scale};
 use crate::construction::{
-    Action, Formula, Known, LegEquation, NamedPart, NumberedStep, Passage, Plan, Ray, Relation, rate_symbol,
+    Action, Formula, Known, LegEquation, NumberedStep, Passage, Plan, Ray, Relation, VectorPart, rate_symbol,
 };
 use crate::geometry::{Vector, degrees_of};
 use crate::scene::QuantityName;
@@ -323,11 +323,11 @@ impl Writer<'_> {
             }
             let text = RichText::math(&term.markup);
             let mut name = match term.part {
-                Some(NamedPart::Normal) => language.normal(),
-                Some(NamedPart::Tangential) => language.tangential(),
-                Some(NamedPart::Sliding) => language.sliding(),
-                Some(NamedPart::Coriolis) => language.coriolis(),
-                None => "",
+                Some(VectorPart::Normal) => language.normal(),
+                Some(VectorPart::Tangential) => language.tangential(),
+                Some(VectorPart::Sliding) => language.sliding(),
+                Some(VectorPart::Coriolis) => language.coriolis(),
+                Some(VectorPart::Whole | VectorPart::Relative) | None => "",
             }
             .to_owned();
             if let (Known::Direction, Some(along)) = (term.known, along) {

@@ -24,13 +24,13 @@ impl Solution {
         for (link, rates) in &result.links {
             let [omega, alpha] = ["omega", "alpha"].map(|head| format!("{head}({link})"));
             table.line(omega, rates.omega, rates.omega_error, QuantityKind::AngularVelocity);
-            table.line_if_known(alpha, rates.alpha, rates.alpha_error, QuantityKind::AngularAcceleration);
+            table.line(alpha, rates.alpha, rates.alpha_error, QuantityKind::AngularAcceleration);
         }
         for (slider, slide) in &result.sliders {
             let [velocity, acceleration] = ["v_r", "a_r"].map(|head| format!("{head}({slider})"));
             table.line(velocity, slide.velocity, slide.velocity_error, QuantityKind::Velocity);
             let kind = QuantityKind::Acceleration;
-            table.line_if_known(acceleration, slide.acceleration, slide.acceleration_error, kind);
+            table.line(acceleration, slide.acceleration, slide.acceleration_error, kind);
             table.vector(&format!("a_c({slider})"), slide.coriolis, slide.coriolis_error, kind);
         }
         for (point, motion) in &result.points {
@@ -61,7 +61,9 @@ struct Table {
 }
 
 impl Table {
-    fn line(&mut self, name: String, value: f64, bound: f64, kind: QuantityKind) {
+    /// Adds a number; nothing where it or its bound is not there.
+    fn line(&mut self, name: String, value: impl Into<Option<f64>>, bound: impl Into<Option<f64>>, kind: QuantityKind) {
+        let (Some(value), Some(bound)) = (value.into(), bound.into()) else { return };
         let (value, bound) = match certain(value, bound) {
             // The value is left out: nothing is known of its digits.
             _ if bound.is_infinite() => ("?".to_owned(), "no bound can be given here".to_owned()),
@@ -69,12 +71,6 @@ impl Table {
             Certain::None(within) => ("0".to_owned(), format!("± {within}, no digit is certain")),
         };
         self.lines.push(DigitRow { name, value, unit: kind.unit(self.units), bound });
-    }
-
-    fn line_if_known(&mut self, name: String, value: Option<f64>, bound: Option<f64>, kind: QuantityKind) {
-        if let (Some(value), Some(bound)) = (value, bound) {
-            self.line(name, value, bound, kind);
-        }
     }
 
     /// Size, direction and components of a vector, whose components are each off by at most `bound`.

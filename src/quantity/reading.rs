@@ -132,12 +132,7 @@ impl Reader<'_> {
         let component = asked.component().ok_or(Unread::Vector)?;
         let sheet = asked.sheet();
         let ends = match (drawn, component) {
-            // A segment of zero length, as of a point at rest, is not measured.
-            (VectorSource::Segment(ends), _) if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) => {
-                return Err(Unread::NoConstruction);
-            }
-            (VectorSource::Segment([from, to]), _) if from == to => return Err(Unread::Given),
-            (VectorSource::Segment(ends), _) => ends,
+            (VectorSource::Segment(ends), _) => self.drawn(ends)?,
             (VectorSource::Computed(size, _), Component::Size) => return Ok((size, Sense::Magnitude)),
             // Its direction and components are measured after it has been laid off.
             (VectorSource::Computed(size, along), _) => {
@@ -154,12 +149,25 @@ impl Reader<'_> {
         Ok((self.measure(sheet, asked.name(), ends, how), sense))
     }
 
+    /// The ends of a segment that a hand can draw. One of zero length, as of a point at rest, is not measured.
+    fn drawn(&self, ends: [PlaceId; 2]) -> Result<[PlaceId; 2], Unread> {
+        match ends {
+            _ if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) => Err(Unread::NoConstruction),
+            [from, to] if from == to => Err(Unread::Given),
+            _ => Ok(ends),
+        }
+    }
+
     /// Measures a number with errors of its own, as part of the step that gives the quantity `name`.
     fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
         let construction = &self.writer.construction;
         let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());
         let step = steps.get(name).copied();
-        self.writer.measure_in(step, sheet, NumberKind::Reading(name.to_owned()), ends, how)
+        let number = self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how);
+        if let Some(operation) = self.writer.construction.operations.last_mut() {
+            operation.step = step.filter(|step| step.sheet == sheet);
+        }
+        number
     }
 
     /// The vector of a place in a plan, relative to another place if there is one.
@@ -268,13 +276,7 @@ impl Reader<'_> {
             return Ok((number, Sense::Magnitude));
         }
         let place = |name: &str| self.writer.construction.place(sheet, name).ok_or(Unread::NoConstruction);
-        let ends = [place(from)?, place(to)?];
-        if !ends.iter().all(|&end| self.writer.is_place_by_hand(end)) {
-            return Err(Unread::NoConstruction);
-        }
-        if ends[0] == ends[1] {
-            return Err(Unread::Given);
-        }
+        let ends = self.drawn([place(from)?, place(to)?])?;
         Ok((self.measure(sheet, &sheet.segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
     }
 

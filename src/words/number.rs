@@ -94,11 +94,8 @@ impl NumberStyle {
     /// The number in this style.
     #[must_use]
     pub fn write(self, x: f64, mark: DecimalMark) -> String {
-        let mut text = match self.digits {
-            Digits::Decimals(_) => self.ascii(x),
-            _ if x == 0.0 => "0".to_owned(),
-            _ => self.ascii(x),
-        };
+        let has_decimals = matches!(self.digits, Digits::Decimals(_));
+        let mut text = if x == 0.0 && !has_decimals { "0".to_owned() } else { self.ascii(x) };
         if self.has_plus && !text.starts_with('-') {
             text.insert(0, '+');
         }

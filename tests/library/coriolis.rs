@@ -1,6 +1,6 @@
 //! Coriolis accelerations in the plans: one notation, with the direction of the result's, and none on a guide that stands still.
 
-use kinegon::construction::{Action, Added, ArrowKind, Plan, Teller, VectorOf};
+use kinegon::construction::{Action, Added, Plan, Teller, VectorOf, VectorPart};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{GROUND, SliderId};
 use kinegon::{Sheet, Solution};
@@ -43,7 +43,7 @@ fn arrows_have_the_direction_of_the_results() {
         let plan = accelerations(&solution);
         for arrow in plan.arrows() {
             let VectorOf::Passed(slide, Added::Coriolis) = arrow.of else {
-                assert_ne!(arrow.kind(), ArrowKind::Coriolis, "{scene}: {arrow:?}");
+                assert_ne!(arrow.part(), VectorPart::Coriolis, "{scene}: {arrow:?}");
                 continue;
             };
             let [from, to] = arrow.ends();
@@ -81,7 +81,7 @@ fn one_symbol_stands_for_it() {
         let (mut laid, mut rays) = (Vec::new(), Vec::new());
         for step in solution.construction.numbered_steps().filter(|s| s.sheet == Sheet::Acceleration) {
             match &step.action {
-                Action::LayOff(arrow) if arrow.kind() == ArrowKind::Coriolis => {
+                Action::LayOff(arrow) if arrow.part() == VectorPart::Coriolis => {
                     laid.push(teller.formula(&step).markup());
                 }
                 Action::Ray(_) => rays.push(teller.formula(&step).markup()),

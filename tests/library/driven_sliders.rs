@@ -5,7 +5,7 @@
 
 use kinegon::Sheet;
 use kinegon::Solution;
-use kinegon::construction::{Action, ArrowKind, Plan, image_name};
+use kinegon::construction::{Action, Plan, VectorPart, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Vector, cross, direction_of_degrees};
 use serde_json::{Value, json};
@@ -241,8 +241,8 @@ fn plans_close_and_show_what_drives_add() {
             if !constructed {
                 continue;
             }
-            let has = |kind: ArrowKind, length: f64| {
-                let arrows = plan.arrows().filter(|arrow| arrow.kind() == kind);
+            let has = |kind: VectorPart, length: f64| {
+                let arrows = plan.arrows().filter(|arrow| arrow.part() == kind);
                 let mut lengths = arrows.filter_map(|a| Some(plan.segment(&a.from, &a.to)?.norm()));
                 let close = |l: f64| (l - length).abs() <= 1e-13 * condition * length;
                 assert!(
@@ -257,12 +257,12 @@ fn plans_close_and_show_what_drives_add() {
                 };
                 let rate = |key: &str| drive[key].as_f64().unwrap_or(0.0).abs();
                 match plan.sheet {
-                    Sheet::Velocity => has(ArrowKind::Sliding, rate("speed")),
+                    Sheet::Velocity => has(VectorPart::Sliding, rate("speed")),
                     _ => {
-                        has(ArrowKind::Sliding, rate("acceleration"));
+                        has(VectorPart::Sliding, rate("acceleration"));
                         let key = ["link", "on"].map(|key| slider[key].as_str().expect("a name"));
                         let truth = &case.expect["sliders"][key.join("/")];
-                        has(ArrowKind::Coriolis, number(&truth["coriolis"]).abs());
+                        has(VectorPart::Coriolis, number(&truth["coriolis"]).abs());
                     }
                 }
             }

@@ -191,7 +191,7 @@ fn text(drawing: &Drawing, name: &str) -> String {
 fn points_from_paper_lie_over_the_right_ones() {
     let right = |solution: &Solution, kind: Sheet, name: &str| {
         let mut plans = solution.construction.plans();
-        plans.find(|p| p.kind == kind).expect("a plan").points[name].vector
+        plans.find(|p| p.sheet == kind).expect("a plan").points[name].vector
     };
     let base = solution(FOUR_BAR);
     let exact = drawn(solution(FOUR_BAR), &points(&base, [0.0, 0.0]), 1);

@@ -1,7 +1,7 @@
 //! Lines and areas of a plan: images of links, rays, vectors and their values.
 
 use super::sight::{extent, is_hidden, is_image};
-use crate::construction::{Arrow, ArrowKind, Plan, PlanVector, PointRole, VectorOf, coincident_name, image_name};
+use crate::construction::{Arrow, Plan, PlanVector, PointRole, VectorOf, VectorPart, coincident_name, image_name};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_segment, holds};
 use crate::drawing::context::SheetContext;
@@ -143,13 +143,13 @@ impl<'a> PlanOnPaper<'a> {
             if self.is_hidden(&laid.to) || again {
                 continue;
             }
-            let pen = match laid.kind() {
-                ArrowKind::Whole => whole,
-                ArrowKind::Normal => Pen::Normal,
-                ArrowKind::Relative if plan.sheet == Sheet::Acceleration => Pen::Tangential,
-                ArrowKind::Relative => Pen::Image,
-                ArrowKind::Sliding => Pen::Vector,
-                ArrowKind::Coriolis => Pen::Coriolis,
+            let pen = match laid.part() {
+                VectorPart::Whole => whole,
+                VectorPart::Normal => Pen::Normal,
+                VectorPart::Relative => Pen::Image,
+                VectorPart::Tangential => Pen::Tangential,
+                VectorPart::Sliding => Pen::Vector,
+                VectorPart::Coriolis => Pen::Coriolis,
             };
             canvas.set_step(self.steps.vector(&laid.from, &laid.to));
             let number = match pen {
@@ -184,13 +184,13 @@ impl<'a> PlanOnPaper<'a> {
     /// Draws the heads of relative vectors that rays carry, in a figure with values.
     pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
         for value in self.context.values_of(self.plan.sheet) {
-            let ValueOf::Vector(PlanVector { ends: [from, to], on_ray: true, link, .. }) = &value.of else { continue };
+            let ValueOf::Vector(PlanVector { ends: [from, to], link: Some(link), .. }) = &value.of else { continue };
             canvas.set_step(value.since);
             let pen = match self.plan.sheet {
                 Sheet::Acceleration => Pen::Tangential,
                 _ => Pen::Image,
             };
-            let number = link.and_then(|link| self.context.number(link));
+            let number = self.context.number(*link);
             if let Some(mark) = self.arrow(canvas, from, to, pen) {
                 mark.number = number;
             }
