@@ -161,15 +161,15 @@ impl Writer<'_> {
             let step = self.begin(sheet);
             let line = self.draw(sheet, OperationRole::Ray, end.place, along);
             let direction = self.construction.record.exact.lines[line.0].1.rounded();
-            (line, self.written(step), Ray { through, to, direction, relation, of })
+            (line, step, self.construction.operations.len(), Ray { through, to, direction, relation, of })
         });
         let [a, b] = pair.map(|end| self.pose.arm(end.point, point));
         let sine = cross(a, b) / (a.norm() * b.norm());
         let from = pair.map(|end| end.name.clone());
         let step = self.begin(sheet);
         let place = self.cross(true, sheet, OperationRole::Image, rays.each_ref().map(|(line, ..)| *line))?;
-        for (_, written, ray) in rays {
-            self.take_step(written, Action::Ray(ray));
+        for (_, step, end, ray) in rays {
+            self.take_step(step, end, Action::Ray(ray));
         }
         self.finish(step, Action::Cross { point: name.to_owned(), from, sine });
         self.narrow(sheet, body, point, place);

@@ -3,7 +3,7 @@
 use super::constructed::{Construction, NumberedStep};
 use super::markup::{marked, rate_symbol};
 use super::sentence::Teller;
-use super::step::{Action, Arrow, PointRole, RayOf, Relation, VectorOf};
+use super::step::{Action, Arrow, PointRole, Ray, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
 use crate::words::Language;
 
@@ -97,26 +97,17 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         // Of rays.
         Action::Cross { .. } => last.filter(|last| *last == Aim::Images).unwrap_or(Aim::Crossing),
         Action::LayOff(Arrow { of: VectorOf::Point(..), .. }) if last == Some(Aim::Start) => Aim::Start,
-        _ => match towards(actions()) {
-            Some(RayOf::Leg(..)) => Aim::Crossing,
-            Some(RayOf::Arm { .. }) | None => Aim::Images,
-        },
-    }
-}
-
-/// What the next ray is, where all that is laid off before leads to its start.
-fn towards<'a>(actions: impl Iterator<Item = &'a Action>) -> Option<RayOf> {
-    for action in actions {
-        match action {
-            Action::LayOff(arrow) => match arrow.of {
-                VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Passed(..) => {}
-                VectorOf::Relative { .. } | VectorOf::Sliding(..) => return None,
-            },
-            Action::Ray(ray) => return Some(ray.of),
-            _ => return None,
+        _ => {
+            let leads_to_ray = |action: &Action| match action {
+                Action::LayOff(Arrow { of, .. }) => !matches!(of, VectorOf::Relative { .. } | VectorOf::Sliding(..)),
+                _ => false,
+            };
+            match actions().find(|action| !leads_to_ray(action)) {
+                Some(Action::Ray(Ray { of: RayOf::Leg(..), .. })) => Aim::Crossing,
+                _ => Aim::Images,
+            }
         }
     }
-    None
 }
 
 /// What the steps of a passage do, by the names of points, lines and rates.

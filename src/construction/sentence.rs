@@ -309,8 +309,10 @@ impl Teller<'_> {
             let role = plan.points.get(name).map(|point| point.role);
             matches!(role, Some(PointRole::Image | PointRole::Known))
         };
-        let mut names = names_of_points(self.mechanism);
-        names.retain(|name| is_image(&image_name(name)));
+        let mechanism = self.mechanism;
+        let under = mechanism.sliders.iter();
+        let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
+        let names = mechanism.points.iter().cloned().chain(under).filter(|name| is_image(&image_name(name)));
         let vector = |name: String| PlanVector {
             ends: [plan.sheet.pole().to_owned(), image_name(&name)],
             symbol: format!("{letter}_{{{name}}}"),
@@ -318,15 +320,6 @@ impl Teller<'_> {
             made: image_name(&name),
             link: None,
         };
-        names.into_iter().map(vector).collect()
+        names.map(vector).collect()
     }
-}
-
-/// The names of all points, and of the points of guides under sliders.
-fn names_of_points(mechanism: &Mechanism) -> Vec<String> {
-    let under = mechanism
-        .sliders
-        .iter()
-        .map(|slider| coincident_name(mechanism.point_name(slider.at), &mechanism.body(slider.on).name));
-    mechanism.points.iter().cloned().chain(under).collect()
 }

@@ -10,7 +10,6 @@ use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::sheet::Sheet;
-use core::ops::Range;
 
 /// Number of roundings in a guide's unit direction, computed from the scene's direction.
 const GUIDE_ROUNDINGS: f64 = 4.0;
@@ -28,21 +27,13 @@ pub(crate) struct Writer<'a> {
     holders: Vec<Vec<BodyId>>,
 }
 
-/// Where a step begins among the operations: those that follow on its sheet may become its own.
+/// Where a step begins among the operations. Only when it has been [taken](Writer::take_step) do those that follow on
+/// its sheet belong to it, and it to the plan: a step whose lines do not cross is left out.
 #[derive(Clone, Copy, Debug)]
 #[must_use]
 pub(super) struct Begun {
     sheet: Sheet,
     first: usize,
-}
-
-/// The operations of a step. Only when it has been [taken](Writer::take_step) do they belong to it, and it to the plan:
-/// a step whose lines do not cross is left out.
-#[derive(Clone, Debug)]
-#[must_use]
-pub(super) struct Written {
-    sheet: Sheet,
-    operations: Range<usize>,
 }
 
 impl<'a> Writer<'a> {
@@ -102,17 +93,13 @@ impl<'a> Writer<'a> {
         Begun { sheet, first: self.construction.operations.len() }
     }
 
-    /// The operations of a step that has been carried out.
-    pub(super) fn written(&self, Begun { sheet, first }: Begun) -> Written {
-        Written { sheet, operations: first..self.construction.operations.len() }
-    }
-
-    /// Adds a step that has done this to its sheet; its operations belong to it, unless several steps may use them.
-    pub(super) fn take_step(&mut self, Written { sheet, operations }: Written, action: Action) -> StepId {
+    /// Adds a step that has done this to its sheet; its operations, up to that index, belong to it, unless several steps
+    /// may use them.
+    pub(super) fn take_step(&mut self, Begun { sheet, first }: Begun, end: usize, action: Action) -> StepId {
         let steps = &mut self.plan(sheet).steps;
         let id = StepId { sheet, index: steps.len() };
         steps.push(action);
-        for operation in &mut self.construction.operations[operations] {
+        for operation in &mut self.construction.operations[first..end] {
             if operation.sheet == sheet && operation.step.is_none() && !operation.kind.is_shared() {
                 operation.step = Some(id);
             }
@@ -122,7 +109,7 @@ impl<'a> Writer<'a> {
 
     /// Ends a step that has done this.
     pub(super) fn finish(&mut self, begun: Begun, action: Action) -> StepId {
-        self.take_step(self.written(begun), action)
+        self.take_step(begun, self.construction.operations.len(), action)
     }
 
     /// Assigns the operation that made a place to a step, if it belongs to none.

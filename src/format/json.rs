@@ -7,19 +7,18 @@ use std::io;
 /// to them.
 #[must_use]
 pub fn json(value: &impl Serialize) -> String {
-    let mut bytes = Vec::new();
-    let mut serializer = Serializer::with_formatter(&mut bytes, Lines(PrettyFormatter::new()));
-    value.serialize(&mut serializer).expect("results have text keys and writing to memory does not fail");
-    let mut text = String::from_utf8(bytes).expect("serde_json writes UTF-8");
-    text.push('\n');
-    text
+    written(value, Lines(PrettyFormatter::new())) + "\n"
 }
 
 /// A value as JSON text on one line.
 #[must_use]
 pub fn json_line(value: &impl Serialize) -> String {
+    written(value, OneLine)
+}
+
+fn written(value: &impl Serialize, formatter: impl Formatter) -> String {
     let mut bytes = Vec::new();
-    let mut serializer = Serializer::with_formatter(&mut bytes, OneLine);
+    let mut serializer = Serializer::with_formatter(&mut bytes, formatter);
     value.serialize(&mut serializer).expect("results have text keys and writing to memory does not fail");
     String::from_utf8(bytes).expect("serde_json writes UTF-8")
 }

@@ -116,19 +116,15 @@ struct Reader<'a, S: State> {
 }
 
 impl<S: State> Reader<'_, S> {
-    fn none(&self, why: &'static str) -> QuantityError {
-        self.asked.none(why)
-    }
-
     /// The body to which a named place belongs, and its coordinates.
     fn place(&self, spot: &Spot) -> Result<(BodyId, Point), QuantityError> {
         match spot {
             Spot::Point(body, point, _) => Ok((*body, self.state.place(*point))),
             Spot::Special(name) => {
                 let special = self.construction.and_then(|c| c.special_point(name));
-                let special = special.ok_or_else(|| self.none("there is no construction"))?;
+                let special = special.ok_or_else(|| self.asked.none("there is no construction"))?;
                 let place = special.place.finite();
-                let place = place.ok_or_else(|| self.none("the special point lies at infinity"))?;
+                let place = place.ok_or_else(|| self.asked.none("the special point lies at infinity"))?;
                 Ok((special.link, place))
             }
         }
@@ -157,15 +153,15 @@ impl<S: State> Reader<'_, S> {
             }
         }
         let arm = self.place(a)?.1 - self.place(b)?.1;
-        let link = link.ok_or_else(|| self.none("the two points are not on one link"))?;
+        let link = link.ok_or_else(|| self.asked.none("the two points are not on one link"))?;
         let [omega, alpha] = self.state.spin(link);
         Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
     }
 
     /// The length of a plan segment, in the plan's units.
     fn segment(&self, sheet: Sheet, from: &str, to: &str) -> Result<f64, QuantityError> {
-        let construction = self.construction.ok_or_else(|| self.none("there is no construction"))?;
-        let plan = construction.plan_on(sheet).ok_or_else(|| self.none("there is no such plan"))?;
+        let construction = self.construction.ok_or_else(|| self.asked.none("there is no construction"))?;
+        let plan = construction.plan_on(sheet).ok_or_else(|| self.asked.none("there is no such plan"))?;
         let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
