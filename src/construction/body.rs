@@ -5,7 +5,7 @@ use super::constructed::{Anchor, LaidOff};
 use super::name::{coriolis_name, point_on, slide_name};
 use super::number::{NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
-use super::step::{Action, Added, Arrow, PointRole, VectorOf, VectorPart};
+use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role};
@@ -178,8 +178,8 @@ impl Writer<'_> {
     /// Adds the relative motions of driven sliders, one after another; `None` where a rate is unknown.
     fn add_slides(&mut self, sheet: Sheet, mut place: PlaceId, slides: &[DrivenSlide]) -> Option<PlaceId> {
         for slide in slides {
-            for &added in Added::on(sheet) {
-                place = self.lay_off_slide_part(sheet, place, slide, added)?;
+            for &part in VectorPart::of_slide(sheet) {
+                place = self.lay_off_slide_part(sheet, place, slide, part)?;
             }
         }
         Some(place)
@@ -197,13 +197,13 @@ impl Writer<'_> {
         last: Option<&str>,
     ) -> (String, PlaceId) {
         let mut entered = String::new();
-        let mut vectors: Vec<(String, DrivenSlide, Added)> = Vec::new();
+        let mut vectors: Vec<(String, DrivenSlide, VectorPart)> = Vec::new();
         for slide in slides {
             entered.push_str(&self.mechanism.body(slide.to).name);
-            for &added in Added::on(sheet) {
-                let name = if added == Added::Coriolis { coriolis_name } else { slide_name };
-                if self.slide_part_size(slide, added).is_some_and(|sum| !sum.is_empty()) {
-                    vectors.push((name(&start.0, &entered), *slide, added));
+            for &part in VectorPart::of_slide(sheet) {
+                let name = if part == VectorPart::Coriolis { coriolis_name } else { slide_name };
+                if self.slide_part_size(sheet, slide, part).is_some_and(|sum| !sum.is_empty()) {
+                    vectors.push((name(&start.0, &entered), *slide, part));
                 }
             }
         }
@@ -211,14 +211,14 @@ impl Writer<'_> {
             *name = last.to_owned();
         }
         let (mut from, mut place) = start;
-        for (to, slide, added) in vectors {
+        for (to, slide, part) in vectors {
             let known = self.construction.place(sheet, &to).filter(|_| self.shows(sheet, &to));
             place = match known {
                 Some(known) => known,
                 None => {
-                    let of = VectorOf::Passed(slide, added);
+                    let of = VectorOf::Passed(slide, part);
                     let step = self.begin(sheet);
-                    let place = self.lay_off_slide_part(sheet, place, &slide, added).unwrap_or(place);
+                    let place = self.lay_off_slide_part(sheet, place, &slide, part).unwrap_or(place);
                     self.show(sheet, &to, place, role);
                     self.finish(step, Action::LayOff(Arrow { from, to: to.clone(), of }));
                     place
@@ -235,29 +235,27 @@ impl Writer<'_> {
         sheet: Sheet,
         place: PlaceId,
         slide: &DrivenSlide,
-        added: Added,
+        part: VectorPart,
     ) -> Option<PlaceId> {
         let guide = Along::line(self.guide(slide.slider));
-        let along = if added == Added::Coriolis { guide.turned(1) } else { guide };
-        let sum = self.slide_part_size(slide, added)?;
-        Some(self.lay_off_part(sheet, place, sum, along, VectorOf::Passed(*slide, added)))
+        let along = if part == VectorPart::Coriolis { guide.turned(1) } else { guide };
+        let sum = self.slide_part_size(sheet, slide, part)?;
+        Some(self.lay_off_part(sheet, place, sum, along, VectorOf::Passed(*slide, part)))
     }
 
     /// The signed size of a slider's relative velocity or acceleration: an empty sum for zero, `None` where a rate is
     /// unknown.
-    pub(super) fn slide_part_size(&self, slide: &DrivenSlide, added: Added) -> Option<Vec<Product>> {
-        let [velocity, acceleration] = self.construction.slide_rates[slide.slider.0]?;
-        let sliding = |rate| Product::new(ProductKind::Sliding, slide.sign, &[rate]);
-        let product = match added {
-            Added::SlidingVelocity => velocity.map(sliding),
-            Added::SlidingAcceleration => acceleration.map(sliding),
-            Added::Coriolis => {
+    pub(super) fn slide_part_size(&self, sheet: Sheet, slide: &DrivenSlide, part: VectorPart) -> Option<Vec<Product>> {
+        let rates = self.construction.slide_rates[slide.slider.0]?;
+        let product = match part {
+            VectorPart::Coriolis => {
                 // Both bodies of a slider turn alike.
-                let rates = &self.construction.angular_rates;
-                let [omega, _] = rates[slide.to.0].or(rates[slide.from.0])?;
-                let both = omega.zip(velocity);
+                let turning = &self.construction.angular_rates;
+                let [omega, _] = turning[slide.to.0].or(turning[slide.from.0])?;
+                let both = omega.zip(rates[0]);
                 both.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
             }
+            _ => rates[sheet.order()].map(|rate| Product::new(ProductKind::Sliding, slide.sign, &[rate])),
         };
         Some(product.into_iter().collect())
     }

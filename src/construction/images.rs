@@ -4,7 +4,7 @@
 
 use super::name::{coincident_name, coriolis_name, image_name, normal_name, point_on, slide_name};
 use super::operation::{Along, OperationRole, PlaceId};
-use super::step::{Action, Added, Arrow, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
+use super::step::{Action, Arrow, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, cross};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, Leg, Mechanism, PointId, SliderId};
@@ -264,7 +264,7 @@ fn part_end(mechanism: &Mechanism, from: &str, of: &VectorOf) -> (String, PointR
     match of {
         VectorOf::Relative { from, to, part: VectorPart::Normal, .. } => (normal_name(from, to), PointRole::Normal),
         VectorOf::Relative { to, .. } => (image_name(to), PointRole::Image),
-        VectorOf::Passed(slide, Added::Coriolis) => {
+        VectorOf::Passed(slide, VectorPart::Coriolis) => {
             (coriolis_name(from, &mechanism.body(slide.to).name), PointRole::Slid)
         }
         VectorOf::Passed(slide, _) => (slide_name(from, &mechanism.body(slide.to).name), PointRole::Slid),

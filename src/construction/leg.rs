@@ -4,7 +4,7 @@
 use super::cut::{Course, CutLine, Special, SpecialId, Term};
 use super::number::{Equation, NumberId, Product, ProductKind};
 use super::operation::{Along, LineId, OperationRole, PlaceId};
-use super::step::{Action, Added, Arrow, PointRole, VectorOf};
+use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, PointId};
@@ -136,13 +136,13 @@ impl Writer<'_> {
         let start = from.0.clone();
         let mut at = from;
         if let Some(slide) = drawn.special.cuts[side].slide(self.mechanism)
-            && self.slide_part_size(&slide, Added::Coriolis).is_some_and(|sum| !sum.is_empty())
+            && self.slide_part_size(sheet, &slide, VectorPart::Coriolis).is_some_and(|sum| !sum.is_empty())
         {
             let name = drawn.special.coriolis_name(self.mechanism, side);
             let name = self.free_name(sheet, name);
-            let of = VectorOf::Passed(slide, Added::Coriolis);
+            let of = VectorOf::Passed(slide, VectorPart::Coriolis);
             let step = self.begin(sheet);
-            let end = self.lay_off_slide_part(sheet, at.1, &slide, Added::Coriolis)?;
+            let end = self.lay_off_slide_part(sheet, at.1, &slide, VectorPart::Coriolis)?;
             self.show(sheet, &name, end, PointRole::Slid);
             self.finish(step, Action::LayOff(Arrow { from: at.0, to: name.clone(), of }));
             at = (name, end);

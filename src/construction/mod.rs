@@ -75,6 +75,6 @@ pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub use solution::{Solution, construct};
 pub use step::{
-    Action, Added, Arrow, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart,
+    Action, Arrow, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart,
 };
 pub(crate) use writer::Writer;

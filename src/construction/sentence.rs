@@ -5,7 +5,7 @@ use super::cut::Special;
 use super::markup::{Formula, Known, marked, measured, no_construction, rate_symbol, subscript};
 use super::name::{coincident_name, image_name, point_on};
 use super::solution::Solution;
-use super::step::{Action, Added, Arrow, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
+use super::step::{Action, Arrow, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use crate::geometry::{Place, degrees_of};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -140,7 +140,7 @@ impl<'a> Teller<'a> {
                 let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
                 (format!("v_{}({name})", notation.relative).into(), caption)
             }
-            VectorOf::Passed(slide, added) => self.passed_part(slide, *added, arrow),
+            VectorOf::Passed(slide, part) => self.passed_part(sheet, slide, *part, arrow),
         }
     }
 
@@ -214,25 +214,29 @@ impl<'a> Teller<'a> {
     ///
     /// A chain may pass the slider from the sliding link to the guide: then the vector is laid off backwards, so that
     /// its head is where the chain has come from.
-    fn passed_part(&self, slide: &DrivenSlide, added: Added, arrow: &Arrow) -> (Formula, String) {
+    fn passed_part(&self, sheet: Sheet, slide: &DrivenSlide, part: VectorPart, arrow: &Arrow) -> (Formula, String) {
         let mechanism = self.mechanism;
         let name = mechanism.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
         let (language, notation) = (self.words.language, self.words.notation);
         let (r, c) = (notation.relative, notation.coriolis);
-        let equation = match added {
-            Added::SlidingVelocity => format!("v_{r}({name})"),
-            Added::SlidingAcceleration => format!("a_{r}({name})"),
-            Added::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
+        let equation = match part {
+            VectorPart::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
+            _ => format!("{}_{r}({name})", sheet.vector()),
         };
         let [from, to] = arrow.ends().map(marked);
-        let caption = match (added, arrow.is_backwards()) {
-            (Added::SlidingVelocity, false) => language.lay_off_sliding_velocity(&name, &from, &to),
-            (Added::SlidingVelocity, true) => language.lay_off_sliding_velocity_backwards(&name, &from, &to),
-            (Added::SlidingAcceleration, false) => language.lay_off_sliding_acceleration(&name, &from, &to),
-            (Added::SlidingAcceleration, true) => language.lay_off_sliding_acceleration_backwards(&name, &from, &to),
-            (Added::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
-            (Added::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
+        let caption = match (part, arrow.is_backwards()) {
+            (VectorPart::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
+            (VectorPart::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
+            (_, is_backwards) => {
+                let sentence = match (sheet, is_backwards) {
+                    (Sheet::Acceleration, false) => Language::lay_off_sliding_acceleration,
+                    (Sheet::Acceleration, true) => Language::lay_off_sliding_acceleration_backwards,
+                    (Sheet::Scheme | Sheet::Velocity, false) => Language::lay_off_sliding_velocity,
+                    (Sheet::Scheme | Sheet::Velocity, true) => Language::lay_off_sliding_velocity_backwards,
+                };
+                sentence(language, &name, &from, &to)
+            }
         };
         (equation.into(), caption)
     }

@@ -151,32 +151,9 @@ pub enum VectorOf {
     /// The sliding velocity at a slider, from the coincident point of the guide's body, given by name, to the slider's
     /// point.
     Sliding(SliderId, String),
-    /// A part of the relative motion at a slider that a chain of vectors passes, in either direction.
-    Passed(DrivenSlide, Added),
-}
-
-/// A part of the relative motion at a slider.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Added {
-    /// Relative velocity v_r, along the guide.
-    SlidingVelocity,
-    /// Relative acceleration a_r, along the guide.
-    SlidingAcceleration,
-    /// Coriolis acceleration 2 ω ẑ × v_r.
-    Coriolis,
-}
-
-impl Added {
-    /// The parts that are laid off on a sheet, in order.
-    #[must_use]
-    pub fn on(sheet: Sheet) -> &'static [Added] {
-        match sheet {
-            Sheet::Scheme => &[],
-            Sheet::Velocity => &[Added::SlidingVelocity],
-            Sheet::Acceleration => &[Added::SlidingAcceleration, Added::Coriolis],
-        }
-    }
+    /// A part of the relative motion at a slider that a chain of vectors passes, in either direction: along its guide,
+    /// or its Coriolis acceleration.
+    Passed(DrivenSlide, VectorPart),
 }
 
 /// What a vector of a plan shows of a velocity or an acceleration.
@@ -192,8 +169,19 @@ pub enum VectorPart {
     Tangential,
     /// Relative velocity or acceleration along a guide.
     Sliding,
-    /// Coriolis acceleration.
+    /// Coriolis acceleration 2 ω ẑ × v_r.
     Coriolis,
+}
+
+impl VectorPart {
+    /// The parts of the relative motion at a slider that are laid off on a sheet, in order.
+    pub(super) fn of_slide(sheet: Sheet) -> &'static [VectorPart] {
+        match sheet {
+            Sheet::Scheme => &[],
+            Sheet::Velocity => &[VectorPart::Sliding],
+            Sheet::Acceleration => &[VectorPart::Sliding, VectorPart::Coriolis],
+        }
+    }
 }
 
 impl Arrow {
@@ -220,9 +208,8 @@ impl Arrow {
         match self.of {
             VectorOf::Point(..) => VectorPart::Whole,
             VectorOf::Normal(..) => VectorPart::Normal,
-            VectorOf::Relative { part, .. } => part,
-            VectorOf::Passed(_, Added::Coriolis) => VectorPart::Coriolis,
-            VectorOf::Sliding(..) | VectorOf::Passed(..) => VectorPart::Sliding,
+            VectorOf::Relative { part, .. } | VectorOf::Passed(_, part) => part,
+            VectorOf::Sliding(..) => VectorPart::Sliding,
         }
     }
 }

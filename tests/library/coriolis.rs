@@ -1,6 +1,6 @@
 //! Coriolis accelerations in the plans: one notation, with the direction of the result's, and none on a guide that stands still.
 
-use kinegon::construction::{Action, Added, Plan, Teller, VectorOf, VectorPart};
+use kinegon::construction::{Action, Plan, Teller, VectorOf, VectorPart};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{GROUND, SliderId};
 use kinegon::{Sheet, Solution};
@@ -42,7 +42,7 @@ fn arrows_have_the_direction_of_the_results() {
         let solution = solution(scene);
         let plan = accelerations(&solution);
         for arrow in plan.arrows() {
-            let VectorOf::Passed(slide, Added::Coriolis) = arrow.of else {
+            let VectorOf::Passed(slide, VectorPart::Coriolis) = arrow.of else {
                 assert_ne!(arrow.part(), VectorPart::Coriolis, "{scene}: {arrow:?}");
                 continue;
             };
