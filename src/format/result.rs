@@ -1,7 +1,7 @@
 use super::pencil::PencilResult;
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
-use crate::geometry::{Place, Point, Vector, degrees_of};
+use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role};
 use crate::quantity::{Quantity, QuantityRequest, measured_names};
 use crate::scene::SceneError;
@@ -225,7 +225,7 @@ impl Solution {
                 acceleration: second(slide.acceleration),
                 acceleration_error: second(acceleration_error),
                 acceleration_error_at_position: second(slide.acceleration_error),
-                coriolis: second(0.0).map(|_| pair(motion.coriolis(pose, id, slider.on))),
+                coriolis: second(0.0).map(|_| motion.coriolis(pose, id, slider.on).into()),
                 coriolis_error: second(bounds.coriolis(id)),
             };
             (mechanism.slider_name(id), result)
@@ -295,9 +295,9 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
         position: Some([place.x, place.y]),
         position_error: Some(errors[0]),
         at_infinity: None,
-        velocity: Some(pair(motion.body(body).velocity_at(place))),
+        velocity: Some(motion.body(body).velocity_at(place).into()),
         velocity_error: Some(errors[1]),
-        acceleration: has_accelerations.then(|| pair(motion.body(body).acceleration_at(place))),
+        acceleration: has_accelerations.then(|| motion.body(body).acceleration_at(place).into()),
         acceleration_error: has_accelerations.then_some(errors[2]),
         on: on.map(|b| mechanism.body(b).name.clone()),
     };
@@ -324,7 +324,7 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
                 moving(special.link, place, Some(special.link), errors)
             }
             Place::AtInfinity(direction) => PointResult {
-                at_infinity: Some(pair(direction)),
+                at_infinity: Some(direction.into()),
                 on: Some(mechanism.body(special.link).name.clone()),
                 ..PointResult::default()
             },
@@ -337,8 +337,4 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
 /// Of the bodies that have a point the one from which its motion is computed: preferably one of known motion.
 fn holder(mechanism: &Mechanism, bodies: &[BodyId]) -> Option<BodyId> {
     bodies.iter().copied().find(|&b| mechanism.is_known(b)).or(bodies.first().copied())
-}
-
-fn pair(v: Vector) -> [f64; 2] {
-    [v.x, v.y]
 }

@@ -1,7 +1,7 @@
 //! Names of quantities, and the quantities they name.
 
 use crate::Problem;
-use crate::construction::{Action, Construction, Rate, Solution, coincident_name};
+use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::Sheet;
@@ -331,20 +331,15 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
 /// Names of the lengths and segments that the construction measures, in its order.
 #[must_use]
 pub fn measured_names(construction: &Construction) -> Vec<String> {
-    names(construction, |action| action.is_measured())
+    let measured = construction.numbered_steps().filter(|step| step.action.is_measured());
+    measured.flat_map(|step| step.names()).collect()
 }
 
 /// Names of the quantities whose values the construction's steps give: first those measured, then those of each plan in
 /// order.
 #[must_use]
 pub fn step_names(construction: &Construction) -> Vec<String> {
-    let mut all = measured_names(construction);
-    all.extend(names(construction, |action| !action.is_measured()));
-    all
-}
-
-/// Names that the steps of some kinds give, in their order.
-fn names(construction: &Construction, is_wanted: impl Fn(&Action) -> bool) -> Vec<String> {
-    let steps = construction.numbered_steps().filter(|s| is_wanted(s.action));
-    steps.flat_map(|s| s.names()).collect()
+    let mut steps: Vec<NumberedStep<'_>> = construction.numbered_steps().collect();
+    steps.sort_by_key(|step| !step.action.is_measured());
+    steps.iter().flat_map(NumberedStep::names).collect()
 }

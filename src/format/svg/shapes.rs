@@ -63,12 +63,7 @@ pub(super) fn length(written: &mut String, name: &str, value: f64) {
 }
 
 pub(super) fn write_id(written: &mut String, id: Option<&str>) {
-    let Some(id) = id else { return };
-    // Nearly all names need no escaping.
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
-    if id.bytes().all(plain) {
-        attribute(written, "id", id);
-    } else {
+    if let Some(id) = id {
         attribute(written, "id", &xml(id));
     }
 }
