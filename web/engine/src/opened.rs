@@ -1,7 +1,6 @@
 use crate::answers::{Mode, Opened, Owner, Place, Quantity, Step, ValueRow};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
-use kinegon::Sheet;
 use kinegon::construction::{Action, NumberedStep, Teller, shown_text};
 use kinegon::cycle::every_name;
 use kinegon::drawing::{FigureSheets, RichText, SheetLabels};
