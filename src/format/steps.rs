@@ -1,4 +1,4 @@
-use crate::construction::{Action, NOTHING, NumberedStep, Plan, Solution, Teller, Tolerance, plain_text, shown_text};
+use crate::construction::{Action, NOTHING, NumberedStep, Solution, Teller, Tolerance, plain_text, shown_text};
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, Unread};
 use crate::scene::QuantityName;
@@ -135,16 +135,11 @@ impl StepList<'_> {
     }
 
     fn step(&mut self, step: &NumberedStep<'_>) {
-        let caption = self.text(&self.teller.caption(step), step.plan);
+        let caption = shown_text(&self.teller.caption(step), step.plan, self.words);
         let _ = writeln!(self.text, "{:3}. {caption}", step.number);
         for detail in self.details(step) {
             let _ = writeln!(self.text, "     {detail}");
         }
-    }
-
-    /// A caption or an equation as plain text.
-    fn text(&self, markup: &str, plan: Option<&Plan>) -> String {
-        shown_text(markup, plan, self.words)
     }
 
     /// A number to seven significant digits.
@@ -175,7 +170,7 @@ impl StepList<'_> {
     fn details(&self, step: &NumberedStep<'_>) -> Vec<String> {
         let plan = step.plan;
         let sheet = step.sheet;
-        let equation = self.text(&self.teller.formula(step).markup(), plan);
+        let equation = shown_text(&self.teller.formula(step).markup(), plan, self.words);
         let shown = |name: &str| match plan {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
@@ -209,8 +204,8 @@ impl StepList<'_> {
                 vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(value, sheet))]
             }
             Action::Solve { equations, unknowns } => {
-                let mut lines: Vec<String> =
-                    equations.iter().map(|e| self.text(&self.teller.equation(sheet, e), plan)).collect();
+                let shown = |e| shown_text(&self.teller.equation(sheet, e), plan, self.words);
+                let mut lines: Vec<String> = equations.iter().map(shown).collect();
                 let largest = unknowns.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
                 lines.extend(unknowns.iter().map(|(name, value)| {
                     let value = if value.abs() <= NOTHING * largest { &0.0 } else { value };

@@ -51,7 +51,9 @@ pub fn blanks_of<'s>(sentence: &'s str, known: &[&str]) -> Result<BTreeSet<&'s s
     for part in parts {
         let (name, rest) = part.split_once('}').ok_or("a { without its }")?;
         if !known.contains(&name) {
-            return Err(format!("there is no {{{name}}} here, only {}", braced(known)));
+            let braced: Vec<String> = known.iter().map(|name| format!("{{{name}}}")).collect();
+            let only = if braced.is_empty() { "words".to_owned() } else { braced.join(", ") };
+            return Err(format!("there is no {{{name}}} here, only {only}"));
         }
         blanks.insert(name);
         words = if words.contains('}') { words } else { rest };
@@ -66,14 +68,6 @@ impl Language {
         let (names, by): (Vec<&str>, Vec<&str>) = blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
         self.tables.get(key).map_or_else(|| key.to_owned(), |sentence| filled(sentence, &names, &by))
     }
-}
-
-/// Names of blanks in braces, as a catalogue writes them; `words` for a sentence without blanks.
-fn braced(names: &[&str]) -> String {
-    if names.is_empty() {
-        return "words".to_owned();
-    }
-    names.iter().map(|name| format!("{{{name}}}")).collect::<Vec<_>>().join(", ")
 }
 
 /// The sentences of a catalogue.

@@ -11,18 +11,14 @@ use krilla::text::{Font, GlyphId, KrillaGlyph};
 use super::paths;
 use crate::drawing::{ITALIC, PlacedRun, PlacedText, REGULAR, Run};
 
-/// The bundled fonts, as krilla needs them.
-pub(super) struct Fonts {
-    upright: Font,
-    italic: Font,
-}
+/// The bundled fonts, upright and italic, as krilla needs them.
+pub(super) struct Fonts([Font; 2]);
 
 impl Fonts {
     pub(super) fn new() -> Self {
         static FONTS: OnceLock<[Font; 2]> = OnceLock::new();
         let parse = |face: &'static [u8]| Font::new(face.into(), 0).expect("the bundled fonts are sound");
-        let [upright, italic] = FONTS.get_or_init(|| [REGULAR, ITALIC].map(parse)).clone();
-        Self { upright, italic }
+        Self(FONTS.get_or_init(|| [REGULAR, ITALIC].map(parse)).clone())
     }
 
     /// Writes a text in the current colour, as a span of the page, run by run. Spaces between runs are written too, so
@@ -66,7 +62,7 @@ impl Fonts {
             KrillaGlyph::new(glyph, (end - x) as f32, 0.0, 0.0, 0.0, letters.clone(), None)
         };
         let glyphs: Vec<KrillaGlyph> = set.iter().zip(ends).map(glyph).collect();
-        let font = if run.italic { &self.italic } else { &self.upright };
+        let font = &self.0[usize::from(run.italic)];
         let [x, y, size] = [run.origin.x, run.origin.y, run.size].map(paths::length);
         let start = geom::Point::from_xy(x, y);
         surface.draw_glyphs(start, &glyphs, font.clone(), run.content, size, false);
