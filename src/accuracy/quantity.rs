@@ -2,7 +2,7 @@ use super::Bounds;
 use crate::construction::Rate;
 use crate::geometry::UNIT_ROUNDOFF;
 use crate::mechanism::BodyId;
-use crate::quantity::{Component, Normality, Quantity, QuantityRequest, Snapshot, Spot, What};
+use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Snapshot, Spot, What};
 use core::f64::consts::SQRT_2;
 
 /// Roundings in a number that is read from a pose and its motion.
@@ -94,7 +94,7 @@ impl Bounds<'_> {
     }
 
     /// Bound of the error of the normal or tangential part of a relative acceleration within a link.
-    fn of_part(&self, part: Normality, a: &Spot, b: &Spot, link: BodyId) -> Option<f64> {
+    fn of_part(&self, part: AccelerationPart, a: &Spot, b: &Spot, link: BodyId) -> Option<f64> {
         let (Spot::Point(_, first, _), Spot::Point(_, second, _)) = (a, b) else {
             return None;
         };
@@ -102,8 +102,8 @@ impl Bounds<'_> {
         let off = self.of_place(a)? + self.of_place(b)?;
         let ([omega, alpha], motion) = (self.angular_rates(link), self.motion.body(link));
         let (factor, error) = match part {
-            Normality::Normal => (motion.omega * motion.omega, (2.0 * motion.omega.abs() + omega) * omega),
-            Normality::Tangential => (motion.alpha.abs(), alpha),
+            AccelerationPart::Normal => (motion.omega * motion.omega, (2.0 * motion.omega.abs() + omega) * omega),
+            AccelerationPart::Tangential => (motion.alpha.abs(), alpha),
         };
         Some(error * arm + (factor + error) * off + factor * arm * ROUNDINGS)
     }

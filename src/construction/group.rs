@@ -21,6 +21,18 @@ struct DrawnRay {
     line: LineId,
 }
 
+/// An unknown rate of a group.
+#[derive(Clone, Copy)]
+pub(super) struct UnknownRate {
+    /// Its index among the unknowns of the group's equations.
+    pub index: usize,
+    /// The rate; several links may have the same.
+    pub rate: Rate,
+    /// Its value in the computed motion, with the bound of its error.
+    pub value: f64,
+    error: f64,
+}
+
 impl Writer<'_> {
     /// Draws the cut lines and crosses them; a dyad's inner joint is only plotted. `None` for a special point at
     /// infinity.
@@ -217,21 +229,7 @@ impl Writer<'_> {
         self.finish(step, Action::Ray(ray));
         Some(DrawnRay { from, line })
     }
-}
 
-/// An unknown rate of a group.
-#[derive(Clone, Copy)]
-pub(super) struct UnknownRate {
-    /// Its index among the unknowns of the group's equations.
-    pub index: usize,
-    /// The rate; several links may have the same.
-    pub rate: Rate,
-    /// Its value in the computed motion, with the bound of its error.
-    pub value: f64,
-    error: f64,
-}
-
-impl Writer<'_> {
     /// The rates of links, then of sliders, that the equations of a plan are solved for.
     pub(super) fn unknown_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<UnknownRate> {
         let (motion, order) = (self.motion, sheet.order());

@@ -27,6 +27,19 @@ struct Imaged {
     place: PlaceId,
 }
 
+/// Name and role of the end of a part of a relative motion that leads on, laid off from the plan point `from`.
+fn part_end(mechanism: &Mechanism, from: &str, of: &VectorOf) -> (String, PointRole) {
+    match of {
+        VectorOf::Relative { from, to, part: VectorPart::Normal, .. } => (normal_name(from, to), PointRole::Normal),
+        VectorOf::Relative { to, .. } => (image_name(to), PointRole::Image),
+        VectorOf::Passed(slide, VectorPart::Coriolis) => {
+            (coriolis_name(from, &mechanism.body(slide.to).name), PointRole::Slid)
+        }
+        VectorOf::Passed(slide, _) => (slide_name(from, &mechanism.body(slide.to).name), PointRole::Slid),
+        VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Sliding(..) => (from.to_owned(), PointRole::Slid),
+    }
+}
+
 impl Writer<'_> {
     /// Constructs the images of all points of a link that have none yet, in all plans.
     pub(super) fn further_images(&mut self, body: BodyId) {
@@ -178,7 +191,7 @@ impl Writer<'_> {
     }
 
     /// The image of a body's point by its motion relative to points that have one, each part of it in a step of its
-    /// own. The ways to the body's own joint come first.
+    /// own. Those that lead to the body's own joint come first.
     pub(super) fn relative_image(&mut self, sheet: Sheet, body: BodyId, point: PointId) {
         let mechanism = self.mechanism;
         let name = image_name(&point_on(mechanism, body, point));
@@ -257,22 +270,7 @@ impl Writer<'_> {
         }
         name
     }
-}
 
-/// Name and role of the end of a part of a relative motion that leads on, laid off from the plan point `from`.
-fn part_end(mechanism: &Mechanism, from: &str, of: &VectorOf) -> (String, PointRole) {
-    match of {
-        VectorOf::Relative { from, to, part: VectorPart::Normal, .. } => (normal_name(from, to), PointRole::Normal),
-        VectorOf::Relative { to, .. } => (image_name(to), PointRole::Image),
-        VectorOf::Passed(slide, VectorPart::Coriolis) => {
-            (coriolis_name(from, &mechanism.body(slide.to).name), PointRole::Slid)
-        }
-        VectorOf::Passed(slide, _) => (slide_name(from, &mechanism.body(slide.to).name), PointRole::Slid),
-        VectorOf::Point(..) | VectorOf::Normal(..) | VectorOf::Sliding(..) => (from.to_owned(), PointRole::Slid),
-    }
-}
-
-impl Writer<'_> {
     /// Adds the velocity plan's steps from the images of a group's outer joints to those of its inner ones.
     ///
     /// With known rates every point of a carrying link follows from its outer joint. At a prismatic joint the point of

@@ -39,7 +39,7 @@
 //! When a group's rates are known, `images` adds the image of every further point of its links: from two images that
 //! are there by division of their line or by two rays over the link's triangle, else by the motion relative to one,
 //! each part of it a step. `Extent::Rates` leaves that out, as the source paper does. A group without a construction
-//! takes its rates from the motion and goes the same way, from the known links on. An image's bounds are those of the
+//! takes its rates from the motion and continues alike, from the known links on. An image's bounds are those of the
 //! rotation about a point of its link, so that they do not grow from crossing to crossing.
 
 mod body;

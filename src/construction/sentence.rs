@@ -21,6 +21,21 @@ pub struct Teller<'a> {
     pub(super) words: &'a Wording,
 }
 
+/// A vector between two plan points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanVector {
+    /// The plan points where it begins and where its head is.
+    pub ends: [String; 2],
+    /// Its symbol in markup, as in `v_{CB}`.
+    pub symbol: String,
+    /// What it shows.
+    pub part: VectorPart,
+    /// The plan point with which it is there.
+    pub made: String,
+    /// The link that it belongs to, where a ray carries it, and no arrow.
+    pub link: Option<BodyId>,
+}
+
 impl<'a> Teller<'a> {
     /// A teller of the steps of a solved scene.
     #[must_use]
@@ -240,24 +255,7 @@ impl<'a> Teller<'a> {
         };
         (equation.into(), caption)
     }
-}
 
-/// A vector between two plan points.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlanVector {
-    /// The plan points where it begins and where its head is.
-    pub ends: [String; 2],
-    /// Its symbol in markup, as in `v_{CB}`.
-    pub symbol: String,
-    /// What it shows.
-    pub part: VectorPart,
-    /// The plan point with which it is there.
-    pub made: String,
-    /// The link that it belongs to, where a ray carries it, and no arrow.
-    pub link: Option<BodyId>,
-}
-
-impl Teller<'_> {
     /// The vectors of a plan, first the whole ones; without those that lead to special points or follow from them.
     #[must_use]
     pub fn vectors(&self, plan: &Plan) -> Vec<PlanVector> {

@@ -28,7 +28,7 @@ const PIECES: [u32; 5] = [1, 4, 16, 64, 256];
 /// let mut mover = Mover::new(mechanism, &solution.pose)?;
 /// for degrees in 70..=75 {
 ///     let position = mover.move_to(&[f64::from(degrees)]).ok_or("the crank cannot go there")?;
-///     let [omega, alpha] = position.spin(link);
+///     let [omega, alpha] = position.angular_rates(link);
 ///     println!("{degrees}°: {omega} rad/s, {alpha} rad/s²");
 /// }
 /// // Beyond the limit at 137.58° the mechanism stays where it was.

@@ -67,14 +67,14 @@ impl<R: Row> State for Position<'_, R> {
         [speeds, seconds].map(|rates| rates[slider.0][self.lane])
     }
 
-    fn spin(&self, body: BodyId) -> [f64; 2] {
+    fn angular_rates(&self, body: BodyId) -> [f64; 2] {
         let class = self.kernel.seat(body).class;
         [&self.block.omegas, &self.block.alphas].map(|rates| rates[class][self.lane])
     }
 
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2] {
         let slot = self.kernel.seat(body).slot;
-        let [omega, alpha] = self.spin(body);
+        let [omega, alpha] = self.angular_rates(body);
         let arm = place - (self.block.place(slot, self.lane) + self.kernel.origin);
         let velocity = vector(&self.block.point_velocities[slot], self.lane);
         let acceleration = vector(&self.block.point_accelerations[slot], self.lane);

@@ -19,6 +19,8 @@ mod value;
 pub use crate::scene::{Component, Head, QuantityName};
 pub use crate::sheet::QuantityKind;
 pub use band::{Band, Pencil, pencil, step_pencil};
-pub use name::{Normality, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names, step_names};
+pub use name::{
+    AccelerationPart, QuantityError, QuantityRequest, Spot, What, measured_names, readable_names, step_names,
+};
 pub use reading::{Reading, Sense, Unread, read_by_hand};
 pub use value::{Quantity, Snapshot, State};

@@ -86,7 +86,7 @@ pub enum What {
     Motion(Sheet, Spot, Option<Spot>),
     /// Normal or tangential part of the acceleration of the first place relative to the second; the link to which both
     /// belong.
-    Part(Normality, Spot, Spot, Option<BodyId>),
+    Part(AccelerationPart, Spot, Spot, Option<BodyId>),
     /// A segment of a plan.
     Segment {
         /// The plan.
@@ -102,7 +102,7 @@ pub enum What {
 
 /// Normal or tangential part of an acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Normality {
+pub enum AccelerationPart {
     /// Along the line to the other place.
     Normal,
     /// Across that line.
@@ -164,7 +164,7 @@ impl QuantityRequest {
         &self.what
     }
 
-    /// The same quantity, as a vector where a number of one is asked for.
+    /// The vector of which it asks for a number; itself, where it asks for none.
     #[must_use]
     pub fn without_component(&self) -> QuantityRequest {
         QuantityRequest { written: QuantityName { component: None, ..self.written.clone() }, ..self.clone() }
@@ -219,7 +219,7 @@ impl Finder<'_> {
             Head::Velocity => return motion(Sheet::Velocity),
             Head::Acceleration => return motion(Sheet::Acceleration),
             Head::Normal | Head::Tangential => {
-                let part = if *head == Head::Normal { Normality::Normal } else { Normality::Tangential };
+                let part = if *head == Head::Normal { AccelerationPart::Normal } else { AccelerationPart::Tangential };
                 let (a, b) = two_spots()?;
                 let link = self.common_link(&a, &b);
                 What::Part(part, a, b, link)

@@ -1,6 +1,6 @@
 //! How quantities are read from a hand drawing.
 
-use super::name::{Normality, QuantityRequest, Spot, What};
+use super::name::{AccelerationPart, QuantityRequest, Spot, What};
 use crate::construction::{
     Along, Construction, End, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product,
     ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
@@ -336,7 +336,7 @@ impl Reader<'_> {
     fn part(
         &mut self,
         name: &str,
-        part: Normality,
+        part: AccelerationPart,
         a: &Spot,
         b: &Spot,
         link: Option<BodyId>,
@@ -347,8 +347,8 @@ impl Reader<'_> {
             if let Some([start, end]) = construction.known_parts.get(&normal_name(b.name(), special)) {
                 let image = image_name(special);
                 let [from, to] = match part {
-                    Normality::Normal => [start, end],
-                    Normality::Tangential => [end, &image],
+                    AccelerationPart::Normal => [start, end],
+                    AccelerationPart::Tangential => [end, &image],
                 };
                 let place = |name: &str| construction.place(sheet, name);
                 let ends = place(from).zip(place(to)).ok_or(Unread::NoConstruction)?;
@@ -356,14 +356,14 @@ impl Reader<'_> {
             }
         }
         let link = link.ok_or(Unread::NotDrawn)?;
-        let rate = if part == Normality::Tangential { Rate::Alpha } else { Rate::Omega };
+        let rate = if part == AccelerationPart::Tangential { Rate::Alpha } else { Rate::Omega };
         let rate = self.rate_or_given(rate(link))?.ok_or(Unread::Given)?;
         let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
         let line = self.writer.join_places(from, to, OperationRole::Line);
         let length = self.measure(Sheet::Scheme, name, [from, to], MeasuredAs::Along(line));
         let (product, turns) = match part {
-            Normality::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),
-            Normality::Tangential => (Product::new(ProductKind::Turning, 1.0, &[rate, length]), 1),
+            AccelerationPart::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),
+            AccelerationPart::Tangential => (Product::new(ProductKind::Turning, 1.0, &[rate, length]), 1),
         };
         let size = self.writer.compute(sheet, NumberKind::Size, vec![product]);
         Ok(VectorSource::Computed(size, Along::line(line).turned(turns)))

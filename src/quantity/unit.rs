@@ -1,4 +1,4 @@
-use super::name::{Normality, QuantityRequest, Spot, What};
+use super::name::{AccelerationPart, QuantityRequest, Spot, What};
 use crate::construction::Rate;
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
@@ -123,10 +123,10 @@ impl QuantityRequest {
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
             What::Motion(sheet, a, b) => relative(sheet.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
-            What::Part(normality, a, b, _) => {
-                let part = match normality {
-                    Normality::Normal => notation.normal,
-                    Normality::Tangential => notation.tangential,
+            What::Part(part, a, b, _) => {
+                let part = match part {
+                    AccelerationPart::Normal => notation.normal,
+                    AccelerationPart::Tangential => notation.tangential,
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }

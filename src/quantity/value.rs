@@ -1,6 +1,6 @@
 //! Values of quantities in a position.
 
-use super::name::{Normality, QuantityError, QuantityRequest, Spot, What, unknown};
+use super::name::{AccelerationPart, QuantityError, QuantityRequest, Spot, What, unknown};
 use crate::construction::{Construction, Rate, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, PointId, SliderId};
@@ -56,7 +56,7 @@ impl QuantityRequest {
         let value = match &self.what {
             What::Rate(rate) => {
                 let rates = match *rate {
-                    Rate::Omega(link) | Rate::Alpha(link) => state.spin(link),
+                    Rate::Omega(link) | Rate::Alpha(link) => state.angular_rates(link),
                     Rate::SlideVelocity(id) | Rate::SlideAcceleration(id) => state.slide_rates(id),
                 };
                 Number(rates[rate.sheet().order()])
@@ -71,7 +71,7 @@ impl QuantityRequest {
                 Number(position.ok_or_else(|| self.none(why))?)
             }
             What::Coriolis(id, on) => {
-                let twice = 2.0 * state.spin(*on)[0] * state.slide_rates(*id)[0];
+                let twice = 2.0 * state.angular_rates(*on)[0] * state.slide_rates(*id)[0];
                 Vector(quarter_turn(state.guide(*id)) * twice)
             }
             What::Coordinate(axis, spot) => Number(reader.place(spot)?.1[*axis]),
@@ -80,8 +80,8 @@ impl QuantityRequest {
             What::Part(part, a, b, link) => {
                 let [normal, tangential] = reader.parts(a, b, *link)?;
                 Vector(match part {
-                    Normality::Normal => normal,
-                    Normality::Tangential => tangential,
+                    AccelerationPart::Normal => normal,
+                    AccelerationPart::Tangential => tangential,
                 })
             }
             What::Segment { kind, from, to, on_paper: false } => Number(reader.segment(*kind, from, to)?),
@@ -154,7 +154,7 @@ impl<S: State> Reader<'_, S> {
         }
         let arm = self.place(a)?.1 - self.place(b)?.1;
         let link = link.ok_or_else(|| self.asked.none("the two points are not on one link"))?;
-        let [omega, alpha] = self.state.spin(link);
+        let [omega, alpha] = self.state.angular_rates(link);
         Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
     }
 
@@ -188,7 +188,7 @@ pub trait State {
     /// A slider's velocity and acceleration along its guide.
     fn slide_rates(&self, slider: SliderId) -> [f64; 2];
     /// A body's angular velocity and acceleration, in rad per unit of time.
-    fn spin(&self, body: BodyId) -> [f64; 2];
+    fn angular_rates(&self, body: BodyId) -> [f64; 2];
     /// Velocity and acceleration of the body's point at a place.
     fn motion_at(&self, body: BodyId, place: Point) -> [Vector; 2];
 }
@@ -228,7 +228,7 @@ impl State for Snapshot<'_> {
         [slide.velocity, slide.acceleration]
     }
 
-    fn spin(&self, body: BodyId) -> [f64; 2] {
+    fn angular_rates(&self, body: BodyId) -> [f64; 2] {
         let body = self.motion.body(body);
         [body.omega, body.alpha]
     }

@@ -227,7 +227,7 @@ sentences! {
     no_least = "least without bound";
     no_greatest = "greatest without bound";
 
-    // Special positions on the way of a drive; `place` is the drive's value, as in `angle(1) = 30°`.
+    // Special positions in the range of a drive; `place` is the drive's value, as in `angle(1) = 30°`.
     event_limit(place, links) =
         "limit position at {place}: links {links} can go no further, their rates grow without bound";
     event_runs_off(place, links) = "limit position at {place}: links {links} run off to infinity";

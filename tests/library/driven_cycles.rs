@@ -87,7 +87,7 @@ fn rates_on_the_way_are_those_of_the_loop_equations() {
                 );
             };
             for (id, body) in mechanism.links() {
-                let [omega, alpha] = position.spin(id);
+                let [omega, alpha] = position.angular_rates(id);
                 let is = |what| format!("{what} of {}", body.name);
                 near(&is("ω"), omega, motion.body(id).omega, 0, 1.0);
                 near(&is("α"), alpha, motion.body(id).alpha, 1, 1.0);

@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 impl Drawing {
-    /// The drawing as the text of an SVG file, with its texts as letters: [`svg_with`] has other ways.
+    /// The drawing as the text of an SVG file, with its texts as letters: [`svg_with`] has other forms.
     pub fn svg(&self) -> String {
         svg_with(self, Text::Letters)
     }

@@ -93,8 +93,8 @@ fn a_parallelogram() {
     for value in (500..7700).map(|k| 0.1 * f64::from(k) + 0.04) {
         let position = walker.position(value).expect("it is on the path");
         let sine = libm::sin(value.to_radians()).abs();
-        let [omega, alpha] = position.spin(rocker);
-        let off = [omega - 1.0, alpha, position.spin(coupler)[0], position.spin(coupler)[1]];
+        let [omega, alpha] = position.angular_rates(rocker);
+        let off = [omega - 1.0, alpha, position.angular_rates(coupler)[0], position.angular_rates(coupler)[1]];
         let allowed = [2, 3, 2, 3].map(|power| 40.0 * U / sine.powi(power));
         for k in 0..4 {
             assert!(off[k].abs() < allowed[k], "{value}: {off:?} {allowed:?}");
@@ -117,7 +117,7 @@ fn accuracy_is_even() {
     let check = |value: f64, position: &dyn State| {
         let angle = value.to_radians();
         let axis = position.axis(rocker).expect("an axis");
-        let [omega, alpha] = position.spin(rocker);
+        let [omega, alpha] = position.angular_rates(rocker);
         let off = [libm::atan2(axis.y, axis.x) - angle, omega - 1.0, alpha - 1.0];
         let allowed = [4.0 * U, 4.0 * U / angle, 4.0 * U / (angle * angle)];
         for k in 0..3 {
@@ -231,7 +231,7 @@ fn two_parallelograms_in_a_row() {
     for value in (50..770).map(|k| f64::from(k) + 0.5) {
         let position = walker.position(value).expect("it is on the path");
         for link in [three, five] {
-            let [omega, alpha] = position.spin(link);
+            let [omega, alpha] = position.angular_rates(link);
             assert!((omega - 1.0).abs() < 1e-9 && alpha.abs() < 1e-6, "{value}: {omega} {alpha}");
         }
     }

@@ -53,7 +53,7 @@ fn transformed(text: &str, factor: f64, by: [f64; 2]) -> String {
 /// All rates of links, then of sliders, then all positions of sliders.
 fn numbers(position: &Position, mechanism: &Mechanism) -> [Vec<f64>; 3] {
     let sliders = || (0..mechanism.sliders.len()).map(SliderId);
-    let spins = mechanism.links().flat_map(|(id, _)| position.spin(id));
+    let spins = mechanism.links().flat_map(|(id, _)| position.angular_rates(id));
     let rates = sliders().flat_map(|id| position.slide_rates(id));
     let places = sliders().map(|id| position.slide_position(id).expect("it has one"));
     [spins.collect(), rates.collect(), places.collect()]
@@ -165,8 +165,8 @@ fn two_cranks_together_and_one_alone() {
             };
             assert!(apart(angle(first), value) < 1e-12 * TURN);
             assert!(apart(angle(second), 50.0 + ratio * (value - 120.0)) < 1e-12 * TURN);
-            assert_eq!(position.spin(first), [4.0, 10.0]);
-            assert_eq!(position.spin(second), rates);
+            assert_eq!(position.angular_rates(first), [4.0, 10.0]);
+            assert_eq!(position.angular_rates(second), rates);
         }
     }
     // The other crank can lead as well: the same positions, seen from it.

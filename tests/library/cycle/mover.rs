@@ -17,7 +17,8 @@ fn numbers(position: &Position, mechanism: &Mechanism) -> Vec<(i32, Vec<f64>)> {
     let places = points.iter().flat_map(|&point| [position.place(point).x, position.place(point).y]).collect();
     let slides = sliders.iter().map(|&slider| position.slide_rates(slider));
     let (speeds, seconds) = slides.map(|[speed, second]| (speed, second)).unzip();
-    let (omegas, alphas) = links.iter().map(|&link| position.spin(link)).map(|[omega, alpha]| (omega, alpha)).unzip();
+    let (omegas, alphas) =
+        links.iter().map(|&link| position.angular_rates(link)).map(|[omega, alpha]| (omega, alpha)).unzip();
     vec![(1, axes), (1, places), (2, omegas), (2, speeds), (3, alphas), (3, seconds)]
 }
 
@@ -89,7 +90,7 @@ fn several_drives_move_together() {
             let solved = motion(&mechanism, &moved, Sheet::Acceleration).expect("regular");
             for (id, _) in mechanism.links() {
                 let rates = solved.body(id);
-                for (got, want) in position.spin(id).into_iter().zip([rates.omega, rates.alpha]) {
+                for (got, want) in position.angular_rates(id).into_iter().zip([rates.omega, rates.alpha]) {
                     assert!((got - want).abs() <= 1e-9 * (1.0 + want.abs()), "{name} {got} {want}");
                 }
             }

@@ -54,7 +54,7 @@ fn rates_grow_as_the_square_root_says() {
         let delta = libm::exp10(f64::from(-exponent));
         let position = walker.position(limit - delta.to_degrees());
         let position = position.expect("it is before the limit");
-        let [omega, speed] = [0, 1].map(|k| [position.spin(two), position.spin(four)][k][0]);
+        let [omega, speed] = [0, 1].map(|k| [position.angular_rates(two), position.angular_rates(four)][k][0]);
         let rates = [omega, speed, position.slide_rates(SliderId(0))[0]];
         [0, 1, 2].map(|k| rates[k] / (GROWTH[k] / (2.0 * delta.sqrt())) - 1.0)
     };
@@ -105,7 +105,7 @@ fn error(position: &Position, mechanism: &Mechanism, expect: &Value) -> f64 {
     let mut kinds = Kinds::default();
     for (name, truth) in entries(&expect["links"]) {
         let link = mechanism.link(name).expect("a link");
-        let [omega, alpha] = position.spin(link);
+        let [omega, alpha] = position.angular_rates(link);
         kinds.put("omega", omega, &truth["omega"]);
         kinds.put("alpha", alpha, &truth["alpha"]);
         // The truth counts angles from 0 to 360.

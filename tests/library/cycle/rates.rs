@@ -40,7 +40,7 @@ fn they_solve_the_loop_equations() {
             // A group's errors are enlarged by its condition, and by those of the groups on which it hangs.
             let condition: f64 = other.groups.iter().map(|g| g.condition).product();
             let fastest = [0, 1].map(|order| {
-                let links = mechanism.links().map(|(id, _)| position.spin(id)[order]);
+                let links = mechanism.links().map(|(id, _)| position.angular_rates(id)[order]);
                 links.fold(0.0, |fastest: f64, rate| fastest.max(rate.abs()))
             });
             let largest = [fastest[0], fastest[1].max(fastest[0] * fastest[0])];
@@ -58,7 +58,7 @@ fn they_solve_the_loop_equations() {
             };
             for (id, _) in mechanism.links() {
                 let body = other.body(id);
-                check(position.spin(id), [body.omega, body.alpha], 1.0);
+                check(position.angular_rates(id), [body.omega, body.alpha], 1.0);
             }
             let size = span(pose.points.iter().copied());
             for id in (0..mechanism.sliders.len()).map(SliderId) {
@@ -75,7 +75,7 @@ fn they_solve_the_loop_equations() {
 fn quantities(position: &Position, mechanism: &Mechanism) -> Vec<[f64; 3]> {
     let links = mechanism.links().map(|(id, _)| {
         let axis = position.axis(id).expect("a link has one");
-        let [omega, alpha] = position.spin(id);
+        let [omega, alpha] = position.angular_rates(id);
         [libm::atan2(axis.y, axis.x), omega, alpha]
     });
     let sliders = (0..mechanism.sliders.len()).map(SliderId).map(|id| {

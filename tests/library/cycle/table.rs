@@ -154,8 +154,8 @@ fn rows_are_positions() {
                     mechanism.link(name)
                 };
                 let expected = match (link("omega("), link("alpha(")) {
-                    (Some(link), _) => position.spin(link)[0],
-                    (_, Some(link)) => position.spin(link)[1],
+                    (Some(link), _) => position.angular_rates(link)[0],
+                    (_, Some(link)) => position.angular_rates(link)[1],
                     _ => continue,
                 };
                 // Rows that are read together are rounded otherwise. At a part d of the range from a limit rates go like 1/√d, and

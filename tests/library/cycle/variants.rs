@@ -73,7 +73,7 @@ fn each_moves_as_it_does_alone() {
                 let position = variants.position(index).expect("it gets there");
                 for (link, _) in mechanism.links() {
                     let body = expected.body(link);
-                    let [omega, alpha] = position.spin(link);
+                    let [omega, alpha] = position.angular_rates(link);
                     let condition = expected.groups.iter().map(|g| g.condition).fold(1.0, f64::max);
                     let sizes = |spin: fn(&kinegon::motion::BodyMotion) -> f64| {
                         let all = mechanism.links().map(|(l, _)| spin(expected.body(l)).abs());
@@ -104,7 +104,7 @@ fn one_that_cannot_get_there_holds_up_no_other() {
     assert_eq!(found, [true, true, false, true, true]);
     let spin = |index: usize| {
         let position = variants.position(index).expect("it gets there");
-        mechanisms[0].links().map(|(l, _)| position.spin(l)).collect::<Vec<_>>()
+        mechanisms[0].links().map(|(l, _)| position.angular_rates(l)).collect::<Vec<_>>()
     };
     assert_eq!(spin(0), spin(4));
     assert_ne!(spin(0), spin(3));
