@@ -67,10 +67,12 @@ impl Renaming<'_> {
         match (meaning(&path, is_key)?, self.what) {
             (Meaning::OfPlan, _) => self.renamer.plan_name(word),
             (Meaning::Quantity, _) => self.renamer.quantity(word),
-            (Meaning::PairOfLink(link), Named::Point) => self.pair(link, word),
-            (Meaning::PairOfGuide(slider), Named::Point) => self.pair(self.names.carrier(slider), word),
+            (Meaning::PairOfLink, Named::Point) => self.pair(path[1], word),
+            (Meaning::PairOfGuide, Named::Point) => self.pair(self.names.carrier(path[1]), word),
             (Meaning::PointOrAngle, Named::Link) => (word == angle(self.from)).then(|| angle(self.to)),
-            (Meaning::Point | Meaning::PointOrAngle, Named::Point) => is(word).then(|| self.to.to_owned()),
+            (Meaning::Point | Meaning::PointOfGuide | Meaning::PointOrAngle, Named::Point) => {
+                is(word).then(|| self.to.to_owned())
+            }
             (Meaning::Link, Named::Link) => is(word).then(|| self.to.to_owned()),
             _ => None,
         }

@@ -2,8 +2,8 @@
 
 use super::error::Wrong;
 use super::given::{LinkDriveFile, LinkMotion, SliderDrive};
+use super::joint::SliderFile;
 use super::link::LinkFields;
-use super::slider::SliderFile;
 use super::value::{At, Direction, Entries, ShapePoint};
 
 /// A part of the file, and the first key in it that was set twice.

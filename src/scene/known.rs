@@ -4,11 +4,10 @@ use indexmap::IndexMap;
 
 use super::error::Wrong;
 use super::given::{DRAWN, GivenBy, PointMotion};
-use super::guide::On;
+use super::joint::{On, Slider};
 use super::link::Link;
 use super::names::Names;
 use super::quantity_name::QuantityName;
-use super::slider::Slider;
 use super::value::{At, Entries, NearValue};
 
 /// Approximate positions, which choose the assembly mode.

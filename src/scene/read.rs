@@ -7,12 +7,12 @@ use serde::Deserialize;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
+use super::joint::{Slider, SliderFile, sliders};
 use super::known::{Near, check_given_once, check_motions, known, near};
 use super::link::{Link, LinkFile, links};
 use super::names::Names;
 use super::points::{Ground, check_points, ground};
 use super::schema::schema_of;
-use super::slider::{Slider, SliderFile, sliders};
 use super::text::FileKind;
 
 use super::typed::read_as;

@@ -254,7 +254,7 @@ macro_rules! choice {
         #[non_exhaustive]
         pub enum $name { $($(#[$doc])* #[serde(rename = $word)] $value,)* }
 
-        super::write::write_forms! { $name { word => word.as_str() } }
+        crate::scene::write::write_forms! { $name { word => word.as_str() } }
 
         impl $name {
             /// All of them.
