@@ -1,6 +1,7 @@
 //! Numbers with few digits, rules of pulled joints, figures put into a text, places of one.
 
 mod figure {
+    use kinegon::Sheet;
     use kinegon::editing::with_figure;
     use kinegon::scene::{Scene, StyleName};
 
