@@ -16,7 +16,7 @@ use super::page::{Page, PageSize, Sizes};
 use super::schema::without_defaults;
 use super::text::LARGEST;
 use super::words::{list, number, shortened};
-use super::write::{Write, Written, write_forms, write_keys};
+use super::write::{Write, Written, text_of, write_forms, write_keys};
 use crate::text::Untrusted;
 
 /// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
@@ -198,11 +198,6 @@ impl Figure {
                 let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
                 Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint))
             }
-            // Only from Rust: the types of the file refuse it before.
-            Some(step) if step > u16::MAX.into() => {
-                let message = format!("expected a whole number from 1 to 65535, found the number {step}");
-                Err(Wrong::value(&["step"], message))
-            }
             _ => Ok(()),
         }
     }
@@ -212,7 +207,7 @@ write_forms! { Sheet { word => word.as_str() } }
 
 /// The keys of a figure that a file has to say, with their values.
 pub(crate) fn figure_keys(figure: &Figure) -> Map<String, Json> {
-    let value = serde_json::from_str(&super::write::text(figure));
+    let value = serde_json::from_str(&text_of(figure));
     if let Ok(Json::Object(keys)) = value { keys } else { Map::new() }
 }
 

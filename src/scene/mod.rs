@@ -12,7 +12,6 @@
 //! CONTRIBUTING.md has the whole list.
 
 mod build;
-mod build_parts;
 mod choices;
 mod error;
 mod figure;
@@ -39,8 +38,7 @@ mod value;
 mod words;
 mod write;
 
-pub use build::Builder;
-pub use build_parts::{Guide, NewLink, Push, Turn};
+pub use build::{Builder, Guide, NewLink, Push, Turn};
 pub use choices::{ConstructionShown, DecimalMark, LanguageName, NotationName, ScalesFor, StyleName, ValuesShown};
 pub use error::{Place, SceneError};
 pub use figure::Figure;

@@ -9,7 +9,7 @@ use super::words::number;
 use crate::text::Untrusted;
 
 /// A value of the file; `Nothing` for a key that is left out.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Written {
     Nothing,
     /// A string in quotes, a number or a boolean.
@@ -29,7 +29,7 @@ pub(super) trait Write {
 }
 
 /// The text of a file.
-pub(super) fn text(file: &impl Write) -> String {
+pub(super) fn text_of(file: &impl Write) -> String {
     laid_out(&file.written(), 0) + "\n"
 }
 

@@ -248,7 +248,7 @@ fn mistakes_are_told_as_in_a_file() {
         (start().link("1", crank().drive(Turn::rpm(3.0))), "key `drive` stands twice"),
         (
             start().link("1", crank().angle(3.0).angle(4.0)),
-            "links.1.angle: key `angle` stands twice; hint: keep one of them",
+            "links.1.angle: key `angle` stands twice: first at line 6; hint: keep one of them",
         ),
         (
             start().link("1", crank()).pin("B", Guide::on("2").turned(1.0).turned(2.0)),

@@ -81,6 +81,19 @@ pub struct Slider {
     pub drive: Option<SliderDrive>,
 }
 
+impl Slider {
+    /// The point from which the position along the guide counts, where no coordinates say it; `first` is the first point
+    /// of the carrier.
+    #[must_use]
+    pub fn counted_from<'a>(&'a self, first: Option<&'a String>) -> Option<&'a String> {
+        match (&self.through, &self.along) {
+            (Some(At::Place(_)), _) => None,
+            (Some(At::Point(point)), _) | (None, Along::Points(point, _)) => Some(point),
+            (None, _) => first,
+        }
+    }
+}
+
 /// The sliders. `pushes` are the drives written in sliding links, which are moved to their sliders.
 pub(in crate::scene) fn sliders(
     given_by: GivenBy,
