@@ -1,7 +1,6 @@
 //! Draws every starting scene of `kinegon new` and every kind of picture, and writes docs/gallery.md with the pictures in docs/gallery.
 //! Run with `cargo run --release --example gallery`.
 
-use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{AnswerKey, LATITUDE, Measured, check, redrawn};
 use kinegon::construction::Tolerance;
@@ -13,6 +12,7 @@ use kinegon::scene::{
     DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor, Scene, StyleName,
     ValuesShown,
 };
+use kinegon::{PerSheet, Sheet};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -322,7 +322,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
         redrawn(&measured, &key, &check(&measured, &key)?, &solution.wording())?
     };
     let figure = &mut solution.scene.figure;
-    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.5), Some(2.5));
+    figure.mu = PerSheet::from([5.0, 2.5, 2.5].map(Some));
     Ok(overlay(&solution, &own).swap_remove(0))
 }
 

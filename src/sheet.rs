@@ -1,11 +1,13 @@
 //! The sheets on which a mechanism is drawn: what each of them is, said here and nowhere else.
 //!
-//! A further sheet is a variant of [`Sheet`] and a line of [`Sheet::facts`]. What is kept for every sheet stands in a
-//! [`PerSheet`], so it has a place for the new one at once. Only code with something of its own to say of a sheet
-//! matches on [`Sheet`], and the compiler names it.
+//! A further sheet is a variant of [`Sheet`] and an entry of `FACTS`; neither compiles without the other. What is kept
+//! for every sheet stands in a [`PerSheet`], so it has a place for the new one at once, and files, forms and options
+//! have its scale. Only code with something of its own to say of a sheet matches on [`Sheet`], and the compiler names it.
 
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use indexmap::IndexMap;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value as Json};
 use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
@@ -47,6 +49,8 @@ pub enum QuantityKind {
 
 /// What there is to say of a sheet.
 struct Facts {
+    /// Which sheet it is.
+    sheet: Sheet,
     /// The word for it in files and on the page.
     word: &'static str,
     /// Its English name.
@@ -59,6 +63,8 @@ struct Facts {
     scale_key: &'static str,
     /// Its scale in sentences.
     scale_symbol: &'static str,
+    /// What a millimetre of its paper stands for, in descriptions.
+    scaled_units: &'static str,
     /// How names of distances on it begin, as in `vplan(b,s3)`.
     segment: &'static str,
     /// What is only said of plans.
@@ -75,45 +81,86 @@ struct PlanFacts {
     rate: &'static str,
 }
 
+/// The sheets in the order of their variants, which is that in which they are drawn.
+const FACTS: [Facts; 3] = [
+    Facts {
+        sheet: Sheet::Scheme,
+        word: "scheme",
+        name: "scheme",
+        letter: 'L',
+        drawn: QuantityKind::Length,
+        scale_key: "mu_l",
+        scale_symbol: "μ_l",
+        scaled_units: "units of length",
+        segment: "L",
+        plan: None,
+    },
+    Facts {
+        sheet: Sheet::Velocity,
+        word: "velocity",
+        name: "velocity plan",
+        letter: 'V',
+        drawn: QuantityKind::Velocity,
+        scale_key: "mu_v",
+        scale_symbol: "μ_v",
+        scaled_units: "units of velocity",
+        segment: "vplan",
+        plan: Some(PlanFacts { pole: "p", vector: "v", rate: "ω" }),
+    },
+    Facts {
+        sheet: Sheet::Acceleration,
+        word: "acceleration",
+        name: "acceleration plan",
+        letter: 'A',
+        drawn: QuantityKind::Acceleration,
+        scale_key: "mu_a",
+        scale_symbol: "μ_a",
+        scaled_units: "units of acceleration",
+        segment: "aplan",
+        plan: Some(PlanFacts { pole: "π", vector: "a", rate: "α" }),
+    },
+];
+
+const fn number_of_plans() -> usize {
+    let (mut at, mut count) = (0, 0);
+    while at < FACTS.len() {
+        count += FACTS[at].plan.is_some() as usize;
+        at += 1;
+    }
+    count
+}
+
 impl Sheet {
     /// All sheets, in the order in which they are drawn.
-    pub const ALL: [Sheet; 3] = [Sheet::Scheme, Sheet::Velocity, Sheet::Acceleration];
+    pub const ALL: [Sheet; FACTS.len()] = {
+        let (mut all, mut at) = ([Sheet::Scheme; FACTS.len()], 0);
+        while at < all.len() {
+            all[at] = FACTS[at].sheet;
+            assert!(all[at] as usize == at, "the facts stand in the order of the variants");
+            at += 1;
+        }
+        all
+    };
 
     /// The sheets that are drawn from a pole.
-    pub const PLANS: [Sheet; 2] = [Sheet::Velocity, Sheet::Acceleration];
+    pub const PLANS: [Sheet; number_of_plans()] = {
+        let (mut plans, mut count, mut at) = ([Sheet::Scheme; number_of_plans()], 0, 0);
+        while at < FACTS.len() {
+            if FACTS[at].plan.is_some() {
+                plans[count] = FACTS[at].sheet;
+                count += 1;
+            }
+            at += 1;
+        }
+        plans
+    };
 
-    const fn facts(self) -> Facts {
+    /// The compiler asks for a further sheet here, and refuses an index that [`FACTS`] does not have.
+    fn facts(self) -> &'static Facts {
         match self {
-            Sheet::Scheme => Facts {
-                word: "scheme",
-                name: "scheme",
-                letter: 'L',
-                drawn: QuantityKind::Length,
-                scale_key: "mu_l",
-                scale_symbol: "μ_l",
-                segment: "L",
-                plan: None,
-            },
-            Sheet::Velocity => Facts {
-                word: "velocity",
-                name: "velocity plan",
-                letter: 'V',
-                drawn: QuantityKind::Velocity,
-                scale_key: "mu_v",
-                scale_symbol: "μ_v",
-                segment: "vplan",
-                plan: Some(PlanFacts { pole: "p", vector: "v", rate: "ω" }),
-            },
-            Sheet::Acceleration => Facts {
-                word: "acceleration",
-                name: "acceleration plan",
-                letter: 'A',
-                drawn: QuantityKind::Acceleration,
-                scale_key: "mu_a",
-                scale_symbol: "μ_a",
-                segment: "aplan",
-                plan: Some(PlanFacts { pole: "π", vector: "a", rate: "α" }),
-            },
+            Sheet::Scheme => &FACTS[0],
+            Sheet::Velocity => &FACTS[1],
+            Sheet::Acceleration => &FACTS[2],
         }
     }
 
@@ -159,6 +206,12 @@ impl Sheet {
         self.facts().scale_symbol
     }
 
+    /// What a millimetre of its paper stands for, in descriptions, as `units of velocity`.
+    #[must_use]
+    pub fn scaled_units(self) -> &'static str {
+        self.facts().scaled_units
+    }
+
     /// Whether it is drawn from a pole.
     #[must_use]
     pub fn is_plan(self) -> bool {
@@ -168,7 +221,7 @@ impl Sheet {
     /// The name of its pole in results, in every notation; empty for the scheme, which has none.
     #[must_use]
     pub fn pole(self) -> &'static str {
-        self.facts().plan.map_or("", |plan| plan.pole)
+        self.facts().plan.as_ref().map_or("", |plan| plan.pole)
     }
 
     /// Which of a rate and its derivative it shows: 0 for velocities, 1 for accelerations.
@@ -180,13 +233,13 @@ impl Sheet {
     /// The letter of its vectors, as `v`; empty for the scheme.
     #[must_use]
     pub fn vector(self) -> &'static str {
-        self.facts().plan.map_or("", |plan| plan.vector)
+        self.facts().plan.as_ref().map_or("", |plan| plan.vector)
     }
 
     /// The letter of the rates of links that are computed from it, as `ω`; empty for the scheme.
     #[must_use]
     pub fn rate(self) -> &'static str {
-        self.facts().plan.map_or("", |plan| plan.rate)
+        self.facts().plan.as_ref().map_or("", |plan| plan.rate)
     }
 
     /// The plans up to this sheet, in the order in which they are drawn.
@@ -236,9 +289,31 @@ impl<T> PerSheet<T> {
 }
 
 /// Scales in units of the scene per millimetre of paper; `None` for a sheet that is not there, or that is to fit.
+///
+/// In files the scale of each sheet has a key of its own, [`Sheet::scale_key`].
 pub type Scales = PerSheet<Option<f64>>;
 
 impl Scales {
+    /// The name of a field for the scales, whose keys stand among the others of the object that is read: the reader of
+    /// strict files puts them together.
+    pub(crate) const FIELD: &str = "mu_*";
+
+    /// Whether a key of a file is that of a scale.
+    pub(crate) fn is_key(key: &str) -> bool {
+        Sheet::ALL.into_iter().any(|sheet| sheet.scale_key() == key)
+    }
+
+    /// The schema of an object with the scales; `says` gives what is said of each.
+    pub(crate) fn schema(generator: &mut SchemaGenerator, says: impl Fn(Sheet) -> Json) -> Schema {
+        let mut properties = Map::new();
+        for sheet in Sheet::ALL {
+            let mut property = generator.subschema_for::<Option<f64>>();
+            property.ensure_object().extend(says(sheet).as_object().cloned().unwrap_or_default());
+            properties.insert(sheet.scale_key().to_owned(), property.to_value());
+        }
+        schemars::json_schema!({ "type": "object", "properties": properties })
+    }
+
     /// These scales, and others where they have none.
     #[must_use]
     pub fn or(self, others: Scales) -> Scales {
@@ -248,6 +323,26 @@ impl Scales {
     /// The scales that are there.
     pub fn given(&self) -> impl Iterator<Item = (Sheet, f64)> {
         self.iter().filter_map(|(sheet, scale)| Some((sheet, (*scale)?)))
+    }
+}
+
+impl Serialize for Scales {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.given().map(|(sheet, scale)| (sheet.scale_key(), scale)))
+    }
+}
+
+impl<'de> Deserialize<'de> for Scales {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Scales, D::Error> {
+        let given = IndexMap::<String, f64>::deserialize(deserializer)?;
+        Ok(PerSheet::from_fn(|sheet| given.get(sheet.scale_key()).copied()))
+    }
+}
+
+impl<T> From<[T; Sheet::ALL.len()]> for PerSheet<T> {
+    /// The values in the order in which sheets are drawn.
+    fn from(values: [T; Sheet::ALL.len()]) -> PerSheet<T> {
+        PerSheet(values)
     }
 }
 

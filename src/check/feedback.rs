@@ -96,7 +96,7 @@ impl Feedback {
 /// The figure of an exercise as a student prints it: on A4 at most, at scales that fit there.
 fn printed(figure: &Figure) -> Figure {
     let mut figure = figure.clone();
-    figure.set_scales(Scales::default());
+    figure.mu = Scales::default();
     if figure.page.size == PageSize::A3 {
         figure.page.size = PageSize::A4;
     }

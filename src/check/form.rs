@@ -9,39 +9,35 @@ use super::shown::ShownNames;
 use super::table;
 use crate::construction::Solution;
 use crate::scene::{FileKind, SceneError, read_as};
-use crate::sheet::{PerSheet, Scales, Sheet};
+use crate::sheet::{Scales, Sheet};
 use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value as Json, json};
 use std::fmt;
+use std::sync::LazyLock;
 
 const MEASURED: FileKind = FileKind { what: "form of measured values", key: "kinegon_measured", version: 1 };
 
-/// A form as it is read and written.
-#[derive(Debug, Deserialize, Serialize)]
+/// A form as it is read.
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, expecting = r#"a form of measured values as { "kinegon_measured": 1, … }"#)]
 struct FormFile {
-    kinegon_measured: u64,
-    #[serde(rename = "$schema", skip_serializing)]
+    #[serde(rename = "kinegon_measured")]
+    _version: u64,
+    #[serde(rename = "$schema")]
     _schema: Option<String>,
     name: Option<Untrusted>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     exercise: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_l: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_v: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    mu_a: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "mu_*", default)]
+    mu: Scales,
     positive: Option<Positive>,
-    #[serde(rename = "in", skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "in")]
     written_in: Option<Paper>,
     #[serde(default)]
     values: IndexMap<String, Value>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    points: Option<Points>,
+    points: Option<IndexMap<Plan, IndexMap<String, Place>>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
@@ -51,13 +47,18 @@ enum Paper {
     Units,
 }
 
-#[derive(Debug, Default, Deserialize, Serialize)]
-#[serde(deny_unknown_fields)]
-struct Points {
-    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
-    velocity: IndexMap<String, Place>,
-    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
-    acceleration: IndexMap<String, Place>,
+/// The key of a plan, under which the places of its points stand.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Plan(Sheet);
+
+static PLAN_WORDS: LazyLock<Vec<&str>> = LazyLock::new(|| Sheet::PLANS.map(Sheet::as_str).to_vec());
+
+impl<'de> Deserialize<'de> for Plan {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Plan, D::Error> {
+        let word = String::deserialize(deserializer)?;
+        let plan = Sheet::PLANS.into_iter().find(|plan| plan.as_str() == word);
+        plan.map(Plan).ok_or_else(|| D::Error::unknown_variant(&word, &PLAN_WORDS))
+    }
 }
 
 /// The place of a point, and its radius where there is one.
@@ -170,17 +171,12 @@ impl Measured {
             unit: value.unit,
             name,
         });
-        let kinds = Sheet::PLANS;
-        let points = file.points.map(|p| [p.velocity, p.acceleration]);
-        let points = kinds.into_iter().zip(points.into_iter().flatten());
+        let mut places = file.points.unwrap_or_default();
+        let points = Sheet::PLANS.into_iter().filter_map(|plan| Some((plan, places.swap_remove(&Plan(plan))?)));
         Ok(Measured {
             name: file.name,
             exercise: file.exercise.map(|name| Untrusted::from(name.trim())).filter(|name| !name.is_blank()),
-            mu: PerSheet::from_fn(|sheet| match sheet {
-                Sheet::Scheme => file.mu_l,
-                Sheet::Velocity => file.mu_v,
-                Sheet::Acceleration => file.mu_a,
-            }),
+            mu: file.mu,
             positive: file.positive,
             faults: Vec::new(),
             in_mm: file.written_in == Some(Paper::Mm),
@@ -197,29 +193,29 @@ impl Measured {
     }
 }
 
-impl FormFile {
-    /// The head and the points of somebody's form, with these values.
-    fn new(measured: &Measured, values: IndexMap<String, Value>) -> FormFile {
-        let [mu_l, mu_v, mu_a] = Sheet::ALL.map(|sheet| measured.mu[sheet]);
-        let of = |kind: Sheet| {
-            let plans = measured.points.iter().filter(move |plan| plan.kind == kind);
-            plans.flat_map(|plan| plan.all().map(|(name, at, band)| (name.to_owned(), Place(at, band)))).collect()
-        };
-        let [velocity, acceleration] = Sheet::PLANS.map(of);
-        FormFile {
-            kinegon_measured: MEASURED.version,
-            _schema: None,
-            name: Some(measured.name.clone().unwrap_or_default()),
-            exercise: measured.exercise.as_ref().map(|exercise| exercise.for_comparing().to_owned()),
-            mu_l,
-            mu_v,
-            mu_a,
-            positive: measured.positive,
-            written_in: measured.in_mm.then_some(Paper::Mm),
-            values,
-            points: (!measured.points.is_empty()).then_some(Points { velocity, acceleration }),
+/// The JSON of somebody's form with these values.
+fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
+    let mut form = Map::new();
+    let mut put = |key: &str, value: Json| {
+        if !value.is_null() {
+            form.insert(key.to_owned(), value);
         }
-    }
+    };
+    put(MEASURED.key, json!(MEASURED.version));
+    put("name", json!(measured.name.clone().unwrap_or_default()));
+    put("exercise", json!(measured.exercise.as_ref().map(Untrusted::for_comparing)));
+    measured.mu.given().for_each(|(sheet, mu)| put(sheet.scale_key(), json!(mu)));
+    put("positive", json!(measured.positive));
+    put("in", json!(measured.in_mm.then_some(Paper::Mm)));
+    put("values", json!(values));
+    let places_on = |sheet: Sheet| -> IndexMap<&str, Place> {
+        let plans = measured.points.iter().filter(|plan| plan.kind == sheet);
+        plans.flat_map(|plan| plan.all().map(|(name, at, band)| (name, Place(at, band)))).collect()
+    };
+    let points = Sheet::PLANS.into_iter().map(|plan| (plan.as_str(), places_on(plan)));
+    let points: IndexMap<_, _> = points.filter(|(_, places)| !places.is_empty()).collect();
+    put("points", json!((!measured.points.is_empty()).then_some(points)));
+    crate::format::json(&form)
 }
 
 /// A form without values.
@@ -237,7 +233,7 @@ impl EmptyForm<'_> {
     /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
     #[must_use]
     pub fn json(&self) -> String {
-        crate::format::json(&FormFile::new(&self.head(), self.values()))
+        written(&self.head(), &self.values())
     }
 
     /// The form as a table.
@@ -279,7 +275,7 @@ impl FilledForm<'_> {
     /// The form as JSON.
     #[must_use]
     pub fn json(&self) -> String {
-        crate::format::json(&FormFile::new(self.measured, self.values()))
+        written(self.measured, &self.values())
     }
 
     /// The form as a table.

@@ -59,7 +59,7 @@ impl Measured {
 
     /// Asks for a figure at the scales of the student's own sheet, as far as the form has them.
     pub fn put_scales_into(&self, figure: &mut Figure) {
-        figure.set_scales(self.mu.or(figure.given_scales()));
+        figure.mu = self.mu.or(figure.mu);
     }
 }
 

@@ -1,10 +1,11 @@
 use super::figures::{FigureOptions, Figures, GivenStyle, stem};
 use super::message::{Failure, warn};
-use super::options::{GivenScales, Paper};
+use super::options::{GivenScales, Paper, scale_option};
 use super::output::FileSet;
 use crate::check::{self, AnswerKey, Checked, Measured};
 use crate::construction::Solution;
 use crate::drawing::{FigureSheets, overlay};
+use crate::sheet::Sheet;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
@@ -33,9 +34,11 @@ impl Correction {
             };
         }
         if self.scales.is_given() || self.paper.is_given() || self.forms.style.is_some() {
+            let options = Sheet::ALL.map(|sheet| format!("--{}", scale_option(sheet))).join(", ");
+            let keys = Sheet::ALL.map(Sheet::scale_key).join(", ");
             return Err(Failure::misuse(
-                "--mu-l, --mu-v, --mu-a, --page, --orientation and --style are of a drawing, which is not asked for",
-                "add `--draw out/`; the scales of the student's own sheet stand in the form, as mu_l, mu_v, mu_a",
+                format!("{options}, --page, --orientation and --style are of a drawing, which is not asked for"),
+                format!("add `--draw out/`; the scales of the student's own sheet stand in the form, as {keys}"),
             ));
         }
         Ok(())

@@ -5,7 +5,7 @@ use crate::quantity::{self, Pencil, QuantityRequest};
 use crate::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, ScalesFor};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
-use clap::{Arg, Args, Command, ValueEnum};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
 use std::ffi::OsStr;
 
 /// How things are said and written, in place of what the scene's figure asks for.
@@ -94,15 +94,8 @@ impl Paper {
 /// The figure's scales, in place of those that the scene gives or that fit.
 #[derive(Debug, Default, Args)]
 pub(super) struct GivenScales {
-    /// Scale of the scheme: units of length per mm of paper.
-    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
-    mu_l: Option<f64>,
-    /// Scale of the velocity plan: units of velocity per mm of paper.
-    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
-    mu_v: Option<f64>,
-    /// Scale of the acceleration plan: units of acceleration per mm of paper.
-    #[arg(long, value_name = "NUMBER", value_parser = scale, allow_negative_numbers = true)]
-    mu_a: Option<f64>,
+    #[command(flatten)]
+    mu: ScaleOptions,
     /// For which plans the other scales are chosen: the scene's own position, with one set for figure, steps, work
     /// sheet and page; each sheet for itself; or the largest plans of the whole cycle.
     #[arg(long, value_name = "FOR", value_parser = one_of(ScalesFor::ALL, ScalesFor::as_str))]
@@ -114,23 +107,51 @@ fn scale(text: &str) -> Result<f64, String> {
     Figure::checked_scale(scale)
 }
 
-impl GivenScales {
-    fn given(&self) -> Scales {
-        PerSheet::from_fn(|sheet| match sheet {
-            Sheet::Scheme => self.mu_l,
-            Sheet::Velocity => self.mu_v,
-            Sheet::Acceleration => self.mu_a,
-        })
+/// An option for the scale of each sheet.
+#[derive(Debug, Default)]
+struct ScaleOptions(Scales);
+
+/// The name of the option for a sheet's scale, as `mu-v`.
+pub(super) fn scale_option(sheet: Sheet) -> String {
+    sheet.scale_key().replace('_', "-")
+}
+
+impl Args for ScaleOptions {
+    fn augment_args(command: Command) -> Command {
+        command.args(Sheet::ALL.map(|sheet| {
+            Arg::new(sheet.scale_key())
+                .long(scale_option(sheet))
+                .value_name("NUMBER")
+                .value_parser(scale)
+                .allow_negative_numbers(true)
+                .help(format!("Scale of the {}: {} per mm of paper", sheet.name(), sheet.scaled_units()))
+        }))
     }
 
+    fn augment_args_for_update(command: Command) -> Command {
+        ScaleOptions::augment_args(command)
+    }
+}
+
+impl FromArgMatches for ScaleOptions {
+    fn from_arg_matches(given: &ArgMatches) -> Result<ScaleOptions, clap::Error> {
+        Ok(ScaleOptions(PerSheet::from_fn(|sheet| given.get_one(sheet.scale_key()).copied())))
+    }
+
+    fn update_from_arg_matches(&mut self, given: &ArgMatches) -> Result<(), clap::Error> {
+        ScaleOptions::from_arg_matches(given).map(|read| *self = read)
+    }
+}
+
+impl GivenScales {
     /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
-        self.scales.is_some() || self.given().given().next().is_some()
+        self.scales.is_some() || self.mu.0.given().next().is_some()
     }
 
     /// Overrides a scene's figure by the options that are given.
     pub(super) fn put_into(&self, figure: &mut Figure) {
-        figure.set_scales(self.given().or(figure.given_scales()));
+        figure.mu = self.mu.0.or(figure.mu);
         figure.scales = self.scales.unwrap_or(figure.scales);
     }
 }

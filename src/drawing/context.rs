@@ -58,7 +58,7 @@ pub(super) enum Purpose {
 impl Surface {
     /// The page of a figure, at the scales that the scene gives.
     pub(super) fn of(figure: &Figure) -> Surface {
-        Surface { page: figure.page, dims: Dims::of(figure), mu: figure.given_scales() }
+        Surface { page: figure.page, dims: Dims::of(figure), mu: figure.mu }
     }
 
     /// Another page for the same figure, at scales of its own.

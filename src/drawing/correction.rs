@@ -112,7 +112,7 @@ fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Div
     let mut tried: Vec<Extents> = Vec::new();
     for panels in kept {
         let extents = right_extents.iter().enumerate().map(|(index, &(panel, extent))| {
-            let is_given = context.figure().mu(panel).is_some();
+            let is_given = context.figure().mu[panel].is_some();
             let is_kept = panels & (1 << index) != 0;
             (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
         });

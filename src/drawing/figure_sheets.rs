@@ -127,7 +127,7 @@ impl<'a> FigureSheets<'a> {
         let are_known =
             figure.scales != ScalesFor::Sheet || figure.shown_panels().iter().all(|&sheet| mu[sheet].is_some());
         let chosen = if are_known { mu } else { self.laid_out().layout.mu() };
-        let of = |sheet: Sheet| figure.mu(sheet).or(chosen[sheet]);
+        let of = |sheet: Sheet| figure.mu[sheet].or(chosen[sheet]);
         PerSheet::from_fn(of)
     }
 
@@ -136,7 +136,7 @@ impl<'a> FigureSheets<'a> {
     #[must_use]
     pub fn overflow_warnings(&self) -> Vec<String> {
         let figure = self.base.figure();
-        if !figure.panels.iter().any(|&panel| figure.mu(panel).is_some()) {
+        if !figure.panels.iter().any(|&panel| figure.mu[panel].is_some()) {
             return Vec::new();
         }
         let LaidOut { context, extents, layout, .. } = self.laid_out();

@@ -288,7 +288,7 @@ fn laid_out(
     let joints = |(all, own): (&(Sheet, Extent), &(Sheet, Extent))| if own.0 == Sheet::Scheme { *all } else { *own };
     let least: Extents = all.iter().zip(own_extents).map(joints).collect();
     let scale = own.surface.mu[Sheet::Scheme];
-    let is_free = own.figure().mu_l.is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme);
+    let is_free = own.figure().mu[Sheet::Scheme].is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme);
     let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
     for mu in std::iter::successors(Some(scale), coarser).take(if is_free { TRIED } else { 1 }) {
         own.surface.mu[Sheet::Scheme] = mu;

@@ -121,7 +121,7 @@ impl SheetContext<'_> {
     pub(super) fn note_on_paper(&self) -> Option<String> {
         let mut largest = [0.0_f64; 2];
         let sizes = Sheet::PLANS.map(|panel| {
-            let mu = self.figure().mu(panel)?;
+            let mu = self.figure().mu[panel]?;
             let size = extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
             let (short, long) = (size.x.min(size.y), size.x.max(size.y));
             largest = [largest[0].max(short), largest[1].max(long)];

@@ -11,7 +11,7 @@ use super::names::Names;
 use super::present::Present;
 use super::rename::no_such;
 use crate::geometry::Point;
-use crate::scene::{LengthUnit, SceneError, Units, why_not};
+use crate::scene::{JointKind, LengthUnit, Meaning, SceneError, Units, why_not};
 
 /// A new link.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -244,12 +244,11 @@ fn place_point(
 pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(), SceneError> {
     let NewSlider { link, at, on, along } = new;
     let names = Names::of(&document.json());
-    let links: Vec<String> = names.links.keys().cloned().collect();
-    for name in [link, on].into_iter().filter(|name| !name.is_empty() && *name != "ground") {
-        if !names.links.contains_key(name) {
-            return Err(no_such(document, "link", name, &links));
-        }
-    }
+    let entry = match link.is_empty() {
+        true => json!({ "pin": at, "on": on }),
+        false => json!({ "link": link, "at": at, "on": on }),
+    };
+    check_links(document, &names, "sliders", &entry)?;
     let sliding = if link.is_empty() { names.points() } else { names.of_carrier(link).to_vec() };
     if !sliding.contains(at) {
         return Err(no_such(document, "point", at, &sliding));
@@ -258,10 +257,7 @@ pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(),
         let message = format!("point {at} is a point of {on}, so it cannot slide on it");
         return Err(document.error(&[], message, Some("choose another point, or another carrier of the guide")));
     }
-    let mut entry = match link.is_empty() {
-        true => json!({ "pin": at, "on": on }),
-        false => json!({ "link": link, "at": at, "on": on }),
-    };
+    let mut entry = entry;
     if let (Along::Degrees(_), None) = (along, &names.drawn)
         && let Some(through) = through(document, on, at)
     {
@@ -271,9 +267,25 @@ pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(),
         Along::Degrees(degrees) => super::measure::json(*degrees),
         Along::Points(points) => Json::from(points.as_str()),
     };
-    match document.json()["sliders"].as_array().map(Vec::len) {
-        None => document.set(&["sliders"], &json!([entry])),
-        Some(count) => document.set(&["sliders", &count.to_string()], &entry),
+    append(document, "sliders", &entry)
+}
+
+/// Refuses a joint's entry with a link that is not there.
+fn check_links(document: &Document<'_>, names: &Names, list: &str, entry: &Json) -> Result<(), SceneError> {
+    let links = || names.links.keys().cloned().collect::<Vec<_>>();
+    let kind = JointKind::of_list(list);
+    let mut named = kind.into_iter().flat_map(|kind| kind.words(entry, Meaning::Link));
+    match named.find(|name| *name != "ground" && !names.links.contains_key(*name)) {
+        Some(unknown) => Err(no_such(document, "link", unknown, &links())),
+        None => Ok(()),
+    }
+}
+
+/// Adds an entry to a list at the top, which may be missing.
+fn append(document: &mut Document<'_>, list: &str, entry: &Json) -> Result<(), SceneError> {
+    match document.json()[list].as_array().map(Vec::len) {
+        None => document.set(&[list], &json!([entry])),
+        Some(count) => document.set(&[list, &count.to_string()], entry),
     }
 }
 

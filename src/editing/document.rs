@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 use std::ops::Range;
 
 use super::layout::{Layout, indent, quoted};
-use crate::scene::{SceneError, SceneTree, key_order};
+use crate::scene::{JointKind, SceneError, SceneTree, key_order};
 
 /// A text in the course of changes. Paths are JSON paths; an index of a list is written in digits.
 #[derive(Clone, Debug)]
@@ -302,8 +302,8 @@ fn added(tree: &SceneTree<'_>, layout: Layout, node: &Value<'_>, index: usize, t
             (after.start..after.start, text.to_owned() + &gap)
         }
         (None, None) => {
-            let top =
-                first_indent(tree).filter(|_| path.len() == 1 && matches!(path[0], "links" | "sliders" | "known"));
+            let has_lines = |key: &str| matches!(key, "links" | "known") || JointKind::of_list(key).is_some();
+            let top = first_indent(tree).filter(|_| path.len() == 1 && has_lines(path[0]));
             let (open, close) = if node.as_array().is_some() { ("[", "]") } else { ("{", "}") };
             let inside = match (top, open) {
                 (Some(indent), _) => format!("{}{text}{}", line(&indent.repeat(2)), line(indent)),

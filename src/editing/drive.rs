@@ -107,13 +107,9 @@ impl Stand {
     }
 }
 
-/// A number of the text.
-fn number_at(scene: &Json, path: &[String]) -> Option<f64> {
-    let part = path.iter().try_fold(scene, |value, key| match value {
-        Json::Array(elements) => elements.get(key.parse::<usize>().ok()?),
-        other => other.get(key),
-    });
-    part?.as_f64()
+/// A number of the text; names have neither `/` nor `~`.
+pub(super) fn number_at(scene: &Json, path: &[String]) -> Option<f64> {
+    scene.pointer(&format!("/{}", path.join("/")))?.as_f64()
 }
 
 /// Change of a drive, in degrees or parts of the mechanism's size, that counts as none.

@@ -4,9 +4,8 @@ use serde_json::{Value as Json, json};
 
 use super::document::Document;
 use super::names::{Named, Names};
-use super::quantity_names::Renamer;
-use super::rename::no_such;
-use crate::scene::{JOINTS, Meaning, SceneError, meaning, pair};
+use super::rename::{Renamer, no_such};
+use crate::scene::{JOINTS, JointKind, Meaning, SceneError, pair};
 
 /// Removes a link, its sliders, and the points that nothing else has.
 pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
@@ -15,11 +14,7 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
         return Err(no_such(document, "link", name, &names.links.keys().cloned().collect::<Vec<_>>()));
     };
     document.remove(&["links", name])?;
-    for list in JOINTS {
-        let names_it =
-            |(key, value): (&String, &Json)| *value == *name && meaning(&[list, "", key], false) == Some(Meaning::Link);
-        remove_entries(document, list, &|joint| joint.as_object().into_iter().flatten().any(names_it))?;
-    }
+    remove_joints(document, Meaning::Link, name)?;
     document.remove(&["near", &format!("angle({name})")])?;
     remove_named(document, &names, Named::Link, name)?;
     let is_elsewhere = |point: &String| {
@@ -31,13 +26,13 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
     Ok(())
 }
 
-/// Removes a point from all links; those that are left without a second point go, unless they slide or carry a guide.
+/// Removes a point from all links; those that are left without a second point go, unless a joint that the scene lists names them.
 pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
     let names = Names::of(&document.json());
     if !names.has_point(name) {
         return Err(no_such(document, "point", name, &names.points()));
     }
-    remove_entries(document, "sliders", &|slider| slider["at"] == *name || slider["pin"] == *name)?;
+    remove_joints(document, Meaning::Point, name)?;
     remove_guides(document, &names, name)?;
     for (link, points) in names.links.iter().filter(|(_, points)| points.iter().any(|point| point == name)) {
         take_from_link(document, link, points, name)?;
@@ -51,13 +46,13 @@ pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), Scene
     forget(document, &names, name)?;
     let left = Names::of(&document.json());
     let scene = document.json();
-    let slides = |link: &str| {
-        let mut sliders = scene["sliders"].as_array().into_iter().flatten();
-        sliders.any(|slider| slider["link"] == *link || slider["on"] == *link)
+    let is_joined = |link: &str| {
+        let mut joints = JOINTS.iter().flat_map(|kind| joints_of(&scene, kind).map(move |joint| (kind, joint)));
+        joints.any(|(kind, joint)| kind.words(joint, Meaning::Link).any(|word| word == link))
     };
     let had = |link: &String| names.links.get(link).is_some_and(|points| points.iter().any(|point| point == name));
     let short = |(link, points): &(&String, &Vec<String>)| {
-        had(link) && (points.is_empty() || (points.len() == 1 && !slides(link)))
+        had(link) && (points.is_empty() || (points.len() == 1 && !is_joined(link)))
     };
     left.links.iter().filter(short).try_for_each(|(name, _)| link(document, name))
 }
@@ -93,7 +88,7 @@ fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], na
 
 /// Removes what only says something of a point: its place, its known motion, its label, its path.
 fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), SceneError> {
-    remove_entries(document, "sliders", &|slider| slider["pin"] == *name)?;
+    remove_joints(document, Meaning::Point, name)?;
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
@@ -103,6 +98,18 @@ fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), 
         document.remove(&["figure", "trace", &index.to_string()])?;
     }
     remove_named(document, names, Named::Point, name)
+}
+
+/// The entries of the joints of a kind.
+fn joints_of<'s>(scene: &'s Json, kind: &JointKind) -> impl Iterator<Item = &'s Json> {
+    scene[kind.list].as_array().into_iter().flatten()
+}
+
+/// Removes the joints that name a point or a link.
+fn remove_joints(document: &mut Document<'_>, what: Meaning, name: &str) -> Result<(), SceneError> {
+    JOINTS.into_iter().try_for_each(|kind| {
+        remove_entries(document, kind.list, &|joint| kind.words(joint, what).any(|word| word == name))
+    })
 }
 
 /// Removes entries of a list at the top.

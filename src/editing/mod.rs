@@ -19,22 +19,19 @@ mod document;
 mod drive;
 mod drop;
 mod edit;
-mod figure;
 mod layout;
 #[doc(hidden)] // for tests
 pub mod measure;
 mod names;
 mod near;
 mod present;
-mod quantity_names;
 mod rename;
 #[doc(hidden)] // for tests
 pub mod reshape;
 
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
 pub use drive::{with_mode, with_position};
-pub use edit::{Edit, Key, apply};
-pub use figure::with_figure;
+pub use edit::{Edit, Key, apply, with_figure};
 pub use names::Named;
 pub use present::places;
 pub use reshape::{Pins, Reshape, Reshaped};

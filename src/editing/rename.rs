@@ -1,9 +1,10 @@
-//! Another name for a point or a link, everywhere.
+//! Another name for a point or a link, everywhere: also within names of quantities, of points of the plans and of parts of
+//! the construction.
 
 use super::document::{Document, Word};
 use super::names::{Named, Names, joined_like};
-use super::quantity_names::Renamer;
-use crate::scene::{Meaning, Scene, SceneError, meaning, nearest, pair, why_not};
+use crate::construction::image_name;
+use crate::scene::{Argument, Meaning, QuantityName, Scene, SceneError, meaning, nearest, pair, why_not};
 
 /// Gives a point or a link another name, in all places where the scene means it.
 ///
@@ -16,8 +17,8 @@ pub(super) fn rename(document: &mut Document<'_>, what: Named, from: &str, to: &
         return Ok(());
     }
     let was_read = Scene::read(&document.text()).is_ok();
-    let renaming = Renaming { names: &names, renamer: Renamer::new(&names, what, from, to), what, from, to };
-    document.reword(&|word| renaming.word(word))?;
+    let renamer = Renamer::new(&names, what, from, to);
+    document.reword(&|word| renamer.word(word))?;
     match Scene::read(&document.text()) {
         // The name is kept for something. The place is in the new text, which nobody sees.
         Err(error) if was_read => Err(SceneError { place: None, ..error }),
@@ -49,28 +50,35 @@ pub(super) fn no_such(document: &Document<'_>, noun: &str, name: &str, all: &[St
     document.error(&[], format!("there is no {noun} {}", crate::text::shown(name)), hint.as_deref())
 }
 
-/// A new name, and where the old one is meant.
-struct Renaming<'a> {
+/// Where names mean one point or one link, and the new name of it.
+pub(super) struct Renamer<'a> {
     names: &'a Names,
-    renamer: Renamer<'a>,
     what: Named,
     from: &'a str,
     to: &'a str,
+    points: Vec<String>,
 }
 
-impl Renaming<'_> {
+impl<'a> Renamer<'a> {
+    /// A new name for a point or a link.
+    pub fn new(names: &'a Names, what: Named, from: &'a str, to: &'a str) -> Renamer<'a> {
+        Renamer { names, what, from, to, points: names.points() }
+    }
+
     /// The new form of a word of the scene.
     fn word(&self, Word { path, is_key, word }: Word<'_>) -> Option<String> {
         let path: Vec<&str> = path.iter().map(String::as_str).collect();
         let is = |name: &str| name == self.from;
         let angle = |link: &str| format!("angle({link})");
         match (meaning(&path, is_key)?, self.what) {
-            (Meaning::OfPlan, _) => self.renamer.plan_name(word),
-            (Meaning::Quantity, _) => self.renamer.quantity(word),
-            (Meaning::PairOfLink(link), Named::Point) => self.pair(link, word),
-            (Meaning::PairOfGuide(slider), Named::Point) => self.pair(self.names.carrier(slider), word),
+            (Meaning::OfPlan, _) => self.plan_name(word),
+            (Meaning::Quantity, _) => self.quantity(word),
+            (Meaning::PairOfLink, Named::Point) => self.pair(path[1], word),
+            (Meaning::PairOfGuide, Named::Point) => self.pair(self.names.carrier(path[1]), word),
             (Meaning::PointOrAngle, Named::Link) => (word == angle(self.from)).then(|| angle(self.to)),
-            (Meaning::Point | Meaning::PointOrAngle, Named::Point) => is(word).then(|| self.to.to_owned()),
+            (Meaning::Point | Meaning::PointOfGuide | Meaning::PointOrAngle, Named::Point) => {
+                is(word).then(|| self.to.to_owned())
+            }
             (Meaning::Link, Named::Link) => is(word).then(|| self.to.to_owned()),
             _ => None,
         }
@@ -85,4 +93,84 @@ impl Renaming<'_> {
         let points: Vec<String> = points.iter().map(new).collect();
         is_named.then(|| joined_like(key, &new(&from), &new(&to), &points))
     }
+
+    /// A name of the construction with the new name, if it means what is renamed: a point, a link, `S3`, `D_2`, `d`,
+    /// `n_b3`, `3/2`.
+    pub fn plan_name(&self, name: &str) -> Option<String> {
+        if let Some((sliding, on)) = name.split_once('/') {
+            return self.slider(sliding, on);
+        }
+        match self.what {
+            _ if name == self.from => Some(self.to.to_owned()),
+            Named::Point => self.of_point(name),
+            Named::Link => self.of_link(name),
+        }
+    }
+
+    /// The name of a quantity with the new name, if it means what is renamed.
+    pub fn quantity(&self, name: &str) -> Option<String> {
+        QuantityName::reworded(name, |argument, name| match (argument, self.what) {
+            (Argument::Slider, _) => name.split_once('/').and_then(|(sliding, on)| self.slider(sliding, on)),
+            (Argument::Link, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
+            (Argument::Link, Named::Point) => None,
+            (Argument::Point, _) => self.plan_name(name),
+        })
+    }
+
+    /// The name of a slider, as `3/2`, `P/3` or `P/3#2`.
+    fn slider(&self, sliding: &str, on: &str) -> Option<String> {
+        let (on, number) = on.split_at(on.find('#').unwrap_or(on.len()));
+        let new = |name: &str| if name.trim() == self.from { self.to.to_owned() } else { name.to_owned() };
+        let is_link = self.names.links.contains_key(sliding.trim());
+        let (first, second) = match self.what {
+            Named::Link => (new(sliding), new(on)),
+            Named::Point if is_link => return None,
+            Named::Point => (new(sliding), on.to_owned()),
+        };
+        (first != sliding || second != on).then(|| format!("{first}/{second}{number}"))
+    }
+
+    fn of_point(&self, name: &str) -> Option<String> {
+        let (from, to) = (self.from, self.to);
+        if name == image_name(from) {
+            return Some(image_name(to));
+        }
+        let under = self.names.links.keys().map(|link| [from, to].map(|point| format!("{point}_{link}")));
+        renamed(name, under).or_else(|| {
+            let (mark, image, tail) = self.part(name)?;
+            (image == from).then(|| format!("{mark}{}{tail}", image_name(to)))
+        })
+    }
+
+    fn of_link(&self, name: &str) -> Option<String> {
+        let (from, to) = (self.from, self.to);
+        for special in ["S", "s"] {
+            if name.strip_prefix(special) == Some(from) {
+                return Some(format!("{special}{to}"));
+            }
+        }
+        let under = self.points.iter().map(|point| [from, to].map(|link| format!("{point}_{link}")));
+        renamed(name, under).or_else(|| {
+            let (mark, image, tail) = self.part(name)?;
+            (tail == from).then(|| format!("{mark}{}{to}", image_name(image)))
+        })
+    }
+
+    /// A part of a plan, as `n_b3`: its mark, the point from whose image it is laid off, and its link.
+    fn part<'n>(&self, name: &'n str) -> Option<(&'n str, &str, &'n str)> {
+        let (mark, rest) =
+            ["n_", "r_", "k_"].iter().find_map(|mark| name.strip_prefix(mark).map(|rest| (&name[..2], rest)))?;
+        let of = |point: &'_ String| rest.strip_prefix(&image_name(point)).filter(|tail| !tail.is_empty());
+        let found = self.points.iter().filter_map(|point| Some((point, of(point)?)));
+        let (point, tail) = found.min_by_key(|(_, tail)| tail.len())?;
+        Some((mark, point, tail))
+    }
+}
+
+/// The new name of what has one of these old ones, or of its image.
+fn renamed(name: &str, mut all: impl Iterator<Item = [String; 2]>) -> Option<String> {
+    all.find_map(|[old, new]| match name == old {
+        true => Some(new),
+        false => (name == image_name(&old)).then(|| image_name(&new)),
+    })
 }

@@ -112,13 +112,13 @@ impl Exercise {
         figure.scales = ScalesFor::Sheet;
         let wording = solution.wording();
         let mut scales = key_scales_of(&solution, &quantities).ok_or(Refusal::Sheet)?;
-        if solution.scene.figure.mu_l.is_none() {
+        if solution.scene.figure.mu[Sheet::Scheme].is_none() {
             let given = sentences(&solution.scene, text, &scales, &wording);
             let mu = exercise_scale(&students, &quantities, &given);
             scales[Sheet::Scheme] = if mu > scales[Sheet::Scheme] { mu } else { scales[Sheet::Scheme] };
         }
         for figure in [&mut solution.scene.figure, &mut students.scene.figure] {
-            figure.set_scales(scales);
+            figure.mu = scales;
         }
         is_long_enough(&solution.construction, &scales)?;
         if !(FigureSheets::new(&solution).overflow_warnings().is_empty() && shows_special_points(&solution)) {

@@ -5,11 +5,12 @@ use super::sheets::{key_rows, key_sentences};
 use crate::check::{BANDS, EmptyForm};
 use crate::drawing::{Drawing, key_sheet};
 use crate::scene::schema_of;
-use crate::sheet::Sheet;
+use crate::sheet::Scales;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
-use schemars::JsonSchema;
-use serde::Serialize;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Serialize, Serializer};
+use serde_json::json;
 
 /// The values of an exercise.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -30,12 +31,18 @@ pub struct KeyResult {
 #[derive(Debug, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct KeyScales {
-    /// Of the scheme.
-    pub mu_l: Option<f64>,
-    /// Of the velocity plan.
-    pub mu_v: Option<f64>,
-    /// Of the acceleration plan.
-    pub mu_a: Option<f64>,
+    /// By sheet; `null` for a sheet that is not there.
+    #[serde(flatten, serialize_with = "with_null")]
+    #[schemars(schema_with = "scales_schema")]
+    pub of: Scales,
+}
+
+fn with_null<S: Serializer>(scales: &Scales, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(scales.iter().map(|(sheet, scale)| (sheet.scale_key(), scale)))
+}
+
+fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
+    Scales::schema(generator, |sheet| json!({ "description": format!("Of the {}.", sheet.name()) }))
 }
 
 /// The value of a quantity.
@@ -76,11 +83,7 @@ impl Exercise {
         KeyResult {
             kinegon_key: 1,
             title: self.solution.scene.title.clone(),
-            scales: KeyScales {
-                mu_l: self.scales[Sheet::Scheme],
-                mu_v: self.scales[Sheet::Velocity],
-                mu_a: self.scales[Sheet::Acceleration],
-            },
+            scales: KeyScales { of: self.scales },
             values: values.collect(),
         }
     }

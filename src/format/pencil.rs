@@ -1,9 +1,10 @@
 use crate::quantity::{Band, Pencil, Unread};
 use crate::scene::Units;
-use crate::sheet::Sheet;
+use crate::sheet::Scales;
 use indexmap::IndexMap;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
+use serde_json::json;
 
 /// How far hand drawings at the figure's scales are from the numbers, by quantity name.
 #[derive(Debug, Serialize, JsonSchema)]
@@ -12,15 +13,10 @@ pub struct PencilResult {
     pub mm: f64,
     /// Limit of the error of a direction drawn or read: degrees.
     pub degrees: f64,
-    /// Scale of the scheme: units of length per millimetre of paper.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mu_l: Option<f64>,
-    /// Scale of the velocity plan.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mu_v: Option<f64>,
-    /// Scale of the acceleration plan.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mu_a: Option<f64>,
+    /// The scales of the sheets: units per millimetre of paper.
+    #[serde(flatten)]
+    #[schemars(schema_with = "scales_schema")]
+    pub mu: Scales,
     /// By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`.
     pub bands: IndexMap<String, BandResult>,
     /// By quantity name: why a drawing gives no such value. Given values and points at rest are left out.
@@ -40,6 +36,14 @@ pub struct BandResult {
     /// Present and true where errors are so large against the quantity that the band is only a rough one.
     #[serde(skip_serializing_if = "is_false")]
     pub rough: bool,
+}
+
+fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
+    Scales::schema(generator, |sheet| {
+        let units =
+            if sheet.is_plan() { String::new() } else { format!(": {} per millimetre of paper", sheet.scaled_units()) };
+        json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
+    })
 }
 
 fn is_false(flag: &bool) -> bool {
@@ -64,13 +68,5 @@ pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
             }
         }
     }
-    PencilResult {
-        mm: pencil.tolerance.mm,
-        degrees: pencil.tolerance.degrees,
-        mu_l: pencil.scales[Sheet::Scheme],
-        mu_v: pencil.scales[Sheet::Velocity],
-        mu_a: pencil.scales[Sheet::Acceleration],
-        bands,
-        without,
-    }
+    PencilResult { mm: pencil.tolerance.mm, degrees: pencil.tolerance.degrees, mu: pencil.scales, bands, without }
 }

@@ -1,7 +1,7 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
+use super::error::radians_warnings;
 use super::grouping::group;
 use super::joint::{add_given, add_pins};
-use super::radians::radians_warnings;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{

@@ -1,7 +1,8 @@
-use super::shape::{Side, direction, local_points};
+use super::joint::guide_line;
+use super::shape::{Side, local_points};
 use super::{Mechanism, Role, StructureError};
 use crate::geometry::{Point, Vector, direction_of_degrees};
-use crate::scene::{self, Along, At, GivenBy, On, Scene};
+use crate::scene::{self, At, GivenBy, On, Scene};
 use indexmap::IndexMap;
 
 /// The role of a link in the mechanism. `mechanism` has the ground's points already.
@@ -176,17 +177,7 @@ pub(super) fn places_from_drives(scene: &Scene) -> IndexMap<&str, Point> {
         let (Some(at), Some(position)) = (&slider.at, position) else {
             continue;
         };
-        let start = match (&slider.through, &slider.along) {
-            (Some(At::Place(p)), _) => Some((*p).into()),
-            (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => ground(p),
-            (None, _) => scene.ground.first().and_then(|p| ground(p)),
-        };
-        let along = match &slider.along {
-            Along::Degrees(angle) => Some(direction_of_degrees(*angle)),
-            Along::Direction(d) => Some(direction(Vector::from(*d))),
-            Along::Points(a, b) => ground(a).zip(ground(b)).map(|(a, b)| direction(b - a)),
-        };
-        if let (Some(start), Some(along)) = (start, along) {
+        if let (Some(start), Some(along)) = guide_line(slider, scene.ground.first(), |name| ground(name)) {
             places.insert(at, start + along * position);
         }
     }

@@ -170,7 +170,7 @@ impl LoopEquations {
     /// none of the group.
     #[must_use]
     pub fn angular_unknown(&self, link: BodyId) -> Option<usize> {
-        match self.angular_rates.iter().find(|(b, _)| *b == link)?.1 {
+        match self.angular_rate_of(link) {
             AngularRate::Unknown(unknown) => Some(unknown),
             AngularRate::Known(_) => None,
         }
@@ -191,7 +191,7 @@ impl LoopEquations {
     /// The value of `link`'s angular rate, where `x` are the unknowns and `known` gives the rates of known bodies.
     #[must_use]
     pub fn angular_rate(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {
-        match rate_of(&self.angular_rates, link) {
+        match self.angular_rate_of(link) {
             AngularRate::Unknown(unknown) => x[unknown],
             AngularRate::Known(body) => known(body),
         }

@@ -18,7 +18,6 @@ mod group;
 mod grouping;
 mod joint;
 mod loops;
-mod radians;
 mod shape;
 #[doc(hidden)] // for tests
 pub mod structure;

@@ -1,17 +1,13 @@
-//! Builds a scene in Rust: fills the types of the scene file key by key.
+//! Builds a scene in Rust: writes the text of its file key by key, which is then read as any other.
 
-use super::build_parts::{Guide, NewLink};
-use super::error::{SceneError, Source, Wrong};
+use super::error::SceneError;
 use super::figure::Figure;
-use super::given::PointMotion;
-use super::link::LinkFile;
-use super::points::Ground;
-use super::read::{Scene, SceneFile};
-use super::slider::SliderFile;
-use super::text::FileKind;
+use super::given::{LinkMotion, PointMotion};
+use super::joint::key_order;
+use super::read::Scene;
 use super::units::{LengthUnit, TimeUnit, Units};
-use super::value::{Entries, NearValue, Vector};
-use super::{text, write};
+use super::value::{At, Direction};
+use super::write::{Write, Written, text_of};
 
 /// Builds a scene in Rust.
 ///
@@ -52,90 +48,89 @@ use super::{text, write};
 #[derive(Debug, Clone)]
 #[must_use]
 pub struct Builder {
-    file: SceneFile,
-    /// The first key that was set twice.
-    wrong: Option<Wrong>,
+    file: Object,
+    /// The figure, which may have more than a file can say.
+    figure: Option<Figure>,
 }
 
 impl Builder {
     /// An empty scene in these units.
     pub fn new(length: LengthUnit, time: TimeUnit) -> Builder {
-        Builder { file: SceneFile::new(Units { length, time }), wrong: None }
+        let file = Object::default().with("kinegon", &1.0).with("units", &Units { length, time });
+        Builder { file: file.with("links", &Object::default()), figure: None }
     }
 
     /// Gives the scene a title.
     pub fn title(mut self, title: &str) -> Builder {
-        self.file.title = Some(title.into());
+        *self.file.slot("title") = title.written();
         self
     }
 
     /// Adds a point of the frame, with its coordinates in the fixed frame.
-    pub fn ground(mut self, point: &str, place: [f64; 2]) -> Builder {
-        if let Ground::Places(places) = self.file.ground.get_or_insert(Ground::Places(Entries::default())) {
-            places.add(point, Vector(place));
-        }
-        self
+    pub fn ground(self, point: &str, place: [f64; 2]) -> Builder {
+        self.entry("ground", point, &place)
     }
 
     /// Adds the coordinates of a moving point in the fixed frame. The scene is then a drawn configuration: every point
     /// has coordinates, and there are no lengths, shapes, angles or approximate places.
-    pub fn point(mut self, point: &str, place: [f64; 2]) -> Builder {
-        self.file.points.get_or_insert_default().add(point, Vector(place));
-        self
+    pub fn point(self, point: &str, place: [f64; 2]) -> Builder {
+        self.entry("points", point, &place)
     }
 
     /// Gives the motion of a point, in a drawn configuration; [`polar`](super::polar) makes vectors of size and angle.
-    pub fn known(mut self, point: &str, motion: PointMotion) -> Builder {
-        self.file.known.get_or_insert_default().add(point, motion);
-        self
+    pub fn known(self, point: &str, motion: PointMotion) -> Builder {
+        self.entry("known", point, &motion)
     }
 
     /// Adds a link.
-    pub fn link(mut self, name: &str, link: NewLink) -> Builder {
-        self.file.links.add(name, LinkFile(link.0.file));
-        self.wrong = self.wrong.or(link.0.wrong.map(|wrong| wrong.inside(&["links", name])));
-        self
+    pub fn link(self, name: &str, link: NewLink) -> Builder {
+        self.entry("links", name, &link.0.in_order(&["links", name]))
     }
 
     /// Lets a link slide on a guide by its point `at`.
     pub fn slider(self, link: &str, at: &str, guide: Guide) -> Builder {
-        self.sliding(guide, |slider| SliderFile { link: Some(link.to_owned()), at: Some(at.to_owned()), ..slider })
+        self.sliding(guide.0.with("link", link).with("at", at))
     }
 
     /// Lets a pin, a point of another link, ride in a slot without a block.
     pub fn pin(self, pin: &str, slot: Guide) -> Builder {
-        self.sliding(slot, |slider| SliderFile { pin: Some(pin.to_owned()), ..slider })
+        self.sliding(slot.0.with("pin", pin))
     }
 
-    fn sliding(mut self, guide: Guide, set: impl Fn(SliderFile) -> SliderFile) -> Builder {
-        let sliders = self.file.sliders.get_or_insert_default();
-        let index = sliders.len().to_string();
-        sliders.push(set(guide.0.file));
-        self.wrong = self.wrong.or(guide.0.wrong.map(|wrong| wrong.inside(&["sliders", &index])));
+    fn sliding(mut self, slider: Object) -> Builder {
+        let slider = slider.in_order(&["sliders", ""]).written();
+        match self.file.slot("sliders") {
+            Written::List(sliders) => sliders.push(slider),
+            none => *none = Written::List(vec![slider]),
+        }
         self
     }
 
     /// Gives the approximate place of a point in the fixed frame, to choose the assembly mode.
-    pub fn near(mut self, point: &str, place: [f64; 2]) -> Builder {
-        self.file.near.get_or_insert_default().add(point, NearValue::Vector(place));
-        self
+    pub fn near(self, point: &str, place: [f64; 2]) -> Builder {
+        self.entry("near", point, &place)
     }
 
     /// Gives the approximate angle of a link's axis from +x, in degrees, to choose the assembly mode.
-    pub fn near_angle(mut self, link: &str, degrees: f64) -> Builder {
-        self.file.near.get_or_insert_default().add(&format!("angle({link})"), NearValue::Degrees(degrees));
-        self
+    pub fn near_angle(self, link: &str, degrees: f64) -> Builder {
+        self.entry("near", &format!("angle({link})"), &degrees)
     }
 
     /// Sets what the figure shows, and its scales. Without it the figure has all three panels on A4.
     pub fn figure(mut self, figure: Figure) -> Builder {
-        self.file.figure = Some(figure);
+        *self.file.slot("figure") = figure.written();
+        self.figure = Some(figure);
         self
     }
 
     /// Names the quantities that are asked for, as `"omega(2)"`. Without it all are computed.
     pub fn want<'a>(mut self, names: impl IntoIterator<Item = &'a str>) -> Builder {
-        self.file.want = Some(names.into_iter().map(str::to_owned).collect());
+        *self.file.slot("want") = Written::List(names.into_iter().map(str::written).collect());
+        self
+    }
+
+    fn entry(mut self, table: &str, name: &str, value: &impl Write) -> Builder {
+        self.file.add(table, name, value);
         self
     }
 
@@ -144,19 +139,182 @@ impl Builder {
     /// # Errors
     /// The first error, as [`Scene::read`] gives it; its place is in [`Builder::text`].
     pub fn build(&self) -> Result<Scene, SceneError> {
-        let text = self.text();
-        // A builder can be given what a parsed text cannot have: a name twice, numbers not finite or too large.
-        let parsed = text::parse(Source(&text), &FileKind::SCENE);
-        let wrong = parsed.err().or_else(|| self.wrong.clone());
-        match wrong {
-            Some(wrong) => Err(Source(&text).error(wrong)),
-            None => Scene::checked(self.file.clone(), &text),
-        }
+        let mut scene = Scene::read(&self.text())?;
+        scene.figure = self.figure.clone().unwrap_or_default();
+        Ok(scene)
     }
 
     /// The text of the scene file.
     #[must_use]
     pub fn text(&self) -> String {
-        write::text(&self.file)
+        text_of(&self.file.clone().in_order(&[]))
+    }
+}
+
+/// An object of the file. A key that is set twice stands there twice, and is refused as in any file.
+#[derive(Debug, Clone, Default)]
+struct Object(Vec<(String, Written)>);
+
+impl Object {
+    fn with(mut self, key: &str, value: &(impl Write + ?Sized)) -> Object {
+        self.0.push((key.to_owned(), value.written()));
+        self
+    }
+
+    /// The value of a key, for one that may be set again.
+    fn slot(&mut self, key: &str) -> &mut Written {
+        let index = self.0.iter().position(|(own, _)| own == key).unwrap_or(self.0.len());
+        if index == self.0.len() {
+            self.0.push((key.to_owned(), Written::Nothing));
+        }
+        &mut self.0[index].1
+    }
+
+    /// Adds an entry to the object under a key.
+    fn add(&mut self, key: &str, name: &str, value: &impl Write) {
+        let entry = (name.to_owned(), value.written());
+        match self.slot(key) {
+            Written::Object(entries) => entries.push(entry),
+            none => *none = Written::Object(vec![entry]),
+        }
+    }
+
+    /// With its keys in the order in which people write them, as the object at that path.
+    fn in_order(mut self, path: &[&str]) -> Object {
+        let order = key_order(path);
+        self.0.sort_by_key(|(key, _)| order.iter().position(|known| known == key));
+        self
+    }
+}
+
+impl Write for Object {
+    fn written(&self) -> Written {
+        Written::Object(self.0.clone())
+    }
+}
+
+/// A link for [`Builder::link`](super::Builder::link).
+#[derive(Debug, Clone)]
+#[must_use]
+pub struct NewLink(Object);
+
+impl NewLink {
+    /// A link with these points. Its axis runs from the first to the second.
+    pub fn points<'a>(names: impl IntoIterator<Item = &'a str>) -> NewLink {
+        let names: Vec<String> = names.into_iter().map(str::to_owned).collect();
+        NewLink(Object::default().with("points", &names))
+    }
+
+    /// A link by the coordinates of its points in its own frame, whose x axis is the link's axis.
+    pub fn shape<'a>(places: impl IntoIterator<Item = (&'a str, [f64; 2])>) -> NewLink {
+        let empty = Object::default();
+        let shape = places.into_iter().fold(empty, |shape, (point, place)| shape.with(point, &place));
+        NewLink(Object::default().with("shape", &shape))
+    }
+
+    /// Adds the distance of two of its points, as `"AB"`, or `"A1-B1"` for longer names: one for two points, three for
+    /// three.
+    pub fn length(mut self, points: &str, length: f64) -> NewLink {
+        self.0.add("lengths", points, &length);
+        self
+    }
+
+    /// Adds a drive that turns it about its ground pivot.
+    pub fn drive(self, turn: Turn) -> NewLink {
+        NewLink(self.0.with("drive", &turn.0))
+    }
+
+    /// Gives the angle of its axis from +x, in degrees, in place of that of another link's drive.
+    pub fn angle(self, degrees: f64) -> NewLink {
+        NewLink(self.0.with("angle", &degrees))
+    }
+
+    /// Gives its motion, in a drawn configuration.
+    pub fn motion(self, motion: LinkMotion) -> NewLink {
+        NewLink(self.0.with("motion", &motion))
+    }
+}
+
+/// A drive that turns a link, for [`NewLink::drive`]; counter-clockwise positive.
+#[derive(Debug, Clone)]
+#[must_use]
+pub struct Turn(Object);
+
+impl Turn {
+    /// With this angular velocity, in radians per unit of time.
+    pub fn omega(omega: f64) -> Turn {
+        Turn(Object::default().with("omega", &omega))
+    }
+
+    /// With this speed of rotation, in turns per minute.
+    pub fn rpm(rpm: f64) -> Turn {
+        Turn(Object::default().with("rpm", &rpm))
+    }
+
+    /// With the link's axis at this angle from +x, in degrees; required except in a drawn configuration.
+    pub fn angle(self, degrees: f64) -> Turn {
+        Turn(self.0.with("angle", &degrees))
+    }
+
+    /// With this angular acceleration, in radians per unit of time squared; zero by default.
+    pub fn alpha(self, alpha: f64) -> Turn {
+        Turn(self.0.with("alpha", &alpha))
+    }
+}
+
+/// A straight guide and the use of it, for [`Builder::slider`](super::Builder::slider) and
+/// [`Builder::pin`](super::Builder::pin).
+#[derive(Debug, Clone)]
+#[must_use]
+pub struct Guide(Object);
+
+impl Guide {
+    /// A guide of the link of this name, or of `"ground"`.
+    pub fn on(carrier: &str) -> Guide {
+        Guide(Object::default().with("on", carrier))
+    }
+
+    /// Through a point of its carrier, as `"B"`, or a place `[x, y]`, on the ground in the fixed frame, else in the
+    /// carrier's shape. By default through the first point of [`Guide::along`], else of the carrier.
+    pub fn through(self, place: impl Into<At>) -> Guide {
+        Guide(self.0.with("through", &place.into()))
+    }
+
+    /// In the direction from one point of its carrier to another, as `"BE"`; or at an angle in degrees, from +x on the
+    /// ground, else from the carrier's axis; or along `[dx, dy]`. By default at 0°.
+    pub fn along(self, direction: impl Into<Direction>) -> Guide {
+        Guide(self.0.with("along", &direction.into()))
+    }
+
+    /// With this angle from the guide to the sliding link's axis, in degrees; zero by default.
+    pub fn turned(self, degrees: f64) -> Guide {
+        Guide(self.0.with("turned", &degrees))
+    }
+
+    /// With a drive that pushes the sliding link or the pin.
+    pub fn drive(self, push: Push) -> Guide {
+        Guide(self.0.with("drive", &push.0))
+    }
+}
+
+/// A drive that pushes a slider along its guide, for [`Guide::drive`].
+#[derive(Debug, Clone)]
+#[must_use]
+pub struct Push(Object);
+
+impl Push {
+    /// With this velocity along the guide, in length per time.
+    pub fn speed(speed: f64) -> Push {
+        Push(Object::default().with("speed", &speed))
+    }
+
+    /// At this distance along the guide from the place of [`Guide::through`]; required except in a drawn configuration.
+    pub fn position(self, position: f64) -> Push {
+        Push(self.0.with("position", &position))
+    }
+
+    /// With this acceleration along the guide, in length per time squared; zero by default.
+    pub fn acceleration(self, acceleration: f64) -> Push {
+        Push(self.0.with("acceleration", &acceleration))
     }
 }

@@ -108,32 +108,14 @@ write_forms! { ConstructionShown {
     ConstructionShown::Hidden => &false, ConstructionShown::Whole => &true, ConstructionShown::Paper => "paper"
 } }
 
-several_forms!(ConstructionShown, "construction", Shown, _generator => {
+several_forms!(ConstructionShown, "construction", YesNoOr {
+    expecting: "true, false or \"paper\"",
+    shown: |shown| if shown { ConstructionShown::Whole } else { ConstructionShown::Hidden },
+    word: |word| (word == "paper").then_some(ConstructionShown::Paper).ok_or(None),
+}, _generator => {
     "description": "Whether construction lines are shown; \"paper\": shown, and the plans end where the source paper's end",
     "anyOf": [{ "type": "boolean" }, { "const": "paper" }]
 });
-
-/// Reads [`ConstructionShown`].
-struct Shown;
-
-impl Visitor<'_> for Shown {
-    type Value = ConstructionShown;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("true, false or \"paper\"")
-    }
-
-    fn visit_bool<E: Error>(self, shown: bool) -> Result<ConstructionShown, E> {
-        Ok(if shown { ConstructionShown::Whole } else { ConstructionShown::Hidden })
-    }
-
-    fn visit_str<E: Error>(self, name: &str) -> Result<ConstructionShown, E> {
-        match name {
-            "paper" => Ok(ConstructionShown::Paper),
-            _ => Err(E::invalid_value(Unexpected::Str(name), &self)),
-        }
-    }
-}
 
 /// Whether a figure shows the values of its vectors, of the links' rates and of given lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -150,28 +132,41 @@ write_forms! { ValuesShown {
     ValuesShown::Shown(Some(unit)) => unit.as_str(),
 } }
 
-several_forms!(ValuesShown, "values", ValuesForm, _generator => {
+several_forms!(ValuesShown, "values", YesNoOr {
+    expecting: "true, false or a unit of length",
+    shown: |shown| if shown { ValuesShown::Shown(None) } else { ValuesShown::Hidden },
+    word: |word| {
+        let unit = LengthUnit::ALL.into_iter().find(|unit| unit.as_str() == word);
+        let unknown = || Some(format!("there is no unit of length \"{}\"", shortened(word)));
+        unit.map(|unit| ValuesShown::Shown(Some(unit))).ok_or_else(unknown)
+    },
+}, _generator => {
     "description": "Whether values stand at vectors and links; a unit of length: in this unit, as \"m\" for m/s",
     "anyOf": [{ "type": "boolean" }, { "enum": LengthUnit::ALL.map(LengthUnit::as_str) }]
 });
 
-/// Reads [`ValuesShown`].
-struct ValuesForm;
+/// Reads true, false or a word, whose error may say what is wrong with the word.
+struct YesNoOr<T> {
+    expecting: &'static str,
+    shown: fn(bool) -> T,
+    word: fn(&str) -> Result<T, Option<String>>,
+}
 
-impl Visitor<'_> for ValuesForm {
-    type Value = ValuesShown;
+impl<T> Visitor<'_> for YesNoOr<T> {
+    type Value = T;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("true, false or a unit of length")
+        f.write_str(self.expecting)
     }
 
-    fn visit_bool<E: Error>(self, shown: bool) -> Result<ValuesShown, E> {
-        Ok(if shown { ValuesShown::Shown(None) } else { ValuesShown::Hidden })
+    fn visit_bool<E: Error>(self, shown: bool) -> Result<T, E> {
+        Ok((self.shown)(shown))
     }
 
-    fn visit_str<E: Error>(self, name: &str) -> Result<ValuesShown, E> {
-        let unit = LengthUnit::ALL.into_iter().find(|unit| unit.as_str() == name);
-        unit.map(|unit| ValuesShown::Shown(Some(unit)))
-            .ok_or_else(|| E::custom(format!("there is no unit of length \"{}\"", shortened(name))))
+    fn visit_str<E: Error>(self, word: &str) -> Result<T, E> {
+        (self.word)(word).map_err(|why| match why {
+            Some(why) => E::custom(why),
+            None => E::invalid_value(Unexpected::Str(word), &self),
+        })
     }
 }

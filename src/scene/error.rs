@@ -65,8 +65,8 @@ pub(super) struct Wrong {
     /// The JSON path; if a part may be written in several ways, all its paths, of which the first that the text has
     /// counts.
     pub paths: Vec<Vec<String>>,
-    /// Whether key or value is meant.
-    pub spot: Spot,
+    /// Whether the key at the end of the path is meant, and not its value; of an object or a list that is its key, too.
+    pub is_key: bool,
     /// The range of bytes, if it is known.
     pub bytes: Option<Range<usize>>,
     /// The message.
@@ -75,19 +75,10 @@ pub(super) struct Wrong {
     pub hint: Option<String>,
 }
 
-/// The part of `"key": value` that an error means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Spot {
-    /// The key.
-    Key,
-    /// The value; of an object or a list its key.
-    Value,
-}
-
 impl Wrong {
     /// An error about the text as a whole.
     pub fn whole(message: impl Into<String>) -> Wrong {
-        Wrong { paths: Vec::new(), spot: Spot::Value, bytes: None, message: message.into(), hint: None }
+        Wrong { paths: Vec::new(), is_key: false, bytes: None, message: message.into(), hint: None }
     }
 
     /// An error at these bytes of a text that is not JSON.
@@ -102,7 +93,7 @@ impl Wrong {
 
     /// An error at the key at the end of `path`.
     pub fn key(path: &[&str], message: impl Into<String>) -> Wrong {
-        Wrong { spot: Spot::Key, ..Wrong::value(path, message) }
+        Wrong { is_key: true, ..Wrong::value(path, message) }
     }
 
     /// Puts the error at these bytes of the text, whatever its path.
@@ -145,11 +136,11 @@ impl<'a> Source<'a> {
     }
 
     /// The error with its place: that of its path, or of the nearest part around it that the text has.
-    pub fn error(self, Wrong { paths, spot, bytes, message, hint }: Wrong) -> SceneError {
+    pub fn error(self, Wrong { paths, is_key, bytes, message, hint }: Wrong) -> SceneError {
         // An error in a text that is not JSON has no paths.
         let tree = if paths.is_empty() { None } else { parse_tree(self.body()).ok() };
         let root = tree.and_then(|tree| tree.value);
-        let walks = paths.iter().filter_map(|path| root.as_ref().map(|root| walk(root, path, spot)));
+        let walks = paths.iter().filter_map(|path| root.as_ref().map(|root| walk(root, path, is_key)));
         let found = walks.clone().find(|walk| walk.complete).or_else(|| walks.clone().next());
         let (path, span) = found.map_or_else(Default::default, |walk| (walk.shown, Some(walk.span)));
         SceneError { path, place: bytes.or(span).map(|span| self.place(span)), message, hint }
@@ -196,7 +187,7 @@ struct Walk {
 }
 
 /// Follows a path as far as the text has it.
-fn walk(root: &Value<'_>, path: &[String], spot: Spot) -> Walk {
+fn walk(root: &Value<'_>, path: &[String], is_key: bool) -> Walk {
     let (mut shown, mut span, mut node) = (String::new(), value_span(root, None), Some(root));
     for (depth, part) in path.iter().enumerate() {
         let next = if let Some(Value::Array(array)) = node {
@@ -211,7 +202,7 @@ fn walk(root: &Value<'_>, path: &[String], spot: Spot) -> Walk {
         node = next.as_ref().map(|(value, _)| *value);
         if let Some((value, key)) = next {
             span = match key {
-                Some(key) if spot == Spot::Key && depth + 1 == path.len() => key,
+                Some(key) if is_key && depth + 1 == path.len() => key,
                 key => value_span(value, key),
             };
         }

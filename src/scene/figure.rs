@@ -1,22 +1,22 @@
 //! The figure that a scene asks for.
 
-use crate::sheet::{PerSheet, Scales, Sheet};
+use crate::sheet::{Scales, Sheet};
 use indexmap::IndexMap;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
-use serde_json::{Map, Value as Json};
+use serde_json::{Map, Value as Json, json};
 use std::ops::RangeInclusive;
 
 use super::choices::{ConstructionShown, DecimalMark, LanguageName, NotationName, ScalesFor, StyleName, ValuesShown};
 use super::error::Wrong;
 use super::given::GivenBy;
+use super::joint::Slider;
 use super::names::Names;
 use super::page::{Page, PageSize, Sizes};
 use super::schema::without_defaults;
-use super::slider::Slider;
 use super::text::LARGEST;
 use super::words::{list, number, shortened};
-use super::write::{write_forms, write_keys};
+use super::write::{Write, Written, text_of, write_forms, write_keys};
 use crate::text::Untrusted;
 
 /// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
@@ -28,15 +28,11 @@ pub struct Figure {
     /// The panels, in order; left out: all three.
     #[schemars(length(min = 1), extend("uniqueItems" = true))]
     pub panels: Vec<Sheet>,
-    /// Scale of the scheme: units of length per millimetre of paper.
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub mu_l: Option<f64>,
-    /// Scale of the velocity plan: units of velocity per millimetre of paper.
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub mu_v: Option<f64>,
-    /// Scale of the acceleration plan: units of acceleration per millimetre of paper.
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub mu_a: Option<f64>,
+    /// The scales of the panels: units of what a panel shows per millimetre of paper. In the file each has the key of
+    /// its panel, as `mu_v`.
+    #[serde(rename = "mu_*")]
+    #[schemars(flatten, schema_with = "scales_schema")]
+    pub mu: Scales,
     /// For which plans scales are chosen that are not given; left out: "position".
     #[schemars(with = "Option<ScalesFor>")]
     pub scales: ScalesFor,
@@ -94,9 +90,26 @@ pub struct Figure {
 }
 
 write_keys!(Figure {
-    panels, mu_l, mu_v, mu_a, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
+    panels, mu, scales, focus, page, worksheet, style, notation, language, decimal, labels, special_points,
     construction, values, step, trace, beyond_limits, ghosts, markers; sizes, usual_values
 } unless Figure::default());
+
+fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
+    Scales::schema(generator, |sheet| {
+        let about = format!("Scale of the {}: {} per millimetre of paper.", sheet.name(), sheet.scaled_units());
+        json!({ "description": about, "exclusiveMinimum": 0 })
+    })
+}
+
+impl Write for Scales {
+    fn written(&self) -> Written {
+        Written::Object(self.entries(Scales::FIELD))
+    }
+
+    fn entries(&self, _: &str) -> Vec<(String, Written)> {
+        self.iter().map(|(sheet, scale)| (sheet.scale_key().to_owned(), scale.written())).collect()
+    }
+}
 
 /// Steps and positions are read as `u16`: there are never more, and messages can name the range.
 fn count<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<usize>, D::Error> {
@@ -108,9 +121,7 @@ impl Default for Figure {
     fn default() -> Self {
         Figure {
             panels: Sheet::ALL.to_vec(),
-            mu_l: None,
-            mu_v: None,
-            mu_a: None,
+            mu: Scales::default(),
             scales: ScalesFor::default(),
             focus: None,
             page: Page::default(),
@@ -151,36 +162,6 @@ impl Figure {
         }
     }
 
-    /// The given scale of a panel, in units per millimetre of paper; `None` if the panel is to fit.
-    #[must_use]
-    pub fn mu(&self, panel: Sheet) -> Option<f64> {
-        match panel {
-            Sheet::Scheme => self.mu_l,
-            Sheet::Velocity => self.mu_v,
-            Sheet::Acceleration => self.mu_a,
-        }
-    }
-
-    /// Sets the scale of a panel; `None` lets it fit.
-    pub fn set_mu(&mut self, panel: Sheet, mu: Option<f64>) {
-        *match panel {
-            Sheet::Scheme => &mut self.mu_l,
-            Sheet::Velocity => &mut self.mu_v,
-            Sheet::Acceleration => &mut self.mu_a,
-        } = mu;
-    }
-
-    /// The given scales of all panels.
-    #[must_use]
-    pub fn given_scales(&self) -> Scales {
-        PerSheet::from_fn(|sheet| self.mu(sheet))
-    }
-
-    /// Sets the scales of all panels.
-    pub fn set_scales(&mut self, scales: Scales) {
-        scales.iter().for_each(|(sheet, mu)| self.set_mu(sheet, *mu));
-    }
-
     /// The scale, if it is valid: in units per millimetre of paper, positive, and at most 1e100 as all numbers of
     /// scenes.
     ///
@@ -198,7 +179,7 @@ impl Figure {
 
     /// Refuses scales, panels and steps that cannot be drawn.
     pub(super) fn check(&self) -> Result<(), Wrong> {
-        for (sheet, scale) in self.given_scales().given() {
+        for (sheet, scale) in self.mu.given() {
             if let Err(why) = Figure::checked_scale(scale) {
                 let (key, hint) = (sheet.scale_key(), "leave it out for the next scale that fits");
                 return Err(Wrong::value(&[key], format!("`{key}` is {why}")).hint(hint));
@@ -217,11 +198,6 @@ impl Figure {
                 let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
                 Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint))
             }
-            // Only from Rust: the types of the file refuse it before.
-            Some(step) if step > u16::MAX.into() => {
-                let message = format!("expected a whole number from 1 to 65535, found the number {step}");
-                Err(Wrong::value(&["step"], message))
-            }
             _ => Ok(()),
         }
     }
@@ -231,7 +207,7 @@ write_forms! { Sheet { word => word.as_str() } }
 
 /// The keys of a figure that a file has to say, with their values.
 pub(crate) fn figure_keys(figure: &Figure) -> Map<String, Json> {
-    let value = serde_json::from_str(&super::write::text(figure));
+    let value = serde_json::from_str(&text_of(figure));
     if let Ok(Json::Object(keys)) = value { keys } else { Map::new() }
 }
 

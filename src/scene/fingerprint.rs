@@ -3,7 +3,7 @@
 use super::read::{Scene, SceneFile};
 use super::text::FileKind;
 use super::typed::read_as;
-use super::write;
+use super::write::text_of;
 
 /// Bits of the sign: eight digits of base 32.
 const BITS: u32 = 40;
@@ -24,7 +24,7 @@ impl Scene {
     fn canonical(&self) -> String {
         // Its text has been read before.
         let Ok(file) = read_as::<SceneFile>(self.text(), &FileKind::SCENE) else { return String::new() };
-        let text = write::text(&SceneFile { title: None, figure: None, ..file });
+        let text = text_of(&SceneFile { title: None, figure: None, ..file });
         serde_json::from_str::<serde_json::Value>(&text).map_or(text, |json| json.to_string())
     }
 }

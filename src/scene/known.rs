@@ -4,12 +4,11 @@ use indexmap::IndexMap;
 
 use super::error::Wrong;
 use super::given::{DRAWN, GivenBy, PointMotion};
-use super::guide::On;
+use super::joint::{On, Slider};
 use super::link::Link;
 use super::names::Names;
 use super::quantity_name::QuantityName;
-use super::slider::Slider;
-use super::value::{At, Entries, NearValue};
+use super::value::{At, NearValue};
 
 /// Approximate positions, which choose the assembly mode.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -24,21 +23,21 @@ pub struct Near {
 pub(super) fn known(
     given_by: GivenBy,
     names: &Names<'_>,
-    file: Option<Entries<PointMotion>>,
+    file: Option<IndexMap<String, PointMotion>>,
 ) -> Result<IndexMap<String, PointMotion>, Wrong> {
     if file.is_some() && given_by == GivenBy::Lengths {
         let hint = r#"give the coordinates of every point in "points": { … }, or drive a link"#;
         return Err(Wrong::key(&["known"], "known motions belong to a drawn configuration").hint(hint));
     }
-    let known = file.unwrap_or_default().0;
-    for (name, _) in &known {
+    let known = file.unwrap_or_default();
+    for name in known.keys() {
         names.point(&["known", name], name)?;
         if names.on_ground(name) {
             let message = format!("point {name} is on the ground, which does not move");
             return Err(Wrong::key(&["known", name], message).hint("remove it here or from `ground`"));
         }
     }
-    Ok(known.into_iter().collect())
+    Ok(known)
 }
 
 /// Refuses a second motion of a point: given by `known`, by the motion or the drive of a link, or by the drive of a
@@ -96,13 +95,17 @@ pub(super) fn check_motions(names: &Names<'_>) -> Result<(), Wrong> {
 }
 
 /// The approximate places and angles.
-pub(super) fn near(given_by: GivenBy, names: &Names<'_>, file: Option<Entries<NearValue>>) -> Result<Near, Wrong> {
+pub(super) fn near(
+    given_by: GivenBy,
+    names: &Names<'_>,
+    file: Option<IndexMap<String, NearValue>>,
+) -> Result<Near, Wrong> {
     if file.is_some() && given_by == GivenBy::Drawing {
         let message = "a drawn configuration needs no `near`";
         return Err(Wrong::key(&["near"], message).hint(format!("remove it: {DRAWN}")));
     }
     let mut near = Near::default();
-    for (key, value) in file.unwrap_or_default().0 {
+    for (key, value) in file.unwrap_or_default() {
         let path = ["near", &key];
         let link = QuantityName::link_of_angle(&key);
         match (link, value) {

@@ -9,7 +9,7 @@ use super::given::{DRAWN, Drive, GivenBy, LinkDrive, LinkDriveFile, LinkMotion, 
 use super::name::{check_list, check_name};
 use super::shape::{Shape, lengths, local};
 use super::units::TimeUnit;
-use super::value::{Entries, NamesOr, ShapePoint, several_forms};
+use super::value::{NamesOr, ShapePoint, several_forms};
 use super::write::{write_forms, write_keys};
 
 /// A rigid link. Its axis runs from its first to its second point.
@@ -20,9 +20,9 @@ pub(super) struct LinkFields {
     /// Names of its points.
     pub points: Option<Vec<String>>,
     /// Distances between its points, as { "AB": 100 } or { "A-B": 100 }: one for two points, three for three.
-    pub lengths: Option<Entries<f64>>,
+    pub lengths: Option<IndexMap<String, f64>>,
     /// Coordinates of its points in its own frame, whose x axis is the link's axis.
-    pub shape: Option<Entries<ShapePoint>>,
+    pub shape: Option<IndexMap<String, ShapePoint>>,
     /// The drive that turns the link about its ground pivot.
     pub drive: Option<LinkDriveFile>,
     /// Angle of the link's axis from +x in degrees, in place of that of a drive: one link may give it where one drive does not.
@@ -74,14 +74,14 @@ pub(super) type Pushes = IndexMap<String, SliderDrive>;
 pub(super) fn links(
     given_by: GivenBy,
     time: TimeUnit,
-    file: Entries<LinkFile>,
+    file: IndexMap<String, LinkFile>,
 ) -> Result<(IndexMap<String, Link>, Pushes), Wrong> {
-    if file.0.is_empty() {
+    if file.is_empty() {
         return Err(Wrong::value(&["links"], "a mechanism has at least one link"));
     }
-    let mut links = IndexMap::with_capacity(file.0.len());
+    let mut links = IndexMap::with_capacity(file.len());
     let mut pushes = Pushes::new();
-    for (name, LinkFile(fields)) in file.0 {
+    for (name, LinkFile(fields)) in file {
         let read = check_name("a link", &name).and_then(|()| link(given_by, time, &name, fields));
         let (link, push) = read.map_err(|wrong| wrong.inside(&["links", &name]))?;
         if let Some(push) = push {
@@ -154,7 +154,7 @@ fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<
 
 /// The names of a link's points: those of `points`, else of `shape`.
 fn points(name: &str, fields: &LinkFields) -> Result<Vec<String>, Wrong> {
-    let shape = fields.shape.as_ref().map(|shape| shape.0.iter().map(|(point, _)| point));
+    let shape = fields.shape.as_ref().map(IndexMap::keys);
     for point in shape.clone().into_iter().flatten() {
         check_name("a point", point).map_err(|wrong| wrong.inside(&["shape", point]))?;
     }

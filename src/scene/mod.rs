@@ -8,22 +8,20 @@
 //! `build` fills the same types in Rust, and `write` makes their text. `fingerprint` is the short sign by which a sheet of paper
 //! knows its scene.
 //!
-//! To add a kind of joint: a file like `slider`; its key, its field and its line in `read`; what its words mean and in which order
-//! people write its keys in `meaning`, which editing asks. CONTRIBUTING.md has the whole list.
+//! To add a kind of joint: a file like `joint/slider` and its line in `joint/mod`; its key, its field and its line in `read`.
+//! CONTRIBUTING.md has the whole list.
 
 mod build;
-mod build_parts;
 mod choices;
 mod error;
 mod figure;
 #[doc(hidden)] // for tests
 pub mod fingerprint;
 mod given;
-mod guide;
+mod joint;
 mod kinds;
 mod known;
 mod link;
-mod meaning;
 mod name;
 mod names;
 mod page;
@@ -33,7 +31,6 @@ mod read;
 mod reader;
 mod schema;
 mod shape;
-mod slider;
 mod text;
 mod typed;
 mod units;
@@ -41,13 +38,12 @@ mod value;
 mod words;
 mod write;
 
-pub use build::Builder;
-pub use build_parts::{Guide, NewLink, Push, Turn};
+pub use build::{Builder, Guide, NewLink, Push, Turn};
 pub use choices::{ConstructionShown, DecimalMark, LanguageName, NotationName, ScalesFor, StyleName, ValuesShown};
 pub use error::{Place, SceneError};
 pub use figure::Figure;
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
-pub use guide::{Along, On};
+pub use joint::*;
 pub use kinds::Kind;
 pub use known::Near;
 pub use link::Link;
@@ -55,13 +51,11 @@ pub use page::{Measure, Page, PageSize, Sizes};
 pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub use read::{Scene, SizeLimit};
 pub use shape::{Length, Shape};
-pub use slider::Slider;
 pub use text::MAX_BYTES;
 pub use units::{Dimension, LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
 pub(crate) use figure::figure_keys;
-pub(crate) use meaning::{JOINTS, Meaning, key_order, meaning};
 pub(crate) use name::{pair, why_not};
 pub(crate) use schema::schema_of;
 pub(crate) use text::{FileKind, SceneTree};

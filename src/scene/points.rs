@@ -7,7 +7,7 @@ use super::given::GivenBy;
 use super::name::{check_list, check_name};
 use super::names::Names;
 use super::shape::check_apart;
-use super::value::{Entries, NamesOr, Vector, several_forms};
+use super::value::{NamesOr, Vector, several_forms};
 use super::words::close;
 use super::write::write_forms;
 
@@ -15,7 +15,7 @@ use super::write::write_forms;
 #[derive(Debug, Clone)]
 pub(super) enum Ground {
     Names(Vec<String>),
-    Places(Entries<Vector>),
+    Places(IndexMap<String, Vector>),
 }
 
 write_forms! { Ground { Ground::Names(names) => names, Ground::Places(places) => places } }
@@ -26,7 +26,7 @@ several_forms!(Ground, "ground", NamesOr {
     other: Ground::Places,
 }, generator => {
     "anyOf": [
-        generator.subschema_for::<Entries<Vector>>(),
+        generator.subschema_for::<IndexMap<String, Vector>>(),
         { "type": "array", "items": { "type": "string" }, "description": "Names only, in a drawn configuration" },
     ]
 });
@@ -38,10 +38,10 @@ pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
 pub(super) fn ground(
     given_by: GivenBy,
     ground: Option<Ground>,
-    points: Option<Entries<Vector>>,
+    points: Option<IndexMap<String, Vector>>,
 ) -> Result<(Vec<String>, Coordinates), Wrong> {
     let mut coordinates = Coordinates::new();
-    for (name, Vector(place)) in points.unwrap_or_default().0 {
+    for (name, Vector(place)) in points.unwrap_or_default() {
         check_name("a point", &name).map_err(|wrong| wrong.inside(&["points", &name]))?;
         coordinates.insert(name, place);
     }
@@ -56,8 +56,8 @@ pub(super) fn ground(
             names
         }
         Some(Ground::Places(places)) => {
-            let mut names = Vec::with_capacity(places.0.len());
-            for (name, Vector(place)) in places.0 {
+            let mut names = Vec::with_capacity(places.len());
+            for (name, Vector(place)) in places {
                 check_name("a point", &name).map_err(|wrong| wrong.inside(&["ground", &name]))?;
                 if coordinates.get(&name).is_some_and(|other| *other != place) {
                     let message = format!("point {name} has other coordinates in `points`");

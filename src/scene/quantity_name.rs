@@ -83,6 +83,19 @@ pub enum Component {
     Angle,
 }
 
+impl Component {
+    const ALL: [Component; 4] = [Component::X, Component::Y, Component::Size, Component::Angle];
+
+    fn tail(self) -> &'static str {
+        match self {
+            Component::X => ".x",
+            Component::Y => ".y",
+            Component::Size => ".size",
+            Component::Angle => ".angle",
+        }
+    }
+}
+
 impl Head {
     /// The heads that are not the distance of two points, with their words.
     const WORDS: [(Head, &'static str); 13] = [
@@ -161,12 +174,8 @@ impl QuantityName {
         let head = Head::of(head)?;
         let (component, on_paper) = match tail {
             "" => (None, false),
-            ".x" => (Some(Component::X), false),
-            ".y" => (Some(Component::Y), false),
-            ".size" => (Some(Component::Size), false),
-            ".angle" => (Some(Component::Angle), false),
             "/mu" if matches!(head, Head::Between(_)) => (None, true),
-            _ => return None,
+            _ => (Some(Component::ALL.into_iter().find(|component| component.tail() == tail)?), false),
         };
         let both = |by| inner.split_once(by).map(|(a, b)| vec![a.to_owned(), b.to_owned()]);
         let arguments = match head.points() {
@@ -215,10 +224,7 @@ impl QuantityName {
     #[must_use]
     pub fn tail(&self) -> &'static str {
         match self.component {
-            Some(Component::X) => ".x",
-            Some(Component::Y) => ".y",
-            Some(Component::Size) => ".size",
-            Some(Component::Angle) => ".angle",
+            Some(component) => component.tail(),
             None if self.on_paper => "/mu",
             None => "",
         }

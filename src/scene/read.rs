@@ -7,27 +7,22 @@ use serde::Deserialize;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
+use super::joint::{Slider, SliderFile, sliders};
 use super::known::{Near, check_given_once, check_motions, known, near};
 use super::link::{Link, LinkFile, links};
 use super::names::Names;
 use super::points::{Ground, check_points, ground};
 use super::schema::schema_of;
-use super::slider::{Slider, SliderFile, sliders};
 use super::text::FileKind;
 
 use super::typed::read_as;
 use super::units::Units;
-use super::value::{Entries, NearValue, Vector};
+use super::value::{NearValue, Vector};
 use super::write::write_keys;
 use crate::text::Untrusted;
 
-/// Most links of a scene, so that it is read and solved in seconds.
-const MOST_LINKS: usize = 10_000;
-/// Most points of a scene, each counted in every link that has it.
-const MOST_POINTS: usize = 100_000;
-
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
-#[derive(Debug, Clone, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a scene as { "kinegon": 1, … }"#)]
 #[schemars(rename = "scene")]
 pub(super) struct SceneFile {
@@ -41,17 +36,17 @@ pub(super) struct SceneFile {
     /// The frame's points with their coordinates; in a drawn configuration their names are enough.
     pub ground: Option<Ground>,
     /// A drawn configuration: coordinates of every point. Then there are no lengths, shapes or angles.
-    pub points: Option<Entries<Vector>>,
+    pub points: Option<IndexMap<String, Vector>>,
     /// Points of known motion, in a drawn configuration.
-    pub known: Option<Entries<PointMotion>>,
+    pub known: Option<IndexMap<String, PointMotion>>,
     /// The links by name. A point named in two links is a revolute joint between them.
-    pub links: Entries<LinkFile>,
+    pub links: IndexMap<String, LinkFile>,
     /// Links that slide along straight guides, and pins that ride in slots.
     pub sliders: Option<Vec<SliderFile>>,
     /// Approximate coordinates of some points, and angles of links as "angle(3)", to choose the assembly mode.
     /// The one with the least sum of squared distances from them is taken; an angle counts as its chord at a radius of the mechanism's size.
     /// A slotted lever with one point has its slider on the positive side of `through`, unless its angle stands here.
-    pub near: Option<Entries<NearValue>>,
+    pub near: Option<IndexMap<String, NearValue>>,
     /// What the figure shows, and how large.
     pub figure: Option<Figure>,
     /// Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
@@ -60,25 +55,6 @@ pub(super) struct SceneFile {
 
 fn version(_: &mut SchemaGenerator) -> Schema {
     json_schema!({ "const": 1 })
-}
-
-impl SceneFile {
-    /// A file with units only.
-    pub fn new(units: Units) -> SceneFile {
-        SceneFile {
-            kinegon: 1,
-            title: None,
-            units,
-            ground: None,
-            points: None,
-            known: None,
-            links: Entries::default(),
-            sliders: None,
-            near: None,
-            figure: None,
-            want: None,
-        }
-    }
 }
 
 write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want });
@@ -129,30 +105,10 @@ impl Scene {
     /// # Ok::<(), kinegon::scene::SceneError>(())
     /// ```
     pub fn read(text: &str) -> Result<Scene, SceneError> {
-        Scene::checked(read_as(text, &FileKind::SCENE)?, text)
-    }
-
-    /// The scene of a file; the places of its errors are in `text`.
-    pub(super) fn checked(file: SceneFile, text: &str) -> Result<Scene, SceneError> {
+        let file = read_as(text, &FileKind::SCENE)?;
         let scene = check(file, text).map_err(|wrong| Source(text).error(wrong))?;
-        scene.check_size(MOST_LINKS, MOST_POINTS, "a scene")?;
+        SizeLimit::SCENE.check(&scene)?;
         Ok(scene)
-    }
-
-    /// Refuses a scene of more than so many links or points; a point counts in every link that has it. `what` has the
-    /// limits, as in `a figure`.
-    ///
-    /// # Errors
-    /// What there is too much of, and how much there may be.
-    pub fn check_size(&self, most_links: usize, most_points: usize, what: &str) -> Result<(), SceneError> {
-        let points = self.ground.len() + self.links.values().map(|link| link.points.len()).sum::<usize>();
-        let counted = [("links", self.links.len(), most_links), ("points", points, most_points)];
-        let Some((kind, count, most)) = counted.into_iter().find(|(_, count, most)| count > most) else {
-            return Ok(());
-        };
-        let message = format!("{what} has at most {most} {kind}, and here are {count}");
-        let hint = "divide the mechanism: what hangs on the drives alone can be a scene of its own";
-        Err(self.error_at(&["links"], message, Some(hint.to_owned())))
     }
 
     /// An error of a later stage at a JSON path of this scene; an index of a list is written in digits.
@@ -178,10 +134,13 @@ impl Scene {
 pub struct SizeLimit {
     links: usize,
     points: usize,
+    /// What has the limits, as `a figure`.
     what: &'static str,
 }
 
 impl SizeLimit {
+    /// For all scenes, so that they are read and solved in seconds.
+    const SCENE: SizeLimit = SizeLimit { links: 10_000, points: 100_000, what: "a scene" };
     /// For numbers: no more than a scene may have.
     pub const NUMBERS: SizeLimit = SizeLimit { links: usize::MAX, points: usize::MAX, what: "a scene" };
     /// For a figure, which takes three seconds then.
@@ -191,12 +150,19 @@ impl SizeLimit {
     /// For what is drawn by hand: errors of all lines go through to all later ones.
     pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, what: "a construction by hand" };
 
-    /// Refuses a scene that is larger.
+    /// Refuses a scene that is larger; a point counts in every link that has it.
     ///
     /// # Errors
     /// What there is too much of, and how much there may be.
     pub fn check(self, scene: &Scene) -> Result<(), SceneError> {
-        scene.check_size(self.links, self.points, self.what)
+        let points = scene.ground.len() + scene.links.values().map(|link| link.points.len()).sum::<usize>();
+        let counted = [("links", scene.links.len(), self.links), ("points", points, self.points)];
+        let Some((kind, count, most)) = counted.into_iter().find(|(_, count, most)| count > most) else {
+            return Ok(());
+        };
+        let message = format!("{} has at most {most} {kind}, and here are {count}", self.what);
+        let hint = "divide the mechanism: what hangs on the drives alone can be a scene of its own";
+        Err(scene.error_at(&["links"], message, Some(hint.to_owned())))
     }
 }
 

@@ -3,9 +3,10 @@
 
 use std::fmt::Display;
 
-use serde::de::value::StrDeserializer;
+use crate::sheet::Scales;
+use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{self, DeserializeSeed, Deserializer, Expected, IntoDeserializer, Unexpected, Visitor};
-use serde_json::{Value as Json, map};
+use serde_json::{Map, Value as Json};
 
 /// Why a tree is not of a type.
 #[derive(Debug)]
@@ -108,7 +109,30 @@ impl<'de> Deserializer<'de> for Reader<'de> {
             },
             Json::String(text) => visitor.visit_borrowed_str(text),
             Json::Array(elements) => visitor.visit_seq(Elements(elements.iter().enumerate())),
-            Json::Object(entries) => visitor.visit_map(Entries { entries: entries.iter(), present: None }),
+            Json::Object(entries) => visitor.visit_map(Entries::new(pairs(entries))),
+        }
+    }
+
+    fn deserialize_struct<V: Visitor<'de>>(
+        self,
+        _: &str,
+        fields: &'static [&'static str],
+        visitor: V,
+    ) -> Result<V::Value, Refusal> {
+        match self.0 {
+            Json::Object(entries) if fields.contains(&Scales::FIELD) => {
+                if entries.contains_key(Scales::FIELD) {
+                    return Err(Refusal::from(Why::UnknownKey(fields)).inside(Scales::FIELD));
+                }
+                // The first scale stands for all of them: their field gets the whole object.
+                let mut scales = Some((Scales::FIELD, self.0));
+                let entries = pairs(entries).filter_map(move |(key, value)| match Scales::is_key(key) {
+                    true => scales.take(),
+                    false => Some((key, value)),
+                });
+                visitor.visit_map(Entries::new(entries))
+            }
+            _ => self.deserialize_any(visitor),
         }
     }
 
@@ -144,8 +168,8 @@ impl<'de> Deserializer<'de> for Reader<'de> {
     }
 
     serde::forward_to_deserialize_any! {
-        i8 i16 i32 i64 i128 u8 u32 u64 u128 f32 char bytes byte_buf unit unit_struct tuple tuple_struct struct
-        identifier ignored_any
+        i8 i16 i32 i64 i128 u8 u32 u64 u128 f32 char bytes byte_buf unit unit_struct tuple tuple_struct identifier
+        ignored_any
     }
 }
 
@@ -166,9 +190,15 @@ impl<'de> de::SeqAccess<'de> for Elements<'de> {
 
 /// The entries of an object that are not read yet.
 struct Entries<'a> {
-    entries: map::Iter<'a>,
+    entries: Box<dyn Iterator<Item = (&'a str, &'a Json)> + 'a>,
     /// The entry whose key is read.
-    present: Option<(&'a String, &'a Json)>,
+    present: Option<(&'a str, &'a Json)>,
+}
+
+impl<'a> Entries<'a> {
+    fn new(entries: impl Iterator<Item = (&'a str, &'a Json)> + 'a) -> Entries<'a> {
+        Entries { entries: Box::new(entries), present: None }
+    }
 }
 
 impl<'de> de::MapAccess<'de> for Entries<'de> {
@@ -177,7 +207,7 @@ impl<'de> de::MapAccess<'de> for Entries<'de> {
     fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, Refusal> {
         self.present = self.entries.next();
         let read = self.present.map(|(key, _)| {
-            let name: StrDeserializer<'_, Refusal> = key.as_str().into_deserializer();
+            let name: StrDeserializer<'_, Refusal> = key.into_deserializer();
             seed.deserialize(name).map_err(|Refusal { path, why }| match why {
                 // A key from a list of words.
                 Why::UnknownWord(_, names) => Refusal { path, why: Why::UnknownKey(names) }.inside(key),
@@ -188,7 +218,18 @@ impl<'de> de::MapAccess<'de> for Entries<'de> {
     }
 
     fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, Refusal> {
-        let (key, value) = self.present.ok_or_else(|| Refusal::from(Why::Said("a value without a key".to_owned())))?;
-        seed.deserialize(Reader(value)).map_err(|refusal| refusal.inside(key))
+        match self.present {
+            Some((Scales::FIELD, Json::Object(all))) => {
+                let scales = pairs(all).filter(|(key, _)| Scales::is_key(key));
+                seed.deserialize(MapAccessDeserializer::new(Entries::new(scales)))
+            }
+            Some((key, value)) => seed.deserialize(Reader(value)).map_err(|refusal| refusal.inside(key)),
+            None => Err(Why::Said("a value without a key".to_owned()).into()),
+        }
     }
+}
+
+/// The entries of an object.
+fn pairs(object: &Map<String, Json>) -> impl Iterator<Item = (&str, &Json)> {
+    object.iter().map(|(key, value)| (key.as_str(), value))
 }

@@ -6,7 +6,7 @@ use indexmap::IndexMap;
 
 use super::error::Wrong;
 use super::name::{checked_pair, no_point};
-use super::value::{Entries, ShapePoint};
+use super::value::ShapePoint;
 use super::words::number;
 
 /// Relative tolerance of three lengths that add up, in parts of the longest: within it the link is straight. It covers
@@ -44,7 +44,7 @@ impl Length {
 }
 
 /// The lengths of a link: none for up to one point, one for two, three for three.
-pub(super) fn lengths(link: &str, points: &[String], given: Entries<f64>) -> Result<Shape, Wrong> {
+pub(super) fn lengths(link: &str, points: &[String], given: IndexMap<String, f64>) -> Result<Shape, Wrong> {
     if points.len() > 3 {
         let message = format!("link {link} has {} points, which lengths do not fix", points.len());
         let hint = format!(
@@ -53,8 +53,8 @@ pub(super) fn lengths(link: &str, points: &[String], given: Entries<f64>) -> Res
         );
         return Err(Wrong::value(&[], message).hint(hint));
     }
-    let mut lengths: Vec<Length> = Vec::with_capacity(given.0.len());
-    for (key, value) in given.0 {
+    let mut lengths: Vec<Length> = Vec::with_capacity(given.len());
+    for (key, value) in given {
         let length = length(link, points, &lengths, key.clone(), value);
         lengths.push(length.map_err(|wrong| wrong.inside(&["lengths", &key]))?);
     }
@@ -124,16 +124,16 @@ fn check_triangle(link: &str, sides: [&Length; 3]) -> Result<(), Wrong> {
 }
 
 /// The shape of a link: coordinates of each of its points, no two the same.
-pub(super) fn local(link: &str, points: &[String], given: Entries<ShapePoint>) -> Result<Shape, Wrong> {
-    if given.0.is_empty() {
+pub(super) fn local(link: &str, points: &[String], given: IndexMap<String, ShapePoint>) -> Result<Shape, Wrong> {
+    if given.is_empty() {
         return Err(Wrong::value(&["shape"], format!("the shape of link {link} has no points")));
     }
     let listed: HashSet<&String> = points.iter().collect();
-    if let Some((point, _)) = given.0.iter().find(|(point, _)| !listed.contains(point)) {
+    if let Some(point) = given.keys().find(|point| !listed.contains(point)) {
         let message = no_point(&format!("link {link}"), point, points);
         return Err(Wrong::key(&["shape", point], message).hint("add it to `points`, or leave `points` out"));
     }
-    let places: IndexMap<String, [f64; 2]> = given.0.into_iter().map(|(point, place)| (point, place.0)).collect();
+    let places: IndexMap<String, [f64; 2]> = given.into_iter().map(|(point, place)| (point, place.0)).collect();
     if let Some(point) = points.iter().find(|point| !places.contains_key(*point)) {
         let message = format!("the shape of link {link} does not say where {point} is");
         return Err(Wrong::value(&["shape"], message).hint(format!("add \"{point}\": [x, y]")));

@@ -1,12 +1,14 @@
 //! In: the text of a file. Out: its typed values, or its first error in plain words, with what to try.
 
 use super::error::{SceneError, Source, Wrong};
+use super::joint::out_of_scope;
 use super::page::Page;
 use super::reader::{Reader, Refusal, Why};
 use super::text;
 use super::text::FileKind;
 use super::units::LengthUnit;
 use super::words::{nearest, shortened, suggestion};
+use crate::sheet::{Scales, Sheet};
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 
@@ -88,6 +90,10 @@ impl Why {
             Why::UnknownKey(names) => {
                 let word = path.last().copied().unwrap_or_default();
                 let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
+                let names = names.flat_map(|name| match name {
+                    Scales::FIELD => Sheet::ALL.map(Sheet::scale_key).to_vec(),
+                    name => vec![name],
+                });
                 let hint = out_of_scope(word).or_else(|| suggestion(word, names, "the keys here are"));
                 Wrong::key(path, format!("unknown key `{}`", shortened(word))).maybe_hint(hint)
             }
@@ -123,35 +129,8 @@ fn missing_hint(path: &[&str], key: &str) -> Option<String> {
     Some(example.to_owned())
 }
 
-/// Keys of what moves otherwise than by pins and straight sliders.
-const OTHER_JOINTS: [&str; 17] = [
-    "gear", "gears", "gearing", "teeth", "pinion", "rack", "racks", "belt", "belts", "pulley", "pulleys", "chain",
-    "chains", "cam", "cams", "follower", "geneva",
-];
-
-/// Keys of what moves a mechanism.
-const FORCES: [&str; 14] = [
-    "force", "forces", "load", "loads", "torque", "torques", "mass", "masses", "inertia", "spring", "springs",
-    "damper", "dampers", "friction",
-];
-
-/// The hint for a key of something that scenes do not have.
-pub(super) fn out_of_scope(word: &str) -> Option<String> {
-    let word = word.to_lowercase();
-    let hint = match word.as_str() {
-        word if OTHER_JOINTS.contains(&word) => {
-            "links are joined by pins and straight sliders: gears, belts, chains, racks and cams are out of scope"
-        }
-        word if FORCES.contains(&word) => {
-            "motions follow from the drives: forces, masses, springs and friction are out of scope"
-        }
-        _ => return None,
-    };
-    Some(hint.to_owned())
-}
-
 /// The hint for the value `found` at `path`, where something else is expected.
-pub(super) fn type_hint(path: &[&str], expected: &str, found: &Json) -> Option<String> {
+fn type_hint(path: &[&str], expected: &str, found: &Json) -> Option<String> {
     match found {
         Json::String(text) if expected.contains("number") => number_hint(path, expected, text.trim()),
         Json::Number(number) if expected.contains("text") || expected.contains("name") => {
@@ -162,7 +141,7 @@ pub(super) fn type_hint(path: &[&str], expected: &str, found: &Json) -> Option<S
 }
 
 /// The hint for a word that its type refuses in words of its own.
-pub(super) fn word_hint(path: &[&str], word: &str) -> Option<String> {
+fn word_hint(path: &[&str], word: &str) -> Option<String> {
     match path.last().copied()? {
         "page" => suggestion(word, Page::NAMES, "write one of"),
         "values" => suggestion(word, LengthUnit::ALL.map(LengthUnit::as_str), "write true, false or one of"),

@@ -1,55 +1,17 @@
-//! Values that a file may write in several forms: vectors, places, directions; and entries by name.
+//! Values that a file may write in several forms: vectors, places, directions.
 //!
 //! The error of a wrong value lists the forms it may have.
 
-use std::borrow::Cow;
 use std::fmt;
 
-use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator};
+use schemars::JsonSchema;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::words::number;
-use super::write::{Write, Written, write_forms};
+use super::write::write_forms;
 use crate::geometry::{Ball, Pair};
-
-/// Values by name, in file order. A builder can give a name twice; a text with a name twice is refused.
-#[derive(Debug, Clone)]
-pub(super) struct Entries<T>(pub Vec<(String, T)>);
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        IndexMap::<String, T>::deserialize(deserializer).map(|map| Entries(map.into_iter().collect()))
-    }
-}
-
-impl<T: JsonSchema> JsonSchema for Entries<T> {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        IndexMap::<String, T>::schema_name()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        IndexMap::<String, T>::json_schema(generator)
-    }
-}
-
-impl<T> Default for Entries<T> {
-    fn default() -> Self {
-        Entries(Vec::new())
-    }
-}
-
-impl<T> Entries<T> {
-    pub fn add(&mut self, name: &str, value: T) {
-        self.0.push((name.to_owned(), value));
-    }
-}
 
 /// A vector, written as `[x, y]` or by size and angle.
 #[derive(Debug, Clone, Copy)]
@@ -254,7 +216,7 @@ macro_rules! choice {
         #[non_exhaustive]
         pub enum $name { $($(#[$doc])* #[serde(rename = $word)] $value,)* }
 
-        super::write::write_forms! { $name { word => word.as_str() } }
+        crate::scene::write::write_forms! { $name { word => word.as_str() } }
 
         impl $name {
             /// All of them.
@@ -337,11 +299,5 @@ write_forms! {
         Direction::Points(points) => points,
         Direction::Degrees(degrees) => degrees,
         Direction::Vector(vector) => vector,
-    }
-}
-
-impl<T: Write> Write for Entries<T> {
-    fn written(&self) -> Written {
-        Written::Object(self.0.iter().map(|(name, value)| (name.clone(), value.written())).collect())
     }
 }

@@ -9,7 +9,7 @@ use super::words::number;
 use crate::text::Untrusted;
 
 /// A value of the file; `Nothing` for a key that is left out.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Written {
     Nothing,
     /// A string in quotes, a number or a boolean.
@@ -21,10 +21,15 @@ pub(super) enum Written {
 /// A value that can be written to a file.
 pub(super) trait Write {
     fn written(&self) -> Written;
+
+    /// What an object has of it under `key`; scales have keys of their own.
+    fn entries(&self, key: &str) -> Vec<(String, Written)> {
+        vec![(key.to_owned(), self.written())]
+    }
 }
 
 /// The text of a file.
-pub(super) fn text(file: &impl Write) -> String {
+pub(super) fn text_of(file: &impl Write) -> String {
     laid_out(&file.written(), 0) + "\n"
 }
 
@@ -69,13 +74,13 @@ fn quoted(text: &str) -> String {
 /// out. A field that is missing in the list does not compile.
 macro_rules! write_keys {
     ($part:ident { $($key:ident),* $(; $($hidden:ident),*)? } $(unless $standard:expr)?) => {
-        impl super::write::Write for $part {
-            fn written(&self) -> super::write::Written {
+        impl crate::scene::write::Write for $part {
+            fn written(&self) -> crate::scene::write::Written {
                 let entries = |part: &$part| {
                     let $part { $($key,)* $($($hidden: _),*)? } = part;
-                    vec![$((stringify!($key).to_owned(), super::write::Write::written($key))),*]
+                    [$(crate::scene::write::Write::entries($key, stringify!($key))),*].into_iter().flatten().collect::<Vec<_>>()
                 };
-                super::write::Written::Object(entries(self))$(.without(&entries(&$standard)))?
+                crate::scene::write::Written::Object(entries(self))$(.without(&entries(&$standard)))?
             }
         }
     };
@@ -84,9 +89,9 @@ macro_rules! write_keys {
 /// Writes a type of several forms as the value of its form.
 macro_rules! write_forms {
     ($($type:ty { $($form:pat => $value:expr),* $(,)? })*) => { $(
-        impl super::write::Write for $type {
-            fn written(&self) -> super::write::Written {
-                match self { $($form => super::write::Write::written($value)),* }
+        impl crate::scene::write::Write for $type {
+            fn written(&self) -> crate::scene::write::Written {
+                match self { $($form => crate::scene::write::Write::written($value)),* }
             }
         }
     )* };

@@ -135,8 +135,8 @@ fn no_plan_of_a_cycle_is_cut_without_a_word() {
             let finished = frame.after_step(frame.steps.len() + 1);
             // The same position drawn alone at half the scale.
             let mut large = position.clone();
-            large.scene.figure.mu_v = scales[Sheet::Velocity].map(|mu| 0.5 * mu);
-            large.scene.figure.mu_a = scales[Sheet::Acceleration].map(|mu| 0.5 * mu);
+            large.scene.figure.mu[Sheet::Velocity] = scales[Sheet::Velocity].map(|mu| 0.5 * mu);
+            large.scene.figure.mu[Sheet::Acceleration] = scales[Sheet::Acceleration].map(|mu| 0.5 * mu);
             for (what, drawing) in [("page", finished), ("draw", position.figure()), ("large", large.figure())] {
                 sheets += 1;
                 said += drawing.marks.iter().filter(|mark| id(mark).ends_with("-cut")).count();

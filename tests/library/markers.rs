@@ -103,7 +103,7 @@ fn exercises_have_sheets_for_their_plans() {
             for panel in &code.panels {
                 shown.push(panel.panel);
                 let figure = &exercise.solution.scene.figure;
-                assert_eq!(Some(panel.mu), figure.mu(panel.panel), "{name}");
+                assert_eq!(Some(panel.mu), figure.mu[panel.panel], "{name}");
                 assert_holds(&name, &exercise.solution, sheet, panel);
             }
         }

@@ -1,10 +1,10 @@
 //! A scene put together in Rust is the scene that its file says: every key of the format, the same checks, the same messages.
 
-use kinegon::Sheet;
 use kinegon::scene::{
     Builder, ConstructionShown, DecimalMark, Figure, Guide, LanguageName, LengthUnit, LinkMotion, NewLink,
     NotationName, Page, PageSize, PointMotion, Push, ScalesFor, Scene, StyleName, TimeUnit, Turn, polar,
 };
+use kinegon::{PerSheet, Sheet};
 use support::files;
 
 /// The scene in a file of the repository.
@@ -219,9 +219,7 @@ fn every_other_key() {
         .near_angle("2", 12.5)
         .figure(Figure {
             panels: vec![Sheet::Velocity, Sheet::Scheme],
-            mu_l: Some(1.0),
-            mu_v: Some(2.5),
-            mu_a: Some(0.1),
+            mu: PerSheet::from([1.0, 2.5, 0.1].map(Some)),
             page: Page { size: PageSize::Letter, landscape: false },
             style: StyleName::Board,
             notation: NotationName::German,
@@ -250,7 +248,7 @@ fn mistakes_are_told_as_in_a_file() {
         (start().link("1", crank().drive(Turn::rpm(3.0))), "key `drive` stands twice"),
         (
             start().link("1", crank().angle(3.0).angle(4.0)),
-            "links.1.angle: key `angle` stands twice; hint: keep one of them",
+            "links.1.angle: key `angle` stands twice: first at line 6; hint: keep one of them",
         ),
         (
             start().link("1", crank()).pin("B", Guide::on("2").turned(1.0).turned(2.0)),

@@ -200,7 +200,7 @@ fn joints_stay_in_sight_all_round_the_cycle() {
     let mut lost = Vec::new();
     for (name, own) in scenes() {
         let Ok(animation) = Animation::new(&own, None, 24) else { continue };
-        if own.scene.figure.mu_l.is_some() {
+        if own.scene.figure.mu[Sheet::Scheme].is_some() {
             continue;
         }
         for steps in [None, Some(Steps::Fine)] {

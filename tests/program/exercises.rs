@@ -50,7 +50,7 @@ fn every_kind_gives_exercises_that_a_hand_draws_well() {
         assert!(conditions.fold(1.0, f64::max) <= 40.0, "{kind}");
         // The scales stand in the file, of the series 1, 2, 2.5, 5.
         let figure = &solution.scene.figure;
-        for mu in [figure.mu_l, figure.mu_v, figure.mu_a] {
+        for (_, mu) in figure.mu.iter() {
             let digits = format!("{:e}", mu.unwrap_or_else(|| panic!("{kind}: no scale")));
             let digits = digits.split('e').next().unwrap_or_default();
             assert!(["1", "2", "2.5", "5"].contains(&digits), "{kind}: {digits}");
@@ -114,10 +114,7 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
 fn segments_are_long(kind: &str, solution: &Solution) {
     let figure = &solution.scene.figure;
     for plan in solution.construction.plans() {
-        let mu = match plan.sheet {
-            Sheet::Velocity => figure.mu_v,
-            _ => figure.mu_a,
-        };
+        let mu = figure.mu[plan.sheet];
         for action in &plan.steps {
             if let Action::Measure { from, to, .. } = action {
                 let way = plan.points[to].vector - plan.points[from].vector;
@@ -395,7 +392,8 @@ fn what_cannot_be_drawn_is_given_up_with_the_reason() {
     let text = files::read("templates/four-bar.json");
     let base = solved(&text).expect("a good scene");
     // A plan of some hundredths of a millimetre.
-    let figure = Figure { mu_v: Some(1e5), ..base.scene.figure.clone() };
+    let mut figure = base.scene.figure.clone();
+    figure.mu[Sheet::Velocity] = Some(1e5);
     let page = Some(Page::default());
     let mut small = Exercises::new(&text, &figure, page, &base.construction, 1).expect("varies");
     let error = small.next().expect_err("too small");

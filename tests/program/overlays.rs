@@ -1,10 +1,10 @@
 //! A student's drawing over the right figure: nothing covers a name, crosses and lines are where the student has them, and the words tell what went wrong.
 
-use kinegon::Sheet;
 use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::scene::PageSize;
+use kinegon::{PerSheet, Sheet};
 use support::faults::{faults, id};
 use support::files;
 use support::program::{kinegon, scratch, stderr};
@@ -31,7 +31,7 @@ fn drawn(mut solution: Solution, measured: &Measured, depth: usize) -> Drawings 
         (own.expect("scales are there"), checked)
     };
     let figure = &mut solution.scene.figure;
-    figure.set_scales(figure.given_scales().or(measured.mu));
+    figure.mu = figure.mu.or(measured.mu);
     let sheets = overlay(&solution, &own);
     Drawings { sheets, own, checked }
 }
@@ -53,7 +53,7 @@ fn paper() -> Measured {
 fn figure_2() -> Solution {
     let mut solution = solution("examples/figure-2.json");
     let figure = &mut solution.scene.figure;
-    (figure.mu_l, figure.mu_v, figure.mu_a) = (Some(5.0), Some(2.0), Some(2.5));
+    figure.mu = PerSheet::from([5.0, 2.0, 2.5].map(Some));
     solution
 }
 

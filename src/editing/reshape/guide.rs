@@ -47,8 +47,7 @@ impl Change<'_> {
             through = self.pose.point(self.point);
         }
         if let Some(path) = position_of(self.json, index).filter(|_| given.drive.is_some()) {
-            let path: Vec<&str> = path.iter().map(String::as_str).collect();
-            self.put(&path, self.decimals.json(along.dot(&(at - through))));
+            self.values.push((path, self.decimals.json(along.dot(&(at - through)))));
         }
     }
 

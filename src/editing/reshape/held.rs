@@ -105,11 +105,7 @@ pub(super) fn is_through(solved: &Solved, slider: &Slider, name: &str) -> bool {
             None => return false,
         },
     };
-    match (&slider.through, &slider.along) {
-        (Some(At::Point(point)), _) | (None, Along::Points(point, _)) => point == name,
-        (Some(At::Place(_)), _) => false,
-        (None, _) => carrier.first().is_some_and(|first| first == name),
-    }
+    slider.counted_from(carrier.first()).is_some_and(|point| point == name)
 }
 
 /// Whether `through` of a slider can be given as coordinates.

@@ -6,7 +6,7 @@ use crate::editing::present::Solved;
 use crate::geometry::{Turn, degrees_of, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::position::Pose;
-use crate::scene::{Along, At, GivenBy, On, Slider};
+use crate::scene::{Along, GivenBy, On, Slider};
 
 /// A link with a slot through one of its points, whose other points are joints of nothing else.
 #[derive(Clone, Copy, Debug)]
@@ -32,11 +32,7 @@ impl Lever {
             && mechanism.body(given.on).role == Role::Member
             && touches(given.on) == 1
             && mechanism.body(given.link).points.len() == 1;
-        let through = match (&slider.through, &slider.along) {
-            (Some(At::Place(_)), _) => return None,
-            (Some(At::Point(point)), _) | (None, Along::Points(point, _)) => Some(point),
-            (None, _) => link.points.first(),
-        };
+        let through = slider.counted_from(link.points.first());
         // Either point that gives the direction is on the slot, if one of them is.
         let ends = match &slider.along {
             Along::Points(a, b) if through == Some(a) || through == Some(b) => [Some(a), Some(b)],

@@ -1,7 +1,7 @@
 //! Lengths, shapes and angles of the links that have the joint.
 
 use super::Change;
-use crate::editing::drive::{near_to, turning};
+use crate::editing::drive::{near_to, number_at, turning};
 use crate::editing::measure::Decimals;
 use crate::editing::measure::shape_place;
 use crate::geometry::{Point, degrees_of, direction_of_degrees};
@@ -88,9 +88,8 @@ impl Change<'_> {
     fn add_axis(&mut self, link: &str, axis: f64) {
         let angle = |new: f64, old: Option<f64>| Decimals::ANGLE.json(near_to(new, old.unwrap_or(0.0)));
         if let Some(path) = turning(self.json, link) {
-            let path: Vec<&str> = path.iter().map(String::as_str).collect();
-            let old = path.iter().fold(self.json, |value, key| &value[*key]).as_f64();
-            self.put(&path, angle(axis, old));
+            let old = number_at(self.json, &path);
+            self.values.push((path, angle(axis, old)));
         }
         let rough = format!("angle({link})");
         if let Some(old) = self.json["near"].get(&rough) {

@@ -6,6 +6,7 @@
 
 mod slider;
 
+pub(super) use slider::guide_line;
 pub use slider::{DrivenSlide, Guide, Slider};
 
 use super::{BodyId, JointId, Mechanism, PointId, SliderId};

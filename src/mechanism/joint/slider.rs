@@ -160,10 +160,7 @@ pub(super) fn add(scene: &Scene, mechanism: &mut Mechanism) {
             (_, _, pin) => pin.as_ref().and_then(|pin| add_block(mechanism, pin)),
         }
         .expect("checked by the scene");
-        let counted_from = match (&given.through, &given.along) {
-            (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => mechanism.point(p),
-            _ => None,
-        };
+        let counted_from = given.counted_from(None).and_then(|point| mechanism.point(point));
         let guide = guide(mechanism, given, on);
         mechanism.add_slider(Slider {
             link,
@@ -209,17 +206,27 @@ fn guide(mechanism: &Mechanism, slider: &scene::Slider, on: BodyId) -> Guide {
             }
         };
     }
-    let local = |name: &String| body.local_of(id(name)).unwrap_or_else(Point::origin);
+    let local = |name: &String| body.local_of(id(name));
+    let first = body.points.first().map(|point| &mechanism.points[point.0]);
+    let (through, direction) = guide_line(slider, first, local);
+    Guide::Local { through: through.unwrap_or_else(Point::origin), direction: direction.unwrap_or_else(Vector::x) }
+}
+
+/// The place from which a slider's position counts and the direction of its guide, where `place` knows their points;
+/// `first` is the carrier's first point.
+pub(in crate::mechanism) fn guide_line(
+    slider: &scene::Slider,
+    first: Option<&String>,
+    place: impl Fn(&String) -> Option<Point>,
+) -> (Option<Point>, Option<Vector>) {
+    let through = match &slider.through {
+        Some(At::Place(through)) => Some((*through).into()),
+        _ => slider.counted_from(first).and_then(&place),
+    };
     let along = match &slider.along {
-        Along::Points(a, b) => direction(local(b) - local(a)),
-        Along::Direction(d) => direction(Vector::from(*d)),
-        Along::Degrees(angle) => direction_of_degrees(*angle),
+        Along::Points(a, b) => place(a).zip(place(b)).map(|(a, b)| direction(b - a)),
+        Along::Direction(along) => Some(direction(Vector::from(*along))),
+        Along::Degrees(angle) => Some(direction_of_degrees(*angle)),
     };
-    let through = match (&slider.through, &slider.along) {
-        (Some(At::Place(p)), _) => (*p).into(),
-        (Some(At::Point(p)), _) => local(p),
-        (None, Along::Points(a, _)) => local(a),
-        (None, _) => body.local.first().copied().unwrap_or_else(Point::origin),
-    };
-    Guide::Local { through, direction: along }
+    (through, along)
 }

@@ -1,6 +1,7 @@
 //! Numbers with few digits, rules of pulled joints, figures put into a text, places of one.
 
 mod figure {
+    use kinegon::Sheet;
     use kinegon::editing::with_figure;
     use kinegon::scene::{Scene, StyleName};
 
@@ -13,13 +14,13 @@ mod figure {
     fn a_figure_is_put_in_and_taken_out() {
         let mut figure = Scene::read(SCENE).expect("it is good").figure;
         assert_eq!(with_figure(SCENE, &figure).as_deref(), Ok(SCENE));
-        (figure.style, figure.mu_v) = (StyleName::Lecture, Some(2.5));
+        (figure.style, figure.mu[Sheet::Velocity]) = (StyleName::Lecture, Some(2.5));
         figure.labels.insert("B".into(), "\"B₁\" </script>".into());
         let put = with_figure(SCENE, &figure).expect("it is good");
         assert_eq!(Scene::read(&put).expect("it is good").figure, figure);
         let rest = [r#"160.000000000000000001, 0] },"#, r#""note": "a < b",   "ground""#];
         assert!(rest.iter().all(|kept| put.contains(kept)), "{put}");
-        (figure.style, figure.mu_v) = (StyleName::Paper, Some(5.0));
+        (figure.style, figure.mu[Sheet::Velocity]) = (StyleName::Paper, Some(5.0));
         let back = with_figure(&put, &figure).expect("it is good");
         assert_eq!(Scene::read(&back).expect("it is good").figure, figure);
         assert!(!back.contains("style"), "{back}");

@@ -145,7 +145,7 @@ fn set_faults_apart(measured: &mut Measured, key: &AnswerKey<'_>) -> Vec<Fault> 
 fn sheets(key: &AnswerKey<'_>, redrawn: Overlay) -> Vec<OverlaySheet> {
     let mut solution = key.solution.clone();
     let figure = &mut solution.scene.figure;
-    figure.set_scales(Default::default());
+    figure.mu = Default::default();
     let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..redrawn };
     let sheets = overlay(&solution, &drawn);
     sheets.iter().map(|sheet| OverlaySheet { svg: sheet.svg(), width: sheet.width, height: sheet.height }).collect()

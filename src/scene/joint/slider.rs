@@ -5,21 +5,22 @@ use std::collections::HashSet;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::error::Wrong;
-use super::given::{DRAWN, GivenBy, SliderDrive};
 use super::guide::{Along, Carrier, On};
-use super::link::Pushes;
-use super::names::Names;
-use super::points::Coordinates;
-use super::value::{At, Direction};
-use super::write::write_keys;
+use super::{JointKind, Meaning};
+use crate::scene::error::Wrong;
+use crate::scene::given::{DRAWN, GivenBy, SliderDrive};
+use crate::scene::link::Pushes;
+use crate::scene::names::Names;
+use crate::scene::points::Coordinates;
+use crate::scene::value::{At, Direction};
+use crate::scene::write::write_keys;
 use crate::text::shown;
 
 /// A link, by its point `at`, slides on a guide of `on`; or a pin rides in a slot of `on`.
 #[derive(Debug, Clone, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a slider as { "link": "3", "at": "D", "on": "2", "along": "BE" }"#)]
 #[schemars(rename = "slider")]
-pub(super) struct SliderFile {
+pub(in crate::scene) struct SliderFile {
     /// The sliding link.
     pub link: Option<String>,
     /// The point of the sliding link that is on the guide.
@@ -41,6 +42,20 @@ pub(super) struct SliderFile {
 }
 
 write_keys!(SliderFile { link, at, pin, on, through, along, turned, drive });
+
+pub(super) const SLIDERS: JointKind = JointKind {
+    list: "sliders",
+    keys: &[
+        ("link", Some(Meaning::Link)),
+        ("at", Some(Meaning::Point)),
+        ("pin", Some(Meaning::Point)),
+        ("on", Some(Meaning::Link)),
+        ("through", Some(Meaning::PointOfGuide)),
+        ("along", Some(Meaning::PairOfGuide)),
+        ("turned", None),
+        ("drive", None),
+    ],
+};
 
 /// A link, or a pin without a block, that slides along a straight guide of another link or of the frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,8 +81,21 @@ pub struct Slider {
     pub drive: Option<SliderDrive>,
 }
 
+impl Slider {
+    /// The point from which the position along the guide counts, where no coordinates say it; `first` is the first point
+    /// of the carrier.
+    #[must_use]
+    pub fn counted_from<'a>(&'a self, first: Option<&'a String>) -> Option<&'a String> {
+        match (&self.through, &self.along) {
+            (Some(At::Place(_)), _) => None,
+            (Some(At::Point(point)), _) | (None, Along::Points(point, _)) => Some(point),
+            (None, _) => first,
+        }
+    }
+}
+
 /// The sliders. `pushes` are the drives written in sliding links, which are moved to their sliders.
-pub(super) fn sliders(
+pub(in crate::scene) fn sliders(
     given_by: GivenBy,
     names: &Names<'_>,
     coordinates: &Coordinates,

@@ -1,13 +1,13 @@
 //! Guides: what carries them, where they pass and which way they go.
 
-use super::error::Wrong;
-use super::given::GivenBy;
-use super::link::Link;
-use super::name::{checked_pair, no_point};
-use super::names::Names;
-use super::points::Coordinates;
-use super::shape::Shape;
-use super::value::{At, Direction};
+use crate::scene::error::Wrong;
+use crate::scene::given::GivenBy;
+use crate::scene::link::Link;
+use crate::scene::name::{checked_pair, no_point};
+use crate::scene::names::Names;
+use crate::scene::points::Coordinates;
+use crate::scene::shape::Shape;
+use crate::scene::value::{At, Direction};
 
 /// The carrier of a guide.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -30,7 +30,7 @@ pub enum Along {
 }
 
 /// The carrier of a guide, with the names of the scene.
-pub(super) struct Carrier<'a> {
+pub(in crate::scene) struct Carrier<'a> {
     pub given_by: GivenBy,
     pub names: &'a Names<'a>,
     pub on: &'a On,
