@@ -44,12 +44,6 @@ impl Enclosure {
         self.placed.guides[slider.0]
     }
 
-    /// Velocity and acceleration of a slider along its guide.
-    pub fn slide_rates(&self, slider: SliderId) -> [Ball; 2] {
-        let slide = self.state.slide(slider);
-        [slide.velocity, slide.acceleration]
-    }
-
     /// Velocity and acceleration of the body's point at a place.
     pub fn motion_at(&self, body: BodyId, place: Pair<Ball>) -> [Pair<Ball>; 2] {
         let motion = self.state.body(body).referred_to(place);

@@ -1,8 +1,8 @@
 //! What the scene gives, with the errors of reading it: lengths, coordinates and angles as [`Ball`]s.
 
-use crate::geometry::{Ball, Number, Pair, Point, RADIANS_PER_SECOND, RADIANS_PER_TURN};
-use crate::mechanism::{BodyId, Guide, Mechanism, PointId, Slider, SliderId};
-use crate::scene::{self, Along, At, GivenBy, Length, On, Scene, Shape, TimeUnit};
+use crate::geometry::{Ball, Number, Pair, RADIANS_PER_SECOND, RADIANS_PER_TURN};
+use crate::mechanism::{BodyId, Guide, Mechanism, PointId, SliderId};
+use crate::scene::{self, Along, At, Length, On, Scene, Shape, TimeUnit};
 
 /// A place or a vector.
 pub(super) type Vector = Pair<Ball>;
@@ -15,8 +15,9 @@ pub(super) struct Given<'a> {
 }
 
 /// A place or vector of the scene.
-pub(super) fn written(v: [f64; 2]) -> Vector {
-    Pair { x: Ball::written(v[0]), y: Ball::written(v[1]) }
+pub(super) fn written(v: impl Into<[f64; 2]>) -> Vector {
+    let [x, y] = v.into().map(Ball::written);
+    Pair { x, y }
 }
 
 impl Given<'_> {
@@ -24,7 +25,6 @@ impl Given<'_> {
     pub fn locals(&self, id: BodyId) -> Vec<Vector> {
         let body = self.mechanism.body(id);
         let link = self.scene.links.get(&body.name).filter(|_| !body.is_nameless());
-        let place = |p: &Point| written([p.x, p.y]);
         match link.map(|link| (&link.shape, link.points.as_slice())) {
             Some((Shape::Lengths(lengths), [a, b])) => {
                 vec![Vector::default(), Pair { x: length(lengths, a, b), y: Ball::default() }]
@@ -34,7 +34,7 @@ impl Given<'_> {
                 let side = body.local[2].y;
                 vec![Vector::default(), Pair { x: ab, y: Ball::default() }, corner(ab, ac, bc, side)]
             }
-            _ => body.local.iter().map(place).collect(),
+            _ => body.local.iter().copied().map(written).collect(),
         }
     }
 
@@ -45,7 +45,7 @@ impl Given<'_> {
         let (rough, along) = slider.line();
         let Some(given) = self.scene.sliders.get(id.0) else {
             // The carriage of a given angle has guides along the axes.
-            return [written([rough.x, rough.y]), along.into()];
+            return [written(rough), along.into()];
         };
         let point = |name: &String| self.mechanism.point(name).and_then(&local);
         let through = match (&given.through, &given.along) {
@@ -80,13 +80,6 @@ impl Given<'_> {
         }
     }
 
-    /// The placement of a slider's link in the frame of the guide's body, at position `s`; `line` is the guide, `at` the
-    /// sliding point in the link's frame.
-    pub fn on_guide(slider: &Slider, [through, along]: [Vector; 2], at: Vector, s: Ball) -> Frame {
-        let turn = along.turn(Pair::direction_of_degrees(Ball::written(slider.turned)));
-        Frame::pinned(turn, at, through + along * s)
-    }
-
     /// The angular velocity that a scene gives for a driven body, which the mechanism has as `omega`. Turns per minute
     /// were rounded when they were read.
     pub fn omega(&self, id: BodyId, omega: f64) -> Ball {
@@ -102,11 +95,6 @@ impl Given<'_> {
             }
             None => Ball::written(omega),
         }
-    }
-
-    /// Whether positions are found from lengths.
-    pub fn is_by_lengths(&self) -> bool {
-        self.mechanism.given_by == GivenBy::Lengths
     }
 }
 

@@ -15,7 +15,6 @@ mod bounds;
 mod enclosure;
 mod given;
 mod placed;
-mod quantity;
 
+pub(crate) use bounds::is_bounded;
 pub use bounds::{Bounds, bounds};
-pub(crate) use quantity::is_bounded;

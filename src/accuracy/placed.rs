@@ -8,6 +8,7 @@ use super::given::{Frame, Given, Vector, written};
 use crate::geometry::{Ball, Numbers, Pair, Point, UNIT_ROUNDOFF, span};
 use crate::mechanism::{BodyId, Group, JointId, LoopEquations, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
+use crate::scene::GivenBy;
 
 /// Most Newton steps: from a pose that is right to rounding three are needed, near a limit some more.
 const STEPS: usize = 12;
@@ -35,13 +36,15 @@ impl TruePlaces {
     /// The true places near `pose`; with infinite bounds for groups where none can be given: next to a limit position,
     /// or where numbers leave the range of f64. `None` where a drive has no position.
     pub fn new(given: &Given<'_>, pose: &Pose) -> Option<TruePlaces> {
-        if given.is_by_lengths() { Finder::new(*given, pose).placed() } else { Some(TruePlaces::drawn(given)) }
+        match given.mechanism.given_by {
+            GivenBy::Lengths => Finder::new(*given, pose).placed(),
+            GivenBy::Drawing => Some(TruePlaces::drawn(given)),
+        }
     }
 
     fn drawn(given: &Given<'_>) -> TruePlaces {
         let mechanism = given.mechanism;
-        let place = |p: &Option<Point>| p.map_or_else(Vector::default, |p| written([p.x, p.y]));
-        let points: Vec<Vector> = mechanism.given.iter().map(place).collect();
+        let points = given_points(mechanism);
         let guides: Vec<Vector> = mechanism.slider_ids().map(|id| given.drawn_guide(id, &points)).collect();
         let slides = mechanism.sliders.iter().zip(&guides).map(|(slider, along)| {
             let from = slider.counted_from?;
@@ -93,8 +96,7 @@ impl<'a> Finder<'a> {
                 Role::Ground => Frame::identity(),
                 Role::Driver { pivot, angle, .. } => {
                     let turn = Pair::direction_of_degrees(Ball::written(angle?));
-                    let Point { coords } = self.mechanism.given[pivot.0]?;
-                    Frame::pinned(turn, self.local(id, pivot)?, written([coords.x, coords.y]))
+                    Frame::pinned(turn, self.local(id, pivot)?, written(self.mechanism.given[pivot.0]?))
                 }
                 _ => continue,
             };
@@ -121,8 +123,7 @@ impl<'a> Finder<'a> {
     /// The places of all points whose bodies are placed; the origin for others.
     fn points(&self) -> Vec<Vector> {
         let mechanism = self.mechanism;
-        let given = |p: &Option<Point>| p.map_or_else(Vector::default, |p| written([p.x, p.y]));
-        let mut points: Vec<Vector> = mechanism.given.iter().map(given).collect();
+        let mut points = given_points(mechanism);
         // The same body decides as in a pose.
         let (known, members): (Vec<BodyId>, Vec<BodyId>) = mechanism.body_ids().partition(|&b| mechanism.is_known(b));
         for body in members.into_iter().rev().chain(known.into_iter().rev()) {
@@ -145,18 +146,27 @@ impl<'a> Finder<'a> {
     fn across(&self, id: SliderId, from: BodyId) -> Frame {
         let slider = self.mechanism.slider(id);
         let at = self.local(slider.link, slider.at).unwrap_or_default();
-        let forward = Given::on_guide(slider, self.lines[id.0], at, self.slides[id.0]);
+        let [through, along] = self.lines[id.0];
+        let turn = along.turn(Pair::direction_of_degrees(Ball::written(slider.turned)));
+        let forward = Frame::pinned(turn, at, through + along * self.slides[id.0]);
         if slider.on == from { forward } else { forward.inverse() }
     }
 
     /// Finds a group's angles and slides and places its links.
     fn find(&mut self, group: &Group) -> Option<()> {
         let equations = LoopEquations::new(self.mechanism, group);
-        let mut angles: Vec<Option<Vector>> = (0..equations.unknowns).map(|u| self.start(&equations, u)).collect();
+        // Cosine and sine of an unknown angle in the pose; none for a slide.
+        let in_pose = |unknown: usize| {
+            let axis = self.pose.axes.get(equations.link_of(unknown)?.0).copied().flatten()?;
+            Some(exact(Vector::from(axis).unit()))
+        };
+        let mut angles: Vec<Option<Vector>> = (0..equations.unknowns).map(in_pose).collect();
         let mut before = f64::INFINITY;
         for _ in 0..STEPS {
             let gaps = self.gaps(group, &equations, &angles)?;
-            let (points, guides) = self.rounded();
+            // Rounded, and places from the first one: far origins cost no digits.
+            let points = relative(&self.points());
+            let guides: Vec<_> = self.mechanism.slider_ids().map(|id| self.guide(id).rounded()).collect();
             let size = span(points.iter().copied());
             let system = equations.factored(&points, &guides)?;
             let right: Numbers = gaps.iter().map(|gap| gap.high).collect();
@@ -196,18 +206,9 @@ impl<'a> Finder<'a> {
         for body in &group.bodies {
             self.frames[body.0] = Some(Frame { turn: unknown, origin: unknown });
         }
-        for id in self.mechanism.slider_ids() {
-            if equations.slide_unknown(id).is_some() {
-                self.slides[id.0] = self.slides[id.0].widened(f64::INFINITY);
-            }
+        for (id, _) in equations.slides {
+            self.slides[id.0] = self.slides[id.0].widened(f64::INFINITY);
         }
-    }
-
-    /// Cosine and sine of an unknown angle in the pose; none for a slide.
-    fn start(&self, equations: &LoopEquations, unknown: usize) -> Option<Vector> {
-        let link = equations.link_of(unknown)?;
-        let axis = self.pose.axes.get(link.0).copied().flatten()?;
-        Some(exact(Vector::from(axis).unit()))
     }
 
     fn correct(&mut self, equations: &LoopEquations, angles: &mut [Option<Vector>], correction: &[f64]) {
@@ -215,11 +216,9 @@ impl<'a> Finder<'a> {
             // The rotation by the arctangent of the correction.
             *angle = angle.map(|turn| exact((turn + turn.quarter_turn() * step.into()).unit()));
         }
-        for id in self.mechanism.slider_ids() {
-            if let Some(unknown) = equations.slide_unknown(id) {
-                let moved = self.slides[id.0] + correction[unknown].into();
-                self.slides[id.0] = Ball { radius: 0.0, ..moved };
-            }
+        for &(id, unknown) in &equations.slides {
+            let moved = self.slides[id.0] + correction[unknown].into();
+            self.slides[id.0] = Ball { radius: 0.0, ..moved };
         }
     }
 
@@ -227,10 +226,8 @@ impl<'a> Finder<'a> {
         for (angle, &bound) in angles.iter_mut().zip(bounds) {
             *angle = angle.map(|turn| turn.unit().widened(bound));
         }
-        for id in self.mechanism.slider_ids() {
-            if let Some(unknown) = equations.slide_unknown(id) {
-                self.slides[id.0] = self.slides[id.0].widened(bounds[unknown]);
-            }
+        for &(id, unknown) in &equations.slides {
+            self.slides[id.0] = self.slides[id.0].widened(bounds[unknown]);
         }
     }
 
@@ -357,12 +354,11 @@ impl<'a> Finder<'a> {
         };
         frame.place(local)
     }
+}
 
-    /// All points, from the first one, and all guides, rounded.
-    fn rounded(&self) -> (Vec<Point>, Vec<crate::geometry::Vector>) {
-        let guides = self.mechanism.slider_ids().map(|id| self.guide(id).rounded()).collect();
-        (relative(&self.points()), guides)
-    }
+/// The places that the scene gives; the origin for other points.
+fn given_points(mechanism: &Mechanism) -> Vec<Vector> {
+    mechanism.given.iter().map(|place| place.map_or_else(Vector::default, written)).collect()
 }
 
 /// Places from the first one of them, rounded.

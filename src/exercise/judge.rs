@@ -93,7 +93,7 @@ impl Exercise {
         let mechanism = with_nearest_sides(&scene, mechanism);
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
         let mut solution = Solution::new(scene, mechanism, pose, Sheet::Acceleration).map_err(|_| Refusal::Singular)?;
-        let conditions = solution.motion.groups.iter().map(|group| group.condition);
+        let conditions = solution.motion.conditions.iter().copied();
         if conditions.fold(1.0, f64::max) > CONDITION {
             return Err(Refusal::Singular);
         }

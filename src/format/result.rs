@@ -239,7 +239,7 @@ impl Solution {
                 class: group.class.numeral(),
                 joints: group.pattern(mechanism),
                 special_points: special.map(|special| special.name.clone()).collect(),
-                condition: motion.groups[index].condition,
+                condition: motion.conditions[index],
                 disagreement: agreement.map(|a| a.difference),
                 disagreement_allowed: agreement.map(|a| a.allowed),
                 mode: pose.assemblies[index].map(|a| a.mode),

@@ -224,11 +224,6 @@ impl<S: Simd> Number for Register<S> {
     }
 
     #[inline(always)]
-    fn minus_product(self, a: Self, b: Self) -> Self {
-        Register { numbers: (-a.numbers).mul_add_precise(b.numbers, self.numbers), ..self }
-    }
-
-    #[inline(always)]
     fn sqrt(self) -> Self {
         Register { numbers: self.numbers.sqrt(), ..self }
     }

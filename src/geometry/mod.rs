@@ -1,10 +1,8 @@
 //! Plane geometry that every later stage shares: points, vectors, angles, lines, their crossings, small linear systems.
-//! In: coordinates in the scene's own length unit, x right, y up. Out: the same; only `angle.rs` deals in degrees.
+//! In: coordinates in the scene's own length unit, x right, y up. Out: the same; angles are in degrees where the name says so.
 //! Nothing here knows what a mechanism is.
 
-mod angle;
 mod ball;
-mod exact;
 mod lanes;
 mod line;
 mod numbers;
@@ -12,9 +10,7 @@ mod random;
 mod reduced;
 mod system;
 
-pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
-pub use ball::Ball;
-pub use exact::{RADIANS_PER_SECOND, RADIANS_PER_TURN};
+pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
 pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
@@ -59,17 +55,76 @@ pub fn unit(v: Vector) -> Option<Vector> {
     (largest > 0.0 && largest.is_finite()).then(|| (v / largest).normalize())
 }
 
-/// The size of a set of points: the diagonal of their bounding box, zero for fewer than two.
-///
-/// It is at most √2 times the largest distance between two of the points: good enough to call a distance large or
-/// small.
+/// The bounding box of points.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BoundingBox {
+    /// Its lower left and upper right corner; none without points.
+    corners: Option<[Point; 2]>,
+}
+
+impl BoundingBox {
+    /// The box of these points.
+    #[must_use]
+    pub fn of(points: impl IntoIterator<Item = Point>) -> BoundingBox {
+        BoundingBox::default().with(points)
+    }
+
+    /// The box of its points and these.
+    #[must_use]
+    pub fn with(mut self, points: impl IntoIterator<Item = Point>) -> BoundingBox {
+        for p in points {
+            let [low, high] = self.corners.get_or_insert([p, p]);
+            *low = low.inf(&p);
+            *high = high.sup(&p);
+        }
+        self
+    }
+
+    /// The box of its points and those of another.
+    #[must_use]
+    pub fn joined(self, other: BoundingBox) -> BoundingBox {
+        self.with(other.corners.into_iter().flatten())
+    }
+
+    /// Its diagonal: the size of the set of points, zero for fewer than two.
+    ///
+    /// It is at most √2 times the largest distance between two of the points: good enough to call a distance large or
+    /// small.
+    #[must_use]
+    pub fn size(self) -> f64 {
+        self.corners.map_or(0.0, |[low, high]| (high - low).norm())
+    }
+}
+
+/// The size of a set of points, as [`BoundingBox::size`] has it.
 #[must_use]
 pub fn span(points: impl IntoIterator<Item = Point>) -> f64 {
-    let mut corners: Option<(Point, Point)> = None;
-    for p in points {
-        let (low, high) = corners.get_or_insert((p, p));
-        *low = low.inf(&p);
-        *high = high.sup(&p);
-    }
-    corners.map_or(0.0, |(low, high)| (high - low).norm())
+    BoundingBox::of(points).size()
+}
+
+/// The unit vector at `degrees` from +x, counter-clockwise; exact at whole quarter turns.
+///
+/// The whole quarter turns are taken off in degrees, where that is exact, so 90° gives (0, 1) and a
+/// large angle loses nothing. Trigonometry is libm's: the same bits on every platform.
+#[must_use]
+pub fn direction_of_degrees(degrees: f64) -> Vector {
+    let quarters = (degrees / 90.0).round();
+    let rest = (degrees - 90.0 * quarters).to_radians();
+    let (sine, cosine) = (libm::sin(rest), libm::cos(rest));
+    let Pair { x, y } = Pair { x: cosine, y: sine }.turned_by_quarters(quarters.rem_euclid(4.0) as i64);
+    Vector::new(x, y)
+}
+
+/// The rotation by `degrees`, counter-clockwise.
+#[must_use]
+pub fn turn_of_degrees(degrees: f64) -> Turn {
+    let d = direction_of_degrees(degrees);
+    Turn::from_cos_sin_unchecked(d.x, d.y)
+}
+
+/// The angle of `v` from +x in degrees, in (−180, 180]; zero for the zero vector.
+#[must_use]
+pub fn degrees_of(v: Vector) -> f64 {
+    let degrees = libm::atan2(v.y, v.x).to_degrees();
+    if degrees <= -180.0 { 180.0 } else { degrees }
 }

@@ -11,8 +11,11 @@ pub trait Number:
     /// self + a b, rounded once where the processor has a fast instruction for that.
     fn plus_product(self, a: Self, b: Self) -> Self;
 
-    /// self − a b, rounded once where the processor has a fast instruction for that.
-    fn minus_product(self, a: Self, b: Self) -> Self;
+    /// self − a b, rounded as [`Self::plus_product`].
+    #[inline(always)]
+    fn minus_product(self, a: Self, b: Self) -> Self {
+        self.plus_product(-a, b)
+    }
 
     /// The square root.
     fn sqrt(self) -> Self;
@@ -30,11 +33,6 @@ impl Number for f64 {
     #[inline(always)]
     fn plus_product(self, a: f64, b: f64) -> f64 {
         self + a * b
-    }
-
-    #[inline(always)]
-    fn minus_product(self, a: f64, b: f64) -> f64 {
-        self - a * b
     }
 
     #[inline(always)]
@@ -88,14 +86,7 @@ pub fn direction_near<T: Number>(degrees: T, quarters: f64) -> Pair<T> {
     let (one, half) = (number(1.0), z * number(0.5));
     let whole = one - half;
     let cosine = whole + ((one - whole) - half).plus_product(z * z, tail);
-    // Whole turns are taken off as in two's complement.
-    let (x, y) = match quarters as i64 & 3 {
-        0 => (cosine, sine),
-        1 => (-sine, cosine),
-        2 => (-cosine, -sine),
-        _ => (sine, -cosine),
-    };
-    Pair { x, y }
+    Pair { x: cosine, y: sine }.turned_by_quarters(quarters as i64)
 }
 
 /// A vector with components of type `T`.
@@ -113,6 +104,18 @@ impl<T: Neg<Output = T>> Pair<T> {
     #[must_use]
     pub fn quarter_turn(self) -> Self {
         Pair { x: -self.y, y: self.x }
+    }
+
+    /// Turned by so many quarter turns.
+    #[inline(always)]
+    pub(super) fn turned_by_quarters(self, quarters: i64) -> Self {
+        // Whole turns are taken off as in two's complement.
+        match quarters & 3 {
+            0 => self,
+            1 => self.quarter_turn(),
+            2 => Pair { x: -self.x, y: -self.y },
+            _ => Pair { x: self.y, y: -self.x },
+        }
     }
 }
 

@@ -28,7 +28,8 @@ pub struct LoopEquations {
     /// How two equations for two rates are split off; `None` where they cannot be.
     pub reduction: Option<Reduction>,
     angular_rates: Vec<(BodyId, AngularRate)>,
-    slides: Vec<(SliderId, usize)>,
+    /// The sliders with unknown rates, each with the index of its unknown.
+    pub(crate) slides: Vec<(SliderId, usize)>,
 }
 
 /// How the equations reduce to two equations for two rates.

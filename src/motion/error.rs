@@ -30,7 +30,8 @@ impl MotionError {
     pub fn problem(&self) -> Problem {
         match self {
             MotionError::Singular { links, reason, condition } => {
-                let how = how_singular(*condition);
+                let how =
+                    if condition.is_finite() { format!("condition {condition:.1e}") } else { "exactly".to_owned() };
                 Problem::new(format!("links {links} are in a singular position: {reason} ({how})"))
                     .hint("another crank angle, or move one of these joints off the common line or point")
             }
@@ -40,11 +41,6 @@ impl MotionError {
             .hint("larger units of length, or slower drives"),
         }
     }
-}
-
-/// How nearly singular a group is, in words.
-fn how_singular(condition: f64) -> String {
-    if condition.is_finite() { format!("condition {condition:.1e}") } else { "exactly".to_owned() }
 }
 
 /// The error for a singular group, with the lines that are concurrent or parallel.

@@ -18,7 +18,7 @@
 //! joints: one computation for every class. Any other constraint between rotations is one equation more, Σ weight ω =
 //! 0, for one unknown more; its weights are whole numbers, as of teeth, so that angles need no counting of turns. A
 //! dyad's one loop is a 2 × 2 system. In classes III and IV each loop has one rate of its own (unless a closure link
-//! has two sliders); crossing with that rate's column leaves one 2 × 2 system (`closed_form`). Only differences of
+//! has two sliders); crossing with that rate's column leaves one 2 × 2 system (`refine`). Only differences of
 //! coordinates and of input motions enter, so far origins, odd units and large common velocities cost no digits.
 //!
 //! # How accuracy is stated
@@ -33,18 +33,16 @@
 //! norm: how much errors of coordinates are enlarged. A group counts as singular from condition 0.05/u (u = 2⁻⁵³):
 //! coordinates rounded to f64 would determine no digit.
 
-mod closed_form;
 mod error;
-mod known;
 mod moving;
 mod places;
 mod refine;
 mod sides;
 mod solve;
 
-pub use closed_form::ClosedForm;
 pub use error::MotionError;
 pub use places::Places;
+pub use refine::ClosedForm;
 pub use solve::motion;
 
 pub(crate) use moving::State;
@@ -128,14 +126,6 @@ pub struct SlideMotion {
     pub acceleration_error: f64,
 }
 
-/// Accuracy of an Assur group's motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct GroupAccuracy {
-    /// Condition number of the scaled loop equations, at least 1.
-    pub condition: f64,
-}
-
 /// Velocities and accelerations of a mechanism at a pose.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -148,8 +138,8 @@ pub struct Motion {
     pub errors: Vec<MotionErrors>,
     /// By slider.
     pub slides: Vec<SlideMotion>,
-    /// By group.
-    pub groups: Vec<GroupAccuracy>,
+    /// By group: the condition number of its scaled loop equations, at least 1.
+    pub conditions: Vec<f64>,
     /// Warnings on groups near a singular position.
     pub warnings: Vec<String>,
 }

@@ -1,4 +1,4 @@
-use super::{BodyMotion, GroupAccuracy, Motion, MotionErrors, SlideMotion};
+use super::{BodyMotion, Motion, MotionErrors, SlideMotion};
 use crate::geometry::{Ball, Pair, Point};
 use crate::mechanism::{BodyId, SliderId};
 use crate::sheet::Sheet;
@@ -96,7 +96,7 @@ impl State {
     }
 
     /// All motions rounded to f64; with [`Sheet::Velocity`] accelerations are zero.
-    pub fn rounded(mut self, order: Sheet, groups: Vec<GroupAccuracy>, warnings: Vec<String>) -> Motion {
+    pub fn rounded(mut self, order: Sheet, conditions: Vec<f64>, warnings: Vec<String>) -> Motion {
         if order == Sheet::Velocity {
             for body in &mut self.bodies {
                 (body.acceleration, body.alpha) = Default::default();
@@ -111,7 +111,7 @@ impl State {
             bodies,
             errors,
             slides: self.slides.iter().map(BoundedSlide::rounded).collect(),
-            groups,
+            conditions,
             warnings,
         }
     }

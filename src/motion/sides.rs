@@ -1,7 +1,7 @@
-use super::moving::State;
+use super::moving::{BoundedMotion, State};
 use super::places::Places;
 use crate::geometry::{Ball, Pair};
-use crate::mechanism::{AngularRate, AngularTerms, BodyId, LoopEquations, LoopTerms, SlideRate};
+use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, LoopTerms, SlideRate};
 use smallvec::SmallVec;
 
 /// A number for each unknown of a group.
@@ -21,11 +21,24 @@ impl Sides {
     }
 }
 
-/// The right sides of the velocity equations; known bodies move as in `state`.
+/// The right sides of the velocity equations, v_end − v_start − Σ ω J r − Σ ṡ u of known rotations and slides; known
+/// bodies move as in `state`.
 pub(super) fn velocity_sides(equations: &LoopEquations, places: &impl Places, state: &State) -> Sides {
+    let omega = |rate: AngularRate| match rate {
+        AngularRate::Known(body) => Some(state.body(body).omega),
+        AngularRate::Unknown(_) => None,
+    };
+    let speed = |rate: SlideRate| match rate {
+        SlideRate::Driven([speed, _]) => Some(places.given(speed)),
+        SlideRate::Unknown(_) => None,
+    };
+    let side = |terms: &LoopTerms| {
+        let ends = between_ends(terms, places, state, |body, place| [body.velocity, body.swing(place)]);
+        less_rates(terms, places, ends, omega, speed)
+    };
     Sides {
-        loops: equations.loops.iter().map(|terms| velocity_side(terms, places, state)).collect(),
-        angular: equations.angular.iter().map(|terms| angular_side(terms, |body| state.body(body).omega)).collect(),
+        loops: equations.loops.iter().map(side).collect(),
+        angular: equations.angular.iter().map(|terms| less_angular(terms, Ball::default(), omega)).collect(),
     }
 }
 
@@ -36,87 +49,80 @@ pub(super) fn acceleration_sides(
     state: &State,
     rates: &[Ball],
 ) -> Sides {
+    let alpha = |rate: AngularRate| match rate {
+        AngularRate::Known(body) => Some(state.body(body).alpha),
+        AngularRate::Unknown(_) => None,
+    };
     Sides {
         loops: equations.loops.iter().map(|terms| acceleration_side(terms, places, state, rates)).collect(),
-        angular: equations.angular.iter().map(|terms| angular_side(terms, |body| state.body(body).alpha)).collect(),
+        angular: equations.angular.iter().map(|terms| less_angular(terms, Ball::default(), alpha)).collect(),
     }
 }
 
-/// The residuals of the equations for the unknowns `x`.
+/// What the unknowns `x` leave of the equations with these right sides.
 pub(super) fn residuals(equations: &LoopEquations, places: &impl Places, sides: &Sides, x: &[Ball]) -> Sides {
+    let angular_rate = |rate: AngularRate| match rate {
+        AngularRate::Unknown(unknown) => Some(x[unknown]),
+        AngularRate::Known(_) => None,
+    };
+    let slide_rate = |rate: SlideRate| match rate {
+        SlideRate::Unknown(unknown) => Some(x[unknown]),
+        SlideRate::Driven(_) => None,
+    };
     let loops = equations.loops.iter().zip(&sides.loops);
     let angular = equations.angular.iter().zip(&sides.angular);
     Sides {
-        loops: loops.map(|(terms, &side)| loop_residual(terms, places, side, x)).collect(),
-        angular: angular.map(|(terms, &side)| angular_residual(terms, side, x)).collect(),
+        loops: loops.map(|(terms, &side)| less_rates(terms, places, side, angular_rate, slide_rate)).collect(),
+        angular: angular.map(|(terms, &side)| less_angular(terms, side, angular_rate)).collect(),
     }
 }
 
-/// side − Σ weight · rate with the unknowns `x`.
-fn angular_residual(terms: &AngularTerms, side: Ball, x: &[Ball]) -> Ball {
-    terms.iter().fold(side, |rest, &(rate, weight)| match rate {
-        AngularRate::Unknown(unknown) => rest - x[unknown] * weight.into(),
-        AngularRate::Known(_) => rest,
-    })
+/// side − Σ weight · rate, of those rates that `rate_of` gives.
+fn less_angular(terms: &AngularTerms, side: Ball, rate_of: impl Fn(AngularRate) -> Option<Ball>) -> Ball {
+    terms.iter().fold(side, |side, &(rate, weight)| rate_of(rate).map_or(side, |x| side - x * weight.into()))
 }
 
-/// The right side of a relation between angles: − Σ weight · rate of the bodies whose rotation is known.
-fn angular_side(terms: &AngularTerms, rate_of: impl Fn(BodyId) -> Ball) -> Ball {
-    terms.iter().fold(Ball::default(), |side, &(rate, weight)| match rate {
-        AngularRate::Unknown(_) => side,
-        AngularRate::Known(body) => side - rate_of(body) * weight.into(),
-    })
-}
-
-/// side − Σ ω J r − Σ ṡ u with the unknowns `x`.
-fn loop_residual(terms: &LoopTerms, places: &impl Places, side: Pair<Ball>, x: &[Ball]) -> Pair<Ball> {
-    let mut rest = side;
+/// side − Σ ω J r − Σ ṡ u, of those ω and ṡ that the functions give.
+fn less_rates(
+    terms: &LoopTerms,
+    places: &impl Places,
+    mut side: Pair<Ball>,
+    omega: impl Fn(AngularRate) -> Option<Ball>,
+    speed: impl Fn(SlideRate) -> Option<Ball>,
+) -> Pair<Ball> {
     for arm in &terms.arms {
-        if let AngularRate::Unknown(unknown) = arm.angular {
-            let turned = places.arm(arm.from, arm.to).quarter_turn();
-            rest = rest - turned * x[unknown];
+        if let Some(omega) = omega(arm.angular) {
+            side = side - places.arm(arm.from, arm.to).quarter_turn() * omega;
         }
     }
     for slide in &terms.slides {
-        if let SlideRate::Unknown(unknown) = slide.rate {
-            rest = rest - places.guide(slide.slider) * (x[unknown] * slide.sign.into());
-        }
-    }
-    rest
-}
-
-/// The right side of a loop's velocity equations: v_end − v_start − Σ ω J r − Σ ṡ u of known rotations and slides.
-fn velocity_side(terms: &LoopTerms, places: &impl Places, state: &State) -> Pair<Ball> {
-    let mut side = Pair::default();
-    if let Some([start, end]) = terms.ends {
-        let (first, last) = (places.place(terms.first), places.place(terms.last));
-        let [start, end] = [start, end].map(|b| state.body(b));
-        side = (end.velocity - start.velocity) + (end.swing(last) - start.swing(first));
-    }
-    for arm in &terms.arms {
-        if let AngularRate::Known(body) = arm.angular {
-            let turned = places.arm(arm.from, arm.to).quarter_turn();
-            side = side - turned * state.body(body).omega;
-        }
-    }
-    for slide in &terms.slides {
-        if let SlideRate::Driven([speed, _]) = slide.rate {
-            side = side - places.guide(slide.slider) * (places.given(speed) * slide.sign.into());
+        if let Some(speed) = speed(slide.rate) {
+            side = side - places.guide(slide.slider) * (speed * slide.sign.into());
         }
     }
     side
 }
 
+/// The motion of a loop's end less that of its start; zero for a closed contour. `motion` gives that of a body's
+/// reference point, and that of the point at a place relative to it.
+fn between_ends(
+    terms: &LoopTerms,
+    places: &impl Places,
+    state: &State,
+    motion: impl Fn(&BoundedMotion, Pair<Ball>) -> [Pair<Ball>; 2],
+) -> Pair<Ball> {
+    let Some([start, end]) = terms.ends else {
+        return Pair::default();
+    };
+    let start = motion(state.body(start), places.place(terms.first));
+    let end = motion(state.body(end), places.place(terms.last));
+    (end[0] - start[0]) + (end[1] - start[1])
+}
+
 /// The right side of a loop's acceleration equations: a_end − a_start + Σ ω² r − Σ 2 ω ṡ J u, and − Σ α J r − Σ s̈ u of
 /// known rotations and slides.
 fn acceleration_side(terms: &LoopTerms, places: &impl Places, state: &State, rates: &[Ball]) -> Pair<Ball> {
-    let mut side = Pair::default();
-    if let Some([start, end]) = terms.ends {
-        let (first, last) = (places.place(terms.first), places.place(terms.last));
-        let [start, end] = [start, end].map(|b| state.body(b));
-        let turning = end.turning(last) - start.turning(first);
-        side = (end.acceleration - start.acceleration) + turning;
-    }
+    let mut side = between_ends(terms, places, state, |body, place| [body.acceleration, body.turning(place)]);
     let omega = |rate: AngularRate| match rate {
         AngularRate::Unknown(unknown) => rates[unknown],
         AngularRate::Known(body) => state.body(body).omega,

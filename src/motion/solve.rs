@@ -1,12 +1,13 @@
 use super::error::singular;
-use super::known::{driven_motion, known_motion, motion_across};
 use super::moving::{BoundedMotion, BoundedSlide, State};
 use super::places::Places;
 use super::refine::Solver;
 use super::sides::{acceleration_sides, velocity_sides};
-use super::{GroupAccuracy, Motion, MotionError};
+use super::{Motion, MotionError};
 use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
-use crate::mechanism::{AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, SliderId};
+use crate::mechanism::{
+    AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
+};
 use crate::position::Pose;
 use crate::sheet::Sheet;
 use smallvec::smallvec;
@@ -29,7 +30,7 @@ const LARGEST: f64 = 1e150;
 /// [`MotionError::Overflow`] the links whose rates leave the range of f64.
 pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Result<Motion, MotionError> {
     let mut state = known_state(mechanism, pose);
-    let (mut groups, mut warnings) = (Vec::new(), Vec::new());
+    let (mut conditions, mut warnings) = (Vec::new(), Vec::new());
     for group in &mechanism.groups {
         let condition = move_group(mechanism, group, pose, order, &mut state).map_err(|unsolved| match unsolved {
             Unsolved::Singular(condition) => singular(mechanism, group, pose, condition),
@@ -42,9 +43,9 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Result<Motion
                 group.link_names(mechanism),
             ));
         }
-        groups.push(GroupAccuracy { condition });
+        conditions.push(condition);
     }
-    let motion = state.rounded(order, groups, warnings);
+    let motion = state.rounded(order, conditions, warnings);
     match overflowing_body(mechanism, pose, &motion) {
         Some(link) => Err(MotionError::Overflow { links: mechanism.body(link).name.clone() }),
         None => Ok(motion),
@@ -62,7 +63,7 @@ pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order:
             for body in &group.bodies {
                 (state.bodies[body.0].omega, state.bodies[body.0].alpha) = (unknown, unknown);
             }
-            for id in mechanism.slider_ids().filter(|&id| equations.slide_unknown(id).is_some()) {
+            for &(id, _) in &equations.slides {
                 state.slides[id.0] = BoundedSlide { velocity: unknown, acceleration: unknown };
             }
             set_reference_motions(mechanism, group, places, &mut state);
@@ -126,7 +127,7 @@ fn move_group(
         _ => smallvec![Ball::default(); equations.unknowns],
     };
     let mut all = rates.iter().chain(&accelerations);
-    if !all.all(|x| x.high.is_finite() && x.error().is_finite()) {
+    if !all.all(|x| x.is_known()) {
         return Err(Unsolved::Overflow);
     }
 
@@ -138,10 +139,8 @@ fn move_group(
         let body = &mut state.bodies[link.0];
         (body.omega, body.alpha) = (omega, alpha);
     }
-    for slider in mechanism.slider_ids() {
-        if let Some(unknown) = equations.slide_unknown(slider) {
-            state.slides[slider.0] = BoundedSlide { velocity: rates[unknown], acceleration: accelerations[unknown] };
-        }
+    for &(slider, unknown) in &equations.slides {
+        state.slides[slider.0] = BoundedSlide { velocity: rates[unknown], acceleration: accelerations[unknown] };
     }
     set_reference_motions(mechanism, group, places, state);
     Ok(condition)
@@ -152,16 +151,26 @@ fn move_group(
 /// that connects it with known motion.
 fn set_reference_motions(mechanism: &Mechanism, group: &Group, places: &impl Places, state: &mut State) {
     let mut placed: Vec<BodyId> = Vec::new();
+    let across = |state: &State, slider: SliderId, from: BodyId| {
+        motion_across(mechanism, places, slider, from, state.body(from), state.slide(slider))
+    };
     let mut place = |joint: JointId, from: BodyId, to: BodyId, placed: &mut Vec<BodyId>| {
         if placed.contains(&to) {
             return;
         }
         placed.push(to);
         let [from, entered] = [from, to].map(|link| mechanism.side(joint, link));
-        motion_over_joint(mechanism, places, state, joint, from, entered);
+        state.bodies[entered.0] = match mechanism.joint(joint).slider {
+            Some(slider) => across(state, slider, from),
+            None => {
+                let &BoundedMotion { omega, alpha, .. } = state.body(entered);
+                let pin = places.place(mechanism.joint_point(joint));
+                BoundedMotion { omega, alpha, ..state.body(from).referred_to(pin) }
+            }
+        };
         for link in mechanism.compound(to) {
             for slide in mechanism.slides_between(entered, link) {
-                motion_over_slider(mechanism, places, state, slide.slider, slide.from, slide.to);
+                state.bodies[slide.to.0] = across(state, slide.slider, slide.from);
             }
         }
     };
@@ -182,32 +191,82 @@ fn set_reference_motions(mechanism: &Mechanism, group: &Group, places: &impl Pla
     }
 }
 
-/// Sets the motion of body `to` at `joint`, from that of body `from`.
-fn motion_over_joint(
-    mechanism: &Mechanism,
-    places: &impl Places,
-    state: &mut State,
-    joint: JointId,
-    from: BodyId,
-    to: BodyId,
-) {
-    if let Some(slider) = mechanism.joint(joint).slider {
-        return motion_over_slider(mechanism, places, state, slider, from, to);
+/// The motion of a body that the scene gives; rest for a body of a group, whose motion is unknown.
+fn known_motion(mechanism: &Mechanism, places: &impl Places, id: BodyId) -> BoundedMotion {
+    let body = mechanism.body(id);
+    match &body.role {
+        Role::Ground | Role::Member => BoundedMotion::default(),
+        Role::Driver { pivot, omega, alpha, .. } => {
+            let turning = BoundedMotion {
+                at: places.place(*pivot),
+                omega: places.omega(id, *omega),
+                alpha: places.given(*alpha),
+                ..BoundedMotion::default()
+            };
+            // The reference point is the point farthest from the pivot, where a group is usually joined.
+            let arm = |p: PointId| places.points()[p.0] - places.points()[pivot.0];
+            let farther = |best: PointId, &p: &PointId| {
+                if arm(p).norm_squared() > arm(best).norm_squared() { p } else { best }
+            };
+            turning.referred_to(places.place(body.points.iter().fold(*pivot, farther)))
+        }
+        Role::Pushed { slider, from } => {
+            let source = known_motion(mechanism, places, *from);
+            let slide = driven_motion(places, mechanism.slider(*slider));
+            motion_across(mechanism, places, *slider, *from, &source, &slide)
+        }
+        Role::Moving { at, velocity, acceleration, omega, alpha } => BoundedMotion {
+            at: places.given_pair(at.coords),
+            velocity: places.given_pair(*velocity),
+            acceleration: places.given_pair(*acceleration),
+            omega: places.given(*omega),
+            alpha: places.given(*alpha),
+        },
+        Role::Carrier { velocity, acceleration } => BoundedMotion {
+            at: places.place(body.points[0]),
+            velocity: places.given_pair(*velocity),
+            acceleration: places.given_pair(*acceleration),
+            ..BoundedMotion::default()
+        },
+        Role::Unsolved => {
+            let carries = |b: &BodyId| {
+                let other = mechanism.body(*b);
+                matches!(other.role, Role::Carrier { .. }) && other.points[0] == body.points[0]
+            };
+            let carrier = mechanism.body_ids().find(carries);
+            carrier.map_or(BoundedMotion::default(), |carrier| known_motion(mechanism, places, carrier))
+        }
     }
-    let rotation = *state.body(to);
-    let moved = state.body(from).referred_to(places.place(mechanism.joint_point(joint)));
-    state.bodies[to.0] = BoundedMotion { omega: rotation.omega, alpha: rotation.alpha, ..moved };
 }
 
-/// Sets the motion of body `to`, from that of body `from` on the other side of a slider; both have the same rotation.
-fn motion_over_slider(
+/// The given motion of a driven slider; zero for a free one.
+fn driven_motion(places: &impl Places, slider: &Slider) -> BoundedSlide {
+    let drive = slider.drive.as_ref();
+    drive.map_or(BoundedSlide::default(), |drive| BoundedSlide {
+        velocity: places.given(drive.speed),
+        acceleration: places.given(drive.acceleration),
+    })
+}
+
+/// The motion of the body on the other side of a slider from body `from`, whose motion is `source`.
+///
+/// a = a_from + u s̈ + 2 ω ṡ J u, where the last term is the Coriolis acceleration.
+fn motion_across(
     mechanism: &Mechanism,
     places: &impl Places,
-    state: &mut State,
     slider: SliderId,
     from: BodyId,
-    to: BodyId,
-) {
-    let (source, slide) = (state.body(from), state.slide(slider));
-    state.bodies[to.0] = motion_across(mechanism, places, slider, from, source, slide);
+    source: &BoundedMotion,
+    slide: &BoundedSlide,
+) -> BoundedMotion {
+    let Slider { at, on, .. } = *mechanism.slider(slider);
+    let guide = places.guide(slider);
+    let u = if on == from { guide } else { -guide };
+    let moved = source.referred_to(places.place(at));
+    let coriolis = u.quarter_turn() * (source.omega * slide.velocity).twice();
+    BoundedMotion {
+        velocity: moved.velocity + u * slide.velocity,
+        acceleration: moved.acceleration + u * slide.acceleration + coriolis,
+        ..moved
+    }
 }

@@ -1,4 +1,4 @@
-use crate::geometry::{Ball, Pair, Point, Vector, span};
+use crate::geometry::{Point, Vector, span};
 use crate::mechanism::{PointId, SliderId};
 
 /// Distance of points that counts as none, in sizes of the mechanism.
@@ -51,13 +51,6 @@ impl Pose {
     #[must_use]
     pub fn arm(&self, from: PointId, to: PointId) -> Vector {
         self.points[to.0] - self.points[from.0]
-    }
-
-    /// The vector from one point to another, without rounding.
-    #[inline]
-    #[must_use]
-    pub(crate) fn exact_arm(&self, from: PointId, to: PointId) -> Pair<Ball> {
-        Pair::between(self.points[from.0], self.points[to.0])
     }
 
     /// The unit direction of a slider's guide.

@@ -73,7 +73,7 @@ fn rates_on_the_way_are_those_of_the_loop_equations() {
             let motion = motion(mechanism, &pose, Sheet::Acceleration)
                 .unwrap_or_else(|error| panic!("{name} at {value}: {error}"));
             // A group's errors are enlarged by its condition, and by those of the groups on which it hangs.
-            let condition: f64 = motion.groups.iter().map(|g| g.condition).product();
+            let condition: f64 = motion.conditions.iter().product();
             let rates = mechanism.links().map(|(id, _)| motion.body(id));
             let largest = rates.fold([0.0, 0.0], |[first, second]: [f64; 2], body| {
                 [first.max(body.omega.abs()), second.max(body.alpha.abs()).max(body.omega * body.omega)]

@@ -190,7 +190,7 @@ fn a_long_link_costs_no_digits() {
     seen.see("a long link", &mechanism, &pose, &[]);
     let link = mechanism.link("4").expect("a link of the group");
     let relative = motion.error(link).alpha / motion.body(link).alpha.abs();
-    assert!(motion.groups[0].condition < 50.0 && relative <= f64::EPSILON);
+    assert!(motion.conditions[0] < 50.0 && relative <= f64::EPSILON);
     assert!(seen.failures.is_empty(), "{:?}", seen.failures);
 }
 

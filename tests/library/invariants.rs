@@ -27,7 +27,7 @@ fn moved(scene: &Value) -> Option<Solution> {
 }
 
 fn condition(solution: &Solution) -> f64 {
-    solution.motion.groups[0].condition
+    solution.motion.conditions[0]
 }
 
 /// Random groups, each changed by `changed` to a group that is solved again; prints and bounds the largest difference.

@@ -46,7 +46,7 @@ fn every_kind_gives_exercises_that_a_hand_draws_well() {
         lines_cross_well(&kind, &solution);
         segments_are_long(&kind, &solution);
         special_points_are_on_the_sheet(&kind, &exercise);
-        let conditions = solution.motion.groups.iter().map(|g| g.condition);
+        let conditions = solution.motion.conditions.iter().copied();
         assert!(conditions.fold(1.0, f64::max) <= 40.0, "{kind}");
         // The scales stand in the file, of the series 1, 2, 2.5, 5.
         let figure = &solution.scene.figure;

@@ -132,7 +132,7 @@ impl Case {
         let rates = rates.map(without_rounding);
         Some(Case {
             sizes: Sizes::new(&pins, &rates),
-            condition: motion(&mechanism, &pose, Sheet::Velocity).ok().map(|motion| motion.groups[0].condition),
+            condition: motion(&mechanism, &pose, Sheet::Velocity).ok().map(|motion| motion.conditions[0]),
             truth: rates,
             pins,
             mechanism,
