@@ -1,14 +1,12 @@
 use super::closing::places;
-use super::count::{Count, counted};
-use super::listing::Listing;
+use super::listing::{Count, Listing, counted};
 use super::modes::NoMode;
 use super::nearest::nearest;
-use super::rough::Rough;
 use super::tree::{Tree, WholeAssembly};
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::{Point, Vector, span, unit};
-use crate::mechanism::{Body, Guide, Mechanism, PointId, Role};
-use crate::scene::{GivenBy, Near};
+use crate::mechanism::{Guide, Mechanism, PointId, Role, mirrored_mechanism};
+use crate::scene::{GivenBy, Near, Scene};
 
 /// Most assemblies of a whole mechanism that are listed.
 const MOST_LISTED: usize = 4096;
@@ -25,8 +23,17 @@ const FAR: f64 = 0.22;
 /// Number of assemblies that a warning lists.
 const LISTED: usize = 8;
 
+/// The warning that not all assemblies have been compared.
+const UNPROVEN: &str = "`near` leaves too many assemblies open to compare them all, and the one taken may not be the nearest: give rough places of more points in it";
+
 /// Lengths must lie between the inverse of this and this: closing a loop takes their fourth powers.
 const LARGEST: f64 = 1e70;
+
+/// Most nearly flat triangles all of whose sides are tried together; of more, one is turned over at a time.
+const TOGETHER: usize = 5;
+
+/// Ratio of the distances from `near`, root mean square, below which the choice of a side is said.
+const CLEAR: f64 = 3.0;
 
 /// The pose of a mechanism: as drawn, or assembled from its lengths in the way nearest to `near`.
 ///
@@ -37,10 +44,9 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
         return Ok(drawn_pose(mechanism));
     }
     check_size(mechanism)?;
-    let rough = Rough::new(mechanism.for_positions(), near);
-    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let mut tree = Tree::new(mechanism.for_positions(), near);
     let (mut whole, remarks) =
-        if rough.is_empty() { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree, &rough) }?;
+        if tree.rough().count() == 0 { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree) }?;
     if mechanism.placing.is_some() {
         let assembly = number(&mut tree, &whole);
         whole.assemblies = vec![assembly; mechanism.groups.len()];
@@ -79,8 +85,7 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
         return Ok(Listed { poses: vec![drawn_pose(mechanism)], count: Count { number: 1, is_exact: true } });
     }
     check_size(mechanism)?;
-    let rough = Rough::new(mechanism.for_positions(), near);
-    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let mut tree = Tree::new(mechanism.for_positions(), near);
     let (mut found, is_all) = listed(mechanism, &mut tree, MOST_LISTED + 1)?;
     let mut count = Count { number: found.len() as u64, is_exact: is_all };
     if !is_all {
@@ -104,8 +109,7 @@ pub(crate) fn first_poses(mechanism: &Mechanism, near: &Near, most: usize) -> Re
         return Ok(vec![drawn_pose(mechanism)]);
     }
     check_size(mechanism)?;
-    let rough = Rough::new(mechanism.for_positions(), near);
-    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let mut tree = Tree::new(mechanism.for_positions(), near);
     let (found, _) = listed(mechanism, &mut tree, most.max(1))?;
     Ok(found.into_iter().map(|whole| whole.pose(mechanism)).collect())
 }
@@ -120,8 +124,7 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
         return if mode == 1 { Ok(drawn_pose(mechanism)) } else { Err(none(1, true)) };
     }
     check_size(mechanism)?;
-    let rough = Rough::new(mechanism.for_positions(), near);
-    let mut tree = Tree::new(mechanism.for_positions(), &rough);
+    let mut tree = Tree::new(mechanism.for_positions(), near);
     let mut listing = Listing::new(&mut tree, MOST_WORK);
     let mut count = 0;
     let found = listing.by_ref().inspect(|_| count += 1).take(mode).last().filter(|_| mode > 0);
@@ -132,7 +135,8 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
         });
     };
     if mechanism.placing.is_some() {
-        let modes = exact_number(&mut tree);
+        let all = counted(&mut tree, MOST_WORK);
+        let modes = usize::try_from(all.number).ok().filter(|_| all.is_exact);
         whole.assemblies = vec![modes.map(|modes| Assembly { mode, modes }); mechanism.groups.len()];
     }
     Ok(whole.pose(mechanism))
@@ -163,25 +167,16 @@ fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, V
 }
 
 /// The assembly nearest to the rough places, with warnings about the choice.
-fn closest(
-    mechanism: &Mechanism,
-    tree: &mut Tree<'_>,
-    rough: &Rough,
-) -> Result<(WholeAssembly, Vec<String>), AssemblyError> {
-    let Some(nearest) = nearest(tree, rough) else {
+fn closest(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, Vec<String>), AssemblyError> {
+    let Some(nearest) = nearest(tree) else {
         return match listed(mechanism, tree, 1)?.0.pop() {
-            Some(whole) => Ok((whole, vec![unproven()])),
+            Some(whole) => Ok((whole, vec![UNPROVEN.to_owned()])),
             None => Err(AssemblyError::TooMuchWork),
         };
     };
-    let remark = far_remark(tree.mechanism, rough, &nearest.whole, || counted(tree, LITTLE_WORK));
-    let unproven = (!nearest.is_proven).then(unproven);
+    let remark = far_remark(tree, &nearest.whole);
+    let unproven = (!nearest.is_proven).then(|| UNPROVEN.to_owned());
     Ok((nearest.whole, unproven.into_iter().chain(remark).collect()))
-}
-
-fn unproven() -> String {
-    "`near` leaves too many assemblies open to compare them all, and the one taken may not be the nearest: give rough places of more points in it"
-        .to_owned()
 }
 
 /// The first assemblies, `most` at most, and whether these are all.
@@ -201,9 +196,8 @@ fn listed(
 
 /// The error that a listing is empty.
 fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
-    let is_stopped = listing.is_stopped;
-    match listing.failure() {
-        Some((group, no_mode)) if !is_stopped => {
+    match listing.failure {
+        Some((group, no_mode)) if !listing.is_stopped => {
             let mechanism = whole.for_positions();
             let (links, at) = (mechanism.groups[group].link_names(mechanism), given_angles(whole));
             match no_mode {
@@ -224,12 +218,6 @@ fn number(tree: &mut Tree<'_>, whole: &WholeAssembly) -> Option<Assembly> {
     (!listing.is_stopped).then_some(Assembly { mode, modes: mode + rest })
 }
 
-/// The number of all assemblies, if they are not too many to count.
-fn exact_number(tree: &mut Tree<'_>) -> Option<usize> {
-    let count = counted(tree, MOST_WORK);
-    usize::try_from(count.number).ok().filter(|_| count.is_exact)
-}
-
 /// The given drive angles and positions in words, as in ` at angle(1) = 70°`.
 fn given_angles(mechanism: &Mechanism) -> String {
     let turned = mechanism.bodies.iter().filter_map(|b| match b.role {
@@ -248,33 +236,28 @@ fn given_angles(mechanism: &Mechanism) -> String {
     turned.chain(pushed).chain(placed).collect::<Vec<_>>().join(",")
 }
 
-/// The warning that the nearest assembly is far from `near`: as a whole, or else in one of its places. `count` says how
-/// many assemblies there are.
-fn far_remark(
-    mechanism: &Mechanism,
-    rough: &Rough,
-    nearest: &WholeAssembly,
-    count: impl FnOnce() -> Count,
-) -> Option<String> {
+/// The warning that the nearest assembly is far from `near`: as a whole, or else in one of its places.
+fn far_remark(tree: &mut Tree<'_>, nearest: &WholeAssembly) -> Option<String> {
+    let mechanism = tree.mechanism;
     let (points, _) = places(mechanism, &nearest.frames);
     let size = span(points.iter().copied());
-    let distance = nearest.distance_from(rough, mechanism);
+    let distance = tree.distance(nearest);
     if distance > 0.5 * size {
         return Some(format!(
             "`near` is {distance:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {size:.4}: \
              check its coordinates",
-            count(),
+            counted(tree, LITTLE_WORK),
         ));
     }
     let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
-    let (point, off) = rough.points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (point, off) = tree.rough().points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
     (off > FAR * size).then(|| {
         let (name, place) = (mechanism.point_name(point), points[point.0]);
         format!(
             "point {name} is at [{:.4}, {:.4}], {off:.4} away from its place in `near`, in the closest of {} assembly modes: check its coordinates",
             place.x,
             place.y,
-            count(),
+            counted(tree, LITTLE_WORK),
         )
     })
 }
@@ -313,7 +296,7 @@ fn drawn_pose(mechanism: &Mechanism) -> Pose {
         .collect();
     let axes = mechanism.bodies.iter().enumerate();
     let axes = axes.map(|(index, body)| match body.points.as_slice() {
-        _ if is_nameless(body) => None,
+        _ if body.role == Role::Ground || body.is_nameless() => None,
         [a, b, ..] => Some(points[b.0] - points[a.0]),
         // The axis of a link with one point is its guide.
         _ => {
@@ -336,7 +319,61 @@ fn drawn_pose(mechanism: &Mechanism) -> Pose {
     }
 }
 
-/// Whether a body has no name in the scene.
-fn is_nameless(body: &Body) -> bool {
-    body.role == Role::Ground || body.is_nameless()
+/// The mechanism of a scene with its nearly flat triangles on the sides on which the nearest assembly is nearest to
+/// `near`, with a warning where the other side is nearly as good.
+///
+/// Three lengths fit a triangle and its mirror image. Rough places of all three points tell which, unless the triangle is
+/// so flat that a small error of theirs turns it over: then all of `near` decides.
+pub fn with_nearest_sides(scene: &Scene, mechanism: Mechanism) -> Mechanism {
+    if mechanism.doubtful_sides.is_empty() || mechanism.given_by == GivenBy::Drawing {
+        return mechanism;
+    }
+    let names: Vec<String> = mechanism.doubtful_sides.iter().map(|&id| mechanism.body(id).name.clone()).collect();
+    let trials: Vec<(Vec<bool>, f64)> = trials(names.len())
+        .map(|turned| {
+            let mechanism = turned_over(scene, &names, &turned);
+            let distance = mechanism.and_then(|mechanism| distance(scene, &mechanism));
+            (turned, distance.unwrap_or(f64::INFINITY))
+        })
+        .collect();
+    let Some((best, least)) = trials.iter().min_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return mechanism;
+    };
+    let mut chosen = match best.contains(&true) {
+        true => turned_over(scene, &names, best).unwrap_or(mechanism),
+        false => mechanism,
+    };
+    for (link, name) in names.iter().enumerate() {
+        let others = trials.iter().filter(|(turned, _)| turned[link] != best[link]).map(|(_, distance)| *distance);
+        if others.fold(f64::INFINITY, f64::min) < CLEAR * least {
+            chosen.warnings.push(format!(
+                "link {name}: its points lie nearly on a line, and `near` fits its triangle and the mirror image almost equally well; \
+                 the nearer one is taken. Give its `shape`, or places in `near` with more digits, to choose"
+            ));
+        }
+    }
+    chosen
+}
+
+/// The mechanism with some of these links turned over.
+fn turned_over(scene: &Scene, names: &[String], turned: &[bool]) -> Option<Mechanism> {
+    let links = names.iter().zip(turned).filter(|(_, turned)| **turned);
+    let links: Vec<&str> = links.map(|(name, _)| name.as_str()).collect();
+    mirrored_mechanism(scene, &links).ok()
+}
+
+/// Which links are turned over in one trial after another: none in the first.
+fn trials(links: usize) -> impl Iterator<Item = Vec<bool>> {
+    let count = if links <= TOGETHER { 1 << links } else { 1 + links };
+    (0..count).map(move |trial| match links <= TOGETHER {
+        true => (0..links).map(|link| trial >> link & 1 == 1).collect(),
+        false => (1..=links).map(|link| link == trial).collect(),
+    })
+}
+
+/// The distance of a mechanism's nearest assembly from `near`; none if it has none.
+fn distance(scene: &Scene, mechanism: &Mechanism) -> Option<f64> {
+    let mut tree = Tree::new(mechanism.for_positions(), &scene.near);
+    let nearest = nearest(&mut tree)?;
+    Some(tree.distance(&nearest.whole))
 }

@@ -1,5 +1,5 @@
 use super::frames::{Frames, pinned};
-use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
+use crate::geometry::{BoundingBox, Point, UNIT_ROUNDOFF, Vector, span};
 use crate::kernel::{Kernel, Single, Unknown};
 use crate::mechanism::{BodyId, GROUND, Joint, Mechanism, PointId, SliderId};
 
@@ -279,36 +279,4 @@ pub(super) fn places(mechanism: &Mechanism, frames: &Frames) -> (Vec<Point>, Vec
         frames.of(slider.on).map_or(direction, |frame| (frame.rotation * direction).normalize())
     });
     (points, guides.collect())
-}
-
-/// The bounding box of points.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct BoundingBox {
-    /// Its lower left and upper right corner; none without points.
-    corners: Option<[Point; 2]>,
-}
-
-impl BoundingBox {
-    pub(super) fn of(points: impl IntoIterator<Item = Point>) -> BoundingBox {
-        BoundingBox::default().with(points)
-    }
-
-    /// The box of its points and these.
-    pub(super) fn with(mut self, points: impl IntoIterator<Item = Point>) -> BoundingBox {
-        for p in points {
-            let [low, high] = self.corners.unwrap_or([p, p]);
-            self.corners = Some([low.inf(&p), high.sup(&p)]);
-        }
-        self
-    }
-
-    /// The box of its points and those of another.
-    pub(super) fn joined(self, other: BoundingBox) -> BoundingBox {
-        self.with(other.corners.into_iter().flatten())
-    }
-
-    /// Its diagonal: the size of the set of points, as [`span`] gives it.
-    pub(super) fn size(self) -> f64 {
-        span(self.corners.into_iter().flatten())
-    }
 }

@@ -1,7 +1,6 @@
-use std::rc::Rc;
-
 use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn, turn_of_degrees};
 use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider, SliderId};
+use std::rc::Rc;
 
 /// By body: the placement of its frame in the fixed frame; none while it is unknown.
 ///
@@ -10,7 +9,7 @@ use crate::mechanism::{Body, BodyId, JointId, Mechanism, PointId, Role, Slider, 
 pub(super) struct Frames {
     settled: Rc<Vec<Option<Placement>>>,
     /// What has been set since.
-    set: Vec<(BodyId, Placement)>,
+    pub(super) set: Vec<(BodyId, Placement)>,
 }
 
 impl Frames {
@@ -47,11 +46,6 @@ impl Frames {
             Some((_, place)) => *place = frame,
             None => self.set.push((body, frame)),
         }
-    }
-
-    /// The frames that have been set since the last settling.
-    pub(super) fn newly_set(self) -> Vec<(BodyId, Placement)> {
-        self.set
     }
 
     /// Sets frames for all copies that are made from now on.
@@ -112,16 +106,12 @@ pub(super) fn local(mechanism: &Mechanism, body: BodyId, point: PointId) -> Poin
     local.unwrap_or_else(Point::origin)
 }
 
-/// Placement of the sliding link in the frame of the guide's body, at slider position `s`.
-pub(super) fn placement_on_guide(mechanism: &Mechanism, slider: &Slider, s: f64) -> Placement {
+/// Placement of the body on the other side of a slider in the frame of `from`, at slider position `s`.
+fn placement_across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
     let (through, direction) = slider.line();
     let at = local(mechanism, slider.link, slider.at);
-    pinned(slider.turn(), at, through + direction * s)
-}
-
-/// Placement of the body on the other side of a slider in the frame of `from`, at slider position `s`.
-pub(super) fn placement_across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
-    let forward = placement_on_guide(mechanism, slider, s);
+    // The sliding link in the frame of the guide's body.
+    let forward = pinned(slider.turn(), at, through + direction * s);
     if slider.on == from { forward } else { forward.inverse() }
 }
 
@@ -190,11 +180,7 @@ pub(super) fn least_squares_placement(pairs: &[(Point, Point)]) -> Option<Placem
         cosine += l.dot(&w);
         sine += cross(l, w);
     }
-    let size = libm::hypot(cosine, sine);
-    (size > 0.0).then(|| {
-        let turn = Turn::from_cos_sin_unchecked(cosine / size, sine / size);
-        pinned(turn, local_mean, place_mean)
-    })
+    aligning(cosine, sine).map(|turn| pinned(turn, local_mean, place_mean))
 }
 
 /// Placement, in the middle frame, of a body with a pin at `from`, turned so that its point `local_to` lies towards
@@ -202,7 +188,11 @@ pub(super) fn least_squares_placement(pairs: &[(Point, Point)]) -> Option<Placem
 pub(super) fn placement_towards(local_from: Point, local_to: Point, from: Point, to: Point) -> Placement {
     let (l, w) = (local_to - local_from, to - from);
     let (cosine, sine) = (l.dot(&w), quarter_turn(l).dot(&w));
+    pinned(aligning(cosine, sine).unwrap_or_else(Turn::identity), local_from, from)
+}
+
+/// The rotation whose cosine and sine are in this ratio; `None` where both are zero.
+fn aligning(cosine: f64, sine: f64) -> Option<Turn> {
     let size = libm::hypot(cosine, sine);
-    let turn = if size > 0.0 { Turn::from_cos_sin_unchecked(cosine / size, sine / size) } else { Turn::identity() };
-    pinned(turn, local_from, from)
+    (size > 0.0).then(|| Turn::from_cos_sin_unchecked(cosine / size, sine / size))
 }

@@ -1,6 +1,6 @@
 use super::frames::LegJoint;
 use super::roots::{real_roots, real_roots_of_first_degree};
-use crate::geometry::{Placement, Point, Vector, cross, quarter_turn};
+use crate::geometry::{Placement, Point, Turn, Vector, cross, quarter_turn};
 
 /// Condition that a leg between rigid bodies a and b imposes on the placement of b in the frame of a.
 ///
@@ -15,7 +15,17 @@ pub enum LegCondition {
     /// Point `a` of body a lies on the line through `point` along `direction` of body b.
     OnLineOfB { point: Point, direction: Vector, a: Point },
     /// The rotation of body b relative to a is given.
-    Turned(crate::geometry::Turn),
+    Turned(Turn),
+}
+
+impl LegCondition {
+    /// The rotation of body b relative to a, if the leg keeps it.
+    fn turn(&self) -> Option<Turn> {
+        match self {
+            LegCondition::Turned(turn) => Some(*turn),
+            _ => None,
+        }
+    }
 }
 
 /// Every real placement of body b in the frame of a that satisfies three conditions.
@@ -27,22 +37,15 @@ pub enum LegCondition {
 /// root they are exact to about half the digits; the caller closes the loops to full accuracy and drops what does not
 /// close.
 pub fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
-    if let Some(k) = conditions.iter().position(|c| matches!(c, LegCondition::Turned(_))) {
-        let LegCondition::Turned(turn) = conditions[k] else {
-            return Vec::new();
-        };
-        let rest = [conditions[(k + 1) % 3], conditions[(k + 2) % 3]];
-        let turn = Vector::new(turn.re, turn.im);
-        let rows = rest.map(|c| Row::new(&c, turn));
+    if let Some((k, turn)) = conditions.iter().enumerate().find_map(|(k, c)| Some((k, c.turn()?))) {
+        let rows = [(k + 1) % 3, (k + 2) % 3].map(|other| Row::new(&conditions[other], turn));
         return translations(&rows).into_iter().map(|t| placement(t, turn)).collect();
     }
-    let rows_at = |turn: Vector| conditions.map(|c| Row::new(&c, turn));
+    let rows_at = |turn: Turn| conditions.map(|c| Row::new(&c, turn));
     let mut found = Vec::new();
-    for turn in real_roots(|turn| closing_polynomial(&rows_at(turn))) {
-        let rows = rows_at(turn);
-        for t in translations_at_root(&rows) {
-            found.push(placement(t, turn));
-        }
+    for direction in real_roots(|direction| closing_polynomial(&rows_at(turn_to(direction)))) {
+        let turn = turn_to(direction);
+        found.extend(translations_at_root(&rows_at(turn)).into_iter().map(|t| placement(t, turn)));
     }
     found
 }
@@ -54,80 +57,65 @@ pub fn placements(conditions: [LegCondition; 3]) -> Vec<Placement> {
 pub(super) fn joined_placements(direct: &LegJoint, condition: LegCondition) -> Vec<Placement> {
     match *direct {
         LegJoint::Pin { local, place } => {
-            let at = |turn: Vector| place.coords - turned(turn, local.coords);
-            if let LegCondition::Turned(turn) = condition {
-                let turn = Vector::new(turn.re, turn.im);
+            let at = |turn: Turn| place.coords - turn * local.coords;
+            if let Some(turn) = condition.turn() {
                 return vec![placement(at(turn), turn)];
             }
-            let turns = real_roots_of_first_degree(|turn| Row::new(&condition, turn).excess(at(turn)));
-            turns.into_iter().map(|turn| placement(at(turn), turn)).collect()
+            let excess = |turn: Turn| Row::new(&condition, turn).excess(at(turn));
+            let directions = real_roots_of_first_degree(|direction| excess(turn_to(direction)));
+            directions.into_iter().map(turn_to).map(|turn| placement(at(turn), turn)).collect()
         }
         LegJoint::Slide { frame, along } => {
-            let turn = Vector::new(frame.rotation.re, frame.rotation.im);
             let normal = quarter_turn(along);
             let guide = Row { is_circle: false, arm: normal, constant: normal.dot(&frame.translation.vector) };
-            let rows = [guide, Row::new(&condition, turn)];
-            translations(&rows).into_iter().map(|t| placement(t, turn)).collect()
+            let rows = [guide, Row::new(&condition, frame.rotation)];
+            translations(&rows).into_iter().map(|t| placement(t, frame.rotation)).collect()
         }
     }
 }
 
 /// The smallest deviation of the first distance condition with the other conditions satisfied, over all relative
-/// rotations: positive where the leg would have to be longer. `None` without a distance condition or where the others
-/// have no solution.
-pub(super) fn smallest_deviation(direct: Option<&LegJoint>, conditions: &[LegCondition]) -> Option<f64> {
-    let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
-    let first = conditions.iter().position(is_distance)?;
-    let circle = &conditions[first];
+/// rotations: positive where the leg would have to be longer; and the index of that condition. `None` without a distance
+/// condition or where the others have no solution.
+pub(super) fn smallest_deviation(direct: Option<&LegJoint>, conditions: &[LegCondition]) -> Option<(usize, f64)> {
+    const SAMPLES: usize = 720;
+    let first = conditions.iter().position(|c| matches!(c, LegCondition::Distance { .. }))?;
     let others: Vec<&LegCondition> =
         conditions.iter().enumerate().filter(|(k, _)| *k != first).map(|(_, c)| c).collect();
-    const SAMPLES: usize = 720;
-    let fixed = others.iter().find_map(|c| match c {
-        LegCondition::Turned(turn) => Some(Vector::new(turn.re, turn.im)),
-        _ => None,
-    });
-    let turns: Vec<Vector> = match (fixed, direct) {
+    let turns: Vec<Turn> = match (others.iter().find_map(|c| c.turn()), direct) {
         (Some(turn), _) => vec![turn],
-        (None, Some(LegJoint::Slide { frame, .. })) => {
-            vec![Vector::new(frame.rotation.re, frame.rotation.im)]
-        }
+        (None, Some(LegJoint::Slide { frame, .. })) => vec![frame.rotation],
         (None, _) => (0..SAMPLES)
             .map(|k| std::f64::consts::TAU * k as f64 / SAMPLES as f64)
-            .map(|angle| Vector::new(libm::cos(angle), libm::sin(angle)))
+            .map(|angle| Turn::from_cos_sin_unchecked(libm::cos(angle), libm::sin(angle)))
             .collect(),
     };
     let deviations = turns.into_iter().flat_map(|turn| {
+        let circle = Row::new(&conditions[first], turn);
         let found = match (direct, others.as_slice()) {
-            (Some(LegJoint::Pin { local, place }), _) => {
-                vec![place.coords - turned(turn, local.coords)]
-            }
+            (Some(LegJoint::Pin { local, place }), _) => vec![place.coords - turn * local.coords],
             // The point of the guide nearest to the circle's centre.
             (Some(LegJoint::Slide { frame, along }), _) => {
-                let centre = -Row::new(circle, turn).arm;
                 let start = frame.translation.vector;
-                vec![start + along * (centre - start).dot(along)]
+                vec![start + along * (-circle.arm - start).dot(along)]
             }
             (None, &[a, b]) => translations(&[Row::new(a, turn), Row::new(b, turn)]),
             (None, _) => Vec::new(),
         };
-        found.into_iter().map(move |t| deviation(circle, turn, t))
+        // Present distance less the leg's length.
+        found.into_iter().map(move |t| (t + circle.arm).norm() - circle.constant)
     });
-    deviations.filter(|m| m.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))
+    let least = deviations.filter(|m| m.is_finite()).min_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    Some((first, least))
 }
 
-/// Present distance less the leg's length.
-fn deviation(circle: &LegCondition, turn: Vector, t: Vector) -> f64 {
-    let row = Row::new(circle, turn);
-    (t + row.arm).norm() - row.constant
+/// The rotation of the x axis to a unit vector.
+fn turn_to(direction: Vector) -> Turn {
+    Turn::from_cos_sin_unchecked(direction.x, direction.y)
 }
 
-/// A vector rotated by the angle with cosine `turn.x` and sine `turn.y`.
-fn turned(turn: Vector, v: Vector) -> Vector {
-    Vector::new(turn.x * v.x - turn.y * v.y, turn.x * v.y + turn.y * v.x)
-}
-
-fn placement(t: Vector, turn: Vector) -> Placement {
-    Placement::from_parts(t.into(), crate::geometry::Turn::from_cos_sin_unchecked(turn.x, turn.y))
+fn placement(t: Vector, turn: Turn) -> Placement {
+    Placement::from_parts(t.into(), turn)
 }
 
 /// A condition on the translation t at a given rotation.
@@ -140,19 +128,18 @@ struct Row {
 }
 
 impl Row {
-    fn new(condition: &LegCondition, turn: Vector) -> Row {
-        let turned = |v: Vector| turned(turn, v);
+    fn new(condition: &LegCondition, turn: Turn) -> Row {
         match *condition {
             LegCondition::Distance { a, b, length } => {
-                Row { is_circle: true, arm: turned(b.coords) - a.coords, constant: length }
+                Row { is_circle: true, arm: turn * b.coords - a.coords, constant: length }
             }
             LegCondition::OnLineOfA { point, direction, b } => {
                 let normal = quarter_turn(direction);
-                Row { is_circle: false, arm: normal, constant: normal.dot(&(point.coords - turned(b.coords))) }
+                Row { is_circle: false, arm: normal, constant: normal.dot(&(point.coords - turn * b.coords)) }
             }
             LegCondition::OnLineOfB { point, direction, a } => {
-                let normal = turned(quarter_turn(direction));
-                Row { is_circle: false, arm: normal, constant: normal.dot(&(a.coords - turned(point.coords))) }
+                let normal = turn * quarter_turn(direction);
+                Row { is_circle: false, arm: normal, constant: normal.dot(&(a.coords - turn * point.coords)) }
             }
             // At this rotation it holds for every t.
             LegCondition::Turned(_) => Row { is_circle: false, arm: Vector::zeros(), constant: 0.0 },

@@ -19,12 +19,10 @@
 
 mod assemble;
 mod closing;
-mod count;
 mod error;
 mod frames;
 #[doc(hidden)] // for tests
 pub mod legs;
-mod levers;
 mod listing;
 mod modes;
 mod nearest;
@@ -34,13 +32,11 @@ mod pose;
 pub mod roots;
 mod rough;
 mod search;
-mod sides;
 mod tree;
 
 pub(crate) use assemble::first_poses;
-pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses};
-pub use count::Count;
+pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses, with_nearest_sides};
 pub use error::AssemblyError;
+pub use listing::Count;
 pub use pose::{Assembly, Pose};
-pub use sides::with_nearest_sides;
 pub(crate) use tree::search_warnings;

@@ -1,13 +1,11 @@
-use std::cmp::Ordering;
-
-use super::closing::{Assembled, BoundingBox, Closer, places};
-use super::frames::Frames;
-use super::levers::Lever;
+use super::closing::{Assembled, Closer, places};
+use super::frames::{Frames, local, pinned};
 use super::platform::Platform;
 use super::rough::Rough;
 use super::search::Search;
-use crate::geometry::{Point, Vector, degrees_of};
-use crate::mechanism::{Class, Group, LoopEquations, Mechanism};
+use crate::geometry::{BoundingBox, Point, Turn, Vector, cross, degrees_of};
+use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism, SliderId};
+use std::cmp::Ordering;
 
 /// Largest gap of a closed loop, relative to the mechanism's size: far more than the rounding that Newton's method
 /// leaves, less than the gap a billionth of a degree beyond a limit position.
@@ -53,7 +51,8 @@ pub(super) enum NoMode {
 /// Finds the assembly modes of one group after another, over and over, for all assemblies of the groups before.
 pub(super) struct Assembler<'a> {
     mechanism: &'a Mechanism,
-    rough: &'a Rough,
+    /// Chooses among the modes, and where a search starts.
+    pub rough: Rough,
     closer: Closer<'a>,
     groups: Vec<Prepared>,
     /// The points of the bodies of known position.
@@ -70,7 +69,7 @@ struct Prepared {
 
 impl<'a> Assembler<'a> {
     /// `known` are the frames of the bodies that no group holds.
-    pub(super) fn new(mechanism: &'a Mechanism, known: &Frames, rough: &'a Rough) -> Assembler<'a> {
+    pub(super) fn new(mechanism: &'a Mechanism, known: &Frames, rough: Rough) -> Assembler<'a> {
         let prepared = |group: &Group| {
             let equations = LoopEquations::new(mechanism, group);
             Prepared { levers: Lever::all(mechanism, group, &equations), equations }
@@ -93,7 +92,15 @@ impl<'a> Assembler<'a> {
     /// `near` gives its angle, both orientations are modes.
     pub(super) fn modes(&mut self, index: usize, known: &Frames, slides: &[f64]) -> Result<Vec<Assembled>, NoMode> {
         let (mechanism, group) = (self.mechanism, &self.mechanism.groups[index]);
-        let mut modes = Modes::new(self, index);
+        let mut modes = Modes {
+            assembler: self,
+            index,
+            group,
+            found: Vec::new(),
+            points: Vec::new(),
+            is_regular: false,
+            smallest_gap: f64::INFINITY,
+        };
         if let Some(platform) = Platform::new(mechanism, group, known) {
             for start in platform.starts(known, slides) {
                 modes.close(start, f64::INFINITY);
@@ -102,7 +109,7 @@ impl<'a> Assembler<'a> {
                 return Err(NoMode::Apart(platform.miss()));
             }
         } else {
-            let mut search = Search::new(mechanism, group, known, slides, modes.assembler.rough);
+            let mut search = Search::new(mechanism, group, known, slides, &modes.assembler.rough);
             while !search.is_over(modes.found.len(), modes.is_regular) {
                 let start = search.start();
                 if modes.close(start, search.size) {
@@ -135,19 +142,7 @@ struct Modes<'s, 'a> {
     smallest_gap: f64,
 }
 
-impl<'s, 'a> Modes<'s, 'a> {
-    fn new(assembler: &'s mut Assembler<'a>, index: usize) -> Modes<'s, 'a> {
-        Modes {
-            group: &assembler.mechanism.groups[index],
-            assembler,
-            index,
-            found: Vec::new(),
-            points: Vec::new(),
-            is_regular: false,
-            smallest_gap: f64::INFINITY,
-        }
-    }
-
+impl Modes<'_, '_> {
     /// Closes the loops from `start` and keeps the assembly if it is a new mode; whether they close.
     ///
     /// A slider that has moved far away enlarges the mechanism and makes any relative gap small: gaps are taken
@@ -262,4 +257,85 @@ fn same_turns(mechanism: &Mechanism, group: &Group, a: &Assembled, b: &Assembled
             along * along + across * across <= most * most
         })
     })
+}
+
+/// A slotted lever with one point, on the line of its slot, with the one-point blocks that slide in it.
+///
+/// Turned by 180° about their points together, they have the same places: only the axes and the signs of the slides
+/// change.
+#[derive(Debug)]
+struct Lever {
+    /// The lever and its blocks.
+    links: Vec<BodyId>,
+    /// The sliders on the lever, in scene order.
+    sliders: Vec<SliderId>,
+}
+
+impl Lever {
+    /// The levers of a group.
+    fn all(mechanism: &Mechanism, group: &Group, equations: &LoopEquations) -> Vec<Lever> {
+        let mut levers: Vec<Lever> = Vec::new();
+        let unknowns = 0..equations.unknowns;
+        for unknown in unknowns {
+            let turns = |link: &&BodyId| equations.angular_unknown(**link) == Some(unknown);
+            let links: Vec<BodyId> = group.bodies.iter().filter(turns).copied().collect();
+            let sliders: Vec<SliderId> =
+                mechanism.slider_ids().filter(|&id| links.contains(&mechanism.slider(id).on)).collect();
+            let lever = Lever { links, sliders };
+            if lever.is_symmetric(mechanism) {
+                levers.push(lever);
+            }
+        }
+        levers
+    }
+
+    fn is_symmetric(&self, mechanism: &Mechanism) -> bool {
+        let one_point = |&link: &BodyId| mechanism.body(link).points.len() == 1;
+        // A given position of a slider distinguishes the two orientations.
+        let driven = |&id: &SliderId| mechanism.slider(id).drive.is_some();
+        let is_through_point = |&id: &SliderId| {
+            let slider = mechanism.slider(id);
+            let point = only_point(mechanism, slider.on);
+            let (through, direction) = slider.line();
+            // Exact comparison: these are the scene's own coordinates.
+            cross(through - point, direction) == 0.0
+        };
+        !self.sliders.is_empty()
+            && !self.sliders.iter().any(driven)
+            && self.links.iter().all(one_point)
+            && self.sliders.iter().all(is_through_point)
+    }
+
+    /// An assembly with the lever turned by 180°.
+    fn reversed(&self, mechanism: &Mechanism, assembled: &Assembled) -> Assembled {
+        let mut reversed = assembled.clone();
+        for &link in &self.links {
+            let point = only_point(mechanism, link);
+            if let Some(&frame) = assembled.frames.of(link) {
+                let turn = Turn::from_cos_sin_unchecked(-frame.rotation.re, -frame.rotation.im);
+                reversed.frames.set(link, pinned(turn, point, frame * point));
+            }
+        }
+        for &id in &self.sliders {
+            // Slides count from `through`, which need not be the lever's point.
+            let slider = mechanism.slider(id);
+            let point = only_point(mechanism, slider.on);
+            let (through, direction) = slider.line();
+            let offset = (through - point).dot(&direction);
+            reversed.slides[id.0] = -assembled.slides[id.0] - 2.0 * offset;
+        }
+        reversed
+    }
+
+    /// The assembly with the lever in the orientation in which its first slider has the larger position.
+    fn positive(&self, mechanism: &Mechanism, assembled: Assembled) -> Assembled {
+        let reversed = self.reversed(mechanism, &assembled);
+        let first = self.sliders[0].0;
+        if reversed.slides[first] > assembled.slides[first] { reversed } else { assembled }
+    }
+}
+
+/// The point of a one-point link, in its frame.
+fn only_point(mechanism: &Mechanism, link: BodyId) -> Point {
+    local(mechanism, link, mechanism.body(link).points[0])
 }

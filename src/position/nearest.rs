@@ -1,7 +1,7 @@
-use super::closing::{BoundingBox, places};
-use super::rough::{Rough, chord};
+use super::closing::places;
+use super::rough::chord;
 use super::tree::{Placed, Tree, WholeAssembly};
-use crate::geometry::Point;
+use crate::geometry::{BoundingBox, Point};
 use crate::mechanism::{BodyId, PointId};
 
 /// Most work, as [`Assembler::work`](super::modes::Assembler) counts it, before the nearest assembly found so far is taken without a proof: that of
@@ -23,73 +23,35 @@ pub(super) struct Nearest {
 /// where this bound exceeds the nearest assembly found so far. Parts of the mechanism that share nothing but groups
 /// that are down are solved one by one (R. Dechter, R. Mateescu, "AND/OR search spaces for graphical models",
 /// Artificial Intelligence 171, 2007).
-pub(super) fn nearest(tree: &mut Tree<'_>, rough: &Rough) -> Option<Nearest> {
-    let wishes = Wishes::new(tree, rough);
-    let mut search = Search { levels: vec![Level::whole(tree, wishes.laid)], is_hasty: false };
+pub(super) fn nearest(tree: &mut Tree<'_>) -> Option<Nearest> {
+    let wishes = Wishes::new(tree);
+    let mut levels = vec![Level::whole(tree, wishes.laid)];
+    // Where the work is too much, the first assembly is taken everywhere.
+    let mut is_hasty;
     let found = loop {
-        search.is_hasty = tree.assembler.work > MOST_WORK;
+        is_hasty = tree.assembler.work > MOST_WORK;
         if tree.assembler.work > 2 * MOST_WORK {
             return None;
         }
-        let level = search.levels.last_mut()?;
+        let level = levels.last_mut()?;
         if let Some(trial) = &level.trial {
             match level.parts.get(trial.solved).copied() {
-                Some(group) => search.enter(tree, &wishes, group),
+                Some(group) => match level.part(trial, tree, &wishes, group) {
+                    Some(part) => levels.push(part),
+                    None => level.trial = None,
+                },
                 None => level.keep_trial(),
             }
-        } else if !level.try_next(tree, search.is_hasty) {
-            let level = search.levels.pop()?;
-            match level.group {
+        } else if !level.try_next(tree, is_hasty) {
+            let Level { group, best, .. } = levels.pop()?;
+            match group {
                 Some(group) => tree.take(group),
-                None => break level.best,
+                None => break best,
             }
-            search.add(level.best);
+            levels.last_mut()?.add(best);
         }
     };
-    found.map(|best| Nearest { whole: tree.whole(&best.placed), is_proven: !search.is_hasty })
-}
-
-/// The levels of the tree that are being tried, from the whole mechanism to a part of a part.
-struct Search {
-    levels: Vec<Level>,
-    /// Whether the first assembly is taken everywhere, because the work is too much.
-    is_hasty: bool,
-}
-
-impl Search {
-    /// Starts on a part of what is being tried: a group with all that hangs on it.
-    fn enter(&mut self, tree: &mut Tree<'_>, wishes: &Wishes, group: usize) {
-        let Some((level, trial)) =
-            self.levels.last_mut().and_then(|level| Some((level.bounds(), level.trial.as_ref()?)))
-        else {
-            return;
-        };
-        let (base, limit) = level;
-        let laid = trial.laid;
-        match tree.modes(group) {
-            Ok(modes) => {
-                let mut choices: Vec<Choice> = modes.into_iter().map(|p| wishes.choice(tree, laid, p)).collect();
-                choices.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-                self.levels.push(Level {
-                    group: Some(group),
-                    parts: tree.order.next[group].clone(),
-                    base,
-                    limit,
-                    choices: choices.into_iter(),
-                    trial: None,
-                    best: None,
-                });
-            }
-            Err(_) => self.add(None),
-        }
-    }
-
-    /// Adds the best assembly of a part to what is being tried; without one there is nothing to try.
-    fn add(&mut self, best: Option<Best>) {
-        if let Some(level) = self.levels.last_mut() {
-            level.add(best);
-        }
-    }
+    found.map(|best| Nearest { whole: tree.whole(&best.placed), is_proven: !is_hasty })
 }
 
 /// A part of the mechanism: a group in one of its modes after another, with the nearest assembly of all that hangs on
@@ -167,11 +129,21 @@ impl Level {
         }
     }
 
-    /// Squared distances of all that is down, and the sum above which an assembly of the whole is of no use.
-    fn bounds(&self) -> (f64, f64) {
-        let cost = self.trial.as_ref().map_or(0.0, |trial| trial.cost);
+    /// A part of what is being tried: a group with all that hangs on it; none if the group has no mode.
+    fn part(&self, trial: &Trial, tree: &mut Tree<'_>, wishes: &Wishes, group: usize) -> Option<Level> {
+        let modes = tree.modes(group).ok()?;
+        let mut choices: Vec<Choice> = modes.into_iter().map(|p| wishes.choice(tree, trial.laid, p)).collect();
+        choices.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let best = self.best.as_ref().map_or(f64::INFINITY, |best| self.base + best.cost);
-        (self.base + cost, self.limit.min(best))
+        Some(Level {
+            group: Some(group),
+            parts: tree.order.next[group].clone(),
+            base: self.base + trial.cost,
+            limit: self.limit.min(best),
+            choices: choices.into_iter(),
+            trial: None,
+            best: None,
+        })
     }
 
     /// Whether a mode with at least these squared distances cannot be the one: of equally near ones the first is taken.
@@ -191,7 +163,7 @@ impl Level {
         if is_hasty && self.best.is_some() || self.is_useless(cost, mode) {
             return false;
         }
-        tree.put(&placed);
+        tree.down.put(&placed);
         self.trial = Some(Trial { cost, mode, laid, own: Some(placed), solved: 0, placed: Vec::new() });
         true
     }
@@ -235,8 +207,8 @@ pub(super) struct Wishes {
 }
 
 impl Wishes {
-    fn new(tree: &Tree<'_>, rough: &Rough) -> Wishes {
-        let mechanism = tree.mechanism;
+    fn new(tree: &Tree<'_>) -> Wishes {
+        let (mechanism, rough) = (tree.mechanism, tree.rough());
         let group_of = |body: &BodyId| mechanism.groups.iter().position(|group| group.bodies.contains(body));
         let mut wishes = Wishes {
             points: vec![Vec::new(); mechanism.groups.len()],
@@ -246,7 +218,8 @@ impl Wishes {
         for &(point, place) in &rough.points {
             let holds = |body: &BodyId| mechanism.body(*body).local_of(point).map(|local| (*body, local));
             // A point of a body of known position is where it is.
-            if mechanism.body_ids().filter_map(|body| holds(&body)).any(|(body, _)| tree.frames.of(body).is_some()) {
+            if mechanism.body_ids().filter_map(|body| holds(&body)).any(|(body, _)| tree.down.frames.of(body).is_some())
+            {
                 continue;
             }
             let mut groups = mechanism.groups.iter().enumerate();
@@ -260,7 +233,7 @@ impl Wishes {
                 wishes.angles[group].push((link, angle));
             }
         }
-        let (places, _) = places(mechanism, &tree.frames);
+        let (places, _) = places(mechanism, &tree.down.frames);
         let is_sought = |point: PointId| {
             mechanism.groups.iter().any(|g| g.bodies.iter().any(|b| mechanism.body(*b).points.contains(&point)))
         };
@@ -271,7 +244,7 @@ impl Wishes {
         wishes
     }
 
-    /// A group's mode with its squared distances; an angle counts as in [`WholeAssembly::distance_from`], with the size
+    /// A group's mode with its squared distances; an angle counts as in [`Tree::distance`], with the size
     /// of what is down.
     fn choice(&self, tree: &Tree<'_>, before: Laid, placed: Placed) -> Choice {
         let frame = |body: BodyId| placed.frames.iter().find(|(other, _)| *other == body).map(|(_, frame)| frame);
@@ -279,7 +252,7 @@ impl Wishes {
             |&(body, local, place): &(BodyId, Point, Point)| Some((frame(body)? * local - place).norm_squared());
         let mut cost: f64 = self.points[placed.group].iter().filter_map(distance).sum();
         let mut laid = before;
-        if tree.has_angles {
+        if !tree.rough().angles.is_empty() {
             for &(link, angle) in &self.angles[placed.group] {
                 let chord = frame(link).map_or(0.0, |frame| chord(frame, angle));
                 laid.chords += chord * chord;

@@ -15,9 +15,9 @@ pub(super) struct Platform<'a> {
     /// Body b, and body a where it is not the fixed frame.
     b: BodyId,
     a: Option<BodyId>,
-    /// The middle bodies that are links, each with the index of its leg.
-    middles: Vec<(usize, BodyId)>,
     legs: Vec<[LegJoint; 2]>,
+    /// By leg: its middle body, but for a last leg whose middle body is the fixed frame.
+    middles: Vec<BodyId>,
     /// For a dyad: the joint between body b and the fixed frame.
     direct: Option<LegJoint>,
     names: Vec<String>,
@@ -54,11 +54,10 @@ impl<'a> Platform<'a> {
             sliders: group.joints.iter().filter_map(|&j| mechanism.joint(j).slider).collect(),
         };
         let mut leg = |near: JointId, a, middle: BodyId, far: JointId, b| {
-            let number = platform.legs.len();
             let joints_of_leg = [leg_joint(near, a, at_joint(middle, near)), leg_joint(far, b, at_joint(middle, far))];
             platform.legs.push(joints_of_leg);
             platform.names.push(name([near, far]));
-            platform.middles.push((number, middle));
+            platform.middles.push(middle);
         };
         match group.class {
             Class::Second => {
@@ -117,8 +116,7 @@ impl<'a> Platform<'a> {
             (None, &[first, second, third]) => placements([first, second, third]),
             _ => Vec::new(),
         };
-        let starts = relative.iter();
-        starts.filter_map(|r| self.assembled(known, slides, r)).collect()
+        relative.iter().filter_map(|r| self.assembled(known, slides, r)).collect()
     }
 
     /// The frames of all bodies, for a placement of b in the frame of a.
@@ -132,9 +130,8 @@ impl<'a> Platform<'a> {
             frames.set_compound(self.mechanism, a, frame_a);
         }
         frames.set_compound(self.mechanism, self.b, frame_a * relative);
-        for &(leg, body) in &self.middles {
-            let frame = frame_a * middle(&self.legs[leg], relative)?;
-            frames.set_compound(self.mechanism, body, frame);
+        for (leg, body) in self.legs.iter().zip(&self.middles) {
+            frames.set_compound(self.mechanism, *body, frame_a * middle(leg, relative)?);
         }
         let mut slides = slides.to_vec();
         for id in &self.sliders {
@@ -145,18 +142,14 @@ impl<'a> Platform<'a> {
 
     /// The smallest distance by which the legs fail to meet, in words.
     pub(super) fn miss(&self) -> String {
-        let conditions = self.conditions();
-        let is_distance = |c: &LegCondition| matches!(c, LegCondition::Distance { .. });
-        let leg = conditions.iter().position(is_distance);
-        let miss = leg.and_then(|_| smallest_deviation(self.direct.as_ref(), &conditions));
-        match (leg, miss) {
-            (Some(leg), Some(m)) => format!(
+        match smallest_deviation(self.direct.as_ref(), &self.conditions()) {
+            Some((leg, miss)) => format!(
                 "with everything else closed, {} would have to be {:.4} {}",
                 self.names[leg],
-                m.abs(),
-                if m > 0.0 { "longer" } else { "shorter" }
+                miss.abs(),
+                if miss > 0.0 { "longer" } else { "shorter" }
             ),
-            _ => "its guides and lengths never meet".to_owned(),
+            None => "its guides and lengths never meet".to_owned(),
         }
     }
 }

@@ -27,11 +27,6 @@ impl Rough {
         }
     }
 
-    /// Whether nothing is said of the assembly.
-    pub(super) fn is_empty(&self) -> bool {
-        self.count() == 0
-    }
-
     /// The rough place of a point.
     pub(super) fn place(&self, point: PointId) -> Option<Point> {
         let found = self.points.iter().find(|(p, _)| *p == point);

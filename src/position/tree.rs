@@ -5,6 +5,7 @@ use super::rough::{Rough, chord};
 use super::{Assembly, Pose};
 use crate::geometry::{Placement, Vector, span};
 use crate::mechanism::{BodyId, Class, Joint, Mechanism, PointId, Role};
+use crate::scene::Near;
 use crate::words::{Language, Wording};
 
 /// The assemblies of a mechanism as a tree: each mode of a group leaves the groups after it modes of their own.
@@ -14,11 +15,8 @@ pub(super) struct Tree<'a> {
     pub mechanism: &'a Mechanism,
     /// Finds modes, and counts the work.
     pub assembler: Assembler<'a>,
-    /// The frames of the bodies of known position and of the groups that are down.
-    pub frames: Frames,
-    slides: Vec<f64>,
-    /// Whether rough angles take part in the choice.
-    pub has_angles: bool,
+    /// The bodies of known position, and the groups that are down.
+    pub down: WholeAssembly,
     /// The groups in the order of the tree.
     pub order: Order,
 }
@@ -44,23 +42,24 @@ pub(super) struct Order {
 
 impl<'a> Tree<'a> {
     /// The tree of a mechanism given by lengths.
-    pub(super) fn new(mechanism: &'a Mechanism, rough: &'a Rough) -> Tree<'a> {
+    pub(super) fn new(mechanism: &'a Mechanism, near: &Near) -> Tree<'a> {
         let frames = Frames::known(mechanism);
-        let has_angles = !rough.angles.is_empty();
-        let order = if has_angles { Order::chain(mechanism) } else { Order::new(mechanism) };
-        Tree {
-            mechanism,
-            assembler: Assembler::new(mechanism, &frames, rough),
-            slides: mechanism.sliders.iter().map(driven_position).collect(),
-            frames,
-            has_angles,
-            order,
-        }
+        let rough = Rough::new(mechanism, near);
+        let order = if rough.angles.is_empty() { Order::new(mechanism) } else { Order::chain(mechanism) };
+        let assembler = Assembler::new(mechanism, &frames, rough);
+        let slides = mechanism.sliders.iter().map(driven_position).collect();
+        let assemblies = vec![None; mechanism.groups.len()];
+        Tree { mechanism, assembler, down: WholeAssembly { frames, slides, assemblies }, order }
+    }
+
+    /// The rough places by which an assembly is chosen.
+    pub(super) fn rough(&self) -> &Rough {
+        &self.assembler.rough
     }
 
     /// The modes of a group, in their order; all groups on which it hangs must be down, and it must not.
     pub(super) fn modes(&mut self, group: usize) -> Result<Vec<Placed>, NoMode> {
-        let found = self.assembler.modes(group, &self.frames, &self.slides)?;
+        let found = self.assembler.modes(group, &self.down.frames, &self.down.slides)?;
         let modes = found.len();
         let joints = self.mechanism.groups[group].joints.iter();
         let sliders: Vec<usize> = joints.filter_map(|&j| self.mechanism.joint(j).slider).map(|id| id.0).collect();
@@ -68,40 +67,49 @@ impl<'a> Tree<'a> {
             group,
             assembly: Assembly { mode: index + 1, modes },
             slides: sliders.iter().map(|&id| (id, assembled.slides[id])).collect(),
-            frames: assembled.frames.newly_set(),
+            frames: assembled.frames.set,
         });
         Ok(placed.collect())
     }
 
-    /// Puts a group down.
-    pub(super) fn put(&mut self, placed: &Placed) {
-        self.frames.settle(&placed.frames);
-        placed.slides.iter().for_each(|&(id, position)| self.slides[id] = position);
-    }
-
     /// Takes a group away.
     pub(super) fn take(&mut self, group: usize) {
-        self.frames.forget(&self.mechanism.groups[group].bodies);
+        self.down.frames.forget(&self.mechanism.groups[group].bodies);
     }
 
     /// Takes all groups away.
     pub(super) fn clear(&mut self) {
-        self.mechanism.groups.iter().for_each(|group| self.frames.forget(&group.bodies));
+        self.mechanism.groups.iter().for_each(|group| self.down.frames.forget(&group.bodies));
     }
 
     /// The assembly of the whole mechanism with these groups.
     pub(super) fn whole<'p>(&self, placed: impl IntoIterator<Item = &'p Placed>) -> WholeAssembly {
-        let mut whole = WholeAssembly {
-            frames: self.frames.clone(),
-            slides: self.slides.clone(),
-            assemblies: vec![None; self.mechanism.groups.len()],
-        };
-        for group in placed {
-            whole.frames.settle(&group.frames);
-            group.slides.iter().for_each(|&(id, position)| whole.slides[id] = position);
-            whole.assemblies[group.group] = Some(group.assembly);
-        }
+        let mut whole = self.down.clone();
+        placed.into_iter().for_each(|group| whole.put(group));
         whole
+    }
+
+    /// Root mean square of an assembly's distances from the rough places; an angle counts as its chord on a circle whose
+    /// radius is the mechanism's size.
+    pub(super) fn distance(&self, whole: &WholeAssembly) -> f64 {
+        let (rough, frames) = (self.rough(), &whole.frames);
+        let (points, _) = places(self.mechanism, frames);
+        let size = span(points.iter().copied());
+        let placed = |p: PointId| {
+            let mut links = self.mechanism.links();
+            links.any(|(id, body)| frames.of(id).is_some() && body.points.contains(&p))
+        };
+        let mut sum = 0.0;
+        for (p, rough) in rough.points.iter().filter(|(p, _)| placed(*p)) {
+            sum += (points[p.0] - rough).norm_squared();
+        }
+        for (link, angle) in &rough.angles {
+            if let Some(frame) = frames.of(*link) {
+                let chord = chord(frame, *angle) * size;
+                sum += chord * chord;
+            }
+        }
+        (sum / rough.count().max(1) as f64).sqrt()
     }
 }
 
@@ -156,7 +164,7 @@ fn first_of(part: &mut [usize], mut group: usize) -> usize {
     group
 }
 
-/// An assembly of the whole mechanism.
+/// An assembly of the whole mechanism, or of the groups that are down.
 #[derive(Clone, Debug)]
 pub(super) struct WholeAssembly {
     pub frames: Frames,
@@ -166,6 +174,13 @@ pub(super) struct WholeAssembly {
 }
 
 impl WholeAssembly {
+    /// Puts a group down.
+    pub(super) fn put(&mut self, placed: &Placed) {
+        self.frames.settle(&placed.frames);
+        placed.slides.iter().for_each(|&(id, position)| self.slides[id] = position);
+        self.assemblies[placed.group] = Some(placed.assembly);
+    }
+
     /// The pose of `mechanism`. It may have fewer bodies and sliders than its [`Mechanism::for_positions`], to which
     /// this assembly belongs.
     pub(super) fn pose(self, mechanism: &Mechanism) -> Pose {
@@ -183,28 +198,6 @@ impl WholeAssembly {
             assemblies: self.assemblies,
             warnings: search_warnings(mechanism.for_positions(), Wording::default().language).collect(),
         }
-    }
-
-    /// Root mean square of the distances from the rough places, for the groups assembled so far; an angle counts as its
-    /// chord on a circle whose radius is the mechanism's size.
-    pub(super) fn distance_from(&self, rough: &Rough, mechanism: &Mechanism) -> f64 {
-        let (points, _) = places(mechanism, &self.frames);
-        let size = span(points.iter().copied());
-        let placed = |p: PointId| {
-            let mut links = mechanism.links();
-            links.any(|(id, body)| self.frames.of(id).is_some() && body.points.contains(&p))
-        };
-        let mut sum = 0.0;
-        for (p, rough) in rough.points.iter().filter(|(p, _)| placed(*p)) {
-            sum += (points[p.0] - rough).norm_squared();
-        }
-        for (link, angle) in &rough.angles {
-            if let Some(frame) = self.frames.of(*link) {
-                let chord = chord(frame, *angle) * size;
-                sum += chord * chord;
-            }
-        }
-        (sum / rough.count().max(1) as f64).sqrt()
     }
 }
 
