@@ -8,7 +8,7 @@ use kinegon::Error;
 use kinegon::cycle::{Curves, Drive, Path, Steps, Sweep, alone};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
-use kinegon::quantity::QuantityKind;
+use kinegon::quantity::{QuantityKind, QuantityRequest};
 use kinegon::scene::{SizeLimit, Units};
 use kinegon::words::Wording;
 use pyo3::prelude::*;
@@ -88,9 +88,9 @@ fn moved<T>(
 /// The units of the columns.
 fn units(sweep: &Sweep<'_>, units: Units) -> Vec<String> {
     let drive = if sweep.drive().is_angle() { QuantityKind::Angle } else { QuantityKind::Position };
-    let of = |column: &kinegon::cycle::Column| {
-        let count = column.names().count() + usize::from(sweep.error_name(column).is_some());
-        vec![column.asked.kind().unit(units); count]
+    let of = |asked: &QuantityRequest| {
+        let count = 1 + usize::from(asked.is_vector()) + usize::from(sweep.error_name(asked).is_some());
+        vec![asked.kind().unit(units); count]
     };
     std::iter::once(drive.unit(units)).chain(sweep.columns().iter().flat_map(of)).collect()
 }

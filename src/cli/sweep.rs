@@ -3,6 +3,7 @@ use super::message::{Failure, Source, note, warn};
 use super::table::{self, TableFormat};
 use super::work::{Mode, start};
 use crate::Problem;
+use crate::accuracy::is_bounded;
 use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -217,8 +218,8 @@ impl SweepCommand {
 
 /// The table with bounds of errors; warns of quantities that have none.
 fn with_errors<'a>(sweep: Sweep<'a>, scene: &'a Scene) -> Sweep<'a> {
-    for column in sweep.columns().iter().filter(|c| c.error_name().is_none()) {
-        let name = column.asked.name();
+    for asked in sweep.columns().iter().filter(|asked| !is_bounded(asked)) {
+        let name = asked.name();
         warn(&format!("`{name}` has no stated bound of its error, so the table has no column {name}_error"));
     }
     sweep.with_errors(scene)

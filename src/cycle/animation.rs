@@ -5,9 +5,6 @@ use crate::construction::Solution;
 /// rates are infinite.
 const OFF_THE_END: f64 = 0.004;
 
-/// Distance that a slider without ends is followed either way, in parts of the mechanism's size.
-const OPEN_RANGE: f64 = 0.3;
-
 /// A mechanism solved at equal steps of a drive, for showing one position after another.
 #[derive(Clone, Debug)]
 pub struct Animation {
@@ -40,8 +37,8 @@ impl Animation {
         };
         let mut path = Path::new(mechanism, pose, drive.clone())?;
         let start = path.start();
-        let [low, high] = whole_range(&mut path)?;
-        let is_round = drive.is_angle() && path.end(true).is_none();
+        let [low, high] = path.whole_range()?;
+        let is_round = path.is_round();
         let mut values: Vec<f64> = if is_round {
             let step = path.unit() / count.max(1) as f64;
             (1..count).map(|k| start + step * k as f64).collect()
@@ -60,33 +57,17 @@ impl Animation {
         let mut animation = Self { drive: Some(drive), values: Vec::new(), positions: Vec::new(), is_round, ..still };
         let mut walker = path.walker();
         for value in values {
-            if value == start {
+            let solution = if value == start {
                 animation.own = animation.values.len();
+                Some(own.clone())
+            } else {
+                walker.position(value).and_then(|position| own.moved(position.pose()).ok())
+            };
+            if let Some(solution) = solution {
                 animation.values.push(value);
-                animation.positions.push(own.clone());
-                continue;
+                animation.positions.push(solution);
             }
-            let Some(pose) = walker.position(value).map(|position| position.pose()) else {
-                continue;
-            };
-            let Ok(solution) = own.moved(pose) else {
-                continue;
-            };
-            animation.values.push(value);
-            animation.positions.push(solution);
         }
         Ok(animation)
-    }
-}
-
-/// Follows the branch once around or from end to end, that of a slider without ends a part of the mechanism's size
-/// either way; returns that range.
-pub(super) fn whole_range(path: &mut Path) -> Result<[f64; 2], CycleError> {
-    match path.cover(None, None) {
-        Err(CycleError::Range(_)) => {
-            let (start, reach) = (path.start(), OPEN_RANGE * path.unit());
-            path.cover(Some(start - reach), Some(start + reach))
-        }
-        range => range,
     }
 }

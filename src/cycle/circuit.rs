@@ -9,8 +9,6 @@ use crate::quantity::State;
 const MOST_BRANCHES: usize = 8;
 /// Distance from a limit at which the other branch is sought, in turns: unknowns differ there by the root of it.
 const BACK: f64 = 1e-4;
-/// Farthest that the other branch is followed, in turns of the drive or in sizes of the mechanism.
-const FAR: [f64; 2] = [1.0, 10.0];
 /// Distance of points that counts as none, in sizes of the mechanism.
 const CLOSED: f64 = 1e-7;
 
@@ -74,9 +72,8 @@ fn across<'a>(path: &Path<'a>, above: bool) -> Option<(Path<'a>, f64)> {
     if is_same(path, &next, [value; 2]) {
         return None;
     }
-    let far = if path.drive.is_angle() { FAR[0] } else { FAR[1] };
     next.follow_to(edge - BACK * inwards);
-    next.follow_to(edge + far * inwards);
+    next.follow_to(edge + path.far().copysign(inwards));
     Some((next, value))
 }
 

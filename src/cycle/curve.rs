@@ -1,15 +1,23 @@
-use super::columns::{Column, Columns};
-use super::extreme::{Extreme, extremes};
-use super::reading::Reading;
-use super::samples::{hull, pieces, samples};
-use super::survey::{CurveSurvey, PARTS};
-use super::{CycleError, Event, Happening, Path};
-use crate::Problem;
+use super::reading::{End, Reading};
+use super::sampled::{PARTS, SAME};
+use super::samples::{Sample, hull, peak, pieces, samples};
+use super::sweep::check_plan_points;
+use super::{CycleError, Event, Happening, Path, Sampled};
+use crate::kernel::InputKind;
 use crate::mechanism::BodyId;
 use crate::quantity::{QuantityError, QuantityKind, QuantityRequest};
 
-/// Parts into which first samples divide every segment of the path: no feature of the motion is smaller.
-const PARTS_OF_SEGMENT: usize = 2;
+/// A curve whose values spread by less than this part of [`typical_size`] is constant.
+const FLAT: f64 = 1e-6;
+
+/// Relative difference of values that count as equal.
+const EQUAL_VALUES: f64 = 1e-9;
+
+/// A peak this many times further from the centre than the median value counts as unbounded.
+const UNBOUNDED: f64 = 1e3;
+
+/// An unbounded curve is shown up to this many times the median distance from the centre.
+const SHOWN: f64 = 4.0;
 
 /// How far above and below the window curves are sampled, in parts of the window's height: a panel has a border.
 const BEYOND: f64 = 0.5;
@@ -17,21 +25,18 @@ const BEYOND: f64 = 0.5;
 /// Value at a dead centre that counts as zero, in parts of the curve's height.
 const ZERO: f64 = 1e-6;
 
-/// Difference of two values of the drive that counts as none, in parts of a turn or of the range.
-const SAME: f64 = 1e-9;
+/// Distance from the extreme of all samples within which a sample's neighbourhood is searched, in parts of the curve's
+/// height.
+const NEARLY: f64 = 0.05;
+
+/// Difference of two extremes that count as equal, in parts of the curve's height.
+const EQUAL: f64 = 1e-9;
+
+/// Distance of two extremes that count as one, in parts of the range.
+const APART: f64 = 1e-6;
 
 /// Quantities over a range of a path, as curves that can be drawn.
-#[derive(Clone, Debug)]
-pub struct Curves<'a> {
-    /// The path.
-    pub path: &'a Path<'a>,
-    /// Lowest and highest value of the drive that are shown: the part of the range that the path has reached.
-    pub range: [f64; 2],
-    /// The curves, in the order in which they were asked for.
-    pub curves: Vec<Curve>,
-    /// The events in the range, in the order of the drive's value.
-    pub events: Vec<Event>,
-}
+pub type Curves<'a> = Sampled<'a, Curve>;
 
 /// A curve: one quantity, or several that are equal all along.
 #[derive(Clone, Debug)]
@@ -54,6 +59,17 @@ pub struct Curve {
     pub dead: Vec<f64>,
 }
 
+/// A greatest or least value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// The drive's value.
+    pub at: f64,
+    /// The quantity's value; exact to rounding where the curve is smooth.
+    pub value: f64,
+    /// Whether it is a greatest value; else a least one.
+    pub greatest: bool,
+}
+
 impl Curve {
     /// The kind of its quantities.
     #[must_use]
@@ -70,11 +86,10 @@ impl<'a> Curves<'a> {
     /// A name is no quantity of this mechanism, or the quantity has no value in the range; or nothing of the range has
     /// been reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], names: Option<&[String]>) -> Result<Self, CycleError> {
-        let shown = Shown::new(path, range)?;
-        let mut curves = Curves { path, range: shown.range, curves: Vec::new(), events: shown.events };
+        let mut curves = Curves::reached(path, range)?;
         let wanted = names.filter(|names| !names.is_empty());
         let names = wanted.map_or_else(|| every_omega(path), <[String]>::to_vec);
-        curves.add(&names)?;
+        curves.curves = curves.of(&names)?;
         let moves = |c: &Curve| c.constant != Some(0.0);
         if wanted.is_none() && curves.curves.iter().any(moves) {
             curves.curves.retain(moves);
@@ -82,71 +97,86 @@ impl<'a> Curves<'a> {
         Ok(curves)
     }
 
-    /// Adds the curves of the quantities of these names; equal quantities share a curve.
-    fn add(&mut self, names: &[String]) -> Result<(), CycleError> {
-        let grid = grid(self.path, self.range);
-        let mut surveys: Vec<CurveSurvey> = Vec::new();
+    /// The curves of the quantities of these names; equal quantities share a curve.
+    fn of(&self, names: &[String]) -> Result<Vec<Curve>, CycleError> {
+        let grid = self.grid();
+        let mut surveys: Vec<Survey> = Vec::new();
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) {
                 continue;
             }
-            let asked = self.checked(name)?;
-            let mut reading = Reading::new(self.path, asked.clone());
-            let samples = samples(&mut reading, &grid);
-            if samples.iter().all(|s| s.1.is_none()) {
-                let why = "it has none at any position of the range";
-                return Err(QuantityError::NoValue(name.clone(), why).into());
-            }
-            let survey = CurveSurvey::new(self.path, self.range, asked, reading, samples);
+            let survey = self.survey(name, &grid)?;
             match surveys.iter_mut().find(|other| other.equals(&survey)) {
-                Some(twin) => twin.asked.extend(survey.asked),
+                Some(twin) => twin.curve.asked.extend(survey.curve.asked),
                 None => surveys.push(survey),
             }
         }
         // Curves of one kind share an axis, so each is sampled over the windows of all of them.
-        let shared = |survey: &CurveSurvey| {
-            hull(surveys.iter().filter(|other| other.kind() == survey.kind()).flat_map(|other| other.window))
+        let shared = |survey: &Survey| {
+            let alike = surveys.iter().filter(|other| other.curve.kind() == survey.curve.kind());
+            hull(alike.flat_map(|other| other.curve.window))
         };
         let windows: Vec<[f64; 2]> = surveys.iter().map(shared).collect();
-        self.curves = surveys.into_iter().zip(windows).map(|(survey, shared)| self.curve(survey, shared)).collect();
-        Ok(())
+        Ok(surveys.into_iter().zip(windows).map(|(survey, shared)| self.finished(survey, shared)).collect())
     }
 
-    /// The quantity of that name, if it can have a curve.
-    fn checked(&self, name: &str) -> Result<QuantityRequest, CycleError> {
+    /// The survey of the quantity of that name, sampled at these values of the drive.
+    fn survey(&self, name: &str, grid: &[f64]) -> Result<Survey<'a>, CycleError> {
         let path = self.path;
         let asked = QuantityRequest::new(name, &path.mechanism)?;
         if asked.is_on_paper() {
             return Err(QuantityError::OnPaper(name.to_owned()).into());
         }
-        let column = Column { asked: asked.clone() };
         // The scene's own position is not singular.
-        Columns::of(path, vec![column]).check([path.start()].into_iter())?;
-        Ok(asked)
-    }
-
-    /// The curve, sampled for a panel whose axis covers the values `shared`.
-    fn curve(&self, mut survey: CurveSurvey, shared: [f64; 2]) -> Curve {
-        let mut curve = Curve {
-            asked: survey.asked,
+        check_plan_points(path, std::slice::from_ref(&asked), [path.start()].into_iter())?;
+        let mut reading = Reading::new(path, asked.clone());
+        let samples = samples(&mut reading, grid);
+        if samples.iter().all(|s| s.1.is_none()) {
+            let why = "it has none at any position of the range";
+            return Err(QuantityError::NoValue(name.to_owned(), why).into());
+        }
+        let zero = FLAT * typical_size(path, asked.kind());
+        let curve = Curve {
+            asked: vec![asked],
             pieces: Vec::new(),
-            window: survey.window,
+            window: [0.0; 2],
             extremes: Vec::new(),
-            constant: survey.constant,
+            constant: None,
             dead: Vec::new(),
         };
+        let mut survey = Survey { curve, reading, samples, grows: [false; 2], zero };
+        let [least, most] = hull(survey.samples.iter().filter_map(|s| s.1));
+        if most - least <= zero.max(EQUAL_VALUES * most.abs().max(least.abs())) {
+            let middle = 0.5 * (least + most);
+            let value = if middle.abs() <= zero { 0.0 } else { middle };
+            survey.curve.constant = Some(value);
+            survey.curve.window = [value; 2];
+            return Ok(survey);
+        }
+        for (side, own) in self.range.into_iter().enumerate() {
+            let end = path.end(side == 1).filter(|end| end.at == own);
+            if let (Some(_), End::Grows(up)) = (end, survey.reading.ends[side]) {
+                survey.grows[usize::from(up)] = true;
+            }
+        }
+        survey.frame(self.range);
+        Ok(survey)
+    }
+
+    /// The curve of a survey, sampled for a panel whose axis covers the values `shared`.
+    fn finished(&self, survey: Survey, shared: [f64; 2]) -> Curve {
+        let Survey { mut curve, mut reading, samples, grows, .. } = survey;
         if let Some(value) = curve.constant {
             curve.pieces = vec![self.range.map(|x| [x, value]).to_vec()];
             return curve;
         }
-        let reading = &mut survey.reading;
         let beyond = BEYOND * (shared[1] - shared[0]);
         let wide = [shared[0] - beyond, shared[1] + beyond];
-        curve.pieces = pieces(reading, &survey.samples, wide);
+        curve.pieces = pieces(&mut reading, &samples, wide);
         for greatest in [false, true] {
-            if !survey.grows[usize::from(greatest)] {
+            if !grows[usize::from(greatest)] {
                 let height = curve.window[1] - curve.window[0];
-                let extremes = extremes(reading, &curve.pieces, height, greatest);
+                let extremes = extremes(&mut reading, &curve.pieces, height, greatest);
                 if let Some(extreme) = extremes.first() {
                     curve.window[usize::from(greatest)] = extreme.value;
                 }
@@ -172,51 +202,78 @@ impl<'a> Curves<'a> {
     }
 }
 
-/// The part of a range that a path has reached.
-pub(super) struct Shown {
-    /// Its lowest and highest value of the drive, limits included.
-    pub range: [f64; 2],
-    /// The events in it, in the order of the drive's value.
-    pub events: Vec<Event>,
+/// A curve after a first coarse sampling, which tells whether it is constant, where it is unbounded, and which values to
+/// show.
+struct Survey<'a> {
+    curve: Curve,
+    reading: Reading<'a>,
+    samples: Vec<Sample>,
+    /// Whether it grows without bound, downwards and upwards.
+    grows: [bool; 2],
+    /// Absolute tolerance for zero.
+    zero: f64,
 }
 
-impl Shown {
-    /// The part of this range that the path has reached.
-    pub fn new(path: &Path, range: [f64; 2]) -> Result<Self, CycleError> {
-        let mut low = range[0].min(range[1]).max(path.low());
-        let mut high = range[0].max(range[1]).min(path.high());
-        // There is no curve in a range without width, or of a few roundings' width.
-        if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
-            let [from, to] = [low, high].map(|v| path.drive.amount(v));
-            let hint = "a range with more room between --from and --to";
-            let problem = Problem::new(format!("from {from} to {to} there is no room for a curve"));
-            return Err(CycleError::Range(problem.hint(hint)));
+impl Survey<'_> {
+    /// Whether two quantities are of one kind and equal at all samples.
+    fn equals(&self, other: &Survey) -> bool {
+        let equal = |(a, b): (&Sample, &Sample)| match (a.1, b.1) {
+            (Some(a), Some(b)) => (a - b).abs() <= self.zero.max(EQUAL_VALUES * a.abs()),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        let mut pairs = self.samples.iter().zip(&other.samples);
+        self.curve.kind() == other.curve.kind() && pairs.all(equal)
+    }
+
+    /// Finds the window, and where the curve grows without bound within the range.
+    fn frame(&mut self, [low, high]: [f64; 2]) {
+        let (kind, samples, reading) = (self.curve.kind(), &self.samples, &mut self.reading);
+        let even = even(samples);
+        // The window of a rate includes zero, that of an angle or a place need not.
+        let centre = if kind.is_rate() { 0.0 } else { median(even.iter().copied()) };
+        let typical = median(even.iter().map(|y| (y - centre).abs())).max(self.zero);
+        for (side, sign) in [(0, -1.0), (1, 1.0)] {
+            let peaks: Vec<[f64; 2]> = (0..samples.len()).filter_map(|i| peak(reading, samples, i, sign)).collect();
+            // An angle is always bounded.
+            let unbounded = |p: &[f64; 2]| kind != QuantityKind::Angle && (p[1] - centre) * sign > UNBOUNDED * typical;
+            self.grows[side] |= peaks.iter().any(unbounded);
+            let grows = self.grows[side];
+            let inner = |p: &&[f64; 2]| !grows || !unbounded(p) && p[0] > low && p[0] < high;
+            let found = peaks.iter().filter(inner).map(|p| p[1]);
+            let bound = hull(samples.iter().filter_map(|s| s.1))[side];
+            // An unbounded curve is shown up to a typical distance or to its own last sample, whichever is nearer.
+            let shown = centre + sign * SHOWN * typical;
+            let least = if grows && sign * shown < sign * bound { shown } else { bound };
+            self.curve.window[side] = found.fold(least, |a, b| if sign * b > sign * a { b } else { a });
         }
-        // The path stops just before its limits; the range includes them.
-        if low == path.low() {
-            low = path.limit(false).unwrap_or(low);
-        }
-        if high == path.high() {
-            high = path.limit(true).unwrap_or(high);
-        }
-        let inside = |e: &Event| (low..=high).contains(&e.at);
-        Ok(Shown { range: [low, high], events: path.events().into_iter().filter(inside).collect() })
     }
 }
 
-/// Values of the drive at which all curves and ways are sampled first.
-pub(super) fn grid(path: &Path, [low, high]: [f64; 2]) -> Vec<f64> {
-    let part = |k: usize, parts: usize, [a, b]: [f64; 2]| a + (b - a) * k as f64 / parts as f64;
-    let mut grid: Vec<f64> = (0..=PARTS).map(|k| part(k, PARTS, [low, high])).collect();
-    for segment in &path.segments {
-        let inner = (0..PARTS_OF_SEGMENT).map(|k| part(k, PARTS_OF_SEGMENT, [segment.from, segment.to]));
-        grid.extend(inner.filter(|x| (low..high).contains(x)));
+/// The places where a curve of that height is greatest, or least; several where the values there are equal.
+fn extremes(reading: &mut Reading, pieces: &[Vec<[f64; 2]>], height: f64, greatest: bool) -> Vec<Extreme> {
+    let sign = if greatest { 1.0 } else { -1.0 };
+    let all = || pieces.iter().flatten();
+    let best = hull(all().map(|p| p[1]))[usize::from(greatest)];
+    let mut found: Vec<[f64; 2]> = Vec::new();
+    for piece in pieces {
+        let samples: Vec<Sample> = piece.iter().map(|p| (p[0], Some(p[1]))).collect();
+        for (index, [_, value]) in piece.iter().enumerate() {
+            if sign * (best - value) <= NEARLY * height {
+                found.extend(peak(reading, &samples, index, sign));
+            }
+        }
     }
-    grid.sort_by(f64::total_cmp);
-    grid.dedup_by(|b, a| *b - *a <= SAME * (high - low));
-    let last = grid.len() - 1;
-    grid[last] = high;
-    grid
+    let best = found.iter().map(|p| sign * p[1]).fold(f64::NEG_INFINITY, f64::max);
+    found.retain(|p| best - sign * p[1] <= EQUAL * height);
+    let [low, high] = hull(all().map(|p| p[0]));
+    found.dedup_by(|b, a| b[0] - a[0] <= APART * (high - low));
+    let extreme = |p: &[f64; 2]| Extreme {
+        at: p[0],
+        // A zero with rounding errors is written as zero.
+        value: if p[1].abs() <= EQUAL * height { 0.0 } else { p[1] },
+        greatest,
+    };
+    found.iter().map(extreme).collect()
 }
 
 /// Names of the angular velocities of all driven links, or of the driving ones where there are no others.
@@ -228,4 +285,44 @@ fn every_omega(path: &Path) -> Vec<String> {
     };
     let driven = names(false);
     if driven.is_empty() { names(true) } else { driven }
+}
+
+/// The order of magnitude of a quantity of that kind in a mechanism of this size with these drives.
+fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
+    let size = path.size();
+    let inputs = path.kernel.inputs.iter().map(|input| match input.kind {
+        InputKind::Turning { .. } => [input.rate.abs(), input.second.abs()],
+        InputKind::Sliding { .. } => [input.rate.abs() / size, input.second.abs() / size],
+    });
+    let [first, second] = inputs.fold([0.0_f64; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+    let second = second.max(first * first);
+    match kind {
+        QuantityKind::Angle => 360.0,
+        QuantityKind::AngularVelocity => first,
+        QuantityKind::AngularAcceleration => second,
+        QuantityKind::Position | QuantityKind::Length => size,
+        QuantityKind::Velocity => first * size,
+        QuantityKind::Acceleration => second * size,
+    }
+}
+
+/// The median of some numbers, of an even count the upper of the two in the middle; zero of none.
+fn median(numbers: impl Iterator<Item = f64>) -> f64 {
+    let mut sorted: Vec<f64> = numbers.collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// Values at equal steps of the drive, each taken from the next sample.
+fn even(samples: &[Sample]) -> Vec<f64> {
+    let (Some(first), Some(last)) = (samples.first(), samples.last()) else {
+        return Vec::new();
+    };
+    let step = (last.0 - first.0) / PARTS as f64;
+    let at = |k: usize| {
+        let x = first.0 + step * k as f64;
+        let next = samples.partition_point(|s| s.0 < x);
+        samples.get(next.min(samples.len() - 1))?.1
+    };
+    (0..=PARTS).filter_map(at).collect()
 }

@@ -1,7 +1,8 @@
 use super::CycleError;
-use crate::geometry::span;
-use crate::kernel::{InputKind, Kernel};
+use crate::geometry::{degrees_of, span};
+use crate::kernel::{Input, InputKind, Kernel};
 use crate::mechanism::{Mechanism, Role, SliderId};
+use crate::position::Pose;
 use crate::words::{Medium, NumberStyle, Wording};
 
 /// A drive that is moved through a range; its value is the link's angle in degrees, or the slider's position along the
@@ -115,4 +116,37 @@ pub fn alone(mechanism: &Mechanism, drive: &str) -> Mechanism {
         }
     }
     alone
+}
+
+/// A drive's value: the one that the scene gives, or else that of the pose.
+pub(super) fn stands(input: &Input, pose: &Pose) -> f64 {
+    let found = match input.kind {
+        InputKind::Turning { .. } => pose.axes[input.body.0].map(degrees_of),
+        InputKind::Sliding { slider } => pose.slides[slider],
+    };
+    input.value.or(found).unwrap_or(0.0)
+}
+
+/// The rate of each drive per unit rate of the moved one, in degrees and lengths; zeros where that stands still.
+pub(super) fn ratios(kernel: &Kernel, moved: usize) -> Vec<f64> {
+    let speed = |input: &Input| match input.kind {
+        InputKind::Turning { .. } => input.rate.to_degrees(),
+        InputKind::Sliding { .. } => input.rate,
+    };
+    let by = speed(&kernel.inputs[moved]);
+    let ratio = |(index, input): (usize, &Input)| match index == moved {
+        true => 1.0,
+        false if by == 0.0 => 0.0,
+        false => speed(input) / by,
+    };
+    kernel.inputs.iter().enumerate().map(ratio).collect()
+}
+
+/// A change or a rate of a drive's value in the kernel's unit: of an angle in radians.
+#[inline]
+pub(super) fn in_radians(kind: InputKind, change: f64) -> f64 {
+    match kind {
+        InputKind::Turning { .. } => change.to_radians(),
+        InputKind::Sliding { .. } => change,
+    }
 }

@@ -1,7 +1,8 @@
 use super::drive::{shortened, snapped};
+use super::segment::rates;
 use super::{Path, Walker};
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::kernel::{Single, Unknown};
+use crate::kernel::Unknown;
 use crate::mechanism::SliderId;
 use crate::words::Wording;
 use std::cmp::Reverse;
@@ -98,7 +99,7 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
     let (mechanism, kernel) = (&path.mechanism, &path.kernel);
     let mut events = Vec::new();
     let mut walker = path.walker();
-    let fastest = |unknown: Unknown| path.nodes.iter().map(|n| rate(&n.block, unknown)[0].abs()).fold(0.0, f64::max);
+    let fastest = |unknown: Unknown| path.nodes.iter().map(|n| rates(&n.block, unknown)[0].abs()).fold(0.0, f64::max);
     let spins = kernel.unknowns.iter().flatten().filter(|u| matches!(u, Unknown::Spin(_)));
     let fastest_turn = spins.map(|u| fastest(*u)).fold(0.0, f64::max);
     for unknown in kernel.unknowns.iter().flatten().copied() {
@@ -146,20 +147,12 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
     events
 }
 
-/// First and second derivative of an unknown with respect to the drive's value.
-fn rate(block: &Single, unknown: Unknown) -> [f64; 2] {
-    match unknown {
-        Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
-        Unknown::Slide(slider) => [block.speeds[slider][0], block.accelerations[slider][0]],
-    }
-}
-
 /// Whether the rate of an unknown has different signs at these values of the drive, by more than its error: of the
 /// `fastest` rate about u over the squared sharpness. `false` where one of them has no motion.
 fn turns_back(walker: &mut Walker, unknown: Unknown, ends: [f64; 2], fastest: f64) -> bool {
     let mut sign = |value: f64| -> Option<f64> {
         let (block, sharpness) = walker.unit_motion_with_sharpness(value)?;
-        let [rate, _] = rate(block, unknown);
+        let [rate, _] = rates(block, unknown);
         let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / sharpness;
         (rate.abs() > error).then_some(rate.signum())
     };
@@ -171,10 +164,10 @@ fn turns_back(walker: &mut Walker, unknown: Unknown, ends: [f64; 2], fastest: f6
 /// bracket by bisection. `None` where a position in between has no motion.
 fn standstill(walker: &mut Walker, unknown: Unknown, low: f64, high: f64, unit: f64) -> Option<f64> {
     let mut bracket = [low, high];
-    let rising = rate(walker.unit_motion(high)?, unknown)[0] > 0.0;
+    let rising = rates(walker.unit_motion(high)?, unknown)[0] > 0.0;
     let mut at = 0.5 * (low + high);
     for _ in 0..STEPS {
-        let [first, second] = rate(walker.unit_motion(at)?, unknown);
+        let [first, second] = rates(walker.unit_motion(at)?, unknown);
         bracket[usize::from((first > 0.0) == rising)] = at;
         let newton = at - first / second;
         let next = if newton > bracket[0] && newton < bracket[1] { newton } else { 0.5 * (bracket[0] + bracket[1]) };

@@ -1,21 +1,11 @@
-use super::curve::Shown;
-use super::tip::{MARKS, Tip};
-use super::{Curve, Curves, CycleError, Event, Path};
+use super::reading::Tip;
+use super::sampled::MARKS;
+use super::{Curve, Curves, CycleError, Path, Sampled};
 use crate::geometry::Vector;
 use crate::quantity::QuantityRequest;
 
 /// Hodographs: the curves of the tips of vectors over a range of a path, all vectors laid off from one pole.
-#[derive(Clone, Debug)]
-pub struct Hodographs<'a> {
-    /// The path.
-    pub path: &'a Path<'a>,
-    /// Lowest and highest value of the drive that are shown: the part of the range that the path has reached.
-    pub range: [f64; 2],
-    /// The hodographs, in the order in which they were asked for.
-    pub hodographs: Vec<Hodograph>,
-    /// The events in the range, in the order of the drive's value.
-    pub events: Vec<Event>,
-}
+pub type Hodographs<'a> = Sampled<'a, Hodograph>;
 
 /// The curve of one vector's tip.
 #[derive(Clone, Debug)]
@@ -43,7 +33,7 @@ impl<'a> Hodographs<'a> {
     /// A name is no vector of this mechanism, or the vector has no value in the range; or nothing of the range has been
     /// reached.
     pub fn new(path: &'a Path<'a>, range: [f64; 2], names: &[String]) -> Result<Self, CycleError> {
-        let mut all = Hodographs { path, range, hodographs: Vec::new(), events: Vec::new() };
+        let mut all = Sampled { path, range, curves: Vec::new(), events: Vec::new() };
         for (index, name) in names.iter().enumerate() {
             if names[..index].contains(name) {
                 continue;
@@ -53,56 +43,50 @@ impl<'a> Hodographs<'a> {
                 return Err(CycleError::NoVector(name.clone()));
             }
             let parts = [".x", ".y"].map(|part| format!("{name}{part}"));
-            let curves = Curves::new(path, range, Some(&parts))?;
+            let components = Curves::new(path, range, Some(&parts))?;
             let curve = |part: &String| {
                 let has = |curve: &&Curve| curve.asked.iter().any(|asked| asked.name() == part);
-                let found = curves.curves.iter().find(has);
+                let found = components.curves.iter().find(has);
                 found.expect("both parts have a curve")
             };
-            let [x, y] = parts.each_ref().map(curve);
             let tip = Tip::new(path, parts.each_ref().map(String::as_str))?;
-            (all.range, all.events) = (curves.range, curves.events.clone());
-            let hodograph = all.hodograph(asked, [x, y], tip);
-            all.hodographs.push(hodograph);
+            all.curves.push(hodograph(asked, &components, parts.each_ref().map(curve), tip));
+            (all.range, all.events) = (components.range, components.events);
         }
         Ok(all)
     }
+}
 
-    fn hodograph(&self, asked: QuantityRequest, [x, y]: [&Curve; 2], mut tip: Tip) -> Hodograph {
-        let mut tip = |at: f64| tip.at(at);
-        // Tips at the samples of both components, where the pieces of both overlap.
-        let mut pieces = Vec::new();
-        for a in &x.pieces {
-            for b in &y.pieces {
-                let ends = |piece: &[[f64; 2]]| [piece[0][0], piece[piece.len() - 1][0]];
-                let [[a0, a1], [b0, b1]] = [ends(a), ends(b)];
-                let common = a0.max(b0)..=a1.min(b1);
-                let samples = a.iter().chain(b).map(|sample| sample[0]);
-                let mut values: Vec<f64> = samples.filter(|at| common.contains(at)).collect();
-                values.sort_by(f64::total_cmp);
-                values.dedup();
-                let piece: Vec<(f64, Vector)> = values.into_iter().filter_map(|at| Some((at, tip(at)?))).collect();
-                if piece.len() > 1 {
-                    pieces.push(piece);
-                }
+/// The hodograph of the vector with the components `x` and `y`, two of `curves`.
+fn hodograph(asked: QuantityRequest, curves: &Curves, [x, y]: [&Curve; 2], mut tip: Tip) -> Hodograph {
+    let mut tip = |at: f64| tip.at(at);
+    // Tips at the samples of both components, where the pieces of both overlap.
+    let mut pieces = Vec::new();
+    for a in &x.pieces {
+        for b in &y.pieces {
+            let ends = |piece: &[[f64; 2]]| [piece[0][0], piece[piece.len() - 1][0]];
+            let [[a0, a1], [b0, b1]] = [ends(a), ends(b)];
+            let common = a0.max(b0)..=a1.min(b1);
+            let samples = a.iter().chain(b).map(|sample| sample[0]);
+            let mut values: Vec<f64> = samples.filter(|at| common.contains(at)).collect();
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+            let piece: Vec<(f64, Vector)> = values.into_iter().filter_map(|at| Some((at, tip(at)?))).collect();
+            if piece.len() > 1 {
+                pieces.push(piece);
             }
         }
-        let shown = Shown { range: self.range, events: Vec::new() };
-        let whole = shown.is_turn(self.path);
-        let called = |at: f64| if whole { at.rem_euclid(360.0) } else { at };
-        let step = if self.path.drive.is_angle() { MARKS } else { shown.round_step() };
-        let marks = shown.round_values(self.path, step).into_iter();
-        let marks = marks.filter_map(|at| Some((called(at), tip(at)?))).collect();
-        let own = shown.own(self.path);
-        Hodograph {
-            asked,
-            pieces,
-            window: [
-                Vector::new(x.window[0].min(0.0), y.window[0].min(0.0)),
-                Vector::new(x.window[1].max(0.0), y.window[1].max(0.0)),
-            ],
-            marks,
-            own: own.and_then(tip),
-        }
+    }
+    let step = if curves.path.drive.is_angle() { MARKS } else { curves.round_step() };
+    let marks = curves.round_values(step).into_iter();
+    Hodograph {
+        asked,
+        pieces,
+        window: [
+            Vector::new(x.window[0].min(0.0), y.window[0].min(0.0)),
+            Vector::new(x.window[1].max(0.0), y.window[1].max(0.0)),
+        ],
+        marks: marks.filter_map(|at| Some((curves.called(at), tip(at)?))).collect(),
+        own: curves.own().and_then(tip),
     }
 }

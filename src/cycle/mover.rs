@@ -1,4 +1,6 @@
-use super::start::{stands, start};
+use super::drive::{in_radians, stands};
+use super::position::start;
+use super::segment::rates;
 use super::{CycleError, Position};
 use crate::geometry::{OneByOne, Pair, UNIT_ROUNDOFF};
 use crate::kernel::{InputKind, Kernel, Single, Unknown};
@@ -185,11 +187,7 @@ impl<'a> Mover<'a> {
         if input.rate == 0.0 {
             return;
         }
-        let change = match input.kind {
-            InputKind::Turning { .. } => change.to_radians(),
-            InputKind::Sliding { .. } => change,
-        };
-        let (time, lag) = (change / input.rate, input.second / input.rate);
+        let (time, lag) = (in_radians(input.kind, change) / input.rate, input.second / input.rate);
         // After a step that was much shorter the difference would be rounding.
         let is_like = self.time != 0.0 && time.abs() <= 4.0 * self.time.abs();
         let third = if is_like { time / (3.0 * self.time) } else { 0.0 };
@@ -197,10 +195,7 @@ impl<'a> Mover<'a> {
         let block = &mut self.block;
         let unknowns = self.kernel.unknowns.iter().flatten();
         for (unknown, before) in unknowns.zip(&mut self.seconds) {
-            let (rate, second) = match *unknown {
-                Unknown::Spin(class) => (block.omegas[class][0], block.alphas[class][0]),
-                Unknown::Slide(slider) => (block.speeds[slider][0], block.accelerations[slider][0]),
-            };
+            let [rate, second] = rates(block, *unknown);
             // As for a drive without acceleration.
             let second = second - rate * lag;
             let step = time * (rate + 0.5 * time * (second + third * (second - *before)));

@@ -1,23 +1,17 @@
+use super::drive::{in_radians, ratios, stands};
 use super::event::extreme_positions;
+use super::position::start;
 use super::segment::{Node, Segment};
-use super::start::{ratios, stands, start};
 use super::trace::{Traced, fastest, trace};
 use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
-use crate::Problem;
 use crate::geometry::{Lanes, Many, OneByOne, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
-use crate::mechanism::{Mechanism, Role};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::words::Wording;
 use std::borrow::Cow;
 use std::f64::consts::TAU;
-
-/// The widest range that is followed, in turns to each side.
-const MOST_TURNS: f64 = 100.0;
-
-/// Range in which the ends of a slider's path are searched, in sizes of the mechanism to each side.
-const FAR: f64 = 10.0;
 
 /// Distance that the branch is first followed the other way, in turns: enough for the longest leap.
 const RUN_UP: f64 = 0.01;
@@ -42,7 +36,7 @@ pub struct Path<'a> {
     /// For each drive: its value at the scene's position, and its rate per unit rate of the moved drive.
     pub(super) inputs: Vec<[f64; 2]>,
     /// The moved drive's value at the scene's position.
-    origin: f64,
+    pub(super) origin: f64,
     size: f64,
     /// In the order of the drive's value.
     pub(super) nodes: Vec<Node>,
@@ -50,7 +44,7 @@ pub struct Path<'a> {
     /// Change points on the way.
     pub(super) changes: Vec<Event>,
     /// The events that end the path below and above, if any.
-    ends: [Option<Event>; 2],
+    pub(super) ends: [Option<Event>; 2],
 }
 
 impl<'a> Path<'a> {
@@ -146,88 +140,9 @@ impl<'a> Path<'a> {
     #[inline(always)]
     pub(super) fn unit_rates(&self, block: &mut Single) {
         for (index, [_, ratio]) in self.inputs.iter().enumerate() {
-            let rate = match self.kernel.inputs[index].kind {
-                InputKind::Turning { .. } => ratio.to_radians(),
-                InputKind::Sliding { .. } => *ratio,
-            };
-            self.kernel.set_rates(block, index, rate, 0.0);
+            self.kernel.set_rates(block, index, in_radians(self.kernel.inputs[index].kind, *ratio), 0.0);
         }
         self.kernel.rates(OneByOne, block);
-    }
-
-    /// Follows the branch over the range from one value of the drive to another, as far as it can be reached; with
-    /// neither end given, once around or from end to end. Returns the range from the first to the second value.
-    ///
-    /// A crank that cannot turn fully has the same positions a whole turn further on: where only those are in the
-    /// range, values of the drive are counted anew from there.
-    ///
-    /// # Errors
-    /// No part of the range can be reached, or it is wider than a hundred turns.
-    pub fn cover(&mut self, from: Option<f64>, to: Option<f64>) -> Result<[f64; 2], CycleError> {
-        let turn = self.unit();
-        let range = match (from, to) {
-            (Some(from), Some(to)) => [from, to],
-            (Some(from), None) if self.drive.turns => [from, from + turn],
-            (None, Some(to)) => [self.origin, to],
-            (None, None) => self.once()?,
-            (Some(_), None) => return Err(self.no_range()),
-        };
-        if !range.iter().all(|end| end.is_finite()) {
-            let text = "the ends of the range must be finite numbers";
-            return Err(CycleError::Range(text.into()));
-        }
-        let widest = MOST_TURNS * turn;
-        if range.iter().any(|v| (v - self.origin).abs() > widest) {
-            let [low, high] = [-widest, widest].map(|by| self.drive.amount(self.origin + by));
-            let text = if self.drive.turns {
-                "the range reaches further than a hundred turns"
-            } else {
-                "the range reaches further than a hundred times the mechanism's size"
-            };
-            let hint = format!("values between {low} and {high}");
-            return Err(CycleError::Range(Problem::new(text).hint(hint)));
-        }
-        range.iter().for_each(|v| self.follow_to(*v));
-        let (low, high) = (range[0].min(range[1]), range[0].max(range[1]));
-        let outside = |path: &Self| low > path.high() || high < path.low();
-        if outside(self) && self.drive.turns {
-            self.once()?;
-            let turns = ((low - self.high()) / turn).ceil();
-            if self.low() + turns * turn <= high {
-                self.count_from(self.origin + turns * turn);
-                range.iter().for_each(|v| self.follow_to(*v));
-            }
-        }
-        if outside(self) {
-            let end = self.end(low > self.high());
-            let stop = end.map(|end| self.told(end, &Wording::default()));
-            let [from, to] = range.map(|v| self.drive.amount(v));
-            let reached = [(false, self.low()), (true, self.high())];
-            let [low, high] = reached.map(|(above, v)| self.drive.amount(self.end(above).map_or(v, |end| end.at)));
-            return Err(CycleError::OutOfReach { from, to, stop: stop.unwrap_or_default(), low, high });
-        }
-        Ok(range)
-    }
-
-    /// Follows the branch once around, or from end to end; that of a slider must have two ends.
-    pub(super) fn once(&mut self) -> Result<[f64; 2], CycleError> {
-        let far = if self.drive.turns { 1.0 } else { FAR } * self.unit();
-        self.follow_to(self.origin + far);
-        if self.drive.turns && self.end(true).is_none() {
-            return Ok([self.origin, self.origin + far]);
-        }
-        self.follow_to(self.origin - far);
-        if self.drive.turns || self.ends.iter().all(Option::is_some) {
-            Ok([self.low(), self.high()])
-        } else {
-            Err(self.no_range())
-        }
-    }
-
-    fn no_range(&self) -> CycleError {
-        let quantity = self.drive.quantity();
-        let hint = "both --from and --to: this slider has no full turn and no two ends";
-        CycleError::Range(Problem::new(format!("the range of {quantity} is not given")).hint(hint))
     }
 
     /// A path of the same drives through another position, not followed to either side yet.
@@ -237,7 +152,7 @@ impl<'a> Path<'a> {
     }
 
     /// Starts the path afresh at the scene's position, which gets another value of the drive.
-    fn count_from(&mut self, origin: f64) {
+    pub(super) fn count_from(&mut self, origin: f64) {
         let old = self.origin;
         self.nodes.retain(|node| node.value == old);
         self.nodes[0].value = origin;
@@ -357,6 +272,18 @@ impl<'a> Path<'a> {
     #[must_use]
     pub fn end(&self, above: bool) -> Option<&Event> {
         self.ends[usize::from(above)].as_ref()
+    }
+
+    /// Whether a place runs off to infinity at an end of the path.
+    pub(super) fn runs_off(&self) -> bool {
+        self.ends.iter().flatten().any(|end| matches!(end.what, Happening::RunsOff { .. }))
+    }
+
+    /// A moving link with a point; none for a fixed point.
+    pub(super) fn carrier(&self, point: PointId) -> Option<BodyId> {
+        let fixed = self.mechanism.body(GROUND).points.contains(&point);
+        let mut links = self.mechanism.links();
+        links.find(|(_, body)| !fixed && body.points.contains(&point)).map(|(id, _)| id)
     }
 
     /// The drive's value at the limit position that ends the path above, or below, if one does.

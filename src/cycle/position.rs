@@ -1,8 +1,12 @@
-use crate::geometry::{Point, Row, Vector, quarter_turn};
-use crate::kernel::{Block, Kernel, vector};
+use super::drive::stands;
+use crate::construction::{Construction, Extent, construct};
+use crate::geometry::{OneByOne, Point, Row, Turn, Vector, quarter_turn};
+use crate::kernel::{Block, Kernel, Single, Unknown, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
+use crate::motion::motion;
 use crate::position::Pose;
 use crate::quantity::State;
+use crate::sheet::Sheet;
 
 /// One position of a block, from which quantities can be read.
 #[derive(Clone, Copy, Debug)]
@@ -35,6 +39,13 @@ impl<R: Row> Position<'_, R> {
             assemblies: vec![None; mechanism.groups.len()],
             warnings: Vec::new(),
         }
+    }
+
+    /// The construction at this position; `None` where it is singular.
+    pub(super) fn construction(&self) -> Option<Construction> {
+        let (mechanism, pose) = (self.mechanism, self.pose());
+        let motion = motion(mechanism, &pose, Sheet::Acceleration).ok()?;
+        Some(construct(mechanism, &pose, &motion, Extent::Points))
     }
 }
 
@@ -80,4 +91,27 @@ impl<R: Row> State for Position<'_, R> {
         let acceleration = vector(&self.block.point_accelerations[slot], self.lane);
         [velocity + quarter_turn(arm) * omega, acceleration + quarter_turn(arm) * alpha - arm * (omega * omega)]
     }
+}
+
+/// A block in the position of `pose`, with the drives' values; the caller sets their rates.
+pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
+    let mut block = Block::new(kernel);
+    for (index, input) in kernel.inputs.iter().enumerate() {
+        kernel.set_input(OneByOne, &mut block, index, &[stands(input, pose)]);
+    }
+    for unknown in kernel.unknowns.iter().flatten() {
+        match *unknown {
+            Unknown::Slide(slider) => block.slides[slider] = [pose.slides[slider].unwrap_or(0.0)],
+            Unknown::Spin(class) => {
+                let mut links = mechanism.links().filter(|(id, _)| kernel.seat(*id).class == class);
+                let turn = links.find_map(|(id, _)| {
+                    let axis = pose.axes[id.0]?.normalize();
+                    Some(kernel.seat(id).turn.inverse() * Turn::from_cos_sin_unchecked(axis.x, axis.y))
+                });
+                let turn = turn.unwrap_or_else(Turn::identity);
+                block.turns[class] = [[turn.re], [turn.im]];
+            }
+        }
+    }
+    block
 }

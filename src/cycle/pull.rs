@@ -2,7 +2,7 @@ use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Path, alone};
 use crate::construction::Solution;
 use crate::geometry::Point;
-use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
+use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::position::Pose;
 use crate::quantity::State;
 use std::borrow::Cow;
@@ -15,8 +15,6 @@ const LEAST_STEP: f64 = STEP / 64.0;
 const AHEAD: f64 = 1.0 / 8.0;
 /// Distance that is kept from a limit, in the same unit: there rates are infinite.
 const OFF_THE_END: f64 = 1e-4;
-/// The farthest that one pull moves the drive, in turns and in sizes of the mechanism.
-const FAR: [f64; 2] = [1.0, 10.0];
 /// The farthest that the drive is set at once, in the same unit.
 const FARTHEST: f64 = 100.0;
 /// How much of the branch to either side is kept, in the same unit.
@@ -135,7 +133,7 @@ impl Pull {
 
     /// Whether the drive moves a point.
     pub fn moves(&mut self, point: PointId) -> bool {
-        let Some(body) = self.carrier(point) else { return false };
+        let Some(body) = self.path.carrier(point) else { return false };
         self.follow(self.value + AHEAD * self.path.unit());
         self.follow(self.value - AHEAD * self.path.unit());
         let mut walker = self.path.walker();
@@ -153,7 +151,7 @@ impl Pull {
     /// moves the point nothing moves.
     pub fn to_place(&mut self, point: PointId, place: Point) -> Pulled {
         let is_place = place.x.is_finite() && place.y.is_finite();
-        match self.carrier(point).filter(|_| is_place && self.moves(point)) {
+        match self.path.carrier(point).filter(|_| is_place && self.moves(point)) {
             Some(body) => self.go(|path, value| slope(path, value, body, point, place)),
             None => self.stay(),
         }
@@ -174,24 +172,17 @@ impl Pull {
 
     /// The events that stop the drive below and above, if it is stopped: within a turn, or ten sizes of the mechanism.
     pub fn ends(&mut self) -> [Option<Event>; 2] {
-        let far = FAR[usize::from(!self.path.drive.is_angle())] * self.path.unit();
+        let far = self.path.far();
         [false, true].map(|above| {
             self.path.follow_to(self.value + if above { far } else { -far });
             self.path.end(above).cloned()
         })
     }
 
-    /// A moving link with a point.
-    fn carrier(&self, point: PointId) -> Option<BodyId> {
-        let mut links = self.path.mechanism.links();
-        let fixed = self.path.mechanism.body(GROUND).points.contains(&point);
-        links.find(|(_, body)| !fixed && body.points.contains(&point)).map(|(id, _)| id)
-    }
-
     /// Goes down a slope to its end.
     fn go(&mut self, slope: impl Fn(&Path<'_>, f64) -> Option<Slope>) -> Pulled {
         let unit = self.path.unit();
-        let far = FAR[usize::from(!self.path.drive.is_angle())] * unit;
+        let far = self.path.far();
         self.follow(self.value + STEP * unit);
         self.follow(self.value - STEP * unit);
         let start = slope(&self.path, self.value);

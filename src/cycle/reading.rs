@@ -1,5 +1,5 @@
-use super::columns::{Column, Columns};
-use super::{Path, Walker};
+use super::{CycleError, Path, Walker};
+use crate::geometry::Vector;
 use crate::quantity::{Quantity, QuantityKind, QuantityRequest};
 
 /// Distance from a change point, in parts of a turn, below which rates are interpolated from both sides: accelerations
@@ -24,7 +24,7 @@ const STEPS: usize = 46;
 
 /// One quantity of a path as a function of the drive's value; the size of a vector.
 pub(super) struct Reading<'a> {
-    columns: Columns<'a>,
+    asked: QuantityRequest,
     walker: Walker<'a>,
     path: &'a Path<'a>,
     /// Whether the quantity is an angle.
@@ -49,21 +49,17 @@ impl<'a> Reading<'a> {
     pub fn new(path: &'a Path<'a>, asked: QuantityRequest) -> Self {
         let mut reading = Reading {
             turns: asked.kind() == QuantityKind::Angle,
-            columns: Columns::of(path, vec![Column { asked }]),
+            asked,
             walker: path.walker(),
             path,
             ends: [End::Plain; 2],
         };
-        reading.ends = [false, true].map(|above| reading.end(above));
-        reading
-    }
-
-    fn end(&mut self, above: bool) -> End {
-        match (self.growth(above), self.path.limit(above)) {
+        reading.ends = [false, true].map(|above| match (reading.growth(above), path.limit(above)) {
             (Some(up), _) => End::Grows(up),
             (None, Some(at)) => End::Limit(at),
             (None, None) => End::Plain,
-        }
+        });
+        reading
     }
 
     /// Whether the quantity grows without bound towards an end of the path, and if so whether upwards; an angle never
@@ -138,8 +134,9 @@ impl<'a> Reading<'a> {
     }
 
     fn read(&mut self, drive: f64) -> Option<f64> {
-        let (_, found) = self.columns.values(self.walker.position(drive)).next()?;
-        let value = match found? {
+        let position = self.walker.position(drive)?;
+        let built = if self.asked.needs_construction() { Some(position.construction()?) } else { None };
+        let value = match self.asked.value(&position, built.as_ref(), None).ok()? {
             Quantity::Number(x) => x,
             Quantity::Vector(v) => v.norm(),
         };
@@ -175,5 +172,25 @@ impl<'a> Reading<'a> {
         }
         let best = if values[0] >= values[1] { 0 } else { 1 };
         values[best].is_finite().then_some([inner[best], sign * values[best]])
+    }
+}
+
+/// A point of the plane as a function of the drive's value: the tip of a vector, or a point of the mechanism.
+pub(super) struct Tip<'a> {
+    parts: [Reading<'a>; 2],
+}
+
+impl<'a> Tip<'a> {
+    /// The point whose coordinates are the quantities of these names.
+    pub fn new(path: &'a Path<'a>, [x, y]: [&str; 2]) -> Result<Self, CycleError> {
+        let reading =
+            |name| -> Result<_, CycleError> { Ok(Reading::new(path, QuantityRequest::new(name, &path.mechanism)?)) };
+        Ok(Tip { parts: [reading(x)?, reading(y)?] })
+    }
+
+    /// The point at a value of the drive; `None` where it has no place.
+    pub fn at(&mut self, value: f64) -> Option<Vector> {
+        let [x, y] = &mut self.parts;
+        Some(Vector::new(x.at(value, None)?, y.at(value, None)?))
     }
 }

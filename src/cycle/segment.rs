@@ -18,6 +18,15 @@ impl Node {
     }
 }
 
+/// First and second derivative of an unknown, by time or, of a node, by the drive's value.
+#[inline]
+pub(super) fn rates(block: &Single, unknown: Unknown) -> [f64; 2] {
+    match unknown {
+        Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
+        Unknown::Slide(slider) => [block.speeds[slider][0], block.accelerations[slider][0]],
+    }
+}
+
 /// The path between two nodes: for each unknown the polynomial of degree 5 with the values, first and second
 /// derivatives of both nodes.
 #[derive(Clone, Debug)]
@@ -84,8 +93,8 @@ impl Segment {
                     // The unknown is the direction d = (cosine, sine); its derivatives are ω J d and (α J − ω²) d.
                     let of = |node: &Node| {
                         let direction = vector(&node.block.turns[class], 0);
-                        let omega = node.block.omegas[class][0] * step;
-                        let alpha = node.block.alphas[class][0] * step * step;
+                        let [omega, alpha] = rates(&node.block, *unknown);
+                        let (omega, alpha) = (omega * step, alpha * step * step);
                         let across: Vector = quarter_turn(direction);
                         [direction, across * omega, across * alpha - direction * (omega * omega)]
                     };
@@ -95,9 +104,8 @@ impl Segment {
                 }
                 Unknown::Slide(slider) => {
                     let of = |node: &Node| {
-                        let block = &node.block;
-                        let (speed, second) = (block.speeds[slider][0], block.accelerations[slider][0]);
-                        [block.slides[slider][0], speed * step, second * step * step]
+                        let [speed, second] = rates(&node.block, *unknown);
+                        [node.block.slides[slider][0], speed * step, second * step * step]
                     };
                     segment.slides.push((slider, quintic(of(start), of(end))));
                 }

@@ -1,9 +1,12 @@
-use super::columns::{Column, Columns};
 use super::{Drive, Path, Position, Steps};
+use crate::accuracy::{bounds, is_bounded};
+use crate::construction::{Extent, construct};
 use crate::geometry::{MANY, Row};
 use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
-use crate::quantity::{Quantity, QuantityError};
+use crate::motion::motion;
+use crate::quantity::{Quantity, QuantityError, QuantityRequest, Snapshot};
 use crate::scene::Scene;
+use crate::sheet::Sheet;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -12,7 +15,9 @@ use std::ops::Range;
 pub struct Sweep<'a> {
     path: &'a Path<'a>,
     steps: Steps,
-    columns: Columns<'a>,
+    columns: Vec<QuantityRequest>,
+    /// Whether one of the quantities needs the construction.
+    constructs: bool,
     /// The scene, where each quantity is followed by the bound of its error.
     errors: Option<&'a Scene>,
 }
@@ -34,16 +39,18 @@ impl<'a> Sweep<'a> {
         // Each name once; the drive's value is the first column already.
         let mut seen = BTreeSet::from([path.drive.quantity()]);
         names.retain(|name| seen.insert(name.clone()));
-        let columns = Columns::new(path, &names)?;
-        if let Some(column) = columns.list.iter().find(|c| c.asked.is_on_paper()) {
-            let name = column.asked.name().to_owned();
+        let columns = names.iter().map(|name| QuantityRequest::new(name, mechanism));
+        let columns: Vec<QuantityRequest> = columns.collect::<Result<_, _>>()?;
+        if let Some(asked) = columns.iter().find(|asked| asked.is_on_paper()) {
+            let name = asked.name().to_owned();
             return Err(QuantityError::NoValue(name, "a table has no scale"));
         }
         let steps = steps.within(path.low(), path.high());
         // A plan point that does not exist is found in the first row with plans, before anything is written.
         let first = (0..steps.count().min(MANY)).map(|row| steps.value(row));
-        columns.check(first)?;
-        Ok(Sweep { path, steps, columns, errors: None })
+        check_plan_points(path, &columns, first)?;
+        let constructs = columns.iter().any(QuantityRequest::needs_construction);
+        Ok(Sweep { path, steps, columns, constructs, errors: None })
     }
 
     /// The same table with a further number for each quantity that has one: the bound of its error, of a vector that of
@@ -68,29 +75,29 @@ impl<'a> Sweep<'a> {
 
     /// The quantities asked for, in order, without the drive's value.
     #[must_use]
-    pub fn columns(&self) -> &[Column] {
-        &self.columns.list
+    pub fn columns(&self) -> &[QuantityRequest] {
+        &self.columns
     }
 
     /// Names of the numbers of a row.
     #[must_use]
     pub fn header(&self) -> Vec<String> {
         let drive = std::iter::once(self.path.drive.quantity());
-        let columns = self.columns().iter();
-        drive.chain(columns.flat_map(|c| c.names().chain(self.error_name(c)))).collect()
+        let columns = self.columns.iter();
+        drive.chain(columns.flat_map(|asked| column_names(asked).chain(self.error_name(asked)))).collect()
     }
 
-    /// The name of the number that bounds a column's error, if the table has it.
+    /// The name of the number that bounds the error of a quantity, if the table has it.
     #[must_use]
-    pub fn error_name(&self, column: &Column) -> Option<String> {
-        self.errors.and_then(|_| column.error_name())
+    pub fn error_name(&self, asked: &QuantityRequest) -> Option<String> {
+        (self.errors.is_some() && is_bounded(asked)).then(|| format!("{}_error", asked.name()))
     }
 
     /// The numbers of these rows.
     #[must_use]
     pub fn rows(&self, rows: Range<usize>) -> Numbers {
         let mut numbers = Numbers::with_capacity(rows.len() * self.header().len());
-        let bare = self.errors.is_none() && self.columns().iter().all(|c| c.asked.is_of_links_alone());
+        let bare = self.errors.is_none() && self.columns.iter().all(QuantityRequest::is_of_links_alone);
         let mut many = if bare { self.path.many_walker_without_places() } else { self.path.many_walker() };
         let mut one = self.path.walker();
         let mut next = rows.start;
@@ -129,26 +136,81 @@ impl<'a> Sweep<'a> {
     /// Appends the row of a position to `numbers`.
     fn read<R: Row>(&self, value: f64, position: Option<Position<R>>, numbers: &mut Numbers) {
         numbers.push(Some(value));
-        let Some(scene) = self.errors else {
-            self.columns.values(position).for_each(|(column, found)| push(column, found, numbers));
-            return;
-        };
-        for (column, found) in self.columns.values_with_errors(scene, value, position) {
-            push(column, found.map(|f| f.value), numbers);
-            if column.error_name().is_some() {
-                numbers.push(found.and_then(|f| f.error).filter(|error| error.is_finite()));
+        if let Some(scene) = self.errors {
+            return self.read_with_errors(scene, value, position, numbers);
+        }
+        let built = position.filter(|_| self.constructs).and_then(|position| position.construction());
+        for asked in &self.columns {
+            // What needs the construction has no value without it.
+            let found = position.and_then(|position| asked.value(&position, built.as_ref(), None).ok());
+            push(asked, found, numbers);
+        }
+    }
+
+    /// As [`Self::read`], with the bounds of errors. Rates are those of [`motion`], which are bounded.
+    fn read_with_errors<R: Row>(
+        &self,
+        scene: &Scene,
+        value: f64,
+        position: Option<Position<R>>,
+        numbers: &mut Numbers,
+    ) {
+        let mechanism = &self.path.mechanism_at(value);
+        let moved = position.and_then(|position| {
+            let pose = position.pose();
+            let motion = motion(mechanism, &pose, Sheet::Acceleration).ok()?;
+            let built = self.constructs.then(|| construct(mechanism, &pose, &motion, Extent::Points));
+            Some((pose, motion, built))
+        });
+        let state = moved.as_ref().map(|(pose, motion, built)| {
+            (Snapshot { pose, motion }, built.as_ref(), bounds(scene, mechanism, pose, motion))
+        });
+        for asked in &self.columns {
+            let found = state.as_ref().and_then(|(state, built, bounds)| {
+                let value = asked.value(state, *built, None).ok()?;
+                Some((value, bounds.of(asked)))
+            });
+            push(asked, found.map(|(value, _)| value), numbers);
+            if is_bounded(asked) {
+                numbers.push(found.and_then(|(_, error)| error).filter(|error| error.is_finite()));
             }
         }
     }
 }
 
-/// Appends a column's numbers.
-fn push(column: &Column, found: Option<Quantity>, numbers: &mut Numbers) {
+/// Checks that every plan point asked for exists, at the first of these values of the drive that has plans.
+pub(super) fn check_plan_points(
+    path: &Path,
+    asked: &[QuantityRequest],
+    values: impl Iterator<Item = f64>,
+) -> Result<(), QuantityError> {
+    if !asked.iter().any(QuantityRequest::needs_construction) {
+        return Ok(());
+    }
+    let mut walker = path.walker();
+    for value in values {
+        let Some(position) = walker.position(value) else { continue };
+        let Some(built) = position.construction() else { continue };
+        let values = asked.iter().map(|asked| asked.value(&position, Some(&built), None));
+        let unknown = values.filter_map(Result::err).find(|error| matches!(error, QuantityError::Unknown { .. }));
+        return unknown.map_or(Ok(()), Err);
+    }
+    Ok(())
+}
+
+/// Names of the numbers of a quantity: its own, for a vector with `.x` and with `.y`.
+fn column_names(asked: &QuantityRequest) -> impl Iterator<Item = String> + '_ {
+    let parts: &[&str] = if asked.is_vector() { &[".x", ".y"] } else { &[""] };
+    parts.iter().map(|part| format!("{}{part}", asked.name()))
+}
+
+/// Appends the numbers of a quantity.
+fn push(asked: &QuantityRequest, found: Option<Quantity>, numbers: &mut Numbers) {
     let finite = |x: f64| x.is_finite().then_some(x);
     match found {
         Some(Quantity::Number(x)) => numbers.push(finite(x)),
         Some(Quantity::Vector(v)) => numbers.extend([finite(v.x), finite(v.y)]),
-        None => numbers.extend(column.names().map(|_| None)),
+        None => numbers.extend(column_names(asked).map(|_| None)),
     }
 }
 

@@ -1,4 +1,4 @@
-use super::segment::{Node, Segment};
+use super::segment::{Node, Segment, rates};
 use super::{Event, Happening, Path};
 use crate::geometry::OneByOne;
 use crate::kernel::{Correction, Unknown};
@@ -59,16 +59,16 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
     let mut step = unit / 36.0;
     let mut traced = Traced { nodes: Vec::new(), changes: Vec::new(), end: None };
     loop {
-        let last = &nodes[nodes.len() - 1];
-        let left = (target - last.value) * forward;
+        let left = (target - nodes[nodes.len() - 1].value) * forward;
         if left <= 0.0 {
             break;
         }
-        if let Some(leap) = leap(path, &nodes, forward, NEAR_CHANGE) {
-            traced.changes.push(leap.land(&mut nodes));
+        if let Some(change) = leap(path, &mut nodes, forward, NEAR_CHANGE) {
+            traced.changes.push(change);
             step = unit / 360.0;
             continue;
         }
+        let last = &nodes[nodes.len() - 1];
         let tried = step.min(left);
         let to = if tried < left { last.value + forward * tried } else { target };
         match advance(path, last, to) {
@@ -85,12 +85,14 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
                     continue;
                 }
                 // With links of very unequal lengths rates are too inexact to come as near as `NEAR_CHANGE`.
-                if let Some(leap) = leap(path, &nodes, forward, LEAPS[0]) {
-                    traced.changes.push(leap.land(&mut nodes));
+                if let Some(change) = leap(path, &mut nodes, forward, LEAPS[0]) {
+                    traced.changes.push(change);
                     step = unit / 360.0;
                     continue;
                 }
-                let links = links_near_singularity(path, last);
+                let last = &nodes[nodes.len() - 1];
+                let name = |group: usize| path.mechanism.groups[group].link_names(&path.mechanism);
+                let links = nearest_to_singularity(last).map_or_else(String::new, name);
                 let ahead = ahead(path, &nodes, forward).filter(|a| a.away.abs() < NEAR_END * unit);
                 traced.end = Some(match ahead {
                     Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit { links } },
@@ -112,21 +114,18 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
     let mut block = last.block.clone();
     path.set_inputs(OneByOne, &mut block, &[to]);
     for unknown in path.kernel.unknowns.iter().flatten() {
+        let [first, second] = rates(&block, *unknown);
+        let by = step * (first + 0.5 * step * second);
         match *unknown {
             Unknown::Spin(class) => {
-                let (omega, alpha) = (block.omegas[class][0], block.alphas[class][0]);
-                let angle = step * (omega + 0.5 * step * alpha);
-                if angle.is_nan() || angle.abs() > LARGEST_TURN {
+                if by.is_nan() || by.abs() > LARGEST_TURN {
                     return None;
                 }
-                let (sine, cosine) = libm::sincos(angle);
+                let (sine, cosine) = libm::sincos(by);
                 let [[x], [y]] = block.turns[class];
                 block.turns[class] = [[x * cosine - y * sine], [x * sine + y * cosine]];
             }
-            Unknown::Slide(slider) => {
-                let (speed, second) = (block.speeds[slider][0], block.accelerations[slider][0]);
-                block.slides[slider][0] += step * (speed + 0.5 * step * second);
-            }
+            Unknown::Slide(slider) => block.slides[slider][0] += by,
         }
     }
     let found = path.kernel.assemble(OneByOne, &mut block, 0.0);
@@ -160,19 +159,18 @@ fn nearest_to_singularity(node: &Node) -> Option<usize> {
     sharpness.enumerate().min_by(|a, b| a.1.total_cmp(b.1)).map(|(group, _)| group)
 }
 
-/// Names of the links of the group nearest to a singular position.
-fn links_near_singularity(path: &Path, node: &Node) -> String {
-    let name = |group: usize| path.mechanism.groups[group].link_names(&path.mechanism);
-    nearest_to_singularity(node).map_or_else(String::new, name)
+/// Rate and second derivative of an unknown; of slides in parts of the mechanism's size.
+fn relative_rates(path: &Path, node: &Node, unknown: Unknown) -> [f64; 2] {
+    let unit = match unknown {
+        Unknown::Spin(_) => 1.0,
+        Unknown::Slide(_) => path.size(),
+    };
+    rates(&node.block, unknown).map(|rate| rate / unit)
 }
 
 /// The fastest rate of a group's unknowns; slides count in parts of the mechanism's size.
 pub(super) fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
-    let size = path.size();
-    let rate = |unknown: &Unknown| match *unknown {
-        Unknown::Spin(class) => node.block.omegas[class][0].abs(),
-        Unknown::Slide(slider) => node.block.speeds[slider][0].abs() / size,
-    };
+    let rate = |unknown: &Unknown| relative_rates(path, node, *unknown)[0].abs();
     path.kernel.unknowns[group].iter().map(rate).fold(0.0, f64::max)
 }
 
@@ -199,18 +197,10 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     // The last node whose determinant is at least twice as large.
     let back = |n: &&Node| determinant(n) / determinant(last) >= 2.0;
     let before = nodes.iter().rev().find(back)?;
-    let size = path.size();
-    let rates = |node: &Node, unknown: Unknown| {
-        let block = &node.block;
-        match unknown {
-            Unknown::Spin(class) => [block.omegas[class][0], block.alphas[class][0]],
-            Unknown::Slide(slider) => [block.speeds[slider][0] / size, block.accelerations[slider][0] / size],
-        }
-    };
-    let second = |unknown: &&Unknown| rates(last, **unknown)[1].abs();
+    let second = |unknown: &&Unknown| relative_rates(path, last, **unknown)[1].abs();
     let unknowns = path.kernel.unknowns[group].iter();
     let quickest = *unknowns.max_by(|a, b| second(a).total_cmp(&second(b)))?;
-    let [now, then] = [last, before].map(|node| rates(node, quickest));
+    let [now, then] = [last, before].map(|node| relative_rates(path, node, quickest));
     let [near, far] = [now, then].map(|[first, second]| first / second);
     // Towards a limit rates grow as the determinant falls; towards a change point they do not.
     let grown = now[0] / then[0] >= 0.5 * determinant(before) / determinant(last);
@@ -226,32 +216,14 @@ fn ahead(path: &Path, nodes: &[Node], forward: f64) -> Option<Ahead> {
     Some(Ahead { at, away: near, runs_off })
 }
 
-/// A step over a change point.
-struct Leap {
-    /// Number of nodes before the leap; later ones are dropped.
-    kept: usize,
-    /// The node on the other side.
-    node: Node,
-    /// The change point.
-    event: Event,
-}
-
-impl Leap {
-    /// Appends the node on the other side and returns the event.
-    fn land(self, nodes: &mut Vec<Node>) -> Event {
-        nodes.truncate(self.kept);
-        nodes.push(self.node);
-        self.event
-    }
-}
-
-/// The leap over a change point at most `within` turns ahead, where a determinant passes through zero while the motion
-/// stays smooth; `None` if there is none.
+/// Leaps over a change point at most `within` turns ahead, where a determinant passes through zero while the motion
+/// stays smooth: drops the nodes next to it and appends the one on the other side. Returns the event; `None` if there is
+/// no change point.
 ///
 /// A leap is checked. Ordinary steps would come so near that rounding errors of the rates look like a limit, or lead to
 /// the branch that crosses this one.
-fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> {
-    let [.., before, last] = nodes else {
+fn leap(path: &Path, nodes: &mut Vec<Node>, forward: f64, within: f64) -> Option<Event> {
+    let [.., before, last] = nodes.as_slice() else {
         return None;
     };
     let group = nearest_to_singularity(last)?;
@@ -264,16 +236,18 @@ fn leap(path: &Path, nodes: &[Node], forward: f64, within: f64) -> Option<Leap> 
         return None;
     }
     let known = nodes.iter().rfind(|n| away(n) >= NEAR_CHANGE)?;
-    LEAPS.into_iter().find_map(|length| {
+    let (far, node, at) = LEAPS.into_iter().find_map(|length| {
         let far = nodes.iter().rposition(|n| away(n) >= length)?;
         if fastest(path, known, group) > GROWTH * fastest(path, &nodes[far], group) {
             return None;
         }
         let (node, at) = leap_from(path, &nodes[far..], group, zero)?;
-        let links = path.mechanism.groups[group].link_names(&path.mechanism);
-        let what = Happening::Change { links };
-        Some(Leap { kept: far + 1, node, event: Event { at, what } })
-    })
+        Some((far, node, at))
+    })?;
+    nodes.truncate(far + 1);
+    nodes.push(node);
+    let links = path.mechanism.groups[group].link_names(&path.mechanism);
+    Some(Event { at, what: Happening::Change { links } })
 }
 
 /// The node on the other side of the `zero` of a group's determinant, as far from it as the first of these nodes, and

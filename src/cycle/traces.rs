@@ -1,11 +1,9 @@
-use super::animation::whole_range;
-use super::circuit::{is_same, other_branches};
-use super::curve::Shown;
-use super::point_path::{PointPath, REACH};
-use super::tip::{MARKS, SAME};
-use super::{CycleError, Drive, Happening, Path};
+use super::circuit::is_same;
+use super::drive::in_radians;
+use super::point_path::{PointPath, PointPaths, REACH};
+use super::sampled::SAME;
+use super::{CycleError, Drive, Path};
 use crate::construction::Solution;
-use crate::kernel::InputKind;
 use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
 
@@ -45,13 +43,6 @@ fn is_uniform(mechanism: &Mechanism) -> bool {
     turns && mechanism.sliders.iter().all(|slider| slider.drive.is_none_or(|drive| drive.acceleration == 0.0))
 }
 
-/// The cycle of a drive.
-struct Cycle {
-    shown: Shown,
-    /// Whether the mechanism is at its end where it was at its beginning.
-    is_closed: bool,
-}
-
 impl Traces {
     /// What the scene's figure asks for, with the first drive; nothing where that cannot be followed.
     #[must_use]
@@ -71,89 +62,75 @@ impl Traces {
         }
         let drive = Drive::new(&solution.mechanism, drive)?;
         let mut path = Path::new(&solution.mechanism, &solution.pose, drive)?;
-        let cycle = cycle(&mut path)?;
-        let step = cycle.step(&path);
-        let values = cycle.ticks(path.start(), step);
-        let paths = figure.trace.iter().map(|name| PointPath::new(&path, &cycle.shown, name, &values));
-        let mut paths = paths.collect::<Result<Vec<_>, _>>()?;
-        if figure.beyond_limits && !paths.is_empty() {
-            let others = other_branches(&path);
-            for one in &mut paths {
-                one.go_beyond(&others)?;
-            }
+        let (range, is_closed) = cycle(&mut path)?;
+        let mut shown = PointPaths::reached(&path, range)?;
+        let step = shown.tick_step();
+        let ticks = ticks(&shown, is_closed, step);
+        for name in &figure.trace {
+            shown.add(name, &ticks)?;
         }
-        let times = (!paths.is_empty()).then(|| Times {
+        if figure.beyond_limits && !shown.curves.is_empty() {
+            shown = shown.beyond_limits()?;
+        }
+        let times = (!shown.curves.is_empty()).then(|| Times {
             is_stopped: [false, true].into_iter().any(|above| path.end(above).is_some()),
             step,
             time: time(&path, step).filter(|_| is_uniform(&solution.mechanism)),
             drive: path.drive.clone(),
         });
-        let ghosts = figure.ghosts.map_or_else(Vec::new, |count| cycle.ghosts(&path, &solution.pose, count));
-        Ok(Self { paths, ghosts, times })
+        let ghosts = figure.ghosts.map_or_else(Vec::new, |count| ghosts(&shown, is_closed, &solution.pose, count));
+        Ok(Self { paths: shown.curves, ghosts, times })
     }
 }
 
 /// The time that the drive needs for a step at its speed in the scene.
 fn time(path: &Path, step: f64) -> Option<f64> {
     let input = &path.kernel.inputs[path.drive.input];
-    let step = match input.kind {
-        InputKind::Turning { .. } => step.to_radians(),
-        InputKind::Sliding { .. } => step,
+    (input.rate != 0.0).then(|| in_radians(input.kind, step) / input.rate.abs())
+}
+
+/// The range of the cycle of the path's drive, which is followed all along it; and whether the mechanism is at its end
+/// where it was at its beginning.
+fn cycle(path: &mut Path) -> Result<([f64; 2], bool), CycleError> {
+    let range = path.whole_range()?;
+    if !path.is_round() {
+        return Ok((range, false));
+    }
+    let start = path.start();
+    let closes = |turns: &usize| {
+        let end = start + 360.0 * *turns as f64;
+        path.follow_to(end);
+        is_same(path, path, [start, end])
     };
-    (input.rate != 0.0).then(|| step / input.rate.abs())
+    let turns = (1..=MOST_TURNS).find(closes);
+    Ok(([start, start + 360.0 * turns.unwrap_or(1) as f64], turns.is_some()))
 }
 
-/// The cycle of the path's drive, which is followed all along it.
-fn cycle(path: &mut Path) -> Result<Cycle, CycleError> {
-    let range = whole_range(path)?;
-    let is_round = path.drive.is_angle() && path.end(true).is_none();
-    if is_round {
-        let start = path.start();
-        let closes = |turns: &usize| {
-            let end = start + 360.0 * *turns as f64;
-            path.follow_to(end);
-            is_same(path, path, [start, end])
-        };
-        let turns = (1..=MOST_TURNS).find(closes);
-        let range = [start, start + 360.0 * turns.unwrap_or(1) as f64];
-        return Ok(Cycle { shown: Shown::new(path, range)?, is_closed: turns.is_some() });
-    }
-    Ok(Cycle { shown: Shown::new(path, range)?, is_closed: false })
+/// Values of the drive at this step from the scene's own, both ways; in a closed cycle each position once.
+fn ticks(shown: &PointPaths, is_closed: bool, step: f64) -> Vec<f64> {
+    let ([low, high], start) = (shown.range, shown.path.start());
+    let slack = SAME * (high - low);
+    let first = ((low - start - slack) / step).ceil() as i64;
+    let last = ((high - start + slack) / step).floor() as i64;
+    let last = if is_closed { last - 1 } else { last };
+    (first..=last).map(|k| (start + k as f64 * step).clamp(low, high)).collect()
 }
 
-impl Cycle {
-    /// The step between ticks: 30° of a drive that turns all the way round, else about a twelfth of the range.
-    fn step(&self, path: &Path) -> f64 {
-        if self.shown.is_turn(path) { MARKS } else { self.shown.round_step() }
-    }
-
-    /// Values of the drive at this step from `start`, both ways; in a closed cycle each position once.
-    fn ticks(&self, start: f64, step: f64) -> Vec<f64> {
-        let [low, high] = self.shown.range;
-        let slack = SAME * (high - low);
-        let first = ((low - start - slack) / step).ceil() as i64;
-        let last = ((high - start + slack) / step).floor() as i64;
-        let last = if self.is_closed { last - 1 } else { last };
-        (first..=last).map(|k| (start + k as f64 * step).clamp(low, high)).collect()
-    }
-
-    /// So many equally spaced positions: in a closed cycle from the scene's own, which is left out, else from end to
-    /// end. Positions out of reach are left out.
-    fn ghosts(&self, path: &Path, own: &Pose, count: usize) -> Vec<Pose> {
-        let [low, high] = self.shown.range;
-        // The path stops just before its limits.
-        let (low, high) = (low.max(path.low()), high.min(path.high()));
-        let parts = if self.is_closed { count } else { count.saturating_sub(1).max(1) };
-        let values = (0..count).map(|k| low + (high - low) * k as f64 / parts as f64);
-        let runs_off = [false, true].into_iter().filter_map(|above| path.end(above));
-        let runs_off = runs_off.into_iter().any(|end| matches!(end.what, Happening::RunsOff { .. }));
-        let is_near = |pose: &Pose| {
-            let mut pairs = pose.points.iter().zip(&own.points);
-            !runs_off || pairs.all(|(a, b)| (a - b).norm() <= REACH * path.size())
-        };
-        let mut walker = path.walker();
-        let others = values.filter(|value| (value - path.start()).abs() > SAME * path.unit());
-        let poses = others.filter_map(|value| walker.position(value.min(high)).map(|position| position.pose()));
-        poses.filter(is_near).collect()
-    }
+/// So many equally spaced positions: in a closed cycle from the scene's own, which is left out, else from end to end.
+/// Positions out of reach are left out.
+fn ghosts(shown: &PointPaths, is_closed: bool, own: &Pose, count: usize) -> Vec<Pose> {
+    let ([low, high], path) = (shown.range, shown.path);
+    // The path stops just before its limits.
+    let (low, high) = (low.max(path.low()), high.min(path.high()));
+    let parts = if is_closed { count } else { count.saturating_sub(1).max(1) };
+    let values = (0..count).map(|k| low + (high - low) * k as f64 / parts as f64);
+    let runs_off = path.runs_off();
+    let is_near = |pose: &Pose| {
+        let mut pairs = pose.points.iter().zip(&own.points);
+        !runs_off || pairs.all(|(a, b)| (a - b).norm() <= REACH * path.size())
+    };
+    let mut walker = path.walker();
+    let others = values.filter(|value| (value - path.start()).abs() > SAME * path.unit());
+    let poses = others.filter_map(|value| walker.position(value.min(high)).map(|position| position.pose()));
+    poses.filter(is_near).collect()
 }

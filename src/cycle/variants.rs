@@ -1,4 +1,5 @@
-use super::start::{ratios, stands, start};
+use super::drive::{in_radians, ratios, stands};
+use super::position::start;
 use super::{CycleError, Drive, Position};
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, InputKind, Kernel, Single};
@@ -50,7 +51,8 @@ impl<'a> Variants<'a> {
                 let index = (first + lane).min(count - 1);
                 let (kernel, mechanism) = (&kernels[index], &mechanisms[index]);
                 block.set_lengths(lane, kernel);
-                copy(&start(kernel, mechanism, &poses[index]), 0, &mut block, lane);
+                let started = start(kernel, mechanism, &poses[index]);
+                copy((&started.turns, &started.slides), 0, &mut block, lane);
                 for input in &kernel.inputs {
                     let (rates, seconds) = match input.kind {
                         InputKind::Turning { class } => (&mut block.omegas[class], &mut block.alphas[class]),
@@ -120,8 +122,8 @@ impl<'a> Variants<'a> {
     /// The time in which a drive's value changes by so much.
     #[must_use]
     pub fn time(&self, mechanism: usize, drive: &Drive, change: f64) -> f64 {
-        let rate = self.kernels[mechanism].inputs[drive.input].rate;
-        (if drive.is_angle() { change.to_radians() } else { change }) / rate
+        let input = &self.kernels[mechanism].inputs[drive.input];
+        in_radians(input.kind, change) / input.rate
     }
 
     /// Where all mechanisms are now, with their rates.
@@ -139,22 +141,22 @@ impl<'a> Variants<'a> {
         (lane..last).for_each(|to| stand.give_back(lane, to, block));
     }
 
-    /// By mechanism: whether it went on along one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
+    /// By mechanism: whether it has stayed on one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
     /// their signs, and every angle and slide changed by what the rates at both ends let expect, to a ten-thousandth of a radian or of
     /// the slide. Rates that change faster than the two positions show are found so, too.
     ///
     /// # Panics
     /// There are not as many times as mechanisms.
     #[must_use]
-    pub fn went_on(&self, before: &Kept, times: &[f64]) -> Vec<bool> {
+    pub fn kept_branch(&self, before: &Kept, times: &[f64]) -> Vec<bool> {
         assert_eq!(times.len(), self.count(), "each mechanism needs its time");
         let mut all = Vec::with_capacity(times.len());
         for ((was, block), times) in before.0.iter().zip(&self.blocks).zip(times.chunks(MANY)) {
             let mut time = Many::splat(0.0);
             time.0[..times.len()].copy_from_slice(times);
             let kernel = &self.kernels[0];
-            let went_on = dispatch!(self.registers, _simd => went_on(kernel, was, block, &time));
-            all.extend_from_slice(&went_on[..times.len()]);
+            let kept_branch = dispatch!(self.registers, _simd => kept_branch(kernel, was, block, &time));
+            all.extend_from_slice(&kept_branch[..times.len()]);
         }
         all
     }
@@ -185,7 +187,8 @@ impl<'a> Variants<'a> {
     fn reaches(&self, index: usize) -> bool {
         let kernel = &self.kernels[index];
         let mut single = Single::new(kernel);
-        copy(&self.blocks[index / MANY], index % MANY, &mut single, 0);
+        let block = &self.blocks[index / MANY];
+        copy((&block.turns, &block.slides), index % MANY, &mut single, 0);
         for (input, value) in self.drives[index].iter().enumerate() {
             kernel.set_input(OneByOne, &mut single, input, &[*value]);
         }
@@ -263,14 +266,7 @@ impl Stand {
 
     /// Puts one of them to a place of the block.
     fn give_back(&self, lane: usize, to_lane: usize, block: &mut Block<Many>) {
-        for (to, from) in block.turns.iter_mut().zip(&self.turns) {
-            for axis in 0..2 {
-                to[axis][to_lane] = from[axis][lane];
-            }
-        }
-        for (to, from) in block.slides.iter_mut().zip(&self.slides) {
-            to[to_lane] = from[lane];
-        }
+        copy((&self.turns, &self.slides), lane, block, to_lane);
     }
 }
 
@@ -300,11 +296,11 @@ impl Rates {
     }
 }
 
-/// As [`Variants::went_on`], for the mechanisms of a block.
+/// As [`Variants::kept_branch`], for the mechanisms of a block.
 ///
 /// What is wrong is counted, in numbers, so that the compiler uses registers of many.
 #[inline(always)]
-fn went_on(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [bool; MANY] {
+fn kept_branch(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [bool; MANY] {
     let mut wrong = Many::splat(0.0);
     let mut ask = |lane: usize, is_right: bool| wrong[lane] += if is_right { 0.0 } else { 1.0 };
     for (group, was) in was.inverse_determinants.iter().enumerate() {
@@ -343,13 +339,13 @@ fn went_on(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [b
 }
 
 /// Copies all angles and slides of one position to another.
-fn copy<A: Row, B: Row>(from: &Block<A>, here: usize, to: &mut Block<B>, there: usize) {
-    for (to, from) in to.turns.iter_mut().zip(&from.turns) {
+fn copy<A: Row, B: Row>((turns, slides): (&[[A; 2]], &[A]), here: usize, to: &mut Block<B>, there: usize) {
+    for (to, from) in to.turns.iter_mut().zip(turns) {
         for axis in 0..2 {
             to[axis][there] = from[axis][here];
         }
     }
-    for (to, from) in to.slides.iter_mut().zip(&from.slides) {
+    for (to, from) in to.slides.iter_mut().zip(slides) {
         to[there] = from[here];
     }
 }

@@ -50,7 +50,7 @@ pub(super) fn status(number: f64) -> &'static str {
 pub fn json_lines(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
     let mut keys = vec![(sweep.drive().quantity(), false)];
     for column in sweep.columns() {
-        keys.push((column.asked.name().to_owned(), column.asked.is_vector()));
+        keys.push((column.name().to_owned(), column.is_vector()));
         keys.extend(sweep.error_name(column).map(|name| (name, false)));
     }
     let mut text = String::with_capacity(numbers.len() * 30);

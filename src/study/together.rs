@@ -113,8 +113,8 @@ impl<'a> Walk<'a> {
             let times: Vec<f64> =
                 (0..self.sure.len()).map(|m| self.variants.time(m, &self.drive, value - was)).collect();
             let before = last.and_then(|last: usize| self.kept[last].as_ref()).unwrap_or(start);
-            let went_on = self.variants.went_on(before, &times);
-            for (mechanism, went_on) in went_on.into_iter().enumerate() {
+            let kept_branch = self.variants.kept_branch(before, &times);
+            for (mechanism, kept_branch) in kept_branch.into_iter().enumerate() {
                 if !self.sure[mechanism] {
                     continue;
                 }
@@ -123,7 +123,7 @@ impl<'a> Walk<'a> {
                     // It stays where it is.
                     self.variants.set_along(mechanism, &self.drive, was);
                 }
-                if !closed || !went_on {
+                if !closed || !kept_branch {
                     self.sure[mechanism] = false;
                     continue;
                 }

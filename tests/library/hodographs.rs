@@ -50,7 +50,7 @@ fn the_way_of_a_crank_pin_is_a_circle() {
         let all = all.expect("vectors");
         // v = ω r across the crank, a = ω² r towards its pivot.
         for (one, size, ahead) in [(0, 5e3, 90.0), (1, 5e5, 180.0)] {
-            let one = &all.hodographs[one];
+            let one = &all.curves[one];
             let place = |degrees: f64| {
                 let (sine, cosine) = libm::sincos((degrees + ahead) * PI / 180.0);
                 (size * cosine, size * sine)
@@ -92,7 +92,7 @@ fn the_way_of_a_slider_is_a_straight_line_with_known_ends() {
         // The greatest speed: the root of a cubic in sin² θ. Accelerations at the dead centres; the outer one's is the greatest.
         let speed = 5_273.197_732_698_685;
         let outer = -r * omega * omega * (1.0 + r / l);
-        let [v, a] = [&all.hodographs[0], &all.hodographs[1]];
+        let [v, a] = [&all.curves[0], &all.curves[1]];
         near(v.window[0].x, -speed, speed, "greatest speed back");
         near(v.window[1].x, speed, speed, "and forth");
         near(a.window[0].x, outer, outer.abs(), "greatest acceleration");

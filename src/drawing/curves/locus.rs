@@ -64,8 +64,8 @@ const BESIDE_AXIS: f64 = 1.2;
 pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
     let context = CurveContext::new(scene, all.path, all.range, &all.events);
     let unit = scene.units.length.as_str();
-    let sentences = all.paths.iter().map(|one| context.words.language.path_of(&one.name, unit));
-    sheet(&context, &all.paths, path_panel, NUMBERS, sentences.collect())
+    let sentences = all.curves.iter().map(|one| context.words.language.path_of(&one.name, unit));
+    sheet(&context, &all.curves, path_panel, NUMBERS, sentences.collect())
 }
 
 /// The figure of the hodographs of some vectors, on the scene's page.
@@ -74,8 +74,8 @@ pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
 /// There are too many for a sheet.
 pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesError> {
     let context = CurveContext::new(scene, all.path, all.range, &all.events);
-    let sentences = all.hodographs.iter().map(|one| context.words.language.hodograph(one.asked.name()));
-    sheet(&context, &all.hodographs, hodograph_panel, Sides::default(), sentences.collect())
+    let sentences = all.curves.iter().map(|one| context.words.language.hodograph(one.asked.name()));
+    sheet(&context, &all.curves, hodograph_panel, Sides::default(), sentences.collect())
 }
 
 /// The panel of a point with the layers frame, scale, axes and path.
