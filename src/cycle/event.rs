@@ -148,12 +148,12 @@ pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
 }
 
 /// Whether the rate of an unknown has different signs at these values of the drive, by more than its error: of the
-/// `fastest` rate about u over the squared sharpness. `false` where one of them has no motion.
+/// `fastest` rate about u over the squared Hadamard ratio. `false` where one of them has no motion.
 fn turns_back(walker: &mut Walker, unknown: Unknown, ends: [f64; 2], fastest: f64) -> bool {
     let mut sign = |value: f64| -> Option<f64> {
-        let (block, sharpness) = walker.unit_motion_with_sharpness(value)?;
+        let (block, squared_ratio) = walker.unit_motion_with_ratio(value)?;
         let [rate, _] = rates(block, unknown);
-        let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / sharpness;
+        let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / squared_ratio;
         (rate.abs() > error).then_some(rate.signum())
     };
     let [low, high] = ends.map(&mut sign);

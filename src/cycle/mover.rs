@@ -1,5 +1,5 @@
 use super::drive::{in_radians, stands};
-use super::position::start;
+use super::position::regular_start;
 use super::segment::rates;
 use super::{CycleError, Position};
 use crate::geometry::{OneByOne, Pair, UNIT_ROUNDOFF};
@@ -64,16 +64,12 @@ impl<'a> Mover<'a> {
     /// The configuration is drawn, or the position is singular.
     pub fn new(mechanism: &'a Mechanism, pose: &Pose) -> Result<Self, CycleError> {
         let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
-        let mut block = start(&kernel, mechanism, pose);
         let drives: Vec<f64> = kernel.inputs.iter().map(|input| stands(input, pose)).collect();
-        let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
-        let determinants = kernel.determinants(&block);
-        if let Some(group) = determinants.iter().position(|[_, sharpness]| !closed || *sharpness < 1e-18) {
+        let block = regular_start(&kernel, mechanism, pose, || {
             let names = mechanism.drive_names();
             let at: Vec<String> = names.iter().zip(&drives).map(|(name, value)| format!("{name} = {value}")).collect();
-            let links = mechanism.groups[group].link_names(mechanism);
-            return Err(CycleError::Singular { links, at: at.join(", ") });
-        }
+            at.join(", ")
+        })?;
         let mut mover = Mover {
             mechanism,
             drives,
@@ -81,7 +77,7 @@ impl<'a> Mover<'a> {
             slides: block.slides.clone(),
             seconds: vec![0.0; kernel.unknowns.iter().flatten().count()],
             time: 0.0,
-            determinants: vec![f64::NAN; determinants.len()],
+            determinants: vec![f64::NAN; kernel.unknowns.len()],
             sure: 0.0,
             block,
             kernel,
@@ -131,17 +127,17 @@ impl<'a> Mover<'a> {
         Some(self.position())
     }
 
-    /// Goes to these values in so many pieces, cranks by the angles that `way` makes of differences; if a piece fails,
+    /// Goes to these values in so many pieces, cranks by the angles that `turn` makes of differences; if a piece fails,
     /// back to the start of the move.
     #[inline]
-    fn go(&mut self, values: &[f64], pieces: u32, way: impl Fn(f64) -> f64) -> bool {
+    fn go(&mut self, values: &[f64], pieces: u32, turn: impl Fn(f64) -> f64) -> bool {
         for piece in 1..=pieces {
             let part = f64::from(piece) / f64::from(pieces);
             let mut last = 0.0;
             for (drive, value) in values.iter().enumerate() {
                 let from = self.drives[drive];
                 let whole = match self.kernel.inputs[drive].kind {
-                    InputKind::Turning { .. } => way(value - from),
+                    InputKind::Turning { .. } => turn(value - from),
                     InputKind::Sliding { .. } => value - from,
                 };
                 last = whole / f64::from(pieces);
@@ -168,7 +164,7 @@ impl<'a> Mover<'a> {
         self.rates();
         let is_on_branch = self.is_on_branch();
         if is_on_branch && self.has_changed() {
-            // Equations less sharp than they were want a smaller last correction.
+            // Nearer to a singular position the last correction must be smaller.
             self.refresh();
             let closed = self.kernel.assemble(OneByOne, &mut self.block, self.sure).closed;
             self.rates();
@@ -239,14 +235,14 @@ impl<'a> Mover<'a> {
     }
 
     /// Finds how small a last correction must be. As for a segment of a path: a Newton step leaves an error of its square
-    /// over the sharpness, which is hardly less than a quarter of this until determinants have changed much.
+    /// over the Hadamard ratio, which is hardly less than a quarter of this until determinants have changed much.
     #[cold]
     fn refresh(&mut self) {
         let mut least: f64 = 1.0;
         for (group, old) in self.determinants.iter_mut().enumerate() {
-            let [determinant, sharpness] = self.kernel.determinant(&self.block, group);
+            let [determinant, squared_ratio] = self.kernel.determinant(&self.block, group);
             *old = determinant;
-            least = least.min(sharpness.sqrt());
+            least = least.min(squared_ratio.sqrt());
         }
         self.sure = 0.6 * (UNIT_ROUNDOFF * least / 4.0).sqrt();
     }
@@ -266,7 +262,7 @@ impl<'a> Mover<'a> {
     }
 }
 
-/// The same rotation the shorter way round, in degrees.
+/// A rotation taken the shorter way round, in degrees.
 #[inline]
 fn shorter(degrees: f64) -> f64 {
     if degrees.abs() <= 180.0 { degrees } else { degrees - 360.0 * (degrees / 360.0).round() }

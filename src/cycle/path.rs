@@ -1,8 +1,8 @@
 use super::drive::{in_radians, ratios, stands};
 use super::event::extreme_positions;
-use super::position::start;
+use super::position::regular_start;
 use super::segment::{Node, Segment};
-use super::trace::{Traced, fastest, trace};
+use super::trace::{fastest, trace};
 use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
 use crate::geometry::{Lanes, Many, OneByOne, Row, span};
@@ -41,7 +41,7 @@ pub struct Path<'a> {
     /// In the order of the drive's value.
     pub(super) nodes: Vec<Node>,
     pub(super) segments: Vec<Segment>,
-    /// Change points on the way.
+    /// The change points that it crosses.
     pub(super) changes: Vec<Event>,
     /// The events that end the path below and above, if any.
     pub(super) ends: [Option<Event>; 2],
@@ -56,15 +56,15 @@ impl<'a> Path<'a> {
         Self::of(Cow::Borrowed(mechanism), pose, drive)
     }
 
-    /// The same, of a mechanism that the path may own.
+    /// As [`Self::new`], of a mechanism that the path may own.
     pub(super) fn of(mechanism: Cow<'a, Mechanism>, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
         let kernel = Kernel::new(&mechanism).ok_or(CycleError::Drawn)?;
         let ratios = ratios(&kernel, drive.input);
         let inputs: Vec<[f64; 2]> =
             kernel.inputs.iter().zip(ratios).map(|(i, ratio)| [stands(i, pose), ratio]).collect();
         let origin = inputs[drive.input][0];
-        let mut block = start(&kernel, &mechanism, pose);
-        let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
+        let at = || drive.at(origin, &Wording::default());
+        let mut block = regular_start(&kernel, &mechanism, pose, at)?;
         let path = Path {
             mechanism,
             inputs,
@@ -78,14 +78,6 @@ impl<'a> Path<'a> {
             bare: kernel.without_places(),
             kernel,
         };
-        let determinants = path.kernel.determinants(&block);
-        let is_singular = |group: &usize| determinants[*group][1] < 1e-18;
-        if let Some(group) = (0..path.mechanism.groups.len()).find(|g| !closed || is_singular(g)) {
-            return Err(CycleError::Singular {
-                links: path.mechanism.groups[group].link_names(&path.mechanism),
-                at: path.drive.at(origin, &Wording::default()),
-            });
-        }
         path.unit_rates(&mut block);
         let nodes = vec![Node::new(&path, origin, block)];
         Ok(Path { nodes, ..path })
@@ -147,8 +139,8 @@ impl<'a> Path<'a> {
 
     /// A path of the same drives through another position, not followed to either side yet.
     pub(super) fn restarted(&self, node: Node) -> Self {
-        let bare = Path { nodes: Vec::new(), segments: Vec::new(), ..self.clone() };
-        Path { nodes: vec![node], changes: Vec::new(), ends: [None, None], ..bare }
+        let (segments, changes) = (Vec::new(), Vec::new());
+        Path { nodes: vec![node], segments, changes, ends: [None, None], ..self.clone() }
     }
 
     /// Starts the path afresh at the scene's position, which gets another value of the drive.
@@ -189,11 +181,11 @@ impl<'a> Path<'a> {
         if !up {
             nodes.reverse();
         }
-        let Traced { nodes, changes, end } = trace(self, nodes, value);
-        self.nodes = nodes;
+        let (changes, end) = trace(self, &mut nodes, value);
         if !up {
-            self.nodes.reverse();
+            nodes.reverse();
         }
+        self.nodes = nodes;
         self.changes.extend(changes);
         self.ends[usize::from(up)] = end;
         let segment = |pair: &[Node]| {
@@ -224,12 +216,12 @@ impl<'a> Path<'a> {
     }
 
     /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
-    /// point: the one is u over the sharpness, the other u times the rate.
+    /// point: the one is u over the Hadamard ratio, the other u times the rate.
     fn is_delicate(&self, node: &Node) -> bool {
         let per_turn = self.unit() / if self.drive.turns { TAU } else { 1.0 };
         (0..node.determinants.len()).any(|group| {
             let rate = fastest(self, node, group) * per_turn;
-            // The squared sharpness is a product of a sine for each pair of unknowns, squared; this is their mean.
+            // The squared ratio is a product of a sine for each pair of unknowns, squared; this is their mean.
             let sine = libm::pow(node.determinants[group][1], 1.0 / self.kernel.unknowns[group].len() as f64);
             sine * rate.max(1.0) < DELICATE
         })

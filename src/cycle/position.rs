@@ -1,3 +1,4 @@
+use super::CycleError;
 use super::drive::stands;
 use crate::construction::{Construction, Extent, construct};
 use crate::geometry::{OneByOne, Point, Row, Turn, Vector, quarter_turn};
@@ -7,6 +8,9 @@ use crate::motion::motion;
 use crate::position::Pose;
 use crate::quantity::State;
 use crate::sheet::Sheet;
+
+/// Squared Hadamard ratio of a group's equations below which a position is singular.
+const SINGULAR: f64 = 1e-18;
 
 /// One position of a block, from which quantities can be read.
 #[derive(Clone, Copy, Debug)]
@@ -114,4 +118,23 @@ pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Sing
         }
     }
     block
+}
+
+/// As [`start`], with all loops closed.
+///
+/// # Errors
+/// The position is singular; `at` says where the drives stand.
+pub(super) fn regular_start(
+    kernel: &Kernel,
+    mechanism: &Mechanism,
+    pose: &Pose,
+    at: impl FnOnce() -> String,
+) -> Result<Single, CycleError> {
+    let mut block = start(kernel, mechanism, pose);
+    let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
+    let mut determinants = kernel.determinants(&block).into_iter();
+    match determinants.position(|[_, squared_ratio]| !closed || squared_ratio < SINGULAR) {
+        Some(group) => Err(CycleError::Singular { links: mechanism.groups[group].link_names(mechanism), at: at() }),
+        None => Ok(block),
+    }
 }

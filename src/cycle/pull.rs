@@ -7,7 +7,7 @@ use crate::position::Pose;
 use crate::quantity::State;
 use std::borrow::Cow;
 
-/// Steps in which a way is gone, in turns of the drive or parts of the mechanism's size.
+/// Length of a step, in turns of the drive or parts of the mechanism's size.
 const STEP: f64 = 1.0 / 72.0;
 /// The shortest of them, where a point is nearest twice in short succession.
 const LEAST_STEP: f64 = STEP / 64.0;
@@ -75,9 +75,9 @@ struct Slope {
 
 impl Slope {
     /// Whether the slope, if it goes on to bend as here, has an end before the drive has moved so far.
-    fn ends_within(&self, way: f64) -> bool {
+    fn ends_within(&self, change: f64) -> bool {
         let end = -self.first / self.second;
-        end * way > 0.0 && end.abs() < way.abs()
+        end * change > 0.0 && end.abs() < change.abs()
     }
 }
 
@@ -93,7 +93,7 @@ impl Pull {
         Ok(Self { value: path.start(), sense: 1.0, path })
     }
 
-    /// The same, to be moved by the first drive that moves a point; by the first of all if none does.
+    /// The mechanism in the scene's own position, to be moved by the first drive that moves a point; by the first of all if none does.
     ///
     /// # Errors
     /// As [`Self::new`].

@@ -8,7 +8,7 @@ pub(super) struct Node {
     /// The drive's value: degrees, or a length.
     pub value: f64,
     pub block: Single,
-    /// By group: the determinant, and the squared sharpness (1 far from singular positions, 0 in them).
+    /// By group: the determinant, and the squared Hadamard ratio (1 far from singular positions, 0 in them).
     pub determinants: Vec<[f64; 2]>,
 }
 
@@ -75,14 +75,14 @@ pub fn slope(q: &Quintic, x: f64) -> f64 {
 impl Segment {
     pub fn new(kernel: &Kernel, start: &Node, end: &Node) -> Segment {
         let step = end.value - start.value;
-        // A Newton step leaves an error of its square over the sharpness, which is hardly less between the nodes than
-        // at them.
+        // A Newton step leaves an error of its square over the Hadamard ratio, which is hardly less between the nodes
+        // than at them.
         let groups = start.determinants.iter().chain(&end.determinants);
-        let sharpness = groups.fold(1.0, |least: f64, [_, s]| least.min(s.sqrt())) / 4.0;
+        let ratio = groups.fold(1.0, |least: f64, [_, squared]| least.min(squared.sqrt())) / 4.0;
         let mut segment = Segment {
             from: start.value,
             to: end.value,
-            sure: 0.6 * (UNIT_ROUNDOFF * sharpness).sqrt(),
+            sure: 0.6 * (UNIT_ROUNDOFF * ratio).sqrt(),
             delicate: false,
             turns: Vec::new(),
             slides: Vec::new(),

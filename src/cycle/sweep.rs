@@ -53,7 +53,7 @@ impl<'a> Sweep<'a> {
         Ok(Sweep { path, steps, columns, constructs, errors: None })
     }
 
-    /// The same table with a further number for each quantity that has one: the bound of its error, of a vector that of
+    /// The table with a further number for each quantity that has one: the bound of its error, of a vector that of
     /// each component, as [`Bounds`](crate::accuracy::Bounds) has it. The drive's value counts as given; `scene` is that of
     /// the path's mechanism. It takes some hundred times as long.
     #[must_use]

@@ -6,7 +6,7 @@ use crate::kernel::{Correction, Unknown};
 /// Largest error of the interpolated middle of a step after one Newton step, in unit roundoffs: far less than one.
 const DOUBT: f64 = 0.02;
 
-/// The same error for the many short steps towards a limit, where Newton's method may take a second step.
+/// Largest such error in the many short steps towards a limit, where Newton's method may take a second step.
 const DOUBT_NEAR_END: f64 = 1e4;
 
 /// Length of a step, in turns, below which it counts as near a limit.
@@ -45,26 +45,20 @@ const GROWTH: f64 = 1.3;
 /// Largest first correction after a leap, in radians or parts of the group's size.
 const LEAP_OFF: f64 = 1e-5;
 
-/// The nodes of a path, in walking order, and the events found after the nodes it started with.
-pub(super) struct Traced {
-    pub nodes: Vec<Node>,
-    pub changes: Vec<Event>,
-    pub end: Option<Event>,
-}
-
-/// Follows the branch from the last of `nodes` to the drive's value `target`, or as far as it goes.
-pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
+/// Follows the branch from the last of `nodes` to the drive's value `target`, or as far as it goes, and appends the nodes
+/// found. Returns the change points that were crossed, and the event that ends the path.
+pub(super) fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option<Event>) {
     let forward = (target - nodes[nodes.len() - 1].value).signum();
     let unit = path.unit();
     let mut step = unit / 36.0;
-    let mut traced = Traced { nodes: Vec::new(), changes: Vec::new(), end: None };
+    let mut changes = Vec::new();
     loop {
         let left = (target - nodes[nodes.len() - 1].value) * forward;
         if left <= 0.0 {
-            break;
+            return (changes, None);
         }
-        if let Some(change) = leap(path, &mut nodes, forward, NEAR_CHANGE) {
-            traced.changes.push(change);
+        if let Some(change) = leap(path, nodes, forward, NEAR_CHANGE) {
+            changes.push(change);
             step = unit / 360.0;
             continue;
         }
@@ -85,26 +79,24 @@ pub(super) fn trace(path: &Path, mut nodes: Vec<Node>, target: f64) -> Traced {
                     continue;
                 }
                 // With links of very unequal lengths rates are too inexact to come as near as `NEAR_CHANGE`.
-                if let Some(change) = leap(path, &mut nodes, forward, LEAPS[0]) {
-                    traced.changes.push(change);
+                if let Some(change) = leap(path, nodes, forward, LEAPS[0]) {
+                    changes.push(change);
                     step = unit / 360.0;
                     continue;
                 }
                 let last = &nodes[nodes.len() - 1];
                 let name = |group: usize| path.mechanism.groups[group].link_names(&path.mechanism);
                 let links = nearest_to_singularity(last).map_or_else(String::new, name);
-                let ahead = ahead(path, &nodes, forward).filter(|a| a.away.abs() < NEAR_END * unit);
-                traced.end = Some(match ahead {
+                let ahead = ahead(path, nodes, forward).filter(|a| a.away.abs() < NEAR_END * unit);
+                let end = match ahead {
                     Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit { links } },
                     Some(Ahead { at, .. }) => Event { at, what: Happening::RunsOff { links } },
                     None => Event { at: last.value, what: Happening::Singular { links } },
-                });
-                break;
+                };
+                return (changes, Some(end));
             }
         }
     }
-    traced.nodes = nodes;
-    traced
 }
 
 /// The node at a value of the drive, and how well the middle of the step to it was met; `None` if the step cannot be
@@ -153,10 +145,10 @@ fn allowed(step: f64) -> f64 {
     if step < SHORT { DOUBT_NEAR_END } else { DOUBT }
 }
 
-/// The group nearest to a singular position: the one of the least sharpness.
+/// The group nearest to a singular position: the one of the least Hadamard ratio.
 fn nearest_to_singularity(node: &Node) -> Option<usize> {
-    let sharpness = node.determinants.iter().map(|[_, sharpness]| sharpness);
-    sharpness.enumerate().min_by(|a, b| a.1.total_cmp(b.1)).map(|(group, _)| group)
+    let ratios = node.determinants.iter().map(|[_, ratio]| ratio);
+    ratios.enumerate().min_by(|a, b| a.1.total_cmp(b.1)).map(|(group, _)| group)
 }
 
 /// Rate and second derivative of an unknown; of slides in parts of the mechanism's size.

@@ -21,7 +21,7 @@ pub struct Variants<'a> {
     left: Stand,
     /// By mechanism and drive: the drive's value.
     drives: Vec<Vec<f64>>,
-    /// The same in the poses that the mechanisms had first.
+    /// By mechanism and drive: the drive's value in the pose that the mechanism had first.
     starts: Vec<Vec<f64>>,
     /// By mechanism: whether it closed at the values its drives were set to last.
     closed: Vec<bool>,

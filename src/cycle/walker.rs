@@ -107,12 +107,12 @@ impl Walker<'_> {
         Some(&self.block)
     }
 
-    /// The same, and the least squared sharpness of a group: 1 far from singular positions, 0 in them.
-    pub(super) fn unit_motion_with_sharpness(&mut self, value: f64) -> Option<(&Single, f64)> {
+    /// [`Self::unit_motion`] with the least squared Hadamard ratio of a group: 1 far from singular positions, 0 in them.
+    pub(super) fn unit_motion_with_ratio(&mut self, value: f64) -> Option<(&Single, f64)> {
         self.unit_motion(value)?;
         let determinants = self.kernel.determinants(&self.block);
-        let sharpness = determinants.iter().fold(1.0, |least: f64, [_, sharpness]| least.min(*sharpness));
-        Some((&self.block, sharpness))
+        let least = determinants.iter().fold(1.0, |least: f64, [_, squared]| least.min(*squared));
+        Some((&self.block, least))
     }
 }
 

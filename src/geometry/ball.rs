@@ -9,11 +9,11 @@ const ROUNDING: f64 = f64::EPSILON * f64::EPSILON * 4.0;
 const RADIANS_PER_DEGREE: Ball =
     Ball { high: 0.017_453_292_519_943_295, low: 2.948_652_270_870_168_7e-19, radius: 2e-35 };
 
-/// π/30 in the same way: radians per second in a turn per minute.
+/// π/30 likewise: radians per second in a turn per minute.
 pub const RADIANS_PER_SECOND: Ball =
     Ball { high: 0.104_719_755_119_659_78, low: -5.169_702_541_385_127_5e-18, radius: 3e-34 };
 
-/// 2π in the same way.
+/// 2π likewise: radians in a turn.
 pub const RADIANS_PER_TURN: Ball =
     Ball { high: std::f64::consts::TAU, low: 2.449_293_598_294_706_4e-16, radius: 6e-33 };
 

@@ -1,5 +1,6 @@
 //! Plane geometry that every later stage shares: points, vectors, angles, lines, their crossings, small linear systems.
-//! In: coordinates in the scene's own length unit, x right, y up. Out: the same; angles are in degrees where the name says so.
+//! In: coordinates in the scene's own length unit, x right, y up. Out: the same; functions whose names say so deal in
+//! degrees.
 //! Nothing here knows what a mechanism is.
 
 mod ball;

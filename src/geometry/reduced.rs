@@ -57,10 +57,10 @@ impl<const EQUATIONS: usize, T: Number> Reduced<EQUATIONS, T> {
         [a * d, b * c]
     }
 
-    /// Square of Hadamard's ratio (the determinant over the product of its columns' lengths): 1 where all unknowns act
+    /// Square of the Hadamard ratio (the determinant over the product of its columns' lengths): 1 where all unknowns act
     /// at right angles, 0 in a singular position.
     #[must_use]
-    pub fn squared_sharpness(&self) -> T {
+    pub fn squared_hadamard_ratio(&self) -> T {
         let determinant = self.determinant();
         let one = determinant.same(1.0);
         let square = |column: usize| {

@@ -101,11 +101,11 @@ pub(super) fn determinant<R: Row>(block: &Block<R>, closing: &Closing, position:
     match closing.reduced {
         Some(ReducedColumns::One([s, t])) => {
             let system = Reduced::new([[s, s, t].map(column)]);
-            [system.determinant(), system.squared_sharpness()]
+            [system.determinant(), system.squared_hadamard_ratio()]
         }
         Some(ReducedColumns::Two { columns, .. }) => {
             let system = Reduced::new(columns.map(|c| c.map(column)));
-            [system.determinant(), system.squared_sharpness()]
+            [system.determinant(), system.squared_hadamard_ratio()]
         }
         None => {
             let systems = &block.systems[closing.group].general;

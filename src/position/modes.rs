@@ -160,7 +160,7 @@ impl Modes<'_, '_> {
         if group.class == Class::Higher {
             // The steps from a distant start may have ended before full accuracy.
             assembled = self.assembler.closer.closed(self.index, assembled);
-        } else if !self.is_root(&assembled, gap) {
+        } else if !self.is_root(&assembled, gap, size) {
             return false;
         }
         for lever in &self.assembler.groups[self.index].levers {
@@ -178,9 +178,8 @@ impl Modes<'_, '_> {
         true
     }
 
-    /// Whether an assembly with a small gap closes, and does not only come near it.
-    fn is_root(&mut self, assembled: &Assembled, gap: f64) -> bool {
-        let size = self.size(&self.places(assembled));
+    /// Whether an assembly of that size with a small gap closes, and does not only come near it.
+    fn is_root(&mut self, assembled: &Assembled, gap: f64, size: f64) -> bool {
         let Assembler { closer, .. } = &mut *self.assembler;
         gap <= ROUNDINGS * closer.rounding(self.index, assembled) || {
             let missed = gap * (size / closer.shortest(self.index)).max(1.0);

@@ -45,7 +45,7 @@ impl<'a> Tree<'a> {
     pub(super) fn new(mechanism: &'a Mechanism, near: &Near) -> Tree<'a> {
         let frames = Frames::known(mechanism);
         let rough = Rough::new(mechanism, near);
-        let order = if rough.angles.is_empty() { Order::new(mechanism) } else { Order::chain(mechanism) };
+        let order = Order::new(mechanism, !rough.angles.is_empty());
         let assembler = Assembler::new(mechanism, &frames, rough);
         let slides = mechanism.sliders.iter().map(driven_position).collect();
         let assemblies = vec![None; mechanism.groups.len()];
@@ -114,8 +114,11 @@ impl<'a> Tree<'a> {
 }
 
 impl Order {
-    /// The order by which groups hang on each other. Each group comes after all on which it hangs.
-    fn new(mechanism: &Mechanism) -> Order {
+    /// The order by which groups hang on each other; each group comes after all on which it hangs.
+    ///
+    /// With rough angles each hangs on the one before it: an angle's weight depends on the size of the whole, so that no
+    /// part stands by itself.
+    fn new(mechanism: &Mechanism, has_angles: bool) -> Order {
         let count = mechanism.groups.len();
         let mut group_of = vec![None; mechanism.bodies.len()];
         for (index, group) in mechanism.groups.iter().enumerate() {
@@ -128,6 +131,9 @@ impl Order {
             let bodies = joints.flat_map(|joint| joint.bodies).chain(related);
             let groups = bodies.filter_map(|body| group_of[body.0]);
             groups.filter(|&other| other < index).for_each(|other| hang_on[other].push(index));
+            if has_angles && index > 0 {
+                hang_on[index - 1].push(index);
+            }
         }
         // From the last group on: a group joins the parts that hang on it, and becomes the first of the joined part.
         let mut part: Vec<usize> = (0..count).collect();
@@ -145,13 +151,6 @@ impl Order {
             next[group].sort_unstable();
         }
         Order { roots: (0..count).filter(|&group| is_root[group]).collect(), next }
-    }
-
-    /// One group after another: an angle's weight depends on the size of the whole, so that no part stands by itself.
-    fn chain(mechanism: &Mechanism) -> Order {
-        let count = mechanism.groups.len();
-        let after = |group| if group + 1 < count { vec![group + 1] } else { Vec::new() };
-        Order { roots: (0..count.min(1)).collect(), next: (0..count).map(after).collect() }
     }
 }
 
