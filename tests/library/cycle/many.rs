@@ -33,8 +33,8 @@ fn together_is_as_one_by_one() {
             for lane in [0, count - 1] {
                 let position = one.position(rest[lane]).expect("as together");
                 let solved = motion(&mechanism, &position.pose(), Sheet::Acceleration);
-                let groups = solved.expect("regular").groups;
-                let condition = groups.iter().fold(1.0, |most: f64, g| most.max(g.condition));
+                let conditions = solved.expect("regular").conditions;
+                let condition = conditions.into_iter().fold(1.0, f64::max);
                 let single = one.motions(&[rest[lane]]).expect("as before").clone();
                 let near = |a: Vector, b: Vector, size: f64, times: f64, what: &str| {
                     let off = (a - b).norm() / size.max(f64::MIN_POSITIVE);

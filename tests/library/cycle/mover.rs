@@ -24,7 +24,7 @@ fn numbers(position: &Position, mechanism: &Mechanism) -> Vec<(i32, Vec<f64>)> {
 
 fn condition(position: &Position, mechanism: &Mechanism) -> f64 {
     let solved = motion(mechanism, &position.pose(), Sheet::Acceleration).expect("regular");
-    solved.groups.iter().fold(1.0, |most: f64, group| most.max(group.condition))
+    solved.conditions.into_iter().fold(1.0, f64::max)
 }
 
 /// Steps of all sizes, forwards and backwards, end where the path is, but for rounding.

@@ -38,7 +38,7 @@ fn they_solve_the_loop_equations() {
             let pose = position.pose();
             let other = motion(&mechanism, &pose, Sheet::Acceleration).expect("it is regular");
             // A group's errors are enlarged by its condition, and by those of the groups on which it hangs.
-            let condition: f64 = other.groups.iter().map(|g| g.condition).product();
+            let condition: f64 = other.conditions.iter().product();
             let fastest = [0, 1].map(|order| {
                 let links = mechanism.links().map(|(id, _)| position.angular_rates(id)[order]);
                 links.fold(0.0, |fastest: f64, rate| fastest.max(rate.abs()))

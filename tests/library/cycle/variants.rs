@@ -74,7 +74,7 @@ fn each_moves_as_it_does_alone() {
                 for (link, _) in mechanism.links() {
                     let body = expected.body(link);
                     let [omega, alpha] = position.angular_rates(link);
-                    let condition = expected.groups.iter().map(|g| g.condition).fold(1.0, f64::max);
+                    let condition = expected.conditions.iter().copied().fold(1.0, f64::max);
                     let sizes = |spin: fn(&kinegon::motion::BodyMotion) -> f64| {
                         let all = mechanism.links().map(|(l, _)| spin(expected.body(l)).abs());
                         all.fold(0.0, f64::max)

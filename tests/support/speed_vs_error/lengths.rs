@@ -152,7 +152,7 @@ fn worst(mechanism: &Mechanism, truth: &Truth, rates: impl Fn(BodyId) -> [f64; 2
 /// The errors at a pose, with the rates that a table has there, by member.
 fn reading(mechanism: &Mechanism, pose: &Pose, angle: f64, table: Option<&[[f64; 2]]>) -> Option<Reading> {
     let moved = motion(mechanism, pose, Sheet::Acceleration).ok()?;
-    let condition = moved.groups.iter().map(|g| g.condition).fold(1.0, f64::max);
+    let condition = moved.conditions.iter().copied().fold(1.0, f64::max);
     let truth = truth(mechanism, pose, |_| angle)?;
     let members = members(mechanism);
     let of_table = |id: BodyId| {
@@ -242,7 +242,7 @@ fn given(mechanism: &Mechanism, pose: &Pose) -> Option<(f64, [f64; 2])> {
     let guides: Vec<[f64; 2]> = pose.guides.iter().map(|g| [g.x, g.y]).collect();
     let truth = Truth::new(mechanism, &points, &guides)?;
     let general = general_at(mechanism, &Given::new(mechanism, &points, &guides))?;
-    let condition = moved.groups.iter().map(|g| g.condition).fold(1.0, f64::max);
+    let condition = moved.conditions.iter().copied().fold(1.0, f64::max);
     let errors = [
         worst(mechanism, &truth, |id| [moved.body(id).omega, moved.body(id).alpha]),
         worst(mechanism, &truth, |id| general[id.0]),
