@@ -121,15 +121,6 @@ const FACTS: [Facts; 3] = [
     },
 ];
 
-const fn number_of_plans() -> usize {
-    let (mut at, mut count) = (0, 0);
-    while at < FACTS.len() {
-        count += FACTS[at].plan.is_some() as usize;
-        at += 1;
-    }
-    count
-}
-
 impl Sheet {
     /// All sheets, in the order in which they are drawn.
     pub const ALL: [Sheet; FACTS.len()] = {
@@ -143,15 +134,9 @@ impl Sheet {
     };
 
     /// The sheets that are drawn from a pole.
-    pub const PLANS: [Sheet; number_of_plans()] = {
-        let (mut plans, mut count, mut at) = ([Sheet::Scheme; number_of_plans()], 0, 0);
-        while at < FACTS.len() {
-            if FACTS[at].plan.is_some() {
-                plans[count] = FACTS[at].sheet;
-                count += 1;
-            }
-            at += 1;
-        }
+    pub const PLANS: [Sheet; 2] = {
+        let [scheme, plans @ ..] = Sheet::ALL;
+        assert!(FACTS[scheme as usize].plan.is_none() && FACTS[plans[0] as usize].plan.is_some());
         plans
     };
 

@@ -114,7 +114,7 @@ pub(super) fn link(document: &mut Document<'_>, new: &NewLink) -> Result<(), Sce
         }
     };
     document.set(&["links", &link], &entry)?;
-    let is_triangle = entry["lengths"].as_object().is_some_and(|lengths| lengths.len() == 3);
+    let is_triangle = has_three_lengths(&entry);
     for (name, place) in points {
         if !names.has_point(name) || is_triangle {
             place_point(document, &names, name, place, decimals)?;
@@ -142,7 +142,7 @@ pub(super) fn point(document: &mut Document<'_>, new: &NewPoint) -> Result<(), S
     };
     if names.drawn.is_none() {
         let entry = with_point(document, &present, link, points, (name, place), decimals)?;
-        let is_triangle = entry["lengths"].as_object().is_some_and(|lengths| lengths.len() == 3);
+        let is_triangle = has_three_lengths(&entry);
         document.set(&["links", link], &entry)?;
         let others = points.iter().filter_map(|point| Some((point, *present.places.get(point)?)));
         for (point, place) in others.filter(|_| is_triangle) {
@@ -208,6 +208,10 @@ fn with_point(
     }
     entry[key] = measures;
     Ok(entry)
+}
+
+fn has_three_lengths(link: &Json) -> bool {
+    link["lengths"].as_object().is_some_and(|lengths| lengths.len() == 3)
 }
 
 /// Adds a point to the ground.

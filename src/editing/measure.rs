@@ -126,7 +126,7 @@ pub(super) fn shape_place(place: Point) -> Json {
 }
 
 /// Whether three points lie nearly on a line.
-pub(super) fn is_flat(a: Point, b: Point, c: Point) -> bool {
+fn is_flat(a: Point, b: Point, c: Point) -> bool {
     let longest = [b - a, c - b, a - c].map(|side| side.norm()).into_iter().fold(0.0, f64::max);
     cross(b - a, c - a).abs() < FLAT * longest * longest
 }

@@ -4,12 +4,11 @@ use serde_json::{Map, Value as Json};
 
 use super::document::Document;
 use super::measure::Decimals;
-use super::present::Solved;
-use crate::geometry::{Point, degrees_of, span};
-use crate::mechanism::{BodyId, Mechanism, PointId};
+use super::present::{Solved, of_scene};
+use crate::geometry::{degrees_of, span};
+use crate::mechanism::{BodyId, Mechanism};
 use crate::position::Pose;
-use crate::scene::QuantityName;
-use crate::scene::SceneError;
+use crate::scene::{QuantityName, Scene, SceneError};
 
 /// Largest distance of two positions that count as one, in parts of the mechanism's size and in radians.
 const SAME: f64 = 1e-6;
@@ -32,7 +31,7 @@ enum Said {
 /// # Errors
 /// The text is no scene, or the scene cannot be assembled.
 pub(super) fn settle(document: &mut Document<'_>, wanted: &Pose) -> Result<Solved, SceneError> {
-    let mechanism = super::present::of_text(&document.text())?;
+    let mechanism = of_scene(&Scene::read(&document.text())?)?;
     if !mechanism.links().any(|(id, _)| mechanism.is_sought(id)) || wanted.points.len() != mechanism.points.len() {
         return Solved::of(&document.text());
     }
@@ -111,11 +110,6 @@ fn place_or_angle(mechanism: &Mechanism, wanted: &Pose, key: &str, decimals: Dec
             let axis = (*wanted.axes.get(mechanism.link(link)?.0)?)?;
             Some(Decimals::ANGLE.json(degrees_of(axis)))
         }
-        None => Some(decimals.place_json(place(mechanism, wanted, key)?)),
+        None => Some(decimals.place_json(*wanted.points.get(mechanism.point(key)?.0)?)),
     }
-}
-
-fn place(mechanism: &Mechanism, wanted: &Pose, point: &str) -> Option<Point> {
-    let PointId(index) = mechanism.point(point)?;
-    wanted.points.get(index).copied()
 }

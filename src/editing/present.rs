@@ -50,11 +50,6 @@ pub(super) fn placed(axis: Vector, local: Point, place: Point) -> Placement {
     Placement::from_parts((place - turn * local.coords).coords.into(), turn)
 }
 
-/// The mechanism of the scene in a text.
-pub(super) fn of_text(text: &str) -> Result<Mechanism, SceneError> {
-    of_scene(&Scene::read(text)?)
-}
-
 /// The mechanism of a scene.
 pub(super) fn of_scene(scene: &Scene) -> Result<Mechanism, SceneError> {
     match mechanism(scene) {

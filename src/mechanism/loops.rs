@@ -189,15 +189,6 @@ impl LoopEquations {
         self.angular_rates.iter().find(|(_, rate)| *rate == AngularRate::Unknown(unknown)).map(|(body, _)| *body)
     }
 
-    /// The value of `link`'s angular rate, where `x` are the unknowns and `known` gives the rates of known bodies.
-    #[must_use]
-    pub fn angular_rate(&self, link: BodyId, x: &[f64], known: impl Fn(BodyId) -> f64) -> f64 {
-        match self.angular_rate_of(link) {
-            AngularRate::Unknown(unknown) => x[unknown],
-            AngularRate::Known(body) => known(body),
-        }
-    }
-
     /// The number of equations.
     fn count(&self) -> usize {
         2 * self.loops.len() + self.angular.len()

@@ -84,16 +84,9 @@ pub enum Component {
 }
 
 impl Component {
-    const ALL: [Component; 4] = [Component::X, Component::Y, Component::Size, Component::Angle];
-
-    fn tail(self) -> &'static str {
-        match self {
-            Component::X => ".x",
-            Component::Y => ".y",
-            Component::Size => ".size",
-            Component::Angle => ".angle",
-        }
-    }
+    /// What stands behind a name for each.
+    const TAILS: [(Component, &'static str); 4] =
+        [(Component::X, ".x"), (Component::Y, ".y"), (Component::Size, ".size"), (Component::Angle, ".angle")];
 }
 
 impl Head {
@@ -175,7 +168,7 @@ impl QuantityName {
         let (component, on_paper) = match tail {
             "" => (None, false),
             "/mu" if matches!(head, Head::Between(_)) => (None, true),
-            _ => (Some(Component::ALL.into_iter().find(|component| component.tail() == tail)?), false),
+            _ => (Some(Component::TAILS.into_iter().find(|(_, own)| *own == tail)?.0), false),
         };
         let both = |by| inner.split_once(by).map(|(a, b)| vec![a.to_owned(), b.to_owned()]);
         let arguments = match head.points() {
@@ -224,7 +217,9 @@ impl QuantityName {
     #[must_use]
     pub fn tail(&self) -> &'static str {
         match self.component {
-            Some(component) => component.tail(),
+            Some(component) => {
+                Component::TAILS.into_iter().find(|(own, _)| *own == component).map_or("", |(_, tail)| tail)
+            }
             None if self.on_paper => "/mu",
             None => "",
         }

@@ -219,10 +219,11 @@ fn the_closed_form_agrees_with_the_whole_system() {
             motion.body(link).omega
         });
         let side = &matrix * rates;
+        let rate = |i: usize, x: &[f64]| equations.angular_unknown(links[i]).map_or(f64::NAN, |unknown| x[unknown]);
         let closed = form.solve_all(side.as_slice());
-        let closed: [f64; 4] = std::array::from_fn(|i| equations.angular_rate(links[i], &closed, |_| f64::NAN));
+        let closed: [f64; 4] = std::array::from_fn(|i| rate(i, &closed));
         let whole = system.solve(side.as_slice());
-        let rates: [f64; 4] = std::array::from_fn(|i| equations.angular_rate(links[i], &whole, |_| f64::NAN));
+        let rates: [f64; 4] = std::array::from_fn(|i| rate(i, &whole));
         // Every rate counts with the length of its arm, as it stands in the equations.
         let arms: [f64; 4] = std::array::from_fn(|i| {
             let unknown = equations.angular_unknown(links[i]).expect("all pins");
