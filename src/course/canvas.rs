@@ -1,8 +1,6 @@
-use super::error::CourseError;
 use super::html::{caption, head, number};
-use super::package::{MANIFEST, identifier, package};
+use super::package::{CourseError, Document, MANIFEST, document, element, empty, identifier, package, text};
 use super::question::{Field, Question};
-use super::xml::{Document, document, element, empty, text};
 use crate::text::xml;
 use crate::words::{Medium, NumberStyle};
 use std::io;

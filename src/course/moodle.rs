@@ -1,7 +1,6 @@
-use super::error::CourseError;
 use super::html::{head, number, picture, tables};
+use super::package::{CourseError, Document, document, element, html, text};
 use super::question::{Field, Question};
-use super::xml::{Document, document, element, html, text};
 use crate::text::xml;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -1,7 +1,5 @@
-use super::error::CourseError;
-use super::package::{MANIFEST, identifier, package};
+use super::package::{CourseError, MANIFEST, document, element, empty, identifier, package, text};
 use super::question::Question;
-use super::xml::{document, element, empty, text};
 use crate::format::workbench;
 use crate::text::xml;
 use base64::Engine;
