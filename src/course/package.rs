@@ -48,50 +48,70 @@ pub(super) fn identifier(name: &str) -> String {
     format!("kinegon-{name}")
 }
 
-/// A document that is being written.
-pub(super) type Document = Writer<Vec<u8>>;
-
-/// A document with that root element.
-pub(super) fn document(
-    root: &str,
-    attributes: &[(&str, &str)],
-    inner: impl FnOnce(&mut Document) -> io::Result<()>,
-) -> Result<Vec<u8>, CourseError> {
-    let mut document = Writer::new_with_indent(Vec::new(), b' ', 1);
-    document.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    element(&mut document, root, attributes, inner)?;
-    let mut bytes = document.into_inner();
-    bytes.push(b'\n');
-    Ok(bytes)
+/// An element of XML with its attributes and what is in it.
+pub(super) struct Element {
+    name: &'static str,
+    attributes: Vec<(&'static str, String)>,
+    inner: Inner,
 }
 
-/// An element with others in it.
-pub(super) fn element(
-    document: &mut Document,
-    name: &str,
-    attributes: &[(&str, &str)],
-    inner: impl FnOnce(&mut Document) -> io::Result<()>,
-) -> io::Result<()> {
-    document.create_element(name).with_attributes(attributes.iter().copied()).write_inner_content(inner)?;
-    Ok(())
+enum Inner {
+    Elements(Vec<Element>),
+    Text(String),
+    /// HTML, which no letter of it ends.
+    Html(String),
 }
 
-/// An element without anything in it.
-pub(super) fn empty(document: &mut Document, name: &str, attributes: &[(&str, &str)]) -> io::Result<()> {
-    document.create_element(name).with_attributes(attributes.iter().copied()).write_empty()?;
-    Ok(())
+/// The names and values of attributes.
+pub(super) type Attributes<'a> = &'a [(&'static str, &'a str)];
+
+/// An element with others in it, or with nothing.
+pub(super) fn element(name: &'static str, attributes: Attributes<'_>, inner: Vec<Element>) -> Element {
+    Element::new(name, attributes, Inner::Elements(inner))
 }
 
 /// An element with a text in it.
-pub(super) fn text(document: &mut Document, name: &str, attributes: &[(&str, &str)], text: &str) -> io::Result<()> {
-    let element = document.create_element(name).with_attributes(attributes.iter().copied());
-    element.write_text_content(BytesText::new(text))?;
-    Ok(())
+pub(super) fn text(name: &'static str, attributes: Attributes<'_>, text: &str) -> Element {
+    Element::new(name, attributes, Inner::Text(text.to_owned()))
 }
 
-/// An element `text` with HTML in it, which no letter of the HTML ends.
-pub(super) fn html(document: &mut Document, html: &str) -> io::Result<()> {
-    element(document, "text", &[], |document| {
-        BytesCData::escaped(html).try_for_each(|part| document.write_event(Event::CData(part)))
-    })
+/// An element `text` with HTML in it.
+pub(super) fn html(html: &str) -> Element {
+    Element::new("text", &[], Inner::Html(html.to_owned()))
+}
+
+impl Element {
+    fn new(name: &'static str, attributes: Attributes<'_>, inner: Inner) -> Element {
+        Element {
+            name,
+            attributes: attributes.iter().map(|(name, value)| (*name, (*value).to_owned())).collect(),
+            inner,
+        }
+    }
+
+    /// The document with this root.
+    pub(super) fn document(&self) -> Result<Vec<u8>, CourseError> {
+        let mut document = Writer::new_with_indent(Vec::new(), b' ', 1);
+        document.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+        self.write(&mut document)?;
+        let mut bytes = document.into_inner();
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+
+    fn write(&self, document: &mut Writer<Vec<u8>>) -> io::Result<()> {
+        let attributes = self.attributes.iter().map(|(name, value)| (*name, value.as_str()));
+        let start = document.create_element(self.name).with_attributes(attributes);
+        match &self.inner {
+            Inner::Elements(inner) if inner.is_empty() => start.write_empty()?,
+            Inner::Elements(inner) => {
+                start.write_inner_content(|document| inner.iter().try_for_each(|element| element.write(document)))?
+            }
+            Inner::Text(text) => start.write_text_content(BytesText::new(text))?,
+            Inner::Html(html) => start.write_inner_content(|document| {
+                BytesCData::escaped(html).try_for_each(|part| document.write_event(Event::CData(part)))
+            })?,
+        };
+        Ok(())
+    }
 }

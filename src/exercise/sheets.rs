@@ -64,8 +64,12 @@ pub(super) fn key_sentences(solution: &Solution) -> Vec<String> {
 pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Wording) -> Vec<String> {
     let file = serde_json::from_str(text).unwrap_or(Value::Null);
     let teller = Teller { scene, words };
-    let mut all = teller.lengths();
-    all.extend(teller.guides());
+    let mut all = Vec::new();
+    // The scheme of a drawn scene shows its points and guides.
+    if scene.given_by == GivenBy::Lengths {
+        all.extend(teller.lengths());
+        all.extend(teller.guides());
+    }
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     let scale = |(plan, mu): (Sheet, f64)| {
@@ -77,7 +81,7 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
 }
 
 /// A list that can be broken into lines between its items only.
-pub(super) fn listed(items: &[String]) -> String {
+fn listed(items: &[String]) -> String {
     let items: Vec<String> = items.iter().map(|item| item.replace(' ', "\u{a0}")).collect();
     items.join(", ")
 }
@@ -111,11 +115,8 @@ impl Teller<'_> {
         self.words.place(place.map(|x| self.number(x)))
     }
 
-    /// Fixed points and lengths of a scene from lengths; none of a drawn scene, whose scheme shows them.
+    /// Fixed points and lengths.
     fn lengths(&self) -> Vec<String> {
-        if self.scene.given_by == GivenBy::Drawing {
-            return Vec::new();
-        }
         let unit = self.unit(QuantityKind::Length);
         let fixed = self.scene.coordinates.iter().map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
         let lengths = self.scene.links.values().flat_map(|link| match &link.shape {
@@ -127,11 +128,8 @@ impl Teller<'_> {
         fixed.chain(lengths).collect()
     }
 
-    /// Guides on the ground and those along two points of a link, of a scene from lengths.
+    /// Guides on the ground and those along two points of a link.
     fn guides(&self) -> Vec<String> {
-        if self.scene.given_by == GivenBy::Drawing {
-            return Vec::new();
-        }
         let language = self.words.language;
         let unit = self.unit(QuantityKind::Length);
         let told = self.scene.sliders.iter().filter_map(|slider| {
