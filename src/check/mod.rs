@@ -116,6 +116,8 @@ pub use prepared::Prepared;
 #[cfg(feature = "photo")]
 pub use proposed::{Found, Proposal, Proposals, proposed};
 pub use redrawn::redrawn;
+#[cfg(feature = "cli")]
+pub(crate) use report::aligned;
 pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
 

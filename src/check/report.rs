@@ -20,7 +20,8 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String
     let mut lines = vec![parts.counts];
     lines.extend(parts.accuracy);
     lines.push(String::new());
-    lines.extend(table(parts.columns, parts.rows));
+    let rows = [parts.columns].into_iter().chain(parts.rows.into_iter().map(|row| row.cells));
+    lines.extend(aligned(&rows.collect::<Vec<_>>()));
     lines.push(String::new());
     lines.extend(parts.senses);
     lines.push(parts.heading);
@@ -40,18 +41,17 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String
     lines.join("\n") + "\n"
 }
 
-/// The rows of a table with their columns aligned, words to the left and numbers to the right.
-fn table(columns: [String; 8], rows: Vec<ReportRow>) -> Vec<String> {
-    let rows: Vec<[String; 8]> = [columns].into_iter().chain(rows.into_iter().map(|row| row.cells)).collect();
+/// The rows of a table with their columns aligned: the words of the first and the last to the left, numbers to the right.
+pub(crate) fn aligned<const N: usize>(rows: &[[String; N]]) -> Vec<String> {
     let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max();
-    let widths: Vec<usize> = (0..8).map(|c| width(c).unwrap_or(0)).collect();
-    let line = |row: &[String; 8]| {
+    let widths: [usize; N] = std::array::from_fn(|column| width(column).unwrap_or(0));
+    let line = |row: &[String; N]| {
         let mut line = String::new();
         for (column, cell) in row.iter().enumerate() {
             let blanks = " ".repeat(widths[column] - cell.chars().count());
-            match column {
-                0 | 7 => line.push_str(&format!("{cell}{blanks}  ")),
-                _ => line.push_str(&format!("{blanks}{cell}  ")),
+            match column == 0 || column == N - 1 {
+                true => line.push_str(&format!("{cell}{blanks}  ")),
+                false => line.push_str(&format!("{blanks}{cell}  ")),
             }
         }
         line.trim_end().to_owned()

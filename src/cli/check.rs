@@ -1,14 +1,12 @@
-use super::caught::caught;
 use super::class::{Class, Form, ReportFormat, Subject};
-use super::correction::Correction;
-use super::exercises::{ExerciseFiles, ExerciseFolder};
-use super::feedback::FeedbackOptions;
+use super::feedback::{Correction, FeedbackOptions, Pages};
 use super::files;
-use super::forms::{forms_below, forms_in, measured, read, shown};
-use super::message::{Failure, Source, warn};
+use super::forms::{ExerciseFiles, ExerciseFolder, file_name, forms, measured, read};
+use super::message::{Failure, Source, passed, refuse, warn};
 use super::options::{Hand, Words};
 use super::output::FileSet;
-use super::work::{Mode, show_warnings, solve};
+use super::pieces::caught;
+use super::solve::{Mode, show_warnings, solve};
 use crate::check::{self, AnswerKey, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
@@ -36,7 +34,6 @@ Examples:
   kinegon check scene.json Ana-2.jpg Ana-3.jpg -o out/ photographs of the sheets
   kinegon check exercises/ photos/ -o forms/           a form for each student";
 
-/// Check values read from a hand drawing, or those of a class.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Check {
@@ -102,13 +99,10 @@ impl Check {
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
         if path.is_dir() {
-            self.class(path, &solution)
-        } else {
-            self.refuse_table()?;
-            let text = files::read_form(path)?;
-            let measured = read(path, &text)?;
-            self.form(&self.scene, &solution, self.marks.as_deref(), (&text, &measured))
+            return self.class(path, &solution);
         }
+        let (text, measured) = self.read(path)?;
+        self.form(&ExerciseFiles::of_scene(&self.scene), &solution, &text, &measured)
     }
 
     /// Checks the forms of a folder against the scene or the exercises.
@@ -125,159 +119,148 @@ impl Check {
         solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Sheet::Acceleration)
     }
 
-    fn refuse_table(&self) -> Result<(), Failure> {
-        match self.output {
-            None => Ok(()),
-            Some(_) => Err(Failure::misuse(
-                "-o takes the table of a folder; here is one form",
-                "leave out -o: the report is printed",
-            )),
+    /// Reads one form.
+    fn read(&self, path: &Path) -> Result<(Source, Measured), Failure> {
+        if self.output.is_some() {
+            let hint = "leave out -o: the report is printed";
+            return refuse("-o takes the table of a folder; here is one form", hint);
         }
+        let text = files::read_form(path)?;
+        let measured = read(path, &text)?;
+        Ok((text, measured))
     }
 
     /// Checks one form and prints its report.
     pub(super) fn form(
         &self,
-        scene: &Path,
+        exercise: &ExerciseFiles,
         solution: &Solution,
-        marks: Option<&Path>,
-        (text, measured): (&Source, &Measured),
+        text: &Source,
+        measured: &Measured,
     ) -> Result<(), Failure> {
         let path = self.measured.as_deref().unwrap_or(Path::new("-"));
-        let key = self.key(solution);
-        let wording = Wording::of(&solution.scene.figure);
-        let scheme = marks.map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
-        let pages =
-            self.feedback.pages([shown(Path::new(path.file_name().unwrap_or_default()), path).for_comparing()])?;
-        let checked = check::check(measured, &key).map_err(|error| text.misuse(&error))?;
+        let own = exercise.marks();
+        let marks = own.as_deref().or(self.marks.as_deref()).map(GivenMarks::read).transpose()?;
+        let Subject { key: prepared, words, scheme, .. } = self.subject(None, solution, marks.as_ref())?;
+        let key = prepared.key();
+        let name = file_name(Path::new(path.file_name().unwrap_or_default()), path);
+        let pages = self.feedback.pages([name.for_comparing()])?;
+        let checked = prepared.check(measured).map_err(|error| text.misuse(&error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
-            let mut result = check::check_result(&checked, &key, &wording, measured.name.clone());
+            let mut result = check::check_result(&checked, key, &words, measured.name.clone());
             result.marks = marks;
             format::json(&result)
         } else {
-            let marks = marks.as_ref().map_or_else(String::new, |marks| marks.line(&wording) + "\n");
-            check::report(&checked, &key, &wording) + &marks
+            let marks = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
+            check::report(&checked, key, &words) + &marks
         };
         show_warnings(solution);
         let mut files = FileSet::default();
-        self.correction.write(&mut files, solution, [scene, path], measured, &key, &checked)?;
+        self.correction.write(&mut files, solution, [&exercise.scene, path], measured, key, &checked)?;
         if let Some(pages) = pages {
-            let feedback = Feedback::new(measured, &key, &checked, marks.as_ref(), &wording);
-            let feedback = feedback.map_err(|error| text.misuse(&error))?;
-            files.add_all(&pages.of(0, &feedback)?)?;
+            let feedback = Feedback::new(measured, key, &checked, marks.as_ref(), &words);
+            files.add_all(&pages.of(0, &feedback.map_err(|error| text.misuse(&error))?)?)?;
         }
         files::print_text(&printed)?;
         files.finish()?;
-        if checked.is_passed() { Ok(()) } else { Err(Failure::NotPassed) }
+        passed(usize::from(!checked.is_passed()), 0)
     }
 
     /// Checks the forms of a folder, all of one scene, and writes their table.
     fn class(&self, folder: &Path, solution: &Solution) -> Result<(), Failure> {
-        let key = self.key(solution);
-        let words = Wording::of(&solution.scene.figure);
-        let scheme = self.marks.as_deref().map(|marks| GivenMarks::read(marks)?.of(&key, None)).transpose()?;
-        let (output, format) = self.report()?;
+        let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
+        let subject = self.subject(None, solution, marks.as_ref())?;
+        let report = self.report()?;
         show_warnings(solution);
-        let others = [Some(self.scene.as_path()), self.marks.as_deref(), Some(output)];
-        let others: Vec<&Path> = others.into_iter().flatten().collect();
-        let form = |path: PathBuf| Form { file: shown(&path, folder), path, exercise: Ok(0) };
-        let forms: Vec<Form> = forms_in(folder, &others)?.into_iter().map(form).collect();
-        let class = Class {
-            folder,
-            forms: &forms,
-            columns: ClassColumns { exercise: false, marks: scheme.is_some() },
-            exercises: &[Ok(Subject { name: None, key: Prepared::new(&key), words, scheme })],
-            words: &words,
-            format,
-            output,
-            pages: self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?,
-        };
-        class.run()
+        let others: Vec<PathBuf> = self.marks.iter().chain([&self.scene, &report.0]).cloned().collect();
+        let form = |path: PathBuf| Form { file: file_name(&path, folder), path, exercise: Ok(0) };
+        let forms: Vec<Form> = forms(folder, false, &others)?.into_iter().map(form).collect();
+        let pages = self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?;
+        self.write_report(folder, report, &forms, &[Ok(subject)], pages)
+    }
+
+    /// Writes the table of a class.
+    fn write_report(
+        &self,
+        folder: &Path,
+        (output, format): (PathBuf, ReportFormat),
+        forms: &[Form],
+        exercises: &[Result<Subject<'_>, String>],
+        pages: Option<Pages>,
+    ) -> Result<(), Failure> {
+        let solved = || exercises.iter().flatten();
+        let columns =
+            ClassColumns { exercise: self.scene.is_dir(), marks: solved().any(|subject| subject.scheme.is_some()) };
+        // Without any exercise that can be solved the report is worded as the options say.
+        let mut usual = Figure::default();
+        self.words.put_into(&mut usual);
+        let words = &solved().map(|subject| subject.words).next().unwrap_or_else(|| Wording::of(&usual));
+        Class { folder, forms, exercises, columns, format, output: &output, pages, words }.run()
     }
 
     /// The file of a table and its format; refuses to write over what was read.
-    fn report(&self) -> Result<(&Path, ReportFormat), Failure> {
+    fn report(&self) -> Result<(PathBuf, ReportFormat), Failure> {
         // With `--accept` the folder of the output has the forms.
         let output = self.output.as_deref().filter(|_| !self.accept).unwrap_or(Path::new("-"));
         for (what, input) in [("scene", Some(&self.scene)), ("marking scheme", self.marks.as_ref())] {
             input.map_or(Ok(()), |input| files::refuse_overwriting(what, input, output))?;
         }
-        Ok((output, ReportFormat::of(output, self.json)?))
+        Ok((output.to_owned(), ReportFormat::of(output, self.json)?))
     }
 
     /// Checks one form or a folder of forms, each against its own of the exercises in a folder.
     fn exercises(&self) -> Result<(), Failure> {
         let exercises = ExerciseFolder::read(&self.scene)?;
-        let one = exercises.all[0].scene.display();
+        let hint = format!("name one of its scenes, as {}", exercises.all[0].scene.display());
         if self.mode.number.is_some() {
-            return Err(Failure::misuse(
-                "--mode is of one scene, here is a folder of exercises",
-                format!("name one of its scenes, as {one}"),
-            ));
+            return refuse("--mode is of one scene, here is a folder of exercises", hint);
         }
         let Some(path) = &self.measured else {
-            return Err(Failure::misuse(
-                "--template writes the form of one scene, here is a folder of exercises",
-                format!("name one of its scenes, as {one}"),
-            ));
+            return refuse("--template writes the form of one scene, here is a folder of exercises", hint);
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
         if path.is_dir() {
             return self.classes(&exercises, path);
         }
-        self.refuse_table()?;
-        let text = files::read_form(path)?;
-        let measured = read(path, &text)?;
+        let (text, measured) = self.read(path)?;
         let index = exercises.of_form(measured.exercise.as_ref(), path);
         let index = index.map_err(|message| Failure::unclear(format!("{}: {message}", text.name)))?;
         let exercise = &exercises.all[index];
-        let (solution, marks) = (self.solved(&exercise.scene)?, exercise.marks());
-        let marks = marks.as_deref().or(self.marks.as_deref());
-        self.form(&exercise.scene, &solution, marks, (&text, &measured))
+        self.form(exercise, &self.solved(&exercise.scene)?, &text, &measured)
     }
 
     /// Checks the forms of a folder, each against its own exercise, and writes their joint table.
     fn classes(&self, exercises: &ExerciseFolder, folder: &Path) -> Result<(), Failure> {
-        let (output, format) = self.report()?;
+        let report = self.report()?;
         let mut others: Vec<PathBuf> = exercises.all.iter().flat_map(ExerciseFiles::others).collect();
-        others.extend(self.marks.clone().into_iter().chain([output.to_owned()]));
-        for other in &others[..others.len() - 1] {
-            files::refuse_overwriting("exercise", other, output)?;
+        others.extend(self.marks.clone());
+        for other in &others {
+            files::refuse_overwriting("exercise", other, &report.0)?;
         }
-        let others: Vec<&Path> = others.iter().map(PathBuf::as_path).collect();
-        let paths = forms_below(folder, &others)?;
+        others.push(report.0.clone());
         let form = |path: &PathBuf| {
             let inside = path.strip_prefix(folder).unwrap_or(path);
             // A form that is not understood says so in its row, whatever its exercise.
             let named = measured(path).ok().and_then(|measured| measured.exercise);
             let exercise = exercises.of_form(named.as_ref(), inside);
-            Form { path: path.clone(), file: shown(path, folder), exercise }
+            Form { path: path.clone(), file: file_name(path, folder), exercise }
         };
-        let forms: Vec<Form> = on_all_cores(&paths, form);
+        let forms: Vec<Form> = on_all_cores(&forms(folder, true, &others)?, form);
         let pages = self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?;
         let solved = self.all_solved(exercises, &forms);
-        let marks = self.marks.as_deref().map(GivenMarks::read).transpose()?;
+        let usual = self.marks.as_deref().map(GivenMarks::read).transpose()?;
         let mut subjects = Vec::new();
         for (exercise, solution) in exercises.all.iter().zip(&solved) {
             subjects.push(match solution {
-                Ok(solution) => Ok(self.subject(exercise, solution, marks.as_ref())?),
+                Ok(solution) => {
+                    let own = exercise.marks().map(|own| GivenMarks::read(&own)).transpose()?;
+                    Ok(self.subject(Some(&exercise.name), solution, own.as_ref().or(usual.as_ref()))?)
+                }
                 Err(message) => Err(message.clone()),
             });
         }
-        let usual = subjects.iter().flatten().map(|subject| subject.words).next();
-        let is_marked = subjects.iter().flatten().any(|subject| subject.scheme.is_some());
-        let class = Class {
-            folder,
-            forms: &forms,
-            columns: ClassColumns { exercise: true, marks: is_marked },
-            exercises: &subjects,
-            words: &usual.unwrap_or_else(|| self.usual_words()),
-            format,
-            output,
-            pages,
-        };
-        class.run()
+        self.write_report(folder, report, &forms, &subjects, pages)
     }
 
     /// The exercises that forms belong to, solved; of the others and of those that cannot be solved a message.
@@ -301,26 +284,16 @@ impl Check {
         solved
     }
 
-    /// An exercise of a folder, with its own marking scheme or that of `--marks`.
+    /// What forms are checked against; `name` is that of the exercise where there are several.
     fn subject<'a>(
         &self,
-        exercise: &'a ExerciseFiles,
+        name: Option<&'a str>,
         solution: &'a Solution,
-        usual: Option<&GivenMarks>,
+        marks: Option<&GivenMarks>,
     ) -> Result<Subject<'a>, Failure> {
         let key = self.key(solution);
-        let own = exercise.marks().map(|own| GivenMarks::read(&own)).transpose()?;
-        let marks = own.as_ref().or(usual);
-        let scheme = marks.map(|marks| marks.of(&key, Some(&exercise.name))).transpose()?;
-        let words = Wording::of(&solution.scene.figure);
-        Ok(Subject { name: Some(&exercise.name), key: Prepared::new(&key), words, scheme })
-    }
-
-    /// The wording of a report without any exercise.
-    fn usual_words(&self) -> Wording {
-        let mut figure = Figure::default();
-        self.words.put_into(&mut figure);
-        Wording::of(&figure)
+        let scheme = marks.map(|marks| marks.of(&key, name)).transpose()?;
+        Ok(Subject { name, key: Prepared::new(&key), words: Wording::of(&solution.scene.figure), scheme })
     }
 
     fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
@@ -347,7 +320,7 @@ struct GivenMarks {
 impl GivenMarks {
     fn read(path: &Path) -> Result<GivenMarks, Failure> {
         let text = files::read_text("marking scheme", path)?;
-        let marks = Marks::read(&text.text).map_err(|error| text.fail(error))?;
+        let marks = text.checked(Marks::read(&text.text))?;
         Ok(GivenMarks { text, marks })
     }
 
@@ -356,10 +329,8 @@ impl GivenMarks {
         self.marks.of(key).map_err(|error| match exercise {
             Some(exercise) => {
                 let message = format!("{}: it does not fit exercise {exercise}: {error}", self.text.name);
-                Failure::misuse(
-                    message,
-                    error.hint.as_deref().unwrap_or("an exercise may have marks.json in its folder"),
-                )
+                let hint = error.hint.as_deref().unwrap_or("an exercise may have marks.json in its folder");
+                Failure::misuse(message, hint)
             }
             None => self.text.misuse(&error),
         })

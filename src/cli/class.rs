@@ -1,13 +1,12 @@
 //! Checks all forms of a folder and writes a table with a row for each.
 
-use super::caught::caught;
 use super::feedback::Pages;
 use super::files;
 use super::forms::measured;
-use super::message::{Failure, note};
-use super::output::{self, FileSet};
-use super::pieces::{Output, Pieces};
-use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
+use super::message::{Failure, note, passed, refuse};
+use super::output::{FileSet, is_stream};
+use super::pieces::{Pieces, caught};
+use crate::check::{ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
 use crate::format;
 use crate::text::Untrusted;
 use crate::words::Wording;
@@ -40,13 +39,6 @@ pub(super) struct Form {
     pub exercise: Result<usize, String>,
 }
 
-impl Form {
-    /// What stands in place of the student's name: that of the file without its ending.
-    fn title(&self) -> Untrusted {
-        self.file.stem()
-    }
-}
-
 /// An exercise with its answers.
 pub(super) struct Subject<'a> {
     /// Its name in a report on several.
@@ -56,11 +48,8 @@ pub(super) struct Subject<'a> {
     pub scheme: Option<MarkScheme>,
 }
 
-/// The files of a student's page.
-type Page = Vec<(PathBuf, Vec<u8>)>;
-
-/// What a form comes to.
-type Done = (ClassRow, Page);
+/// What a form comes to: its row, and the files of the student's page.
+type Done = (ClassRow, Vec<(PathBuf, Vec<u8>)>);
 
 /// The file format of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +63,7 @@ impl ReportFormat {
     /// The format that the ending of the output file names; on stdout JSON if `as_json`, else CSV.
     pub(super) fn of(output: &Path, as_json: bool) -> Result<ReportFormat, Failure> {
         let ending = output.extension().unwrap_or_default().to_string_lossy();
-        if output == Path::new("-") || ending.is_empty() && output::is_special(output) {
+        if ending.is_empty() && is_stream(output) {
             return Ok(if as_json { ReportFormat::Json } else { ReportFormat::Csv });
         }
         let format = match ending.as_ref() {
@@ -82,17 +71,17 @@ impl ReportFormat {
             "json" => ReportFormat::Json,
             "jsonl" | "ndjson" => ReportFormat::Jsonl,
             other => {
-                return Err(Failure::misuse(
+                return refuse(
                     format!("no form of report for files ending in `.{other}`"),
                     "known endings: csv, json, jsonl",
-                ));
+                );
             }
         };
         if as_json && format == ReportFormat::Csv {
-            return Err(Failure::misuse(
+            return refuse(
                 "--json and a report that ends in `.csv` do not go together",
                 "leave out --json, or name a file that ends in `.json`",
-            ));
+            );
         }
         Ok(format)
     }
@@ -103,11 +92,11 @@ impl Class<'_> {
     pub(super) fn run(&self) -> Result<(), Failure> {
         self.refuse_overwriting_form()?;
         let mut set = FileSet::default();
-        let mut out = Output::new(&mut set, self.output)?;
-        let (mut summary, mut is_wanted) = (ClassSummary::default(), true);
-        is_wanted &= match self.format {
-            ReportFormat::Csv => out.put(&ClassRow::csv_head(self.columns))?,
-            ReportFormat::Json => out.put("{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
+        let mut out = set.begin(self.output)?;
+        let mut summary = ClassSummary::default();
+        let mut is_wanted = match self.format {
+            ReportFormat::Csv => out.put(ClassRow::csv_head(self.columns).as_bytes())?,
+            ReportFormat::Json => out.put(b"{\n  \"kinegon_class\": 1,\n  \"rows\": [")?,
             ReportFormat::Jsonl => true,
         };
         let count = self.forms.len();
@@ -119,23 +108,19 @@ impl Class<'_> {
                 let is_first = summary.files == 0;
                 summary.add(&row);
                 // With stdout closed the checks go on, for the exit code.
-                is_wanted = is_wanted && out.put(&self.written(&row, is_first))?;
+                is_wanted = is_wanted && out.put(self.written(&row, is_first).as_bytes())?;
                 Ok(true)
             },
         )?;
         let summary = summary.finished();
         if self.format == ReportFormat::Json && is_wanted {
             let summary = format::json_line(&summary);
-            out.put(&format!("\n  ],\n  \"summary\": {summary}\n}}\n"))?;
+            out.put(format!("\n  ],\n  \"summary\": {summary}\n}}\n").as_bytes())?;
         }
         out.end()?;
         set.finish()?;
         summary.lines(self.words).iter().for_each(|line| note(line));
-        match (summary.broken, summary.off) {
-            (0, 0) => Ok(()),
-            (0, _) => Err(Failure::NotPassed),
-            _ => Err(Failure::NotUnderstood),
-        }
+        passed(summary.off, summary.broken)
     }
 
     /// A row of the report as text.
@@ -159,10 +144,10 @@ impl Class<'_> {
         if self.output == Path::new("-") || !is_inside || !self.output.is_file() || is_report(self.output) {
             return Ok(());
         }
-        Err(Failure::misuse(
+        refuse(
             format!("{} is one of the files to check and is not overwritten", self.output.display()),
             "choose another output",
-        ))
+        )
     }
 
     /// The row and the page of a form. Whatever goes wrong with it is said there, and ends nothing else.
@@ -181,7 +166,12 @@ impl Class<'_> {
         let checked = checked.map_err(|error| Failure::from(error).line(""))?;
         let (name, file) = (measured.name.as_ref(), form.file.clone());
         let row = ClassRow::checked(file, name, &checked, subject.key.key(), &subject.words, subject.scheme.as_ref());
-        let page = self.page(index, subject, &measured, &checked);
+        let page = self.page(index, || {
+            let marks = subject.scheme.as_ref().map(|scheme| scheme.award(&checked));
+            let name = measured.name.clone().unwrap_or_else(|| form.file.stem());
+            let named = Measured { name: Some(name), ..measured.clone() };
+            Ok(Feedback::new(&named, subject.key.key(), &checked, marks.as_ref(), &subject.words)?)
+        });
         let page = page.map_err(|failure| format!("its page cannot be made: {}", failure.line("")))?;
         Ok((row.of(subject.name), page))
     }
@@ -191,17 +181,12 @@ impl Class<'_> {
         let form = &self.forms[index];
         let exercise = form.exercise.as_ref().ok().and_then(|exercise| self.exercises.get(*exercise));
         let subject = exercise.and_then(|subject| subject.as_ref().ok());
-        let page = || -> Result<Page, Failure> {
-            let Some(pages) = &self.pages else {
-                return Ok(Vec::new());
-            };
-            let measured = measured(&form.path).ok();
-            let name = measured.and_then(|measured| measured.name).unwrap_or_else(|| form.title());
+        let refused = || {
+            let name = measured(&form.path).ok().and_then(|measured| measured.name).unwrap_or_else(|| form.file.stem());
             let scene = subject.map(|subject| &subject.key.key().solution.scene);
-            let words = subject.map_or(self.words, |subject| &subject.words);
-            pages.of(index, &Feedback::refused(scene, &name, &message, words))
+            Ok(Feedback::refused(scene, &name, &message, subject.map_or(self.words, |subject| &subject.words)))
         };
-        let page = caught(page).and_then(|page| page.map_err(|failure| failure.line("")));
+        let page = caught(|| self.page(index, refused)).and_then(|page| page.map_err(|failure| failure.line("")));
         let page = page.unwrap_or_else(|why| {
             message = format!("{message}; it has no page: {why}");
             Vec::new()
@@ -209,23 +194,13 @@ impl Class<'_> {
         (ClassRow::broken(form.file.clone(), &message).of(subject.and_then(|subject| subject.name)), page)
     }
 
-    /// The files of the page of a form that was checked.
+    /// The files of the page of a form, if pages are wanted.
     fn page(
         &self,
         index: usize,
-        subject: &Subject<'_>,
-        measured: &Measured,
-        checked: &Checked,
-    ) -> Result<Page, Failure> {
-        let Some(pages) = &self.pages else {
-            return Ok(Vec::new());
-        };
-        let marks = subject.scheme.as_ref().map(|scheme| scheme.award(checked));
-        let named =
-            Measured { name: measured.name.clone().or_else(|| Some(self.forms[index].title())), ..measured.clone() };
-        let feedback = Feedback::new(&named, subject.key.key(), checked, marks.as_ref(), &subject.words);
-        let feedback = feedback.map_err(Failure::from)?;
-        pages.of(index, &feedback)
+        feedback: impl FnOnce() -> Result<Feedback, Failure>,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
+        self.pages.as_ref().map_or_else(|| Ok(Vec::new()), |pages| pages.of(index, &feedback()?))
     }
 }
 

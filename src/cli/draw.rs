@@ -1,10 +1,10 @@
-use super::figures::{Figures, GivenStyle, stem};
+use super::cycle::{refuse_nothing, split_names};
+use super::figures::{Figures, GivenStyle, Sheets, stem};
 use super::files;
-use super::message::{Failure, Source, note, warn};
+use super::message::{Failure, Source, note, refuse, warn};
 use super::options::{GivenScales, Markers, Paper, Words, one_of};
 use super::output::FileSet;
-use super::sweep::{refuse_nothing, split_names};
-use super::work::{Mode, show_warnings, solve};
+use super::solve::{Mode, show_warnings, solve};
 use crate::construction::{NumberedStep, Solution};
 use crate::cycle::Traces;
 use crate::drawing::{Drawing, FigureSheets, Steps};
@@ -42,7 +42,6 @@ Examples:
   kinegon draw scene.json --worksheet=blank -o b.pdf  sheets for the plans
   kinegon draw scene.json --page 16x9 --style lecture -o hall.pdf";
 
-/// Draw the figure of a scene.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Draw {
@@ -105,12 +104,10 @@ impl Draw {
         let (scene, steps) = self.scene_and_steps()?;
         let scenes = match &scene {
             Some(path) => vec![(stem(path), files::read(path)?)],
-            None => PAPER
-                .map(|(name, text)| {
-                    let source = Source { name: format!("{name}.json"), text: text.to_owned() };
-                    (name.to_owned(), source)
-                })
-                .to_vec(),
+            None => {
+                let source = |name: &str, text: &str| Source { name: format!("{name}.json"), text: text.to_owned() };
+                PAPER.map(|(name, text)| (name.to_owned(), source(name, text))).to_vec()
+            }
         };
         let style = self.figures.style()?;
         if self.is_blank() {
@@ -125,34 +122,37 @@ impl Draw {
         for (name, source) in scenes {
             let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), order_of_figure)?;
             self.check_traced(&solution.scene)?;
-            let traces = Traces::new(&solution, None).map_err(|error| source.fail(error))?;
-            note_limits(&traces, &solution.scene.figure);
+            let traces = source.checked(Traces::new(&solution, None))?;
+            let figure = &solution.scene.figure;
+            if !figure.beyond_limits && traces.times.as_ref().is_some_and(|times| times.is_stopped) {
+                note("the paths end where limits stop the drive; --beyond-limits draws the rest of the curves, dashed");
+            }
             show_warnings(&solution);
             let figures = FigureSheets::with_traces(&solution, traces.into());
             figures.overflow_warnings().iter().for_each(|text| warn(text));
-            let first = drawings.len();
-            self.sheets(name, &solution, &figures, steps, &mut drawings)?;
-            if self.values.is_some() && steps.is_none() {
-                let sheets = drawings[first..].iter().flat_map(|(_, sheets)| sheets.first());
-                sheets
-                    .take(1)
-                    .for_each(|sheet| note_values(&solution.scene.figure, &figures.values_without_room(sheet)));
+            let sheets = self.sheets(name, &solution, &figures, steps)?;
+            if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
+                && (self.values.is_some() && steps.is_none() && !figure.worksheet)
+            {
+                note_values(&figures.values_without_room(sheet));
             }
+            drawings.extend(sheets);
             solved.push((source, solution));
         }
         style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
         let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         let mut files = FileSet::default();
-        if self.layered {
-            self.figures.write_layered(&mut files, &inputs, drawings)?;
-            return files.finish();
-        }
         let are_finished = drawings.len() == solved.len();
         let page = |index: usize| match solved.get(index) {
             Some((source, solution)) if are_finished => self.page(source, solution),
-            _ => Err(Failure::misuse("a page has all steps", "leave out --steps")),
+            _ => refuse("a page has all steps", "leave out --steps"),
         };
-        self.figures.write(&mut files, &inputs, drawings, self.is_blank(), page)?;
+        let kind = match (self.layered, self.is_blank()) {
+            (true, _) => Sheets::Layered,
+            (false, true) => Sheets::Joined,
+            (false, false) => Sheets::Apart,
+        };
+        self.figures.write(&mut files, &inputs, drawings, kind, page)?;
         files.finish()
     }
 
@@ -174,9 +174,7 @@ impl Draw {
             ),
         ];
         match wrong.into_iter().find(|(is_given, ..)| *is_given) {
-            Some((_, message, hint)) => {
-                Err(Failure::misuse(message, format!("{hint}; or `--worksheet` for the filled sheet")))
-            }
+            Some((_, message, hint)) => refuse(message, format!("{hint}; or `--worksheet` for the filled sheet")),
             None => Ok(()),
         }
     }
@@ -188,10 +186,9 @@ impl Draw {
             (Some("fine"), scene) => Ok((scene.clone(), Some(Steps::Fine))),
             (Some("coarse"), scene) => Ok((scene.clone(), Some(Steps::Coarse))),
             (Some(path), None) => Ok((Some(path.into()), Some(Steps::Fine))),
-            (Some(other), Some(_)) => Err(Failure::misuse(
-                format!("there are no `{other}` steps"),
-                "--steps is fine, also without a word, or coarse",
-            )),
+            (Some(other), Some(_)) => {
+                refuse(format!("there are no `{other}` steps"), "--steps is fine, also without a word, or coarse")
+            }
         }
     }
 
@@ -205,7 +202,7 @@ impl Draw {
         figure.worksheet = (figure.worksheet || self.worksheet.is_some()) && !self.is_blank();
         figure.values = self.values.or(figure.values);
         if !self.trace.is_empty() {
-            figure.trace = self.trace.iter().flat_map(|text| split_names(text)).collect();
+            figure.trace = split_names(&self.trace);
         }
         figure.beyond_limits |= self.beyond_limits;
         figure.ghosts = self.ghosts.map(usize::from).or(figure.ghosts);
@@ -225,24 +222,24 @@ impl Draw {
     /// The workbench with a scene open, with what the command line asks for written into it, and its steps shown, from
     /// the first or from the one that is asked for.
     fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
-        let own = Scene::read(&source.text).map_err(|error| source.fail(error))?;
+        let own = source.checked(Scene::read(&source.text))?;
         let step = solution.scene.figure.step.unwrap_or(1);
         let figure = Figure { step: own.figure.step, ..solution.scene.figure.clone() };
         let asked = || match self.mode.number {
             Some(mode) => with_mode(&with_figure(&source.text, &figure)?, mode),
             None => with_figure(&source.text, &figure),
         };
-        let text = asked().map_err(|error| source.fail(error))?;
+        let text = source.checked(asked())?;
         Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })))
     }
 
     /// Refuses or tells what has no place on a page.
     fn check_page(&self, style: &GivenStyle) -> Result<(), Failure> {
         if let GivenStyle::File(_) = style {
-            return Err(Failure::misuse(
+            return refuse(
                 "a page has the styles that a scene can name, not that of a file",
                 format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", ")),
-            ));
+            );
         }
         for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.drive.is_some())] {
             if is_given {
@@ -252,16 +249,14 @@ impl Draw {
         Ok(())
     }
 
-    /// Adds the sheets of the finished figure to `drawings`, or those of the steps that were asked for, each under its
-    /// name.
+    /// The sheets of the finished figure, or those of the steps that were asked for, each under its name.
     fn sheets(
         &self,
         name: String,
         solution: &Solution,
         figures: &FigureSheets<'_>,
         steps: Option<Steps>,
-        drawings: &mut Vec<(String, Vec<Drawing>)>,
-    ) -> Result<(), Failure> {
+    ) -> Result<Vec<(String, Vec<Drawing>)>, Failure> {
         let wanted = match (steps, solution.scene.figure.step) {
             (None, None) => {
                 let name = if self.layered { format!("{name}-layered") } else { name };
@@ -269,30 +264,21 @@ impl Draw {
                 if self.is_blank() || solution.scene.figure.worksheet {
                     note_markers(&solution.scene.figure, sheets.first());
                 }
-                drawings.push((name, sheets));
-                return Ok(());
+                return Ok(vec![(name, sheets)]);
             }
             (_, step) => step,
         };
         let all = figures.steps(steps.unwrap_or(Steps::Fine));
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
-        let (first, last) = match wanted {
-            Some(step) if (1..=count).contains(&step) => (step, step),
-            Some(step) => {
-                return Err(Failure::misuse(
-                    format!("there is no step {step}"),
-                    format!("the construction has steps 1 to {count}; `kinegon steps` lists them"),
-                ));
-            }
-            None => (1, count),
-        };
+        if let Some(step) = wanted.filter(|step| !(1..=count).contains(step)) {
+            let hint = format!("the construction has steps 1 to {count}; `kinegon steps` lists them");
+            return refuse(format!("there is no step {step}"), hint);
+        }
         let shown = shown_steps(solution, steps);
-        let is_shown = |step: &usize| wanted.is_some() || shown.get(step - 1) == Some(&true);
-        let sheets =
-            (first..=last).filter(is_shown).map(|step| (format!("{name}-{step:0digits$}"), vec![all.after_step(step)]));
-        drawings.extend(sheets);
-        Ok(())
+        let is_shown = |step: &usize| wanted.map_or(shown.get(step - 1) == Some(&true), |wanted| *step == wanted);
+        let sheet = |step: usize| (format!("{name}-{step:0digits$}"), vec![all.after_step(step)]);
+        Ok((1..=count).filter(is_shown).map(sheet).collect())
     }
 }
 
@@ -306,8 +292,8 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
 }
 
 /// Names the values that found no room on a sheet.
-fn note_values(figure: &Figure, missing: &[String]) {
-    if !missing.is_empty() && !figure.worksheet {
+fn note_values(missing: &[String]) {
+    if !missing.is_empty() {
         let names = missing.join(", ");
         note(&format!("no room for the values of {names}; they are in the table of a work sheet (--worksheet)"));
     }
@@ -325,13 +311,6 @@ fn note_markers(figure: &Figure, sheet: Option<&Drawing>) {
         }
         false => "sheets in a projector's proportions have no markers: a photograph of them cannot be read",
     });
-}
-
-/// Says where paths end, unless they go on.
-fn note_limits(traces: &Traces, figure: &Figure) {
-    if !figure.beyond_limits && traces.times.as_ref().is_some_and(|times| times.is_stopped) {
-        note("the paths end where limits stop the drive; --beyond-limits draws the rest of the curves, dashed");
-    }
 }
 
 /// By step: whether it is drawn in a panel. With a focus the steps of the other plan are left out.

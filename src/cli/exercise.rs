@@ -1,12 +1,11 @@
 use super::figures::{GivenStyle, stem, style_names};
 use super::files;
-use super::message::{Failure, Source, note};
+use super::message::{Failure, Source, note, refuse};
 use super::options::{GivenScales, Markers, NamesAnd, Paper, Words};
-use super::output::{FileSet, is_special};
-use super::work::solve;
+use super::output::{FileSet, is_stream};
+use super::solve::solve;
 use crate::course::{Question, canvas, moodle, scorm};
-use crate::drawing::Drawing;
-use crate::exercise::{Exercise, ExerciseError, Exercises};
+use crate::exercise::{Exercise, Exercises};
 use crate::format::{self, Text};
 use crate::scene::{Figure, Kind, SizeLimit};
 use crate::sheet::Sheet;
@@ -30,7 +29,6 @@ Into a course, as one file (docs/courses.md):
   kinegon exercise four-bar --seed 7 --lms canvas -o quiz.zip  quizzes in QTI 1.2
   kinegon exercise four-bar --seed 7 --lms scorm -o task.zip   the workbench, SCORM 1.2";
 
-/// Write exercises to be drawn by hand, with sheets, forms and keys.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct ExerciseCommand {
@@ -75,30 +73,53 @@ impl ExerciseCommand {
         };
         let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Sheet::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
-        let failed = |error: ExerciseError| failed(&source.name, &error);
         let page = self.paper.is_given().then_some(figure.page);
         let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
         let mut exercises = exercises.map_err(|error| {
-            let hint = "`kinegon new --list` shows other kinds";
-            Failure::misuse(format!("{}: {error}", source.name), hint)
+            Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")
         })?;
         if let Some(lms) = self.lms {
-            return lms.write(&mut exercises, (&name, self.seed, self.count), &style, (&source.name, &self.output));
+            return self.write_course(lms, &mut exercises, &name, &style, &source.name);
         }
         let folder = |number: u16| self.output.join(format!("{name}-{}-{number}", self.seed));
-        for folder in (1..=self.count).map(folder) {
-            if folder.exists() {
-                let message = format!("{} is there already and is not overwritten", folder.display());
-                let hint = "choose another folder or another seed, or remove it";
-                return Err(Failure::misuse(message, hint));
-            }
+        if let Some(folder) = (1..=self.count).map(folder).find(|folder| folder.exists()) {
+            let message = format!("{} is there already and is not overwritten", folder.display());
+            return refuse(message, "choose another folder or another seed, or remove it");
         }
         let mut files = FileSet::default();
         for number in 1..=self.count {
-            let exercise = exercises.next().map_err(failed)?;
-            files.add_all(&files_of(&exercise, &style, &folder(number))?)?;
+            let exercise = exercises.next().map_err(|error| Failure::outside(format!("{}: {error}", source.name)))?;
+            add_files(&mut files, &exercise, &style, &folder(number))?;
         }
         files.finish()
+    }
+
+    /// Writes exercises into one file for a learning management system, or to stdout; `name` is theirs, `source` the scene's
+    /// in messages.
+    fn write_course(
+        &self,
+        lms: Lms,
+        exercises: &mut Exercises,
+        name: &str,
+        style: &GivenStyle,
+        source: &str,
+    ) -> Result<(), Failure> {
+        lms.refuse_other_files(&self.output)?;
+        files::refuse_overwriting("scene", Path::new(source), &self.output)?;
+        let mut questions = Vec::new();
+        for number in 1..=self.count {
+            let mut exercise = exercises.next().map_err(|error| Failure::outside(format!("{source}: {error}")))?;
+            style.put_on([&mut exercise.sheet]);
+            let name = format!("{}-{}-{number}", plain(name), self.seed);
+            let question = Question::new(&exercise, &name, &|key| style.put_on([key]));
+            questions.push(question.map_err(|error| Failure::unclear(format!("{source}: {error}")))?);
+        }
+        let written = match lms {
+            Lms::Moodle => moodle(name, &questions),
+            Lms::Canvas => canvas(&questions),
+            Lms::Scorm => scorm(name, &questions),
+        };
+        files::write(&self.output, &written.map_err(Failure::outside)?)
     }
 
     /// The scene that is varied, and the name of its exercises.
@@ -108,26 +129,22 @@ impl ExerciseCommand {
         }
         let path = Path::new(&self.kind);
         if !path.is_file() {
-            return Err(Failure::misuse(
+            return refuse(
                 format!("`{}` is no kind of mechanism and no file", self.kind),
                 format!(
                     "the nearest kind is `{}`; `kinegon new --list` shows all, or give the path of a scene file",
                     Kind::nearest(&self.kind)
                 ),
-            ));
+            );
         }
         Ok((stem(path), files::read(path)?))
     }
 }
 
-/// Why there is no further exercise.
-fn failed(source: &str, error: &ExerciseError) -> Failure {
-    Failure::outside(format!("{source}: {error}"))
-}
-
-/// The files of an exercise, by their paths.
-fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
-    let mut written = vec![("scene.json".to_owned(), exercise.text.clone().into_bytes())];
+/// Adds the files of an exercise to a set. Its sheets are `sheet.svg`, `sheet-2.svg` …, and, with the feature `pdf`, `sheet.pdf`.
+fn add_files(files: &mut FileSet, exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<(), Failure> {
+    let mut add = |name: &str, bytes: &[u8]| files.add(&folder.join(name), bytes);
+    add("scene.json", exercise.text.as_bytes())?;
     let own_name = folder.file_name().unwrap_or_default().to_string_lossy();
     let sheets = exercise.sheets(&own_name);
     if sheets.len() > 1 && sheets[0].code.is_none() {
@@ -135,31 +152,17 @@ fn files_of(exercise: &Exercise, style: &GivenStyle, folder: &Path) -> Result<Ve
     }
     for (name, mut sheets) in [("sheet", sheets), ("key", vec![exercise.key_sheet()])] {
         style.put_on(&mut sheets);
-        written.extend(pictures(name, &sheets)?);
+        for (sheet, number) in sheets.iter().zip(1..) {
+            let name = if number == 1 { format!("{name}.svg") } else { format!("{name}-{number}.svg") };
+            add(&name, format::svg_with(sheet, Text::Letters).as_bytes())?;
+        }
+        #[cfg(feature = "pdf")]
+        add(&format!("{name}.pdf"), &format::pdf_pages(&sheets, None).map_err(Failure::unclear)?)?;
     }
     let form = exercise.form(&own_name);
-    for (name, text) in
-        [("form.json", form.json()), ("form.csv", form.csv()), ("key.json", format::json(&exercise.key()))]
-    {
-        written.push((name.to_owned(), text.into_bytes()));
-    }
-    Ok(written.into_iter().map(|(name, bytes)| (folder.join(name), bytes)).collect())
-}
-
-/// Sheets as SVG, `name.svg`, `name-2.svg` …, and, with the feature `pdf`, as one PDF.
-fn pictures(name: &str, sheets: &[Drawing]) -> Result<Vec<(String, Vec<u8>)>, Failure> {
-    let svg = |(sheet, number): (&Drawing, usize)| {
-        let name = if number == 1 { format!("{name}.svg") } else { format!("{name}-{number}.svg") };
-        (name, format::svg_with(sheet, Text::Letters).into_bytes())
-    };
-    #[cfg_attr(not(feature = "pdf"), expect(unused_mut, reason = "the PDF comes last"))]
-    let mut written: Vec<_> = sheets.iter().zip(1..).map(svg).collect();
-    #[cfg(feature = "pdf")]
-    {
-        let pdf = format::pdf_pages(sheets, None).map_err(|error| Failure::unclear(error.to_string()))?;
-        written.push((format!("{name}.pdf"), pdf));
-    }
-    Ok(written)
+    add("form.json", form.json().as_bytes())?;
+    add("form.csv", form.csv().as_bytes())?;
+    add("key.json", format::json(&exercise.key()).as_bytes())
 }
 
 /// A kind of learning management system, by the file that it imports.
@@ -174,63 +177,21 @@ enum Lms {
 }
 
 impl Lms {
-    fn ending(self) -> &'static str {
-        match self {
-            Lms::Moodle => "xml",
-            Lms::Canvas | Lms::Scorm => "zip",
-        }
-    }
-
-    /// Writes so many exercises with that name and seed into one file, or to stdout. `source` names the scene in messages.
-    fn write(
-        self,
-        exercises: &mut Exercises,
-        (name, seed, count): (&str, u64, u16),
-        style: &GivenStyle,
-        (source, path): (&str, &Path),
-    ) -> Result<(), Failure> {
-        self.refuse_other_files(path)?;
-        files::refuse_overwriting("scene", Path::new(source), path)?;
-        let mut questions = Vec::new();
-        for number in 1..=count {
-            let mut exercise = exercises.next().map_err(|error| failed(source, &error))?;
-            style.put_on([&mut exercise.sheet]);
-            let question =
-                Question::new(&exercise, &format!("{}-{seed}-{number}", plain(name)), &|key| style.put_on([key]));
-            questions.push(question.map_err(|error| Failure::unclear(format!("{source}: {error}")))?);
-        }
-        let written = match self {
-            Lms::Moodle => moodle(name, &questions),
-            Lms::Canvas => canvas(&questions),
-            Lms::Scorm => scorm(name, &questions),
-        };
-        let bytes = written.map_err(Failure::outside)?;
-        if path == Path::new("-") {
-            return files::print(&bytes);
-        }
-        let mut set = FileSet::default();
-        set.add(path, &bytes)?;
-        set.finish()
-    }
-
     /// Refuses a folder, and a name whose ending says something else.
     fn refuse_other_files(self, path: &Path) -> Result<(), Failure> {
-        if path == Path::new("-") || is_special(path) {
+        let ending = if self == Lms::Moodle { "xml" } else { "zip" };
+        if is_stream(path) {
             return Ok(());
         }
-        let ending = self.ending();
         let name = self.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned());
         let hint = |more: &str| format!("`--lms {name}` writes one file; {more} `.{ending}`");
         if files::is_folder(path) {
-            return Err(Failure::misuse(
-                format!("{} is a folder", path.display()),
-                hint("give its name, too, which ends in"),
-            ));
+            return refuse(format!("{} is a folder", path.display()), hint("give its name, too, which ends in"));
         }
-        let is_file = path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending));
-        let message = format!("{} is no name for the file of a course", path.display());
-        let hint = hint("let its name end in");
-        if is_file { Ok(()) } else { Err(Failure::misuse(message, hint)) }
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending)) {
+            return Ok(());
+        }
+        refuse(format!("{} is no name for the file of a course", path.display()), hint("let its name end in"))
     }
 }
 

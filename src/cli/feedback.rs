@@ -1,8 +1,14 @@
-//! The pages that students get back.
+//! What students get back: a page each, and the drawing over the right one.
 
-use super::message::Failure;
-use crate::check::Feedback;
+use super::figures::{FigureOptions, Figures, GivenStyle, Sheets, stem};
+use super::message::{Failure, refuse, warn};
+use super::options::{GivenScales, Paper, scale_option};
+use super::output::FileSet;
+use crate::check::{self, AnswerKey, Checked, Feedback, Measured};
+use crate::construction::Solution;
+use crate::drawing::{FigureSheets, overlay};
 use crate::format::FEEDBACK_MARK;
+use crate::sheet::Sheet;
 use clap::{Args, ValueEnum};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -16,33 +22,17 @@ pub(super) struct FeedbackOptions {
     #[arg(long, value_name = "DIR", conflicts_with = "template")]
     feedback: Option<PathBuf>,
     /// Formats of these pages.
-    #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_enum, default_values_t = [PageFormat::usual()])]
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_enum, default_values_t = [PageFormat::default()])]
     feedback_format: Vec<PageFormat>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 enum PageFormat {
     #[cfg(feature = "pdf")]
+    #[default]
     Pdf,
+    #[cfg_attr(not(feature = "pdf"), default)]
     Html,
-}
-
-impl PageFormat {
-    /// The format that is written if none is given.
-    fn usual() -> PageFormat {
-        #[cfg(feature = "pdf")]
-        return PageFormat::Pdf;
-        #[cfg(not(feature = "pdf"))]
-        PageFormat::Html
-    }
-
-    fn ending(self) -> &'static str {
-        match self {
-            #[cfg(feature = "pdf")]
-            PageFormat::Pdf => "pdf",
-            PageFormat::Html => "html",
-        }
-    }
 }
 
 impl FeedbackOptions {
@@ -50,21 +40,20 @@ impl FeedbackOptions {
     ///
     /// Refuses to write over files that are no such pages; nothing is written yet.
     pub(super) fn pages<'f>(&self, forms: impl IntoIterator<Item = &'f str>) -> Result<Option<Pages>, Failure> {
-        let usual = self.feedback_format == [PageFormat::usual()];
         let Some(folder) = &self.feedback else {
-            return match usual {
+            return match self.feedback_format == [PageFormat::default()] {
                 true => Ok(None),
-                false => Err(Failure::misuse(
+                false => refuse(
                     "--feedback-format is of pages for the students, which are not asked for",
                     "add `--feedback DIR`",
-                )),
+                ),
             };
         };
         if folder == Path::new("-") || folder.is_file() {
-            return Err(Failure::misuse(
+            return refuse(
                 format!("{} is no folder, but every student gets a page", folder.display()),
                 "name a folder after --feedback",
-            ));
+            );
         }
         let forms: Vec<&str> = forms.into_iter().collect();
         let formats: BTreeSet<PageFormat> = self.feedback_format.iter().copied().collect();
@@ -88,7 +77,8 @@ pub(super) struct Pages {
 
 impl Pages {
     fn path(&self, form: usize, format: PageFormat) -> PathBuf {
-        self.folder.join(format!("{}.{}", self.names[form], format.ending()))
+        let ending = if format == PageFormat::Html { "html" } else { "pdf" };
+        self.folder.join(format!("{}.{ending}", self.names[form]))
     }
 
     /// The files of a form's page.
@@ -96,8 +86,9 @@ impl Pages {
         let file = |format: &PageFormat| -> Result<(PathBuf, Vec<u8>), Failure> {
             let bytes = match format {
                 #[cfg(feature = "pdf")]
-                PageFormat::Pdf => crate::format::pdf_pages(&feedback.sheets(), Some(FEEDBACK_MARK))
-                    .map_err(|error| Failure::unclear(error.to_string()))?,
+                PageFormat::Pdf => {
+                    crate::format::pdf_pages(&feedback.sheets(), Some(FEEDBACK_MARK)).map_err(Failure::unclear)?
+                }
                 PageFormat::Html => feedback.html().into_bytes(),
             };
             Ok((self.path(form, *format), bytes))
@@ -116,10 +107,10 @@ fn refuse_foreign(page: &Path) -> Result<(), Failure> {
     if found.is_file() && is_own() {
         return Ok(());
     }
-    Err(Failure::misuse(
+    refuse(
         format!("{} is there already, is no page for a student and is not overwritten", page.display()),
         "choose another folder after --feedback",
-    ))
+    )
 }
 
 /// Most bytes of a page's name: file systems take 255 with all endings.
@@ -161,5 +152,83 @@ fn safe(text: &str) -> String {
         "" => "form".to_owned(),
         name if is_device => format!("{name}-form"),
         name => name.to_owned(),
+    }
+}
+
+/// The student's drawing over the right figure, to be printed.
+#[derive(Debug, Args)]
+pub(super) struct Correction {
+    /// Also draw it: the student's points and lines over the right figure at the student's scales, the first wrong
+    /// steps marked, and a table of the values. Into a folder, or a file whose ending gives the format.
+    #[arg(long, value_name = "FOLDER|FILE")]
+    draw: Option<PathBuf>,
+    #[command(flatten)]
+    forms: FigureOptions,
+    #[command(flatten)]
+    paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
+}
+
+impl Correction {
+    /// Refuses options of a drawing where none is made: for a folder of forms, or without `--draw`.
+    pub(super) fn refuse_drawing_options(&self, is_folder: bool) -> Result<(), Failure> {
+        let is_drawing_meant = self.scales.is_given() || self.paper.is_given() || self.forms.style.is_some();
+        match (&self.draw, is_folder) {
+            (Some(_), true) => refuse("--draw draws one form, here is a folder", "name one of its files"),
+            (None, _) if is_drawing_meant => {
+                let options = Sheet::ALL.map(|sheet| format!("--{}", scale_option(sheet))).join(", ");
+                let keys = Sheet::ALL.map(Sheet::scale_key).join(", ");
+                refuse(
+                    format!("{options}, --page, --orientation and --style are of a drawing, which is not asked for"),
+                    format!("add `--draw out/`; the scales of the student's own sheet stand in the form, as {keys}"),
+                )
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Draws the checked values into a set of files if that was asked for. The files of the scene and of the values are not written over.
+    pub(super) fn write(
+        &self,
+        files: &mut FileSet,
+        solution: &Solution,
+        [scene_file, values_file]: [&Path; 2],
+        measured: &Measured,
+        key: &AnswerKey<'_>,
+        checked: &Checked,
+    ) -> Result<(), Failure> {
+        let Some(output) = &self.draw else {
+            return Ok(());
+        };
+        if output == Path::new("-") {
+            return refuse(
+                "the report is on stdout, so the drawing cannot be there too",
+                "name a folder or a file after --draw",
+            );
+        }
+        let mut solution = solution.clone();
+        let figure = &mut solution.scene.figure;
+        // Scales: from the options, else from the form, else from the scene.
+        measured.put_scales_into(figure);
+        let style = GivenStyle::read(self.forms.style.as_deref())?;
+        style.put_into(figure);
+        self.paper.put_into(figure);
+        self.scales.put_into(figure);
+        let redrawn = check::redrawn(measured, key, checked, &solution.wording())?;
+        FigureSheets::new(&solution).overflow_warnings().iter().for_each(|text| warn(text));
+        let mut sheets = overlay(&solution, &redrawn);
+        style.put_on(&mut sheets);
+        let name = format!("{}-check", stem(values_file));
+        let numbered = |(index, sheet)| match index {
+            0 => (name.clone(), vec![sheet]),
+            1 => (format!("{name}-values"), vec![sheet]),
+            _ => (format!("{name}-values-{index}"), vec![sheet]),
+        };
+        let drawings = sheets.into_iter().enumerate().map(numbered).collect();
+        let inputs = [("scene", scene_file), ("form", values_file)];
+        let page = |_| refuse("a check has no page to step through", "the formats are svg, png, pdf and tikz");
+        let figures = Figures { output: output.clone(), options: self.forms.clone() };
+        figures.write(files, &inputs, drawings, Sheets::Apart, page)
     }
 }

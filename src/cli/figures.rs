@@ -1,7 +1,7 @@
 use super::files;
-use super::message::{Failure, note, warn};
+use super::message::{Failure, note, refuse, warn};
 use super::options::NamesAnd;
-use super::output::{self, FileSet};
+use super::output::{FileSet, is_stream};
 use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
@@ -16,9 +16,9 @@ const MOST_LISTED: usize = 20;
 pub(super) struct Figures {
     /// Folder to write to, or a file whose ending gives the format, or `-` for stdout.
     #[arg(short, long, default_value = "out/")]
-    output: PathBuf,
+    pub output: PathBuf,
     #[command(flatten)]
-    options: FigureOptions,
+    pub options: FigureOptions,
 }
 
 /// In which forms figures are written.
@@ -83,6 +83,17 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
     if (10.0..=2400.0).contains(&dpi) { Ok(dpi) } else { Err("must be from 10 to 2400".to_owned()) }
 }
 
+/// How the sheets of a figure come into files.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sheets {
+    /// Each into its own.
+    Apart,
+    /// As pages of one PDF, where that is the format.
+    Joined,
+    /// As SVG with a group for each step of the construction.
+    Layered,
+}
+
 impl Figures {
     /// The style of `--style`.
     pub(super) fn style(&self) -> Result<GivenStyle, Failure> {
@@ -95,38 +106,39 @@ impl Figures {
         is_named || self.options.format.contains(&FigureFormat::Html)
     }
 
-    /// Figures that are written to a folder or to a file.
-    pub(super) fn at(output: &Path, options: &FigureOptions) -> Figures {
-        Figures { output: output.to_owned(), options: options.clone() }
-    }
-
     /// Writes figures by their names in all formats, each with its further sheets, as files of a set, but not over the
-    /// files `inputs` that were read; `page` makes the web page of the figure of an index. `joined` sheets are pages of one
-    /// PDF.
+    /// files `inputs` that were read; `page` makes the web page of the figure of an index.
     pub(super) fn write(
         &self,
         files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
-        joined: bool,
+        kind: Sheets,
         page: impl Fn(usize) -> Result<String, Failure>,
     ) -> Result<(), Failure> {
         warn_unlabelled(&drawings);
         let mut written = Vec::new();
         for (index, (name, sheets)) in drawings.iter().enumerate() {
-            for (path, format) in self.targets(name, drawings.len())? {
+            let mut targets = self.targets(name, drawings.len())?;
+            if kind == Sheets::Layered {
+                targets.retain(|(_, format)| *format == FigureFormat::Svg);
+                targets.truncate(1);
+            }
+            if targets.is_empty() {
+                return refuse("only SVG has layers", "leave out --format, or name a file that ends in `.svg`");
+            }
+            for (path, format) in targets {
                 if format == FigureFormat::Html {
                     written.push((path, page(index)?.into_bytes()));
                     continue;
                 }
                 #[cfg(feature = "pdf")]
-                if joined && format == FigureFormat::Pdf {
-                    let pdf = format::pdf_pages(sheets, None);
-                    written.push((path, pdf.map_err(|error| Failure::unclear(error.to_string()))?));
+                if kind == Sheets::Joined && format == FigureFormat::Pdf {
+                    written.push((path, format::pdf_pages(sheets, None).map_err(Failure::unclear)?));
                     continue;
                 }
-                for (path, drawing) in self.sheet_paths(path, sheets.len(), joined).zip(sheets) {
-                    written.push((path, self.bytes(drawing, format)?));
+                for (path, drawing) in self.sheet_paths(path, sheets.len(), kind).zip(sheets) {
+                    written.push((path, self.bytes(drawing, format, kind)?));
                 }
             }
         }
@@ -134,22 +146,27 @@ impl Figures {
     }
 
     /// The file of a drawing in a format other than a page.
-    fn bytes(&self, drawing: &Drawing, format: FigureFormat) -> Result<Vec<u8>, Failure> {
+    fn bytes(&self, drawing: &Drawing, format: FigureFormat, kind: Sheets) -> Result<Vec<u8>, Failure> {
+        let text = if self.options.outlines { Text::Outlines } else { Text::Letters };
         match format {
             #[cfg(feature = "pdf")]
-            FigureFormat::Pdf => drawing.pdf().map_err(|error| Failure::unclear(error.to_string())),
+            FigureFormat::Pdf => drawing.pdf().map_err(Failure::unclear),
             #[cfg(feature = "png")]
-            FigureFormat::Png => drawing.png(self.options.dpi).map_err(|error| Failure::unclear(error.to_string())),
+            FigureFormat::Png => drawing.png(self.options.dpi).map_err(Failure::unclear),
             FigureFormat::Tikz => Ok(drawing.tikz().into_bytes()),
-            FigureFormat::Svg | FigureFormat::Html => Ok(format::svg_with(drawing, self.text()).into_bytes()),
+            _ if kind == Sheets::Layered => Ok(format::layered_svg(drawing, text).into_bytes()),
+            FigureFormat::Svg | FigureFormat::Html => Ok(format::svg_with(drawing, text).into_bytes()),
         }
     }
 
     /// The paths of a figure's sheets: the second has `-2` before its ending. Only the first is written on stdout.
-    fn sheet_paths(&self, first: PathBuf, sheets: usize, joined: bool) -> impl Iterator<Item = PathBuf> {
-        let on_stdout = self.is_stream();
+    fn sheet_paths(&self, first: PathBuf, sheets: usize, kind: Sheets) -> impl Iterator<Item = PathBuf> {
+        let on_stdout = is_stream(&self.output);
         if on_stdout && sheets > 1 {
-            let what = if joined { "further sheets are" } else { "the table is on a second sheet, which is" };
+            let what = match kind {
+                Sheets::Joined => "further sheets are",
+                _ => "the table is on a second sheet, which is",
+            };
             note(&format!("{what} not on stdout; name a folder or a file to have all"));
         }
         let numbered = move |number: usize| {
@@ -160,35 +177,6 @@ impl Figures {
         (1..=if on_stdout { 1 } else { sheets }).map(numbered)
     }
 
-    /// Writes drawings as SVG with a group for each step of the construction.
-    pub(super) fn write_layered(
-        &self,
-        files: &mut FileSet,
-        inputs: &[(&str, &Path)],
-        drawings: Vec<(String, Vec<Drawing>)>,
-    ) -> Result<(), Failure> {
-        warn_unlabelled(&drawings);
-        let mut written = Vec::new();
-        for (name, sheets) in &drawings {
-            let targets = self.targets(name, drawings.len())?;
-            let Some((path, _)) = targets.into_iter().find(|(_, format)| *format == FigureFormat::Svg) else {
-                return Err(Failure::misuse(
-                    "only SVG has layers",
-                    "leave out --format, or name a file that ends in `.svg`",
-                ));
-            };
-            for (path, drawing) in self.sheet_paths(path, sheets.len(), false).zip(sheets) {
-                written.push((path, format::layered_svg(drawing, self.text()).into_bytes()));
-            }
-        }
-        self.put(files, inputs, &written)
-    }
-
-    /// How letters of SVG are written.
-    fn text(&self) -> Text {
-        if self.options.outlines { Text::Outlines } else { Text::Letters }
-    }
-
     /// Puts files into a set, but not over those that were read.
     fn put(
         &self,
@@ -196,12 +184,12 @@ impl Figures {
         inputs: &[(&str, &Path)],
         written: &[(PathBuf, Vec<u8>)],
     ) -> Result<(), Failure> {
-        if self.is_stream() {
+        if is_stream(&self.output) {
             let [(path, bytes)] = written else {
-                return Err(Failure::misuse(
+                return refuse(
                     "only one figure fits on stdout",
                     "name one scene and one step, or a folder to write to",
-                ));
+                );
             };
             let is_stdout = self.output == Path::new("-");
             return if is_stdout { files::print(bytes) } else { files.add(path, bytes) };
@@ -215,14 +203,9 @@ impl Figures {
         files.add_all(written)
     }
 
-    /// Whether figures go to stdout, to a pipe or to a device, so that there is only one.
-    fn is_stream(&self) -> bool {
-        self.output == Path::new("-") || output::is_special(&self.output)
-    }
-
     /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, FigureFormat)>, Failure> {
-        if self.is_stream() {
+        if is_stream(&self.output) {
             let format = match self.options.format.as_slice() {
                 [format] => *format,
                 _ => FigureFormat::Svg,
@@ -236,16 +219,16 @@ impl Figures {
         }
         match FigureFormat::value_variants().iter().find(|f| Some(f.ending()) == ending) {
             Some(format) if drawings == 1 => Ok(vec![(self.output.clone(), *format)]),
-            Some(_) => Err(Failure::misuse(
+            Some(_) => refuse(
                 "several figures do not fit into one file",
                 "name one scene and one step, or a folder to write to",
-            )),
+            ),
             None => {
                 let known: Vec<&str> = FigureFormat::value_variants().iter().map(|f| f.ending()).collect();
-                Err(Failure::misuse(
+                refuse(
                     format!("no format for files ending in `.{}`", ending.unwrap_or_default()),
                     format!("known endings: {}; a folder's name ends in `/`", known.join(", ")),
-                ))
+                )
             }
         }
     }
@@ -254,23 +237,22 @@ impl Figures {
 /// Warns of names for which panels have no room, once for all sheets of a figure.
 fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
     let mut told: Vec<&(String, Vec<String>)> = Vec::new();
-    for panel in drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled) {
-        if !told.contains(&panel) {
-            warn(&unlabelled(panel));
-            told.push(panel);
+    for of_panel in drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled) {
+        if told.contains(&of_panel) {
+            continue;
         }
+        told.push(of_panel);
+        let (panel, names) = of_panel;
+        let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
+        let more = match names.len().saturating_sub(MOST_LISTED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        let count = names.len();
+        warn(&format!(
+            "{panel}: no room for {count} names, which are left out: {listed}{more}; a larger page has room for more"
+        ));
     }
-}
-
-/// The warning that a panel has no room for names.
-fn unlabelled((panel, names): &(String, Vec<String>)) -> String {
-    let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
-    let more = match names.len().saturating_sub(MOST_LISTED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    let count = names.len();
-    format!("{panel}: no room for {count} names, which are left out: {listed}{more}; a larger page has room for more")
 }
 
 /// A drawing style in place of the scene's.
@@ -289,8 +271,16 @@ impl GivenStyle {
         let Some(asked) = asked else {
             return Ok(GivenStyle::Scene);
         };
-        let named = StyleName::ALL.into_iter().find(|name| name.as_str() == asked);
-        named.map_or_else(|| style_file(asked).map(GivenStyle::File), |name| Ok(GivenStyle::Named(name)))
+        if let Some(name) = StyleName::ALL.into_iter().find(|name| name.as_str() == asked) {
+            return Ok(GivenStyle::Named(name));
+        }
+        if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
+            let known = StyleName::ALL.map(StyleName::as_str).join(", ");
+            let hint = format!("known styles: {known}; or the path of a style file");
+            return refuse(format!("there is no style `{asked}`"), hint);
+        }
+        let source = files::read_text("style", Path::new(asked))?;
+        source.checked(Style::read(&source.text).map(GivenStyle::File))
     }
 
     /// Copies the size options into the scene's figure. The looks of a style file are put on the finished drawing; its sizes must be known before.
@@ -310,18 +300,6 @@ impl GivenStyle {
             drawings.into_iter().for_each(|drawing| drawing.style = style.clone());
         }
     }
-}
-
-fn style_file(asked: &str) -> Result<Style, Failure> {
-    if !asked.contains(['.', '/', '\\']) && asked != "-" && !Path::new(asked).exists() {
-        let known = StyleName::ALL.map(StyleName::as_str).join(", ");
-        return Err(Failure::misuse(
-            format!("there is no style `{asked}`"),
-            format!("known styles: {known}; or the path of a style file"),
-        ));
-    }
-    let source = files::read_text("style", Path::new(asked))?;
-    Style::read(&source.text).map_err(|error| source.fail(error))
 }
 
 /// The name of a scene's figures: that of the scene's file without its ending, `figure` for stdin.

@@ -1,9 +1,10 @@
-use super::message::{Failure, Source};
-use crate::scene::MAX_BYTES;
+use super::message::{Failure, Source, refuse};
+use super::output::{Stream, write_file};
+use crate::scene::{MAX_BYTES, Scene};
 use crate::text;
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 /// Reads a scene's text from a file, or from stdin for `-`.
@@ -11,28 +12,31 @@ pub(super) fn read(path: &Path) -> Result<Source, Failure> {
     read_text("scene", path)
 }
 
+/// Reads a scene from a file, or from stdin for `-`.
+pub(super) fn read_scene(path: &Path) -> Result<(Source, Scene), Failure> {
+    let source = read(path)?;
+    let scene = source.checked(Scene::read(&source.text))?;
+    Ok((source, scene))
+}
+
 /// Reads a file, or stdin for `-`: its name in messages and its bytes.
 fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let from_stdin = path == Path::new("-");
     let name = if from_stdin { "stdin".to_owned() } else { path.display().to_string() };
-    let refuse = |error: io::Error| {
-        let hint = format!("give the path of a {what} file, or `-` to read one from stdin");
-        Failure::misuse(format!("{name} cannot be read: {error}"), hint)
-    };
     let mut bytes = Vec::new();
     // One byte more than is allowed, so that a larger file is refused without reading all of it.
     let limit = MAX_BYTES as u64 + 1;
-    if from_stdin {
-        io::stdin().take(limit).read_to_end(&mut bytes)
-    } else {
-        fs::File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
+    let read = match from_stdin {
+        true => io::stdin().take(limit).read_to_end(&mut bytes),
+        false => fs::File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes)),
+    };
+    if let Err(error) = read {
+        let hint = format!("give the path of a {what} file, or `-` to read one from stdin");
+        return refuse(format!("{name} cannot be read: {error}"), hint);
     }
-    .map_err(refuse)?;
     if bytes.len() > MAX_BYTES {
-        return Err(Failure::misuse(
-            format!("{name} is larger than {} MB, which no {what} is", MAX_BYTES >> 20),
-            "is this the right file?",
-        ));
+        let message = format!("{name} is larger than {} MB, which no {what} is", MAX_BYTES >> 20);
+        return refuse(message, "is this the right file?");
     }
     Ok((name, bytes))
 }
@@ -40,11 +44,10 @@ fn read_bytes(what: &str, path: &Path) -> Result<(String, Vec<u8>), Failure> {
 /// Reads the text of a form, which a spreadsheet may have saved in another encoding than UTF-8.
 pub(super) fn read_form(path: &Path) -> Result<Source, Failure> {
     let (name, bytes) = read_bytes("form", path)?;
-    let Some(text) = decoded(bytes) else {
-        let hint = "save the form as CSV UTF-8 or as JSON";
-        return Err(Failure::misuse(format!("{name} is no text"), hint));
-    };
-    Ok(Source { name, text })
+    match decoded(bytes) {
+        Some(text) => Ok(Source { name, text }),
+        None => refuse(format!("{name} is no text"), "save the form as CSV UTF-8 or as JSON"),
+    }
 }
 
 /// Part of the bytes at which it is seen whether every other one is zero.
@@ -80,14 +83,14 @@ fn by_zeros(bytes: &[u8]) -> Option<&'static Encoding> {
 /// Reads a text from a file, or from stdin for `-`; `what` is its name in messages.
 pub(super) fn read_text(what: &str, path: &Path) -> Result<Source, Failure> {
     let (name, bytes) = read_bytes(what, path)?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        Failure::misuse(
-            format!("{name} is not text in UTF-8: byte {at} does not belong"),
-            format!("save the {what} as UTF-8 text"),
-        )
-    })?;
-    Ok(Source { name, text })
+    match String::from_utf8(bytes) {
+        Ok(text) => Ok(Source { name, text }),
+        Err(error) => {
+            let at = error.utf8_error().valid_up_to();
+            let message = format!("{name} is not text in UTF-8: byte {at} does not belong");
+            refuse(message, format!("save the {what} as UTF-8 text"))
+        }
+    }
 }
 
 /// Prints text for people on stdout, without anything in it that a terminal obeys.
@@ -97,17 +100,12 @@ pub(super) fn print_text(text: &str) -> Result<(), Failure> {
 
 /// Writes bytes to stdout. It is no failure if the reader has closed it.
 pub(super) fn print(bytes: &[u8]) -> Result<(), Failure> {
-    try_print(bytes).map(drop)
+    Stream::stdout().put(bytes).map(drop)
 }
 
-/// Writes bytes to stdout; false if the reader has closed it.
-pub(super) fn try_print(bytes: &[u8]) -> Result<bool, Failure> {
-    let mut out = io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
-        Ok(()) => Ok(true),
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(Failure::outside(format!("stdout cannot be written: {error}"))),
-    }
+/// Writes a file, or to stdout for `-`.
+pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    if path == Path::new("-") { print(bytes) } else { write_file(path, bytes) }
 }
 
 /// The paths of what is in a folder.
@@ -119,12 +117,10 @@ pub(super) fn entries(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 
 /// Refuses to write over the file `input` that was read; `what` is its name in messages.
 pub(super) fn refuse_overwriting(what: &str, input: &Path, output: &Path) -> Result<(), Failure> {
-    if is_same(input, output) {
-        let message = format!("{} is the {what} itself and is not overwritten", output.display());
-        let hint = "choose another output";
-        return Err(Failure::misuse(message, hint));
+    if !is_same(input, output) {
+        return Ok(());
     }
-    Ok(())
+    refuse(format!("{} is the {what} itself and is not overwritten", output.display()), "choose another output")
 }
 
 /// Whether two paths lead to the same existing file.
@@ -136,9 +132,4 @@ pub(super) fn is_same(one: &Path, other: &Path) -> bool {
 /// Whether a path for output is a folder: an existing one, or one whose name ends in `/`.
 pub(super) fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/')
-}
-
-/// The failure to write an output.
-pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
-    Failure::outside(format!("{} cannot be written: {error}", place.display()))
 }

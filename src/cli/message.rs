@@ -4,8 +4,9 @@ use crate::mechanism::StructureError;
 use crate::scene::SceneError;
 use crate::text;
 use crate::{Error, Problem};
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use std::io::Write;
+use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
+use std::io::{self, Write};
+use std::path::Path;
 
 /// The text of a file that was read.
 #[derive(Clone, Debug)]
@@ -18,8 +19,13 @@ pub struct Source {
 
 impl Source {
     /// The failure of an error in this text.
-    pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
+    pub(super) fn fail(&self, error: impl Into<Error>) -> Failure {
         Failure::Scene(self.clone(), Box::new(error.into()))
+    }
+
+    /// What comes of this text, or its failure.
+    pub(super) fn checked<T>(&self, done: Result<T, impl Into<Error>>) -> Result<T, Failure> {
+        done.map_err(|error| self.fail(error))
     }
 
     /// The failure of an error in it that has no place there.
@@ -35,14 +41,10 @@ pub enum Failure {
     Scene(Source, Box<Error>),
     /// A command or a file that is not understood.
     Misuse(Problem),
-    /// A cause outside the program, such as a full disk.
+    /// A cause outside the program, such as a full disk; or a result that covers only a part of what was asked for.
     Outside(Problem),
-    /// A result that covers only a part of what was asked for: why.
-    Partly(Problem),
-    /// A check that is not passed; the report says why.
-    NotPassed,
-    /// A class with files that are not understood; the report says which.
-    NotUnderstood,
+    /// What the report itself says: the exit code.
+    Reported(u8),
 }
 
 impl From<CheckError> for Failure {
@@ -72,6 +74,11 @@ impl Failure {
         Failure::Outside(message.to_string().into())
     }
 
+    /// The failure to write an output.
+    pub(super) fn unwritable(place: &Path, error: &io::Error) -> Failure {
+        Failure::outside(format!("{} cannot be written: {error}", place.display()))
+    }
+
     pub(super) fn exit_code(&self) -> u8 {
         match self {
             Failure::Scene(_, error) => match error.as_ref() {
@@ -85,8 +92,9 @@ impl Failure {
                     _ => 2,
                 },
             },
-            Failure::Misuse(_) | Failure::NotUnderstood => 2,
-            Failure::Outside(_) | Failure::Partly(_) | Failure::NotPassed => 1,
+            Failure::Misuse(_) => 2,
+            Failure::Outside(_) => 1,
+            Failure::Reported(code) => *code,
         }
     }
 
@@ -95,8 +103,8 @@ impl Failure {
         let (message, hint) = match self {
             Failure::Scene(_, error) => (error.to_string(), None),
             Failure::Misuse(problem) => (problem.message.clone(), problem.hint.as_deref()),
-            Failure::Outside(problem) | Failure::Partly(problem) => (problem.to_string(), None),
-            Failure::NotPassed | Failure::NotUnderstood => return String::new(),
+            Failure::Outside(problem) => (problem.to_string(), None),
+            Failure::Reported(_) => return String::new(),
         };
         let message = message.strip_prefix(place).unwrap_or(&message);
         let message = message.trim_start_matches([':', ' ']);
@@ -109,16 +117,27 @@ impl Failure {
     }
 }
 
+/// Refuses a command or a file that is not understood: what is wrong, and what to try.
+pub(super) fn refuse<T>(message: impl Into<String>, hint: impl Into<String>) -> Result<T, Failure> {
+    Err(Failure::misuse(message, hint))
+}
+
+/// The outcome of a check whose report says the rest: how many forms or drawings are not passed, and how many not understood.
+pub(super) fn passed(off: usize, broken: usize) -> Result<(), Failure> {
+    match (off, broken) {
+        (0, 0) => Ok(()),
+        (_, 0) => Err(Failure::Reported(1)),
+        _ => Err(Failure::Reported(2)),
+    }
+}
+
 /// Shows a failure on stderr, in colours only on a terminal that supports them.
 pub(super) fn show(failure: &Failure) {
-    let report = match failure {
-        Failure::NotPassed | Failure::NotUnderstood => return,
+    say(&match failure {
+        Failure::Reported(_) => return,
         Failure::Scene(source, error) => shown(&source.name, &source.text, error),
-        Failure::Misuse(problem) | Failure::Outside(problem) | Failure::Partly(problem) => {
-            without_place(&problem.message, problem.hint.as_deref())
-        }
-    };
-    say(&report);
+        Failure::Misuse(problem) | Failure::Outside(problem) => rendered(Level::ERROR, problem, None),
+    });
 }
 
 /// Shows on stderr that a signal has ended the program.
@@ -127,7 +146,15 @@ pub(super) fn stopped(is_complete: bool) {
         false => "stopped before the files were complete; none was written",
         true => "stopped; the files are complete",
     };
-    say(&without_place(message, None));
+    say(&rendered(Level::ERROR, &message.into(), None));
+}
+
+pub(super) fn note(text: &str) {
+    say(&rendered(Level::NOTE, &text.into(), None));
+}
+
+pub(super) fn warn(text: &str) {
+    say(&rendered(Level::WARNING, &text.into(), None));
 }
 
 /// Writes a report to stderr. Where that is closed, as behind a terminal that is gone, nobody can be told.
@@ -140,39 +167,19 @@ fn say(report: &str) {
 #[must_use]
 pub fn shown(name: &str, text: &str, error: &Error) -> String {
     let problem = error.problem();
-    match error.in_scene() {
-        Some(finding) => with_place(name, text, finding),
-        None => without_place(&format!("{name}: {}", problem.message), problem.hint.as_deref()),
-    }
-}
-
-pub(super) fn note(text: &str) {
-    let report = [Group::with_title(Level::NOTE.primary_title(text::message(text)))];
-    say(&Renderer::styled().render(&report));
-}
-
-pub(super) fn warn(text: &str) {
-    let report = [Group::with_title(Level::WARNING.primary_title(text::message(text)))];
-    say(&Renderer::styled().render(&report));
-}
-
-fn without_place(message: &str, hint: Option<&str>) -> String {
-    let mut group = Group::with_title(Level::ERROR.primary_title(text::message(message)));
-    if let Some(hint) = hint {
-        group = group.element(Level::HELP.message(text::message(hint)));
-    }
-    Renderer::styled().render(&[group])
-}
-
-/// A finding with the lines of the scene's text that it is about.
-fn with_place(name: &str, text: &str, finding: &SceneError) -> String {
-    let Some(place) = &finding.place else {
-        return without_place(&format!("{name}: {}", finding.message), finding.hint.as_deref());
+    let Some((finding, place)) = error.in_scene().and_then(|finding| Some((finding, finding.place.as_ref()?))) else {
+        let message = format!("{name}: {}", problem.message);
+        return rendered(Level::ERROR, &Problem { message, ..problem }, None);
     };
     let annotation = AnnotationKind::Primary.span(place.span.clone()).label(text::message(&finding.path));
     let snippet = Snippet::source(text::source(text)).path(text::shown(name)).annotation(annotation);
-    let mut group = Group::with_title(Level::ERROR.primary_title(text::message(&finding.message))).element(snippet);
-    if let Some(hint) = &finding.hint {
+    rendered(Level::ERROR, &problem, Some(snippet))
+}
+
+/// A problem as a report, with the lines of a text that it is about.
+fn rendered(level: Level<'_>, problem: &Problem, lines: Option<Snippet<'_, Annotation<'_>>>) -> String {
+    let mut group = Group::with_title(level.primary_title(text::message(&problem.message))).elements(lines);
+    if let Some(hint) = &problem.hint {
         group = group.element(Level::HELP.message(text::message(hint)));
     }
     Renderer::styled().render(&[group])

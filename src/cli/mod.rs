@@ -4,42 +4,32 @@
 //! Exit codes: 0 done; 1 not assembled, singular, not passed, or not written; 2 a scene or a command that is not
 //! understood; 128 and a signal's number where that has stopped it, as 130 for Ctrl-C.
 
-mod app;
-#[doc(hidden)] // for tests
-pub mod caught;
+mod begin;
 mod check;
 mod class;
-mod completions;
-mod correction;
-mod curves;
+mod cycle;
 mod draw;
 mod exercise;
-#[doc(hidden)] // for tests
-pub mod exercises;
 #[doc(hidden)] // for tests
 pub mod feedback;
 mod figures;
 mod files;
-mod forms;
+#[doc(hidden)] // for tests
+pub mod forms;
 #[doc(hidden)] // for tests
 pub mod help;
-mod man;
 #[doc(hidden)] // for tests
 pub mod message;
-mod new;
 mod options;
 #[doc(hidden)] // for tests
 pub mod output;
-mod parts;
 mod photo;
 mod photo_class;
-mod pictures;
-mod pieces;
+#[doc(hidden)] // for tests
+pub mod pieces;
 mod solve;
 mod study;
-mod sweep;
 mod table;
-mod work;
 
 pub use message::shown;
 
@@ -60,13 +50,13 @@ struct Command {
     color: Color,
 }
 
-// A line each in `kinegon --help`, in the groups of `help`.
+// A line each in `kinegon --help`, in the groups of `help`; it also heads the help of the command.
 #[derive(Debug, Subcommand)]
 enum Task {
     /// Open the workbench, the program as a page in the browser
-    App(app::App),
+    App(begin::App),
     /// Write a scene to start from, or list the kinds of mechanisms
-    New(new::New),
+    New(begin::New),
     /// Draw scheme, velocity plan and acceleration plan
     Draw(draw::Draw),
     /// Print every position, velocity and acceleration as JSON
@@ -78,21 +68,23 @@ enum Task {
     /// Write exercises to be drawn by hand: sheets, forms, keys
     Exercise(exercise::ExerciseCommand),
     /// Print the Assur groups in solving order
-    Structure(solve::Structure),
+    #[command(after_help = solve::STRUCTURE_HELP)]
+    Structure(solve::Listed),
     /// Print every way to assemble a scene, numbered
-    Modes(solve::Modes),
+    #[command(after_help = solve::MODES_HELP)]
+    Modes(solve::Listed),
     /// Write a table of the motion: CSV, JSON lines
-    Sweep(sweep::SweepCommand),
+    Sweep(cycle::SweepCommand),
     /// Draw quantities over the motion, with extremes and limits
-    Curves(curves::CurvesCommand),
+    Curves(cycle::CurvesCommand),
     /// Compute many mechanisms that differ in some numbers
     Study(study::StudyCommand),
     /// Print the JSON Schema of scenes and other files
     Schema(solve::Schema),
     /// Print what a shell needs to complete the command line
-    Completions(completions::Completions),
+    Completions(help::Completions),
     /// Print the manual page, or write all pages
-    Man(man::Man),
+    Man(help::Man),
 }
 
 /// Runs the command line of this process.
@@ -121,8 +113,8 @@ pub fn run_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Task::Steps(steps) => steps.run(),
         Task::Check(check) => check.run(),
         Task::Exercise(exercise) => exercise.run(),
-        Task::Structure(structure) => structure.run(),
-        Task::Modes(modes) => modes.run(),
+        Task::Structure(listed) => listed.structure(),
+        Task::Modes(listed) => listed.modes(),
         Task::Sweep(sweep) => sweep.run(),
         Task::Curves(curves) => curves.run(),
         Task::Study(study) => study.run(),

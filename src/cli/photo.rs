@@ -1,17 +1,21 @@
 //! Photographs of a student's sheets: the right plans over them, the points that their pencil lines show, and the form that these give.
 
 use super::files;
-use super::message::{Failure, note};
+use super::message::{Failure, note, refuse};
 use super::output::FileSet;
-use super::pictures::read_picture;
-use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, Proposal, proposed};
+use super::pieces::caught;
+use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, Proposal, aligned, proposed};
 use crate::construction::Solution;
 use crate::drawing::markers::SheetCode;
 use crate::drawing::{Drawing, SeenPoint, over_photo};
 use crate::format::Backdrop;
 use crate::photo::{PhotoSheet, Picture, Stroke, read};
-use crate::text::{Untrusted, shown};
-use crate::words::{NumberStyle, Wording};
+use crate::text::shown;
+use crate::words::NumberStyle;
+use image::{DynamicImage, GrayImage, ImageDecoder, ImageError, ImageReader, Limits};
+use std::fmt::Display;
+use std::fs;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 
 /// Pixels per mm of the picture under the right plans.
@@ -21,7 +25,7 @@ const PIXELS: f64 = 6.0;
 pub(super) struct Photo {
     pub path: PathBuf,
     picture: Picture,
-    sheet: PhotoSheet,
+    pub sheet: PhotoSheet,
     strokes: Vec<Stroke>,
 }
 
@@ -31,9 +35,8 @@ pub(super) struct PhotoResult {
     pub points: Vec<Proposal>,
     /// The places that were found, as a form has them.
     pub measured: Measured,
-    /// By photograph: the sheet, straightened out, with the right plans over it.
-    sheets: Vec<(PathBuf, Backdrop, Drawing)>,
-    codes: Vec<(PathBuf, SheetCode)>,
+    /// By photograph: the code of its sheet, and that sheet, straightened out, with the right plans over it.
+    sheets: Vec<(PathBuf, SheetCode, Backdrop, Drawing)>,
 }
 
 impl Photo {
@@ -43,11 +46,6 @@ impl Photo {
         let sheet = read(&picture, expected)
             .map_err(|refusal| Failure::misuse(format!("{}: {refusal}", path.display()), refusal.hint().to_owned()))?;
         Ok(Photo { path: path.to_owned(), strokes: sheet.strokes(&picture), picture, sheet })
-    }
-
-    /// What the code of its sheet says.
-    pub(super) fn code(&self) -> &SheetCode {
-        &self.sheet.code
     }
 
     fn plans(&self) -> impl Iterator<Item = PencilledPlan<'_>> {
@@ -74,43 +72,43 @@ impl PhotoResult {
     /// What photographs of the sheets of a scene tell.
     pub(super) fn of(photos: Vec<Photo>, solution: &Solution, key: &AnswerKey<'_>) -> Result<PhotoResult, Failure> {
         let own = solution.scene.fingerprint();
-        if let Some(photo) = photos.iter().find(|photo| photo.code().scene != own) {
-            return Err(Failure::misuse(
+        if let Some(photo) = photos.iter().find(|photo| photo.sheet.code.scene != own) {
+            return refuse(
                 format!(
                     "{} shows sheet {} of `{}`, which is not of this scene",
                     photo.path.display(),
-                    photo.code().number,
-                    shown(&photo.code().name)
+                    photo.sheet.code.number,
+                    shown(&photo.sheet.code.name)
                 ),
                 "name the scene from which that sheet was printed; a scene that was changed since needs new sheets",
-            ));
+            );
         }
         let all: Vec<(&Photo, PencilledPlan<'_>)> =
             photos.iter().flat_map(|photo| photo.plans().map(move |plan| (photo, plan))).collect();
         if all.is_empty() {
-            return Err(Failure::misuse(
+            return refuse(
                 format!("{} shows no plan, only the sheet with the scheme", photos[0].path.display()),
                 "photograph the sheets on which the plans are drawn",
-            ));
+            );
         }
         for (index, (photo, plan)) in all.iter().enumerate() {
             if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.kind == plan.kind) {
-                return Err(Failure::misuse(
+                return refuse(
                     format!("{} and {} both show the {}", other.path.display(), photo.path.display(), plan.kind.name()),
                     "give one photograph of each sheet",
-                ));
+                );
             }
         }
         let plans: Vec<PencilledPlan<'_>> = all.iter().map(|(_, plan)| *plan).collect();
-        let proposals = proposed(key, &plans).map_err(Failure::from)?;
+        let proposals = proposed(key, &plans)?;
         let measured = proposals.measured(&plans, key);
         let sheet = |photo: &Photo| {
             let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals.points)).collect();
-            (photo.path.clone(), photo.backdrop(), over_photo(solution, photo.code(), &seen))
+            let code = &photo.sheet.code;
+            (photo.path.clone(), code.clone(), photo.backdrop(), over_photo(solution, code, &seen))
         };
         let sheets = photos.iter().map(sheet).collect();
-        let codes = photos.iter().map(|photo| (photo.path.clone(), photo.code().clone())).collect();
-        Ok(PhotoResult { points: proposals.points, measured, sheets, codes })
+        Ok(PhotoResult { points: proposals.points, measured, sheets })
     }
 
     /// Adds the pictures and the form to a set of files in a folder; `name` is that of the form.
@@ -121,7 +119,7 @@ impl PhotoResult {
         name: &str,
         key: &AnswerKey<'_>,
     ) -> Result<PathBuf, Failure> {
-        for (path, backdrop, drawing) in &self.sheets {
+        for (path, _, backdrop, drawing) in &self.sheets {
             let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
             let made = pictures(backdrop, drawing);
             let made = made.map_err(|error| Failure::outside(format!("{}: {error}", path.display())))?;
@@ -136,34 +134,19 @@ impl PhotoResult {
         Ok(form)
     }
 
-    /// The same of a student of that name.
-    pub(super) fn named(mut self, name: &str) -> PhotoResult {
-        self.measured.name = Some(Untrusted::from(name));
-        self
-    }
-
-    /// How many points have this verdict.
-    pub(super) fn count(&self, verdict: PointVerdict) -> usize {
-        self.points.iter().filter(|point| point.found.is_some_and(|found| found.verdict == verdict)).count()
-    }
-
-    /// How many points are left to the student.
-    pub(super) fn left(&self) -> usize {
-        self.points.iter().filter(|point| point.found.is_none()).count()
+    /// How many points have this verdict; `None` for those that are left to the student.
+    pub(super) fn count(&self, verdict: Option<PointVerdict>) -> usize {
+        self.points.iter().filter(|point| point.found.map(|found| found.verdict) == verdict).count()
     }
 
     /// Which sheets these are, and the table of their points, which have the names of the form.
     pub(super) fn table(&self, solution: &Solution) -> String {
         let words = solution.wording();
-        let sheets: String = self
-            .codes
-            .iter()
-            .map(|(path, code)| {
-                let file = shown(&path.file_name().unwrap_or_default().to_string_lossy());
-                words.language.photo_sheet(&file, &code.number.to_string(), &shown(&code.name)) + "\n"
-            })
-            .collect();
         let language = words.language;
+        let sheets = self.sheets.iter().map(|(path, code, ..)| {
+            let file = shown(&path.file_name().unwrap_or_default().to_string_lossy());
+            language.photo_sheet(&file, &code.number.to_string(), &shown(&code.name)) + "\n"
+        });
         let head = language.photo_columns().map(str::to_owned);
         let mut rows = vec![head];
         for point in &self.points {
@@ -172,13 +155,18 @@ impl PhotoResult {
             let distance = |[x, y]: [f64; 2]| libm::hypot(x, y);
             let found = point.found.map(|found| {
                 let off = distance([found.at[0] - point.right[0], found.at[1] - point.right[1]]);
-                [mm(distance(found.at)), mm(off), mm(found.band), verdict(found.verdict, &words).to_owned()]
+                let told = match found.verdict {
+                    PointVerdict::Right => language.check_right(),
+                    PointVerdict::Off => language.check_off(),
+                    PointVerdict::CannotTell => language.photo_cannot_tell(),
+                };
+                [mm(distance(found.at)), mm(off), mm(found.band), told.to_owned()]
             });
             let blank = || [String::new(), String::new(), String::new(), language.photo_left().to_owned()];
             let [length, off, band, told] = found.unwrap_or_else(blank);
             rows.push([format!("{pole} {}", point.name), mm(distance(point.right)), length, off, band, told]);
         }
-        sheets + &aligned(&rows)
+        sheets.chain(aligned(&rows).into_iter().map(|line| line + "\n")).collect()
     }
 }
 
@@ -210,28 +198,6 @@ fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
     .collect()
 }
 
-fn verdict(verdict: PointVerdict, words: &Wording) -> &str {
-    match verdict {
-        PointVerdict::Right => words.language.check_right(),
-        PointVerdict::Off => words.language.check_off(),
-        PointVerdict::CannotTell => words.language.photo_cannot_tell(),
-    }
-}
-
-/// Rows of cells in columns; numbers stand right.
-fn aligned(rows: &[[String; 6]]) -> String {
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let widths: [usize; 6] = std::array::from_fn(width);
-    let line = |row: &[String; 6]| {
-        let cell = |(column, text): (usize, &String)| {
-            let blank = " ".repeat(widths[column] - text.chars().count());
-            if (1..5).contains(&column) { blank + text } else { text.clone() + &blank }
-        };
-        row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
-    };
-    rows.iter().map(line).collect()
-}
-
 /// The name of the student whose sheets these are: that of the first file, without its ending and a number behind it.
 pub(super) fn student(path: &Path) -> String {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
@@ -253,5 +219,89 @@ pub(super) fn note_next(form: Option<&Path>, scene: &Path) {
         None => note(
             "-o DIR writes the pictures with the right plans over them, and the form; --accept takes the places as they are and checks them",
         ),
+    }
+}
+
+/// Most pixels of a picture, in millions: several times those of usual telephones.
+const MOST_MEGAPIXELS: f64 = 64.0;
+/// Largest file, in bytes.
+const LARGEST: u64 = 64 << 20;
+/// Most memory that decoding may take, in bytes: three for each pixel, and as many again.
+const MEMORY: u64 = 400 << 20;
+
+/// Whether a file's name is that of a photograph.
+pub(super) fn is_photograph(path: &Path) -> bool {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    ["jpg", "jpeg", "png", "heic", "heif", "webp", "tif", "tiff", "bmp", "gif"].contains(&ending.as_str())
+}
+
+/// The picture in a file, upright as the file says, in grey.
+pub(super) fn read_picture(path: &Path) -> Result<Picture, Failure> {
+    let name = path.display().to_string();
+    let refuse = |message: String, hint: &str| Failure::misuse(format!("{name} {message}"), hint);
+    let mut bytes = Vec::new();
+    let opened = fs::File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
+    opened.map_err(|error| refuse(format!("cannot be read: {error}"), "give the path of a photograph"))?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(refuse(format!("is larger than {} MB", LARGEST >> 20), "send the photograph in a smaller size"));
+    }
+    if bytes.get(4..8) == Some(b"ftyp") {
+        return Err(refuse(
+            "is a HEIC or AVIF picture, which is not read".to_owned(),
+            "save or send it as JPEG (on an iPhone: Settings, Camera, Formats, Most Compatible)",
+        ));
+    }
+    // The decoders are not ours: whatever a broken file does to them is a message.
+    let decoded = caught(|| decoded(&bytes)).unwrap_or_else(|panic| Err(broken(panic)));
+    decoded.map_err(|(message, hint)| refuse(message, hint))
+}
+
+/// Why a file is no picture, and what to try.
+type Refused = (String, &'static str);
+
+fn broken(why: impl Display) -> Refused {
+    (format!("cannot be read as a picture: {why}"), "save the photograph again as JPEG")
+}
+
+fn decoded(bytes: &[u8]) -> Result<Picture, Refused> {
+    let no_picture = || ("is no JPEG or PNG picture".to_owned(), "save the photograph as JPEG");
+    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(broken)?;
+    if reader.format().is_none() {
+        return Err(no_picture());
+    }
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(MEMORY);
+    reader.limits(limits);
+    let mut decoder = reader.into_decoder().map_err(|error| match error {
+        ImageError::Unsupported(_) => no_picture(),
+        error => broken(error),
+    })?;
+    let (width, height) = decoder.dimensions();
+    if f64::from(width) * f64::from(height) > MOST_MEGAPIXELS * 1e6 {
+        let message = format!("has {width} x {height} pixels; pictures of up to {MOST_MEGAPIXELS} megapixels are read");
+        return Err((message, "take the photograph in the camera's usual size"));
+    }
+    // What a wrong note of the camera says about the turn does not matter: markers have their own.
+    let turn = decoder.orientation().ok();
+    let mut picture = DynamicImage::ImageLuma8(grey(DynamicImage::from_decoder(decoder).map_err(broken)?));
+    if let Some(turn) = turn {
+        picture.apply_orientation(turn);
+    }
+    let grey = picture.into_luma8();
+    let size = [grey.width() as usize, grey.height() as usize];
+    Picture::new(size[0], size[1], grey.into_raw()).ok_or_else(no_picture)
+}
+
+/// A picture in grey. That of a JPEG is made here: `image` reckons for all colour spaces, which takes as long as decoding.
+fn grey(picture: DynamicImage) -> GrayImage {
+    // Luma of ITU-R BT.601, in 256ths.
+    let luma =
+        |pixel: &[u8]| ((77 * u32::from(pixel[0]) + 150 * u32::from(pixel[1]) + 29 * u32::from(pixel[2])) >> 8) as u8;
+    match picture {
+        DynamicImage::ImageRgb8(colour) => {
+            let grey = colour.as_raw().chunks_exact(3).map(luma).collect();
+            GrayImage::from_raw(colour.width(), colour.height(), grey).unwrap_or_default()
+        }
+        other => other.into_luma8(),
     }
 }

@@ -1,32 +1,28 @@
 //! `kinegon check` for photographs: of one student, or a folder with those of a class.
 
 use super::check::Check;
-use super::exercises::ExerciseFolder;
 use super::files;
-use super::forms::forms_in;
-use super::message::{Failure, Source, note, warn};
+use super::forms::{ExerciseFiles, ExerciseFolder, forms};
+use super::message::{Failure, Source, note, passed, refuse, warn};
 use super::output::FileSet;
-use super::photo::{Photo, PhotoResult, expected, note_next, student};
-use super::pictures::is_photograph;
-use super::work::show_warnings;
+use super::photo::{Photo, PhotoResult, expected, is_photograph, note_next, student};
+use super::solve::show_warnings;
 use crate::check::PointVerdict;
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
-use crate::text::cell;
+use crate::text::{Untrusted, cell};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A scene that photographs may be of.
-struct Subject {
-    path: PathBuf,
-    solution: Solution,
-    marks: Option<PathBuf>,
-}
+/// A scene that photographs may be of, solved.
+type Subject = (ExerciseFiles, Solution);
 
 impl Check {
     /// Checks photographs, if photographs are given: `None` if not.
     pub(super) fn photographs(&self) -> Result<Option<Result<(), Failure>>, Failure> {
-        let Some(first) = self.measured.as_deref() else { return Ok(None) };
+        let Some(first) = self.measured.as_deref() else {
+            return Ok(None);
+        };
         if first.is_dir() {
             let photos = photos_below(first)?;
             return Ok((!photos.is_empty()).then(|| self.photo_class(first, photos)));
@@ -36,84 +32,81 @@ impl Check {
             return Ok(Some(self.one_student(&all)));
         }
         if let Some(further) = self.further.first() {
-            return Err(Failure::misuse(
+            return refuse(
                 format!("{} is one form too many: one is checked at a time, or a folder", further.display()),
                 "put the forms into a folder; only photographs of one student's sheets come several at a time",
-            ));
+            );
         }
         match self.accept {
-            true => Err(Failure::misuse("--accept is of photographs; here is a form", "leave it out")),
+            true => refuse("--accept is of photographs; here is a form", "leave it out"),
             false => Ok(None),
         }
     }
 
     /// The scenes that photographs may be of.
     fn subjects(&self) -> Result<Vec<Subject>, Failure> {
-        if !self.scene.is_dir() {
-            let solution = self.solved(&self.scene)?;
-            return Ok(vec![Subject { path: self.scene.clone(), solution, marks: self.marks.clone() }]);
-        }
-        let exercises = ExerciseFolder::read(&self.scene)?;
-        let subject = |exercise: &super::exercises::ExerciseFiles| {
-            let marks = exercise.marks().or_else(|| self.marks.clone());
-            Ok(Subject { solution: self.solved(&exercise.scene)?, path: exercise.scene.clone(), marks })
+        let all = match self.scene.is_dir() {
+            true => ExerciseFolder::read(&self.scene)?.all,
+            false => vec![ExerciseFiles::of_scene(&self.scene)],
         };
-        on_all_cores(&exercises.all, subject).into_iter().collect()
+        let solved = on_all_cores(&all, |exercise| self.solved(&exercise.scene));
+        all.into_iter().zip(solved).map(|(exercise, solved)| Ok((exercise, solved?))).collect()
     }
 
     /// Checks the photographs of one student's sheets.
     fn one_student(&self, paths: &[PathBuf]) -> Result<(), Failure> {
         let subjects = self.subjects()?;
-        let (subject, result) = self.result(paths, &subjects)?;
-        let result = result.named(&student(&paths[0]));
-        show_warnings(&subject.solution);
-        let key = self.key(&subject.solution);
+        let name = student(&paths[0]);
+        let ((exercise, solution), result) = self.result(paths, &name, &subjects)?;
+        show_warnings(solution);
         let mut files = FileSet::default();
         let mut form = None;
         if let Some(folder) = &self.output {
             if folder == Path::new("-") || folder.is_file() {
-                return Err(Failure::misuse(
+                return refuse(
                     format!("{} is no folder, but pictures and a form are written", folder.display()),
                     "name a folder after -o",
-                ));
+                );
             }
-            form = Some(result.write(&mut files, folder, &student(&paths[0]), &key)?);
+            form = Some(result.write(&mut files, folder, &name, &self.key(solution))?);
         }
-        files::print_text(&result.table(&subject.solution))?;
+        files::print_text(&result.table(solution))?;
         files.finish()?;
         if self.accept {
             let source = Source { name: paths[0].display().to_string(), text: String::new() };
-            return self.form(&subject.path, &subject.solution, subject.marks.as_deref(), (&source, &result.measured));
+            return self.form(exercise, solution, &source, &result.measured);
         }
-        note_next(form.as_deref(), &subject.path);
-        if result.count(PointVerdict::Off) == 0 { Ok(()) } else { Err(Failure::NotPassed) }
+        note_next(form.as_deref(), &exercise.scene);
+        passed(result.count(Some(PointVerdict::Off)), 0)
     }
 
-    /// What photographs tell, and of which scene they are.
-    fn result<'s>(&self, paths: &[PathBuf], subjects: &'s [Subject]) -> Result<(&'s Subject, PhotoResult), Failure> {
+    /// What the photographs of the student of that name tell, and of which scene they are.
+    fn result<'s>(
+        &self,
+        paths: &[PathBuf],
+        name: &str,
+        subjects: &'s [Subject],
+    ) -> Result<(&'s Subject, PhotoResult), Failure> {
         // Of one scene its sheets are known, so that a blurred code is read; those of many are told apart by their codes alone.
         let codes = || match subjects {
-            [subject] => expected(&subject.solution, &subject.path),
+            [(exercise, solution)] => expected(solution, &exercise.scene),
             _ => Vec::new(),
         };
         let photos: Vec<Photo> = paths.iter().map(|path| Photo::read(path, codes)).collect::<Result<_, _>>()?;
-        let is_of = |subject: &&Subject| subject.solution.scene.fingerprint() == photos[0].code().scene;
-        let subject = match subjects {
-            [subject] => subject,
-            _ => subjects.iter().find(is_of).ok_or_else(|| {
-                Failure::misuse(
-                    format!(
-                        "{} shows a sheet of `{}`, which is not in {}",
-                        paths[0].display(),
-                        photos[0].code().name,
-                        self.scene.display()
-                    ),
-                    "name the folder with the exercise from which it was printed",
-                )
-            })?,
+        let code = &photos[0].sheet.code;
+        let found = match subjects {
+            [subject] => Some(subject),
+            _ => subjects.iter().find(|(_, solution)| solution.scene.fingerprint() == code.scene),
         };
-        let key = self.key(&subject.solution);
-        let result = PhotoResult::of(photos, &subject.solution, &key)?;
+        let Some(subject) = found else {
+            let [path, scene] = [&paths[0], &self.scene].map(|path| path.display());
+            return refuse(
+                format!("{path} shows a sheet of `{}`, which is not in {scene}", code.name),
+                "name the folder with the exercise from which it was printed",
+            );
+        };
+        let mut result = PhotoResult::of(photos, &subject.1, &self.key(&subject.1))?;
+        result.measured.name = Some(Untrusted::from(name));
         Ok((subject, result))
     }
 
@@ -121,16 +114,13 @@ impl Check {
     fn photo_class(&self, folder: &Path, photos: Vec<PathBuf>) -> Result<(), Failure> {
         let Some(output) = self.output.as_deref().filter(|output| *output != Path::new("-") && !output.is_file())
         else {
-            return Err(Failure::misuse(
+            return refuse(
                 format!("{} has photographs, of which pictures and forms are made", folder.display()),
                 "name a folder for them: -o forms/",
-            ));
+            );
         };
         if files::is_same(folder, output) {
-            return Err(Failure::misuse(
-                "the folder with the photographs is that for the forms",
-                "choose another after -o",
-            ));
+            return refuse("the folder with the photographs is that for the forms", "choose another after -o");
         }
         let subjects = self.subjects()?;
         let mut students: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
@@ -144,19 +134,18 @@ impl Check {
         let (mut files, mut broken, mut off) = (FileSet::default(), 0, 0);
         // A few at a time: each has pictures of many megabytes.
         for some in students.chunks(4) {
-            let results = on_all_cores(some, |(_, paths)| self.result(paths, &subjects));
+            let results = on_all_cores(some, |(name, paths)| self.result(paths, name, &subjects));
             for ((name, paths), result) in some.iter().zip(results) {
-                let written = result.and_then(|(subject, result)| {
-                    let result = result.named(name);
-                    result.write(&mut files, output, name, &self.key(&subject.solution))?;
+                let written = result.and_then(|((_, solution), result)| {
+                    result.write(&mut files, output, name, &self.key(solution))?;
                     Ok(result)
                 });
                 let row = match written {
                     Ok(result) => {
-                        let counts =
-                            [PointVerdict::Right, PointVerdict::Off, PointVerdict::CannotTell].map(|v| result.count(v));
-                        off += usize::from(counts[1] > 0);
-                        format!("{},{},{},{},", counts[0], counts[1], counts[2], result.left())
+                        let verdicts = [PointVerdict::Right, PointVerdict::Off, PointVerdict::CannotTell].map(Some);
+                        let [right, wrong, unclear] = verdicts.map(|verdict| result.count(verdict));
+                        off += usize::from(wrong > 0);
+                        format!("{right},{wrong},{unclear},{},", result.count(None))
                     }
                     Err(failure) => {
                         broken += 1;
@@ -174,7 +163,7 @@ impl Check {
                     students.len()
                 ));
             }
-            return if broken < students.len() { self.forms_of(output) } else { Err(Failure::NotUnderstood) };
+            return if broken < students.len() { self.forms_of(output) } else { passed(off, broken) };
         }
         files::print_text(&table)?;
         note(&format!(
@@ -182,11 +171,7 @@ impl Check {
             output.display(),
             self.scene.display()
         ));
-        match (broken, off) {
-            (0, 0) => Ok(()),
-            (0, _) => Err(Failure::NotPassed),
-            _ => Err(Failure::NotUnderstood),
-        }
+        passed(off, broken)
     }
 }
 
@@ -207,5 +192,5 @@ fn photos_below(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         }
     }
     photos.sort();
-    Ok(if forms_in(folder, &[]).is_ok() { Vec::new() } else { photos })
+    Ok(if forms(folder, false, &[]).is_ok() { Vec::new() } else { photos })
 }

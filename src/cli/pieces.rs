@@ -1,63 +1,14 @@
-use super::files;
+//! Work on many items: in pieces on all cores, and so that a defect of the program in one of them does not end all other work.
+
 use super::message::Failure;
-use super::output::{FileSet, Stream};
 use crate::cores::on_all_cores;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{IsTerminal, Write};
+use std::any::Any;
+use std::cell::{Cell, RefCell};
+use std::io::IsTerminal;
 use std::ops::Range;
-use std::path::Path;
-
-/// A file or stdout that is written piece by piece.
-pub(super) enum Output {
-    Stdout,
-    File(Stream),
-}
-
-impl Output {
-    /// A file of a set, or stdout for `-`.
-    pub(super) fn new(files: &mut FileSet, place: &Path) -> Result<Output, Failure> {
-        if place == Path::new("-") {
-            return Ok(Output::Stdout);
-        }
-        Ok(Output::File(files.begin(place)?))
-    }
-
-    /// Writes text; false if the reader has closed stdout.
-    pub(super) fn put(&mut self, text: &str) -> Result<bool, Failure> {
-        match self {
-            Output::Stdout => files::try_print(text.as_bytes()),
-            Output::File(file) => match file.write_all(text.as_bytes()) {
-                Err(error) => Err(files::unwritable(file.path(), &error)),
-                Ok(()) => Ok(true),
-            },
-        }
-    }
-
-    /// Hands a complete file over to the disk. It is in its place when its set is finished.
-    pub(super) fn end(self) -> Result<(), Failure> {
-        match self {
-            Output::Stdout => Ok(()),
-            Output::File(file) => file.end(),
-        }
-    }
-}
-
-#[cfg(feature = "arrow")]
-impl Write for Output {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        match self {
-            Output::Stdout => std::io::stdout().write(bytes),
-            Output::File(file) => file.write(bytes),
-        }
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        match self {
-            Output::Stdout => std::io::stdout().flush(),
-            Output::File(file) => file.flush(),
-        }
-    }
-}
+use std::panic::{self, AssertUnwindSafe, Location, PanicHookInfo};
+use std::sync::Once;
 
 /// A number of items that are computed in pieces.
 pub(super) struct Pieces {
@@ -78,10 +29,15 @@ impl Pieces {
         piece: impl Fn(Range<usize>) -> P + Send + Sync,
         mut put: impl FnMut(P) -> Result<bool, Failure>,
     ) -> Result<(), Failure> {
+        #[cfg(feature = "parallel")]
+        let cores = rayon::current_num_threads();
+        #[cfg(not(feature = "parallel"))]
+        let cores = 1;
+        let at_a_time = self.per_core * cores;
         let items = |first: &usize| *first..(first + self.size).min(self.count);
-        let progress = self.progress();
-        for start in (0..self.count).step_by(self.size * self.window()) {
-            let firsts: Vec<usize> = (start..self.count).step_by(self.size).take(self.window()).collect();
+        let progress = progress(self.count as u64, self.unit);
+        for start in (0..self.count).step_by(self.size * at_a_time) {
+            let firsts: Vec<usize> = (start..self.count).step_by(self.size).take(at_a_time).collect();
             for done in on_all_cores(&firsts, |first| piece(items(first))) {
                 if !put(done)? {
                     return Ok(());
@@ -92,23 +48,50 @@ impl Pieces {
         progress.finish_and_clear();
         Ok(())
     }
+}
 
-    /// Number of pieces in memory at a time.
-    fn window(&self) -> usize {
-        #[cfg(feature = "parallel")]
-        let cores = rayon::current_num_threads();
-        #[cfg(not(feature = "parallel"))]
-        let cores = 1;
-        self.per_core * cores
-    }
+/// A progress bar on stderr over so many items of that name, if that is a terminal; hidden without a name.
+pub(super) fn progress(count: u64, unit: Option<&str>) -> ProgressBar {
+    let Some(unit) = unit.filter(|_| std::io::stderr().is_terminal()) else {
+        return ProgressBar::hidden();
+    };
+    let template = format!("{{wide_bar}} {{percent}}% of {{len}} {unit}, {{eta}} left");
+    let style = ProgressStyle::with_template(&template);
+    ProgressBar::new(count).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
 
-    /// A progress bar on stderr, if that is a terminal.
-    fn progress(&self) -> ProgressBar {
-        let Some(unit) = self.unit.filter(|_| std::io::stderr().is_terminal()) else {
-            return ProgressBar::hidden();
-        };
-        let template = format!("{{wide_bar}} {{percent}}% of {{len}} {unit}, {{eta}} left");
-        let style = ProgressStyle::with_template(&template);
-        ProgressBar::new(self.count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+thread_local! {
+    /// Whether this thread does such work.
+    static IS_CAUGHT: Cell<bool> = const { Cell::new(false) };
+    /// Where it went wrong.
+    static PLACE: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Does work; a panic in it becomes a message. What the work has changed must not be used after that.
+pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let usual = panic::take_hook();
+        panic::set_hook(Box::new(move |info| note_place(info, &*usual)));
+    });
+    let before = IS_CAUGHT.replace(true);
+    let done = panic::catch_unwind(AssertUnwindSafe(work));
+    IS_CAUGHT.set(before);
+    done.map_err(|panic| {
+        let place = PLACE.take().map_or_else(String::new, |place| format!(" at {place}"));
+        format!("the program itself fails on it{place}: {} (please report that, with the file)", text(&*panic))
+    })
+}
+
+/// Keeps the place of a panic that is caught; any other is shown as usual.
+fn note_place(info: &PanicHookInfo<'_>, usual: &dyn Fn(&PanicHookInfo<'_>)) {
+    if !IS_CAUGHT.get() {
+        return usual(info);
     }
+    PLACE.set(info.location().map(Location::to_string));
+}
+
+fn text(panic: &(dyn Any + Send)) -> &str {
+    let text = panic.downcast_ref::<&str>().copied();
+    text.or_else(|| panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason is known")
 }

@@ -1,21 +1,63 @@
-//! What is printed of one scene: its numbers, the steps of its construction, its groups, its assembly modes; and the schemas of all files.
+//! How a scene is solved for a command, and what is printed of one: its numbers, the steps of its construction, its groups, its
+//! assembly modes; and the schemas of all files.
 
 use super::files;
-use super::message::{Failure, warn};
+use super::message::{Failure, Source, warn};
 use super::options::{GivenScales, Hand, Paper, Words};
-use super::work::{Mode, show_warnings, solve};
 use crate::construction::Solution;
 use crate::drawing::Style;
-use crate::format;
-use crate::mechanism::mechanism;
-use crate::order_of_result;
-use crate::position::{counted_poses, with_nearest_sides};
+use crate::mechanism::{Mechanism, mechanism};
+use crate::position::{Pose, counted_poses, with_nearest_sides};
 use crate::quantity::{QuantityRequest, readable_names, step_pencil};
 use crate::scene::{Figure, Scene, SizeLimit};
 use crate::sheet::Sheet;
 use crate::words::Wording;
+use crate::{Error, format, order_of_result, posed};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+
+/// Which assembly mode is wanted.
+#[derive(Debug, Args)]
+pub(super) struct Mode {
+    /// Assembly mode by its number in `kinegon modes`, in place of the one that `near` picks.
+    #[arg(long = "mode", value_name = "MODE", value_parser = mode_number)]
+    pub number: Option<usize>,
+}
+
+fn mode_number(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(0) => Err("assembly modes are numbered from 1".to_owned()),
+        Ok(number) => Ok(number),
+        Err(_) => Err("not the number of an assembly mode".to_owned()),
+    }
+}
+
+/// Solves a scene to the given order of motion, after `override_figure` has put the options of the command line into
+/// its figure; in the assembly mode of that number, else in the one that `near` picks.
+pub(super) fn solve(
+    source: &Source,
+    most: SizeLimit,
+    mode: Option<usize>,
+    override_figure: impl Fn(&mut Figure),
+    order: impl Fn(&Scene) -> Sheet,
+) -> Result<Solution, Failure> {
+    let (mut scene, mechanism, pose) = read(source, most, mode)?;
+    override_figure(&mut scene.figure);
+    let order = order(&scene);
+    source.checked(Solution::new(scene, mechanism, pose, order))
+}
+
+/// Reads a scene and finds its position.
+pub(super) fn read(source: &Source, most: SizeLimit, mode: Option<usize>) -> Result<(Scene, Mechanism, Pose), Failure> {
+    let scene = source.checked(Scene::read(&source.text))?;
+    let (mechanism, pose) = source.checked(posed(&scene, most, mode))?;
+    Ok((scene, mechanism, pose))
+}
+
+/// Shows the warnings of a solution on stderr.
+pub(super) fn show_warnings(solution: &Solution) {
+    solution.warnings().for_each(|text| warn(&text));
+}
 
 const AFTER_HELP: &str = "\
 Examples:
@@ -23,7 +65,6 @@ Examples:
   kinegon solve scene.json --digits        a table of certain digits
   kinegon solve scene.json --pencil        with what a hand drawing gives";
 
-/// Print the result of a scene.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct Solve {
@@ -50,9 +91,9 @@ impl Solve {
         if self.digits {
             return print_digits(&solution);
         }
-        let mut result = solution.whole_result().map_err(|error| source.fail(error))?;
+        let mut result = source.checked(solution.whole_result())?;
         if self.pencil || self.hand.is_given() {
-            let asked = readable_quantities(&solution).map_err(|error| source.fail(error))?;
+            let asked = source.checked(readable_quantities(&solution))?;
             let pencil = self.hand.pencil(&solution, asked);
             result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
@@ -79,7 +120,7 @@ fn print_digits(solution: &Solution) -> Result<(), Failure> {
 
 /// The quantities that may be read from a hand drawing: those of the result and those that the scene wants; of vectors
 /// size and angle.
-fn readable_quantities(solution: &Solution) -> Result<Vec<QuantityRequest>, crate::Error> {
+fn readable_quantities(solution: &Solution) -> Result<Vec<QuantityRequest>, Error> {
     let mut names = readable_names(solution);
     for name in solution.scene.want.iter().flatten() {
         let asked = QuantityRequest::new(name, &solution.mechanism)?;
@@ -98,7 +139,6 @@ fn readable_quantities(solution: &Solution) -> Result<Vec<QuantityRequest>, crat
     Ok(asked)
 }
 
-/// Print a JSON Schema.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -148,7 +188,6 @@ Examples:
   kinegon steps scene.json --language es        the same in Spanish
   kinegon steps scene.json --page a3            with lengths for a larger sheet";
 
-/// Print the construction of a scene.
 #[derive(Debug, Args)]
 #[command(after_help = STEPS_HELP)]
 pub(super) struct Steps {
@@ -175,58 +214,44 @@ impl Steps {
             self.scales.put_into(figure);
         };
         let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Sheet::Acceleration)?;
-        let pencil = step_pencil(&solution, self.hand.tolerance()).map_err(|error| source.fail(error))?;
+        let pencil = source.checked(step_pencil(&solution, self.hand.tolerance()))?;
         let text = solution.steps(&pencil);
         show_warnings(&solution);
         files::print_text(&text)
     }
 }
 
-/// Print the structure of a scene.
-#[derive(Debug, Args)]
-#[command(after_help = "\
+pub(super) const STRUCTURE_HELP: &str = "\
 Examples:
   kinegon structure scene.json
-  kinegon new fourth-class | kinegon structure -")]
-pub(super) struct Structure {
-    /// Scene file, `-` for stdin.
-    scene: PathBuf,
-}
+  kinegon new fourth-class | kinegon structure -";
 
-impl Structure {
-    pub(super) fn run(&self) -> Result<(), Failure> {
-        let source = files::read(&self.scene)?;
-        let text = || -> Result<String, crate::Error> {
-            let scene = Scene::read(&source.text)?;
-            Ok(format::structure(&mechanism(&scene)?, &Wording::of(&scene.figure)))
-        };
-        let text = text().map_err(|error| source.fail(error))?;
-        files::print_text(&text)
-    }
-}
-
-/// Print the assembly modes of a scene.
-#[derive(Debug, Args)]
-#[command(after_help = "\
+pub(super) const MODES_HELP: &str = "\
 Examples:
   kinegon modes scene.json                          lists them
-  kinegon draw scene.json --mode 2 -o mode-2.svg    draws the second")]
-pub(super) struct Modes {
+  kinegon draw scene.json --mode 2 -o mode-2.svg    draws the second";
+
+/// A scene, of which something is listed.
+#[derive(Debug, Args)]
+pub(super) struct Listed {
     /// Scene file, `-` for stdin.
     scene: PathBuf,
 }
 
-impl Modes {
-    pub(super) fn run(&self) -> Result<(), Failure> {
-        let source = files::read(&self.scene)?;
-        let stages = || -> Result<_, crate::Error> {
-            let scene = Scene::read(&source.text)?;
-            let mechanism = with_nearest_sides(&scene, mechanism(&scene)?);
-            let listed = counted_poses(&mechanism, &scene.near)?;
-            Ok((format::listed_modes(&scene, &mechanism, &listed), mechanism.warnings))
-        };
-        let (text, warnings) = stages().map_err(|error| source.fail(error))?;
-        warnings.iter().for_each(|w| warn(w));
-        files::print_text(&text)
+impl Listed {
+    /// Prints its groups in solving order.
+    pub(super) fn structure(&self) -> Result<(), Failure> {
+        let (source, scene) = files::read_scene(&self.scene)?;
+        let mechanism = source.checked(mechanism(&scene))?;
+        files::print_text(&format::structure(&mechanism, &Wording::of(&scene.figure)))
+    }
+
+    /// Prints its assembly modes.
+    pub(super) fn modes(&self) -> Result<(), Failure> {
+        let (source, scene) = files::read_scene(&self.scene)?;
+        let mechanism = with_nearest_sides(&scene, source.checked(mechanism(&scene))?);
+        let listed = source.checked(counted_poses(&mechanism, &scene.near))?;
+        mechanism.warnings.iter().for_each(|text| warn(text));
+        files::print_text(&format::listed_modes(&scene, &mechanism, &listed))
     }
 }

@@ -1,9 +1,11 @@
+//! The table of a study, and what is kept of it until all rows are there: the folder FILE.parts has a file for each block of rows,
+//! complete or not there, and the text of what the rows are of. Numbers stand there as they are in memory, little end first.
+
 use super::files;
-use super::message::{Failure, Source, note};
-use super::output::FileSet;
-use super::parts::{Parts, ROWS};
-use super::pieces::{Output, Pieces};
-use super::table::TableFormat;
+use super::message::{Failure, Source, note, refuse};
+use super::output::{FileSet, is_stream, write_file};
+use super::pieces::progress;
+use super::table::{TableFormat, TableWriter};
 use crate::format;
 use crate::scene::Scene;
 use crate::study::{Column, Content, SceneGiven, Status, Study, StudyError, StudyFile};
@@ -11,9 +13,10 @@ use clap::Args;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-/// Rows that a core computes at a time.
-const CHUNK: u64 = 512;
+/// Rows that the progress bar counts as one.
+const STEP: u64 = 512;
 
 const AFTER_HELP: &str = "\
 A study is a file as
@@ -31,7 +34,6 @@ Examples:
   kinegon study study.json -o all.csv                     the missing, and joins
   kinegon schema study                                    what a study may say";
 
-/// Compute many mechanisms that differ from one scene in some numbers: a row of figures over the cycle for each.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER_HELP)]
 pub(super) struct StudyCommand {
@@ -65,9 +67,12 @@ impl StudyCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let format = self.table_format()?;
         let source = files::read_text("study", &self.study)?;
-        let file = StudyFile::read(&source.text).map_err(|error| source.fail(error))?;
+        let file = source.checked(StudyFile::read(&source.text))?;
         let (scene_source, scene) = self.scene(&source, &file)?;
-        let study = file.of(scene).map_err(|error| self.about(error, &source, &scene_source))?;
+        let study = file.of(scene).map_err(|error| match error {
+            StudyError::Study(_) => source.fail(error),
+            of_scene => scene_source.fail(of_scene),
+        })?;
         if self.count {
             return files::print(format!("{}\n", study.count()).as_bytes());
         }
@@ -77,13 +82,13 @@ impl StudyCommand {
         }
         let rows = self.wanted_rows(&study)?;
         let table = Table { study: &study, columns: study.columns(), format, place: &self.output };
-        let in_file = self.output != Path::new("-") && !super::output::is_special(&self.output);
-        if self.parts && !in_file {
-            let hint = "name the file: -o results.csv".to_owned();
-            return Err(Failure::misuse("parts belong to a file, and none is named", hint));
+        if self.parts && is_stream(&self.output) {
+            return refuse("parts belong to a file, and none is named", "name the file: -o results.csv");
         }
-        if !self.parts && (!in_file || rows.end - rows.start <= ROWS) && !Parts::are_there(&self.output) {
-            return table.write_at_once(rows);
+        if !self.parts && (is_stream(&self.output) || rows.end - rows.start <= ROWS) && !Parts::are_there(&self.output)
+        {
+            let blocks: Vec<Range<u64>> = Parts::blocks(&rows).collect();
+            return table.write(|put| table.compute(&blocks, |_, numbers| put(numbers)));
         }
         let text = format!("{}\n{}\n{}", env!("CARGO_PKG_VERSION"), source.text, scene_source.text);
         let all = if self.parts { 0..study.count() } else { rows.clone() };
@@ -98,7 +103,7 @@ impl StudyCommand {
         if self.parts {
             return Ok(());
         }
-        table.join(&parts, &blocks)?;
+        table.write(|put| blocks.iter().try_for_each(|block| put(&parts.read(block)?).map(drop)))?;
         parts.remove();
         Ok(())
     }
@@ -115,16 +120,8 @@ impl StudyCommand {
         let scene = Scene::read(&of.text);
         // The lines that a message shows are those of the study.
         let shown = if of.name == source.name { source } else { &of };
-        let scene = scene.map_err(|error| shown.fail(error))?;
+        let scene = shown.checked(scene)?;
         Ok((of, scene))
-    }
-
-    /// An error about the study, or about its scene.
-    fn about(&self, error: StudyError, study: &Source, scene: &Source) -> Failure {
-        match error {
-            StudyError::Study(_) => study.fail(error),
-            other => scene.fail(other),
-        }
     }
 
     fn wanted_rows(&self, study: &Study) -> Result<Range<u64>, Failure> {
@@ -132,23 +129,15 @@ impl StudyCommand {
         match &self.rows {
             None => Ok(0..count),
             Some(rows) if rows.end <= count => Ok(rows.clone()),
-            Some(_) => Err(Failure::misuse(format!("the study has {count} rows"), format!("rows from 0..{count}"))),
+            Some(_) => refuse(format!("the study has {count} rows"), format!("rows from 0..{count}")),
         }
     }
 
     fn table_format(&self) -> Result<TableFormat, Failure> {
-        let ending = self.output.extension().and_then(|e| e.to_str());
-        let format = self.format.or_else(|| TableFormat::of_ending(ending.unwrap_or("csv")));
-        match format {
-            Some(TableFormat::Jsonl) if self.format.is_some() => {
-                Err(Failure::misuse("a study's table is not written as JSON lines", "--format csv"))
-            }
-            Some(TableFormat::Jsonl) | None => Err(Failure::misuse(
-                format!("no form of a study's table for files ending in `.{}`", ending.unwrap_or_default()),
-                TableFormat::hint(ending, |format| format != TableFormat::Jsonl),
-            )),
-            Some(format) => Ok(format),
+        if self.format == Some(TableFormat::Jsonl) {
+            return refuse("a study's table is not written as JSON lines", "--format csv");
         }
+        TableFormat::of(self.format, &self.output, "a study's table", |format| format != TableFormat::Jsonl)
     }
 }
 
@@ -167,127 +156,131 @@ impl Table<'_> {
         blocks: &[Range<u64>],
         mut put: impl FnMut(&Range<u64>, &[f64]) -> Result<bool, Failure>,
     ) -> Result<(), Failure> {
-        let chunks = |block: &Range<u64>| {
-            let end = block.end;
-            (block.start..end).step_by(CHUNK as usize).map(move |first| first..end.min(first + CHUNK))
-        };
-        let chunks: Vec<Range<u64>> = blocks.iter().flat_map(chunks).collect();
-        let unit = (chunks.len() > 1).then_some("times 512 rows");
-        let pieces = Pieces { count: chunks.len(), size: 1, per_core: 4, unit };
-        let mut blocks = blocks.iter();
-        let (mut block, mut numbers) = (blocks.next(), Vec::new());
-        pieces.each(
-            |piece| (chunks[piece.start].end, self.study.rows(chunks[piece.start].clone())),
-            |(end, rows): (u64, Vec<f64>)| {
-                numbers.extend(rows);
-                let Some(whole) = block.filter(|block| block.end == end) else {
-                    return Ok(true);
-                };
-                block = blocks.next();
-                put(whole, &std::mem::take(&mut numbers))
-            },
-        )
-    }
-
-    /// Computes and writes rows without parts.
-    fn write_at_once(&self, rows: Range<u64>) -> Result<(), Failure> {
-        let mut files = FileSet::default();
-        let Some(mut writer) = Writer::new(self, &mut files)? else {
-            return Ok(());
-        };
-        let blocks: Vec<Range<u64>> = Parts::blocks(&rows).collect();
-        self.compute(&blocks, |_, numbers| writer.block(numbers))?;
-        writer.end(files)
-    }
-
-    /// Writes the rows of all parts.
-    fn join(&self, parts: &Parts, blocks: &[Range<u64>]) -> Result<(), Failure> {
-        let mut files = FileSet::default();
-        let Some(mut writer) = Writer::new(self, &mut files)? else {
-            return Ok(());
-        };
+        let steps = |block: &Range<u64>| (block.end - block.start).div_ceil(STEP);
+        let all = blocks.iter().map(steps).sum();
+        let bar = progress(all, (all > 1).then_some("times 512 rows"));
         for block in blocks {
-            writer.block(&parts.read(block)?)?;
-        }
-        writer.end(files)
-    }
-}
-
-/// A table that is written block by block.
-struct Writer<'a> {
-    table: &'a Table<'a>,
-    form: Form,
-    /// How many mechanisms there are of each status.
-    tally: BTreeMap<usize, u64>,
-}
-
-enum Form {
-    Text(Output),
-    #[cfg(feature = "arrow")]
-    Columns(format::Columns<Output>),
-}
-
-#[cfg(feature = "arrow")]
-impl Form {
-    fn columns(form: format::ColumnFormat, table: &Table, out: Output) -> Result<Form, Failure> {
-        format::Columns::new(form, &table.columns, out).map(Form::Columns).map_err(|error| table.unwritable(error))
-    }
-}
-
-impl<'a> Writer<'a> {
-    /// The head of the table; `None` if nobody reads stdout.
-    fn new(table: &'a Table, files: &mut FileSet) -> Result<Option<Self>, Failure> {
-        let mut out = Output::new(files, table.place)?;
-        let form = match table.format {
-            #[cfg(feature = "arrow")]
-            TableFormat::Parquet => Form::columns(format::ColumnFormat::Parquet, table, out)?,
-            #[cfg(feature = "arrow")]
-            TableFormat::Arrow => Form::columns(format::ColumnFormat::Arrow, table, out)?,
-            TableFormat::Csv | TableFormat::Jsonl => {
-                if !out.put(&format::csv_header(&table.columns))? {
-                    return Ok(None);
-                }
-                Form::Text(out)
+            if !put(block, &self.study.rows_on_all_cores(block.clone()))? {
+                return Ok(());
             }
-        };
-        Ok(Some(Writer { table, form, tally: BTreeMap::new() }))
+            bar.inc(steps(block));
+        }
+        bar.finish_and_clear();
+        Ok(())
     }
 
-    /// Adds rows; false if nobody reads on.
-    fn block(&mut self, numbers: &[f64]) -> Result<bool, Failure> {
-        let columns = &self.table.columns;
+    /// Writes the table of the blocks of rows that `hand_over` passes on, until nobody reads stdout; says what became of the
+    /// mechanisms.
+    fn write(
+        &self,
+        hand_over: impl FnOnce(&mut dyn FnMut(&[f64]) -> Result<bool, Failure>) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        let columns = &self.columns;
         let status = columns.iter().position(|column| column.content == Content::Status).unwrap_or_default();
-        for row in numbers.chunks_exact(columns.len()) {
-            *self.tally.entry(row[status] as usize).or_default() += 1;
-        }
-        match &mut self.form {
-            Form::Text(out) => out.put(&format::csv_rows(columns, numbers)),
-            #[cfg(feature = "arrow")]
-            Form::Columns(out) => out.rows(numbers).map(|()| true).map_err(|error| self.table.unwritable(error)),
-        }
-    }
-
-    /// Puts the table into its place and says what became of the mechanisms.
-    fn end(self, files: FileSet) -> Result<(), Failure> {
-        match self.form {
-            Form::Text(out) => out.end()?,
-            #[cfg(feature = "arrow")]
-            Form::Columns(out) => out.finish().map_err(|error| self.table.unwritable(error))?.end()?,
-        }
+        let mut tally: BTreeMap<usize, u64> = BTreeMap::new();
+        let mut files = FileSet::default();
+        let Some(mut table) = TableWriter::begin(&mut files, self.place, self.format, columns)? else {
+            return Ok(());
+        };
+        hand_over(&mut |numbers| {
+            numbers.chunks_exact(columns.len()).for_each(|row| *tally.entry(row[status] as usize).or_default() += 1);
+            table.put(numbers, || format::csv_rows(columns, numbers))
+        })?;
+        table.end()?;
         files.finish()?;
-        let told = self.tally.iter().filter_map(|(status, count)| Some((Status::ALL.get(*status)?.word(), count)));
+        let told = tally.iter().filter_map(|(status, count)| Some((Status::ALL.get(*status)?.word(), count)));
         let told: Vec<String> = told.map(|(word, count)| format!("{count} {word}")).collect();
         note(&format!("mechanisms: {}", told.join(", ")));
         Ok(())
     }
 }
 
-#[cfg(feature = "arrow")]
-impl Table<'_> {
-    fn unwritable(&self, error: format::ColumnsError) -> Failure {
-        match error {
-            format::ColumnsError::Io(error) => files::unwritable(self.place, &error),
-            other => Failure::outside(format!("{} cannot be written: {other}", self.place.display())),
+/// Rows of a part.
+pub(super) const ROWS: u64 = 4096;
+
+/// The file in the folder that says what its rows are of.
+const NAME: &str = "study";
+
+pub(super) struct Parts {
+    folder: PathBuf,
+    /// Numbers in a row.
+    width: usize,
+}
+
+impl Parts {
+    /// The parts of the file `output`, of rows of what `text` says; a new folder for them if there is none.
+    pub(super) fn open(output: &Path, text: &str, rows: &Range<u64>, width: usize) -> Result<Parts, Failure> {
+        let folder = folder(output);
+        let name = folder.join(NAME);
+        let own = format!("{}..{}\n{text}", rows.start, rows.end);
+        if !folder.is_dir() {
+            fs::create_dir(&folder).map_err(|error| Failure::unwritable(&folder, &error))?;
         }
+        match fs::read(&name) {
+            Ok(other) if other == own.as_bytes() => {}
+            Ok(_) => {
+                let folder = folder.display();
+                let message = format!("{folder} has rows of another study, of other rows or of another version");
+                return refuse(message, "remove that folder, or choose another output");
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => write_file(&name, own.as_bytes())?,
+            Err(error) => return Err(unreadable(&name, &error)),
+        }
+        Ok(Parts { folder, width })
     }
+
+    /// Whether a file has parts.
+    pub(super) fn are_there(output: &Path) -> bool {
+        folder(output).is_dir()
+    }
+
+    /// Rows cut into blocks, at multiples of [`ROWS`].
+    pub(super) fn blocks(rows: &Range<u64>) -> impl Iterator<Item = Range<u64>> {
+        let (start, end) = (rows.start, rows.end);
+        (start / ROWS..end.div_ceil(ROWS)).map(move |block| start.max(block * ROWS)..end.min((block + 1) * ROWS))
+    }
+
+    fn path(&self, block: &Range<u64>) -> PathBuf {
+        self.folder.join(format!("{:010}-{:010}", block.start, block.end))
+    }
+
+    fn bytes(&self, block: &Range<u64>) -> u64 {
+        (block.end - block.start) * (self.width * size_of::<f64>()) as u64
+    }
+
+    /// Whether a block is there.
+    pub(super) fn has(&self, block: &Range<u64>) -> bool {
+        fs::metadata(self.path(block)).is_ok_and(|found| found.len() == self.bytes(block))
+    }
+
+    /// Keeps the numbers of a block.
+    pub(super) fn write(&self, block: &Range<u64>, numbers: &[f64]) -> Result<(), Failure> {
+        let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
+        write_file(&self.path(block), &bytes)
+    }
+
+    pub(super) fn read(&self, block: &Range<u64>) -> Result<Vec<f64>, Failure> {
+        let path = self.path(block);
+        let bytes = fs::read(&path).map_err(|error| unreadable(&path, &error))?;
+        if bytes.len() as u64 != self.bytes(block) {
+            return Err(Failure::outside(format!("{} is not complete; remove it and start again", path.display())));
+        }
+        let (numbers, _) = bytes.as_chunks::<8>();
+        Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
+    }
+
+    /// Removes the folder; that is no failure if somebody else has.
+    pub(super) fn remove(self) {
+        let _ = fs::remove_dir_all(self.folder);
+    }
+}
+
+fn folder(output: &Path) -> PathBuf {
+    let mut name = output.as_os_str().to_owned();
+    name.push(".parts");
+    name.into()
+}
+
+fn unreadable(path: &Path, error: &io::Error) -> Failure {
+    Failure::outside(format!("{} cannot be read: {error}", path.display()))
 }

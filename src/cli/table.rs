@@ -1,10 +1,11 @@
-#[cfg(feature = "arrow")]
-use super::files;
-use super::message::Failure;
-use super::output::FileSet;
-use super::pieces::{Output, Pieces};
+//! Tables of sweeps and studies: their forms, and how they are written.
+
+use super::message::{Failure, refuse};
+use super::output::{FileSet, Stream};
+use super::pieces::Pieces;
 use crate::cycle::{Numbers, Sweep};
 use crate::format;
+use crate::study::Column;
 use clap::ValueEnum;
 use std::path::Path;
 
@@ -29,39 +30,47 @@ pub(super) enum TableFormat {
     Parquet,
 }
 
+/// The forms by the endings of files.
+const ENDINGS: &[(&str, TableFormat)] = &[
+    ("csv", TableFormat::Csv),
+    ("jsonl", TableFormat::Jsonl),
+    ("ndjson", TableFormat::Jsonl),
+    #[cfg(feature = "arrow")]
+    ("arrow", TableFormat::Arrow),
+    #[cfg(feature = "arrow")]
+    ("parquet", TableFormat::Parquet),
+];
+
 impl TableFormat {
-    /// The formats by the endings of files.
-    pub(super) const ENDINGS: &[(&str, TableFormat)] = &[
-        ("csv", TableFormat::Csv),
-        ("jsonl", TableFormat::Jsonl),
-        ("ndjson", TableFormat::Jsonl),
-        #[cfg(feature = "arrow")]
-        ("arrow", TableFormat::Arrow),
-        #[cfg(feature = "arrow")]
-        ("parquet", TableFormat::Parquet),
-    ];
-
-    pub(super) fn of_ending(ending: &str) -> Option<TableFormat> {
-        TableFormat::ENDINGS.iter().find(|(known, _)| *known == ending).map(|(_, format)| *format)
-    }
-
-    /// What to try where the ending of a file is not one of those `taken`.
-    pub(super) fn hint(ending: Option<&str>, taken: impl Fn(TableFormat) -> bool) -> String {
-        let taken = TableFormat::ENDINGS.iter().filter(|(_, format)| taken(*format));
-        let known: Vec<&str> = taken.map(|(ending, _)| *ending).collect();
-        let known = format!("known endings: {}; or give --format", known.join(", "));
-        if cfg!(not(feature = "arrow")) && matches!(ending, Some("arrow" | "parquet")) {
-            return format!(
-                "this needs Kinegon built with `--features arrow`, or its Python package and pyarrow; {known}"
-            );
+    /// The form that is `given`, else that of the ending of a file, else CSV. `table` names what has only the forms `taken`.
+    pub(super) fn of(
+        given: Option<TableFormat>,
+        output: &Path,
+        table: &str,
+        taken: impl Fn(TableFormat) -> bool,
+    ) -> Result<TableFormat, Failure> {
+        let ending = output.extension().and_then(|e| e.to_str());
+        let mut known = ENDINGS.iter().filter(|(_, format)| taken(*format));
+        let of_ending = || known.clone().find(|(known, _)| *known == ending.unwrap_or("csv"));
+        if let Some(format) = given.or_else(|| of_ending().map(|(_, format)| *format)) {
+            return Ok(format);
         }
-        known
+        let message = format!("no form of {table} for files ending in `.{}`", ending.unwrap_or_default());
+        let known = known.by_ref().map(|(ending, _)| *ending).collect::<Vec<_>>().join(", ");
+        let known = format!("known endings: {known}; or give --format");
+        match ending {
+            Some("arrow" | "parquet") if cfg!(not(feature = "arrow")) => refuse(
+                message,
+                format!("this needs Kinegon built with `--features arrow`, or its Python package and pyarrow; {known}"),
+            ),
+            _ => refuse(message, known),
+        }
     }
 
     /// Rows as text; empty for the binary formats.
-    fn text(self, sweep: &Sweep, numbers: &Numbers) -> String {
+    fn text(self, sweep: &Sweep, columns: &[Column], numbers: &Numbers) -> String {
         match self {
-            TableFormat::Csv => format::csv_rows(&format::columns_of(sweep), numbers),
+            TableFormat::Csv => format::csv_rows(columns, numbers),
             TableFormat::Jsonl => format::json_lines(sweep, numbers),
             #[cfg(feature = "arrow")]
             TableFormat::Arrow | TableFormat::Parquet => String::new(),
@@ -69,39 +78,92 @@ impl TableFormat {
     }
 }
 
-/// Writes a table to a file, or to stdout for `-`, piece by piece; a file is complete or not written at all.
-pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<(), Failure> {
-    let mut files = FileSet::default();
-    let mut out = Output::new(&mut files, place)?;
+/// A table that is written piece by piece; a file is complete or not written at all.
+pub(super) enum TableWriter {
+    Text(Stream),
     #[cfg(feature = "arrow")]
-    if matches!(format, TableFormat::Arrow | TableFormat::Parquet) {
-        let unwritable = |error: format::ColumnsError| match error {
-            format::ColumnsError::Io(error) => files::unwritable(place, &error),
-            other => Failure::outside(format!("{} cannot be written: {other}", place.display())),
-        };
-        let form =
-            if format == TableFormat::Parquet { format::ColumnFormat::Parquet } else { format::ColumnFormat::Arrow };
-        let mut columns = format::Columns::new(form, &format::columns_of(sweep), out).map_err(unwritable)?;
-        pieces(sweep).each(
-            |rows| sweep.rows(rows),
-            |numbers: Numbers| columns.rows(&numbers).map(|()| true).map_err(unwritable),
-        )?;
-        columns.finish().map_err(unwritable)?.end()?;
-        return files.finish();
-    }
-    if format == TableFormat::Csv && !out.put(&format::csv_header(&format::columns_of(sweep)))? {
-        return Ok(());
-    }
-    let text = |rows| format.text(sweep, &sweep.rows(rows));
-    pieces(sweep).each(text, |piece: String| out.put(&piece))?;
-    out.end()?;
-    files.finish()
+    Columns(std::path::PathBuf, format::Columns<Stream>),
 }
 
-/// The rows of a table in pieces, with a progress bar if there are many.
-fn pieces(sweep: &Sweep) -> Pieces {
+impl TableWriter {
+    /// A table in a file of a set, or on stdout for `-`, with its head; `None` if nobody reads stdout.
+    pub(super) fn begin(
+        files: &mut FileSet,
+        place: &Path,
+        format: TableFormat,
+        columns: &[Column],
+    ) -> Result<Option<TableWriter>, Failure> {
+        let mut out = files.begin(place)?;
+        match format {
+            TableFormat::Csv if !out.put(format::csv_header(columns).as_bytes())? => Ok(None),
+            TableFormat::Csv | TableFormat::Jsonl => Ok(Some(TableWriter::Text(out))),
+            #[cfg(feature = "arrow")]
+            TableFormat::Arrow | TableFormat::Parquet => {
+                let form = match format {
+                    TableFormat::Parquet => format::ColumnFormat::Parquet,
+                    _ => format::ColumnFormat::Arrow,
+                };
+                let table = format::Columns::new(form, columns, out).map_err(|error| unwritable(place, error))?;
+                Ok(Some(TableWriter::Columns(place.to_owned(), table)))
+            }
+        }
+    }
+
+    /// Adds rows, of which `lines` are the text; false if nobody reads on.
+    pub(super) fn put<T: Copy + Into<Option<f64>>>(
+        &mut self,
+        numbers: &[T],
+        lines: impl FnOnce() -> String,
+    ) -> Result<bool, Failure> {
+        #[cfg(not(feature = "arrow"))]
+        let _ = numbers;
+        match self {
+            TableWriter::Text(out) => out.put(lines().as_bytes()),
+            #[cfg(feature = "arrow")]
+            TableWriter::Columns(place, table) => match table.rows(numbers) {
+                Ok(()) => Ok(true),
+                Err(error) => Err(unwritable(place, error)),
+            },
+        }
+    }
+
+    /// Hands the complete table over to the disk. It is in its place when its set is finished.
+    pub(super) fn end(self) -> Result<(), Failure> {
+        match self {
+            TableWriter::Text(out) => out.end(),
+            #[cfg(feature = "arrow")]
+            TableWriter::Columns(place, table) => table.finish().map_err(|error| unwritable(&place, error))?.end(),
+        }
+    }
+}
+
+/// The failure to write a table by columns.
+#[cfg(feature = "arrow")]
+fn unwritable(place: &Path, error: format::ColumnsError) -> Failure {
+    match error {
+        format::ColumnsError::Io(error) => Failure::unwritable(place, &error),
+        other => Failure::outside(format!("{} cannot be written: {other}", place.display())),
+    }
+}
+
+/// Writes the table of a sweep to a file, or to stdout for `-`.
+pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<(), Failure> {
+    let mut files = FileSet::default();
+    let columns = format::columns_of(sweep);
+    let Some(mut table) = TableWriter::begin(&mut files, place, format, &columns)? else {
+        return Ok(());
+    };
     let count = sweep.steps().count();
-    Pieces { count, size: ROWS, per_core: 4, unit: (count * sweep.header().len() >= LONG).then_some("rows") }
+    let unit = (count * columns.len() >= LONG).then_some("rows");
+    let piece = |rows| {
+        let numbers = sweep.rows(rows);
+        let text = format.text(sweep, &columns, &numbers);
+        (numbers, text)
+    };
+    Pieces { count, size: ROWS, per_core: 4, unit }
+        .each(piece, |(numbers, text): (Numbers, String)| table.put(&numbers, || text))?;
+    table.end()?;
+    files.finish()
 }
 
 /// Bytes from which a table is written only if that is asked for.
@@ -111,25 +173,25 @@ const HUGE: f64 = 1e9;
 pub(super) fn refuse_huge(sweep: &Sweep, format: TableFormat) -> Result<(), Failure> {
     const SPOTS: usize = 16;
     let count = sweep.steps().count();
-    let columns = sweep.header().len();
+    let columns = format::columns_of(sweep);
     // No number takes 1 kB with its name.
-    if (count as f64) * (columns as f64) < HUGE / 1e3 {
+    if (count as f64) * (columns.len() as f64) < HUGE / 1e3 {
         return Ok(());
     }
     let row = |spot: usize| (count - 1) / (SPOTS - 1) * spot;
     let bytes: usize = match format {
         #[cfg(feature = "arrow")]
-        TableFormat::Arrow | TableFormat::Parquet => SPOTS * columns * size_of::<f64>(),
-        _ => (0..SPOTS).map(|spot| format.text(sweep, &sweep.rows(row(spot)..row(spot) + 1)).len()).sum(),
+        TableFormat::Arrow | TableFormat::Parquet => SPOTS * columns.len() * size_of::<f64>(),
+        _ => (0..SPOTS).map(|spot| format.text(sweep, &columns, &sweep.rows(row(spot)..row(spot) + 1)).len()).sum(),
     };
     let bytes = count as f64 * bytes as f64 / SPOTS as f64;
     if bytes <= HUGE {
         return Ok(());
     }
-    Err(Failure::misuse(
+    refuse(
         format!("the table would have {} rows and about {} GB", grouped(count), grouped((bytes / 1e9).ceil() as usize)),
         "take a larger --step, a part of the range (--from, --to) or fewer quantities (--want); with --yes it is written",
-    ))
+    )
 }
 
 /// A whole number with its digits in groups of three.

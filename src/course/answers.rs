@@ -46,17 +46,6 @@ pub(super) struct Wrong {
     pub is_earlier: bool,
 }
 
-impl Wrong {
-    fn part(&self) -> u8 {
-        if self.is_earlier { PART } else { 0 }
-    }
-
-    fn said(&self, words: &Wording) -> String {
-        let cause = words.language.course_cause(&self.told);
-        if self.is_earlier { format!("{cause} {}", words.language.course_follows()) } else { cause }
-    }
-}
-
 impl Answer {
     /// Whether a number can be within the tolerances of both.
     fn overlaps(&self, other: &Answer) -> bool {
@@ -84,8 +73,15 @@ pub(super) fn answers(right: &KeyValue, largest: f64, is_size: bool, wrong: &[Wr
         answers.push(other);
     }
     let expected = wrong.iter().filter(|wrong| (NOTHING * largest..=GROWN * largest).contains(&wrong.value.abs()));
-    let wrong: Vec<(f64, Answer)> =
-        expected.map(|wrong| (wrong.share, answer(wrong.value, wrong.part(), Some(wrong.said(words))))).collect();
+    let known = |wrong: &Wrong| {
+        let cause = words.language.course_cause(&wrong.told);
+        let (part, said) = match wrong.is_earlier {
+            true => (PART, format!("{cause} {}", words.language.course_follows())),
+            false => (0, cause),
+        };
+        (wrong.share, answer(wrong.value, part, Some(said)))
+    };
+    let wrong: Vec<(f64, Answer)> = expected.map(known).collect();
     let is_sure = |own: &Answer| {
         let near = || wrong.iter().filter(|(_, other)| other.overlaps(own));
         let all: f64 = near().map(|(share, _)| share).sum();

@@ -1,11 +1,8 @@
-use super::error::CourseError;
 use super::html::{caption, head, number};
-use super::package::{MANIFEST, identifier, package};
+use super::package::{CourseError, Element, MANIFEST, element, identifier, package, text};
 use super::question::{Field, Question};
-use super::xml::{Document, document, element, empty, text};
 use crate::text::xml;
 use crate::words::{Medium, NumberStyle};
-use std::io;
 
 /// The exercises as a QTI 1.2 package for Canvas: a quiz for each, with a numerical question for each box of its form. Each question has the
 /// picture of the scheme and the sheet to print.
@@ -35,117 +32,82 @@ fn quiz_path(question: &Question) -> String {
 
 fn manifest(questions: &[Question]) -> Result<Vec<u8>, CourseError> {
     let own = identifier(questions.first().map_or("", |question| question.name.as_str()));
+    let mut resources = Vec::new();
+    for question in questions {
+        resources.push(resource(&question.name, "imsqti_xmlv1p2", &quiz_path(question)));
+        resources
+            .extend([question.scheme_name(), question.print_name()].map(|file| resource(&file, "webcontent", &file)));
+    }
+    let metadata = vec![text("schema", &[], "IMS Content"), text("schemaversion", &[], "1.1.3")];
+    let parts = vec![
+        element("metadata", &[], metadata),
+        element("organizations", &[], Vec::new()),
+        element("resources", &[], resources),
+    ];
     let attributes = [("identifier", own.as_str()), ("xmlns", "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1")];
-    document("manifest", &attributes, |manifest| {
-        element(manifest, "metadata", &[], |metadata| {
-            text(metadata, "schema", &[], "IMS Content")?;
-            text(metadata, "schemaversion", &[], "1.1.3")
-        })?;
-        empty(manifest, "organizations", &[])?;
-        element(manifest, "resources", &[], |resources| {
-            for question in questions {
-                resource(resources, &identifier(&question.name), "imsqti_xmlv1p2", &quiz_path(question))?;
-                for file in [question.scheme_name(), question.print_name()] {
-                    resource(resources, &identifier(&file), "webcontent", &file)?;
-                }
-            }
-            Ok(())
-        })
-    })
+    element("manifest", &attributes, parts).document()
 }
 
-fn resource(resources: &mut Document, name: &str, kind: &str, path: &str) -> io::Result<()> {
-    let attributes = [("identifier", name), ("type", kind), ("href", path)];
-    element(resources, "resource", &attributes, |resource| empty(resource, "file", &[("href", path)]))
+fn resource(name: &str, kind: &str, path: &str) -> Element {
+    let file = element("file", &[("href", path)], Vec::new());
+    element("resource", &[("identifier", &identifier(name)), ("type", kind), ("href", path)], vec![file])
 }
 
 fn quiz(question: &Question) -> Result<Vec<u8>, CourseError> {
-    let title = question.title.for_pdf();
-    document("questestinterop", &[("xmlns", "http://www.imsglobal.org/xsd/ims_qtiasiv1p2")], |root| {
-        element(root, "assessment", &[("ident", &identifier(&question.name)), ("title", &title)], |quiz| {
-            element(quiz, "section", &[("ident", "root_section")], |section| {
-                let mut fields = question.fields.iter().zip(1..);
-                fields.try_for_each(|(field, number)| item(section, question, field, number))
-            })
-        })
-    })
+    let items = question.fields.iter().zip(1..).map(|(field, number)| item(question, field, number)).collect();
+    let section = element("section", &[("ident", "root_section")], items);
+    let (ident, title) = (identifier(&question.name), question.title.for_pdf());
+    let quiz = element("assessment", &[("ident", &ident), ("title", &title)], vec![section]);
+    element("questestinterop", &[("xmlns", "http://www.imsglobal.org/xsd/ims_qtiasiv1p2")], vec![quiz]).document()
 }
 
 /// A numerical question.
-fn item(section: &mut Document, question: &Question, field: &Field, number: usize) -> io::Result<()> {
+fn item(question: &Question, field: &Field, number: usize) -> Element {
     let ident = format!("{}-{number}", identifier(&question.name));
     let title = format!("{number}. {}", field.name);
-    let asked = head(question, FILES)
-        + &format!(
-            "<p>{}: <strong>{} = ?</strong> {}</p>",
-            caption(question, field.sheet),
-            field.label,
-            xml(&field.unit)
-        );
-    element(section, "item", &[("ident", &ident), ("title", &title)], |item| {
-        element(item, "itemmetadata", &[], |metadata| {
-            element(metadata, "qtimetadata", &[], |metadata| {
-                [("question_type", "numerical_question"), ("points_possible", "1")].into_iter().try_for_each(
-                    |(label, entry)| {
-                        element(metadata, "qtimetadatafield", &[], |metadata| {
-                            text(metadata, "fieldlabel", &[], label)?;
-                            text(metadata, "fieldentry", &[], entry)
-                        })
-                    },
-                )
-            })
-        })?;
-        element(item, "presentation", &[], |shown| {
-            material(shown, &asked)?;
-            element(shown, "response_str", &[("ident", "response1"), ("rcardinality", "Single")], |response| {
-                element(response, "render_fib", &[("fibtype", "Decimal")], |blank| {
-                    empty(blank, "response_label", &[("ident", "answer1")])
-                })
-            })
-        })?;
-        let causes = causes(question, field);
-        element(item, "resprocessing", &[], |processing| conditions(processing, field, !causes.is_empty()))?;
-        if causes.is_empty() {
-            return Ok(());
-        }
-        element(item, "itemfeedback", &[("ident", WRONG)], |feedback| {
-            element(feedback, "flow_mat", &[], |flow| material(flow, &causes))
-        })
-    })
+    let (sheet, label, unit) = (caption(question, field.sheet), &field.label, xml(&field.unit));
+    let asked = head(question, FILES) + &format!("<p>{sheet}: <strong>{label} = ?</strong> {unit}</p>");
+    let about = [("question_type", "numerical_question"), ("points_possible", "1")].map(|(label, entry)| {
+        element("qtimetadatafield", &[], vec![text("fieldlabel", &[], label), text("fieldentry", &[], entry)])
+    });
+    let blank = element("response_label", &[("ident", "answer1")], Vec::new());
+    let blank = element("render_fib", &[("fibtype", "Decimal")], vec![blank]);
+    let response = element("response_str", &[("ident", "response1"), ("rcardinality", "Single")], vec![blank]);
+    let causes = causes(question, field);
+    let mut parts = vec![
+        element("itemmetadata", &[], vec![element("qtimetadata", &[], about.into())]),
+        element("presentation", &[], vec![material(&asked), response]),
+        element("resprocessing", &[], conditions(field, !causes.is_empty())),
+    ];
+    if !causes.is_empty() {
+        let told = element("flow_mat", &[], vec![material(&causes)]);
+        parts.push(element("itemfeedback", &[("ident", WRONG)], vec![told]));
+    }
+    element("item", &[("ident", &ident), ("title", &title)], parts)
 }
 
 /// The name that Canvas knows for what is said of every wrong number.
 const WRONG: &str = "general_incorrect_fb";
 
-fn conditions(processing: &mut Document, field: &Field, is_wrong_told: bool) -> io::Result<()> {
-    element(processing, "outcomes", &[], |outcomes| {
-        let score = [("maxvalue", "100"), ("minvalue", "0"), ("varname", "SCORE"), ("vartype", "Decimal")];
-        empty(outcomes, "decvar", &score)
-    })?;
+fn conditions(field: &Field, is_wrong_told: bool) -> Vec<Element> {
+    let score = [("maxvalue", "100"), ("minvalue", "0"), ("varname", "SCORE"), ("vartype", "Decimal")];
+    let mut conditions = vec![element("outcomes", &[], vec![element("decvar", &score, Vec::new())])];
     for answer in field.answers.iter().filter(|answer| answer.percent == 100) {
         let [value, margin] = [answer.value, answer.tolerance].map(number);
         let [least, most] = [answer.value - answer.tolerance, answer.value + answer.tolerance].map(number);
         let own = ("respident", "response1");
-        element(processing, "respcondition", &[("continue", "No")], |condition| {
-            element(condition, "conditionvar", &[], |variable| {
-                element(variable, "or", &[], |or| {
-                    text(or, "varequal", &[own, ("margintype", "absolute"), ("margin", &margin)], &value)?;
-                    element(or, "and", &[], |and| {
-                        text(and, "vargte", &[own], &least)?;
-                        text(and, "varlte", &[own], &most)
-                    })
-                })
-            })?;
-            text(condition, "setvar", &[("action", "Set"), ("varname", "SCORE")], "100")
-        })?;
+        let near = text("varequal", &[own, ("margintype", "absolute"), ("margin", &margin)], &value);
+        let between = element("and", &[], vec![text("vargte", &[own], &least), text("varlte", &[own], &most)]);
+        let is_right = element("conditionvar", &[], vec![element("or", &[], vec![near, between])]);
+        let marks = text("setvar", &[("action", "Set"), ("varname", "SCORE")], "100");
+        conditions.push(element("respcondition", &[("continue", "No")], vec![is_right, marks]));
     }
-    if !is_wrong_told {
-        return Ok(());
+    if is_wrong_told {
+        let is_other = element("conditionvar", &[], vec![element("other", &[], Vec::new())]);
+        let told = element("displayfeedback", &[("feedbacktype", "Response"), ("linkrefid", WRONG)], Vec::new());
+        conditions.push(element("respcondition", &[("continue", "Yes")], vec![is_other, told]));
     }
-    element(processing, "respcondition", &[("continue", "Yes")], |condition| {
-        element(condition, "conditionvar", &[], |variable| empty(variable, "other", &[]))?;
-        empty(condition, "displayfeedback", &[("feedbacktype", "Response"), ("linkrefid", WRONG)])
-    })
+    conditions
 }
 
 /// Which numbers known mistakes give, as HTML, if any do; all of them are shown to everybody, so the right number with the other sense is not told.
@@ -166,6 +128,6 @@ fn causes(question: &Question, field: &Field) -> String {
     if lines.is_empty() { lines } else { format!("<ul>\n{lines}</ul>") }
 }
 
-fn material(document: &mut Document, html: &str) -> io::Result<()> {
-    element(document, "material", &[], |material| text(material, "mattext", &[("texttype", "text/html")], html))
+fn material(html: &str) -> Element {
+    element("material", &[], vec![text("mattext", &[("texttype", "text/html")], html)])
 }

@@ -2,21 +2,19 @@
 //! a SCORM 1.2 package ([`scorm`]). Nothing is read or written here; the same exercises give the same bytes.
 //!
 //! `question` makes of an exercise its question: what is told, the pictures, a [`Field`] for each box of the form; `answers` finds the numbers
-//! that a field accepts, and those that a known mistake gives. `html` writes what all of them show; `xml` and `package` write the files.
+//! that a field accepts, and those that a known mistake gives. `html` writes what all of them show; `package` writes the files.
 
 mod answers;
 mod canvas;
-mod error;
 mod html;
 mod moodle;
 mod package;
 mod question;
 mod scorm;
-mod xml;
 
 pub use answers::{Answer, PART};
 pub use canvas::canvas;
-pub use error::CourseError;
 pub use moodle::moodle;
+pub use package::CourseError;
 pub use question::{Field, Question};
 pub use scorm::scorm;

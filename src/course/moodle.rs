@@ -1,11 +1,9 @@
-use super::error::CourseError;
 use super::html::{head, number, picture, tables};
+use super::package::{CourseError, Element, element, html, text};
 use super::question::{Field, Question};
-use super::xml::{Document, document, element, html, text};
 use crate::text::xml;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use std::io;
 
 /// The questions as Moodle XML: a category of that kind of mechanism below `Kinegon`, and in it a cloze question for each exercise, with its
 /// scheme, its sheet to print, its key as general feedback, and a numerical field for each box of the form.
@@ -15,40 +13,35 @@ use std::io;
 /// # Errors
 /// The XML cannot be written.
 pub fn moodle(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> {
-    document("quiz", &[], |quiz| {
-        element(quiz, "question", &[("type", "category")], |category| {
-            let path = format!("$course$/Kinegon/{}", crate::text::clean(kind).replace('/', "//"));
-            element(category, "category", &[], |category| text(category, "text", &[], &path))
-        })?;
-        questions.iter().try_for_each(|one| question(quiz, one))
-    })
+    let path = format!("$course$/Kinegon/{}", crate::text::clean(kind).replace('/', "//"));
+    let path = element("category", &[], vec![text("text", &[], &path)]);
+    let category = element("question", &[("type", "category")], vec![path]);
+    element("quiz", &[], [category].into_iter().chain(questions.iter().map(question)).collect()).document()
 }
 
 /// In the text of a question: the folder of its files.
 const FILES: &str = "@@PLUGINFILE@@/";
 
-fn question(quiz: &mut Document, question: &Question) -> io::Result<()> {
+fn question(question: &Question) -> Element {
     let asked = harmless(&head(question, FILES)) + &tables(question, &field);
     let key = picture(&(FILES.to_owned() + &question.key_name()), question.words.language.course_key(), 900);
-    element(quiz, "question", &[("type", "cloze")], |quiz| {
-        let name = question.title.for_pdf();
-        element(quiz, "name", &[], |quiz| text(quiz, "text", &[], &name))?;
-        element(quiz, "questiontext", &[("format", "html")], |quiz| {
-            html(quiz, &asked)?;
-            file(quiz, &question.scheme_name(), &question.scheme)?;
-            file(quiz, &question.print_name(), &question.print)
-        })?;
-        element(quiz, "generalfeedback", &[("format", "html")], |quiz| {
-            html(quiz, &key)?;
-            file(quiz, &question.key_name(), &question.key)
-        })?;
-        text(quiz, "penalty", &[], "0.3333333")?;
-        text(quiz, "hidden", &[], "0")
-    })
+    let told = vec![
+        html(&asked),
+        file(&question.scheme_name(), &question.scheme),
+        file(&question.print_name(), &question.print),
+    ];
+    let parts = vec![
+        element("name", &[], vec![text("text", &[], &question.title.for_pdf())]),
+        element("questiontext", &[("format", "html")], told),
+        element("generalfeedback", &[("format", "html")], vec![html(&key), file(&question.key_name(), &question.key)]),
+        text("penalty", &[], "0.3333333"),
+        text("hidden", &[], "0"),
+    ];
+    element("question", &[("type", "cloze")], parts)
 }
 
-fn file(quiz: &mut Document, name: &str, bytes: &[u8]) -> io::Result<()> {
-    text(quiz, "file", &[("name", name), ("path", "/"), ("encoding", "base64")], &STANDARD.encode(bytes))
+fn file(name: &str, bytes: &[u8]) -> Element {
+    text("file", &[("name", name), ("path", "/"), ("encoding", "base64")], &STANDARD.encode(bytes))
 }
 
 /// The field of a cloze question, as `{1:NUMERICAL:=-3.00113:0.0616~%50%3.00113:0.0616#other sense}`.

@@ -1,9 +1,30 @@
-//! ZIP packages.
+//! What the files of courses are written with: XML, and ZIP packages.
 
-use super::error::CourseError;
+use crate::check::CheckError;
+use quick_xml::Writer;
+use quick_xml::events::{BytesCData, BytesDecl, BytesText, Event};
+use std::io;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// Why a file of a course could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum CourseError {
+    /// The exercise cannot be asked.
+    #[error(transparent)]
+    Exercise(#[from] CheckError),
+    /// A sheet cannot be written as PDF.
+    #[cfg(feature = "pdf")]
+    #[error(transparent)]
+    Pdf(#[from] crate::format::PdfError),
+    /// The XML could not be written.
+    #[error("the XML of the course cannot be written: {0}")]
+    Xml(#[from] io::Error),
+    /// The package could not be put together.
+    #[error("the package of the course cannot be put together: {0}")]
+    Package(#[from] zip::result::ZipError),
+}
 
 /// The name that every package's list of contents has.
 pub(super) const MANIFEST: &str = "imsmanifest.xml";
@@ -25,4 +46,72 @@ pub(super) fn package(files: &[(String, Vec<u8>)]) -> Result<Vec<u8>, CourseErro
 /// An identifier of XML for what has that name: it begins with a letter.
 pub(super) fn identifier(name: &str) -> String {
     format!("kinegon-{name}")
+}
+
+/// An element of XML with its attributes and what is in it.
+pub(super) struct Element {
+    name: &'static str,
+    attributes: Vec<(&'static str, String)>,
+    inner: Inner,
+}
+
+enum Inner {
+    Elements(Vec<Element>),
+    Text(String),
+    /// HTML, which no letter of it ends.
+    Html(String),
+}
+
+/// The names and values of attributes.
+pub(super) type Attributes<'a> = &'a [(&'static str, &'a str)];
+
+/// An element with others in it, or with nothing.
+pub(super) fn element(name: &'static str, attributes: Attributes<'_>, inner: Vec<Element>) -> Element {
+    Element::new(name, attributes, Inner::Elements(inner))
+}
+
+/// An element with a text in it.
+pub(super) fn text(name: &'static str, attributes: Attributes<'_>, text: &str) -> Element {
+    Element::new(name, attributes, Inner::Text(text.to_owned()))
+}
+
+/// An element `text` with HTML in it.
+pub(super) fn html(html: &str) -> Element {
+    Element::new("text", &[], Inner::Html(html.to_owned()))
+}
+
+impl Element {
+    fn new(name: &'static str, attributes: Attributes<'_>, inner: Inner) -> Element {
+        Element {
+            name,
+            attributes: attributes.iter().map(|(name, value)| (*name, (*value).to_owned())).collect(),
+            inner,
+        }
+    }
+
+    /// The document with this root.
+    pub(super) fn document(&self) -> Result<Vec<u8>, CourseError> {
+        let mut document = Writer::new_with_indent(Vec::new(), b' ', 1);
+        document.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+        self.write(&mut document)?;
+        let mut bytes = document.into_inner();
+        bytes.push(b'\n');
+        Ok(bytes)
+    }
+
+    fn write(&self, document: &mut Writer<Vec<u8>>) -> io::Result<()> {
+        let attributes = self.attributes.iter().map(|(name, value)| (*name, value.as_str()));
+        let start = document.create_element(self.name).with_attributes(attributes);
+        match &self.inner {
+            Inner::Elements(inner) if inner.is_empty() => start.write_empty()?,
+            Inner::Elements(inner) => {
+                start.write_inner_content(|document| inner.iter().try_for_each(|element| element.write(document)))?
+            }
+            Inner::Text(text) => start.write_text_content(BytesText::new(text))?,
+            Inner::Html(html) => start.write_inner_content(|document| {
+                BytesCData::escaped(html).try_for_each(|part| document.write_event(Event::CData(part)))
+            })?,
+        };
+        Ok(())
+    }
 }

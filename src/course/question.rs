@@ -1,5 +1,5 @@
 use super::answers::{Answer, Wrong, answers};
-use super::error::CourseError;
+use super::package::CourseError;
 use crate::check::{AnswerKey, Mistake, Student};
 use crate::construction::Tolerance;
 use crate::drawing::{Drawing, RichText, SheetLabels};
@@ -59,8 +59,7 @@ impl Question {
         let (mut key, mut sheets) = (exercise.key_sheet(), exercise.sheets(name));
         sheets.iter_mut().chain([&mut key]).for_each(styled);
         let words = exercise.solution.wording();
-        let asked: Vec<_> = exercise.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
-        let notes = SheetLabels::of(&exercise.solution).notes(&asked);
+        let notes = SheetLabels::of(&exercise.solution).notes(&exercise.asked());
         let digits = RichText::plain(words.language.course_digits());
         let told = exercise.given().into_iter().chain(notes).chain([digits]);
         Ok(Question {

@@ -1,7 +1,5 @@
-use super::error::CourseError;
-use super::package::{MANIFEST, identifier, package};
+use super::package::{CourseError, MANIFEST, element, identifier, package, text};
 use super::question::Question;
-use super::xml::{document, element, empty, text};
 use crate::format::workbench;
 use crate::text::xml;
 use base64::Engine;
@@ -82,26 +80,18 @@ fn manifest(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> 
         ("xmlns", "http://www.imsproject.org/xsd/imscp_rootv1p1p2"),
         ("xmlns:adlcp", "http://www.adlnet.org/xsd/adlcp_rootv1p2"),
     ];
-    document("manifest", &attributes, |manifest| {
-        element(manifest, "metadata", &[], |metadata| {
-            text(metadata, "schema", &[], "ADL SCORM")?;
-            text(metadata, "schemaversion", &[], "1.2")
-        })?;
-        element(manifest, "organizations", &[("default", "course")], |organizations| {
-            element(organizations, "organization", &[("identifier", "course")], |organization| {
-                text(organization, "title", &[], &title)?;
-                element(organization, "item", &[("identifier", "exercise"), ("identifierref", "page")], |item| {
-                    text(item, "title", &[], &title)
-                })
-            })
-        })?;
-        element(manifest, "resources", &[], |resources| {
-            let page = [("identifier", "page"), ("type", "webcontent"), ("adlcp:scormtype", "sco"), ("href", PAGE)];
-            element(resources, "resource", &page, |resource| {
-                let sheets = questions.iter().map(Question::print_name);
-                let mut files = [PAGE, WORKBENCH].map(str::to_owned).into_iter().chain(sheets);
-                files.try_for_each(|file| empty(resource, "file", &[("href", &file)]))
-            })
-        })
-    })
+    let metadata = vec![text("schema", &[], "ADL SCORM"), text("schemaversion", &[], "1.2")];
+    let item = [("identifier", "exercise"), ("identifierref", "page")];
+    let course = vec![text("title", &[], &title), element("item", &item, vec![text("title", &[], &title)])];
+    let course = element("organization", &[("identifier", "course")], course);
+    let sheets = questions.iter().map(Question::print_name);
+    let files = [PAGE, WORKBENCH].map(str::to_owned).into_iter().chain(sheets);
+    let files = files.map(|file| element("file", &[("href", &file)], Vec::new())).collect();
+    let page = [("identifier", "page"), ("type", "webcontent"), ("adlcp:scormtype", "sco"), ("href", PAGE)];
+    let parts = vec![
+        element("metadata", &[], metadata),
+        element("organizations", &[("default", "course")], vec![course]),
+        element("resources", &[], vec![element("resource", &page, files)]),
+    ];
+    element("manifest", &attributes, parts).document()
 }

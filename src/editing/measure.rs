@@ -64,7 +64,7 @@ impl Decimals {
 }
 
 /// A number as JSON, a whole one without decimals.
-pub(super) fn json(x: f64) -> Json {
+pub fn json(x: f64) -> Json {
     match x == libm::trunc(x) && x.abs() < 1e15 {
         true => Json::from(x as i64),
         false => Number::from_f64(x).map_or(Json::Null, Json::Number),

@@ -3,12 +3,13 @@
 use super::judge::{Exercise, Refusal, key_page};
 use super::vary::{OnGuide, length_step, varied};
 use crate::construction::Construction;
+use crate::editing::measure::json as json_number;
 use crate::geometry::Random;
 use crate::quantity::Quantity;
-use crate::scene::{ConstructionShown, Figure, Page, PageSize, SceneError};
+use crate::scene::{ConstructionShown, Figure, Page, PageSize, SceneError, figure_keys};
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Most variants that are tried for each exercise.
@@ -138,14 +139,12 @@ impl Exercises {
         // The position and the scales that were found go into the file, which is then judged as it stands.
         self.put_near(&mut file, &first);
         self.put_figure(&mut file, &first);
-        let exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
+        let mut exercise = Exercise::of(&crate::format::json(&file), self.figure.page, None)?;
         let same = exercise.solution.pose.points.iter().zip(&first.solution.pose.points);
         let size = crate::geometry::span(first.solution.pose.points.iter().copied());
         let moved = same.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
-        match moved < 1e-6 * size {
-            true => Ok(exercise.with_markers(self.figure.markers)),
-            false => Err(Refusal::Assembly),
-        }
+        exercise.has_markers &= self.figure.markers;
+        if moved < 1e-6 * size { Ok(exercise) } else { Err(Refusal::Assembly) }
     }
 
     /// Sets the scene's `near`, the rough places and angles that choose the assembly mode, to those of the variant.
@@ -160,9 +159,9 @@ impl Exercises {
         for (name, value) in near {
             if let Some(point) = solution.mechanism.point(name) {
                 let place = solution.pose.point(point);
-                *value = json!([place.x, place.y].map(|x| super::numbers::written(step.nearest(x))));
+                *value = json!([place.x, place.y].map(|x| json_number(step.nearest(x))));
             } else if let Ok(Quantity::Number(angle)) = solution.quantity(name) {
-                *value = super::numbers::written(libm::round(angle));
+                *value = json_number(libm::round(angle));
             }
         }
     }
@@ -172,31 +171,20 @@ impl Exercises {
         let Some(file) = file.as_object_mut() else {
             return;
         };
-        let (asked, usual) = (&self.figure, Figure::default());
-        let page = key_page(asked.page);
-        let mut figure = Map::new();
-        let panels: Vec<&str> = asked.panels.iter().map(|panel| panel.as_str()).collect();
-        figure.insert("panels".into(), json!(panels));
-        for (sheet, mu) in found.scales.given() {
-            figure.insert(sheet.scale_key().into(), super::numbers::written(mu));
-        }
-        for (key, is_usual, name) in [
-            ("page", page == usual.page, page.name()),
-            ("style", asked.style == usual.style, asked.style.as_str()),
-            ("notation", asked.notation == usual.notation, asked.notation.as_str()),
-            ("language", asked.language == usual.language, asked.language.as_str()),
-            ("decimal", asked.decimal == usual.decimal, asked.decimal.as_str()),
-        ] {
-            if !is_usual {
-                figure.insert(key.into(), json!(name));
-            }
-        }
-        if !asked.labels.is_empty() {
-            figure.insert("labels".into(), json!(asked.labels));
-        }
+        let asked = self.figure.clone();
+        let figure = Figure {
+            page: key_page(asked.page),
+            style: asked.style,
+            notation: asked.notation,
+            language: asked.language,
+            decimal: asked.decimal,
+            labels: asked.labels,
+            mu: found.scales,
+            ..Figure::default()
+        };
         file.shift_remove("want");
         file.shift_remove("$schema");
-        file.insert("figure".into(), Value::Object(figure));
+        file.insert("figure".into(), Value::Object(figure_keys(&figure)));
         let number = format!("{}-{}", self.seed, self.number);
         file.insert("title".into(), json!(self.title.numbered(&number)));
     }

@@ -1,7 +1,6 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
-use super::given::sentences;
-use super::sheets::{key_rows, key_sentences};
+use super::sheets::{key_rows, key_sentences, sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
 use crate::drawing::{
@@ -42,8 +41,8 @@ pub struct Exercise {
     pub sheet: Drawing,
     /// The page of the student's sheets.
     page: Page,
-    /// Whether they have markers.
-    has_markers: bool,
+    /// Whether they have markers; never in a projector's proportions.
+    pub(super) has_markers: bool,
 }
 
 /// Why a variant is no exercise.
@@ -145,17 +144,11 @@ impl Exercise {
             return vec![self.sheet.clone()];
         }
         let students = for_students(&self.solution, self.page);
-        let asked: Vec<QuantityRequest> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
+        let asked = self.asked();
         let given = sentences(&students.scene, &self.text, &self.scales, &students.wording());
         // A variant whose scheme has no room between the markers stays an exercise: its first sheet is without them, and
         // the numbers of a seed do not hang on what sheets look like.
         drawing_sheets(&students, &self.scales, name, &asked, &given)
-    }
-
-    /// The same exercise with or without markers on its sheets; never with them in a projector's proportions.
-    pub(super) fn with_markers(mut self, has_markers: bool) -> Exercise {
-        self.has_markers &= has_markers;
-        self
     }
 
     /// The sentences of the student's sheet with all given numbers and the scales of the plans.
@@ -167,8 +160,12 @@ impl Exercise {
 
     /// The quantities of the form with their exact values.
     pub(super) fn values(&self) -> Vec<(QuantityRequest, f64)> {
-        let asked: Vec<QuantityRequest> = self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
-        values(&asked, &self.solution)
+        values(&self.asked(), &self.solution)
+    }
+
+    /// The quantities of the form.
+    pub(crate) fn asked(&self) -> Vec<QuantityRequest> {
+        self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect()
     }
 }
 

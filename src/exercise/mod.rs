@@ -3,9 +3,9 @@
 //! A variant gets random numbers and is accepted only where a hand drawing comes out well; `judge` has all the
 //! conditions.
 //!
-//! In reading order: `numbers` finds the numbers of a scene file, `vary` replaces them, `judge` accepts or refuses a
-//! variant, `find` looks for accepted ones, `given` and `key` write what a student and a teacher are told, `sheets` what
-//! stands on their sheets, also for a scene as it stands. Nothing is read or written here.
+//! In reading order: `vary` finds the numbers of a scene file and replaces them, `judge` accepts or refuses a variant,
+//! `find` looks for accepted ones, `sheets` writes what stands on the sheets of a student and of a teacher, also for a scene
+//! as it stands, `key` the values for the teacher. Nothing is read or written here.
 //!
 //! # An exercise is a scene that passes an examination
 //!
@@ -14,14 +14,12 @@
 //! as it stands, so that nothing depends on how it was found.
 
 mod find;
-mod given;
 mod judge;
 mod key;
-mod numbers;
 mod sheets;
 mod vary;
 
 pub use find::{ExerciseError, Exercises};
 pub use judge::{Exercise, Refusal};
 pub use key::{KeyResult, KeyScales, KeyValue, key_schema};
-pub use numbers::{Number, each_number};
+pub use vary::{Number, each_number};

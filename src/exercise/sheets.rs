@@ -1,10 +1,13 @@
-//! What the sheets of a student and of a teacher have beside the figure.
+//! What the sheets of a student and of a teacher have beside the figure: the given numbers in sentences, and the rows of the key.
 
-use super::given::sentences;
 use crate::check::{BANDS, form_names};
 use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, drawing_sheets};
-use crate::quantity::{Pencil, QuantityRequest};
+use crate::quantity::{Pencil, QuantityKind, QuantityRequest};
+use crate::scene::{Along, At, GivenBy, On, Scene, Shape};
+use crate::sheet::{Scales, Sheet};
+use crate::words::{Medium, NumberStyle, Wording};
+use serde_json::Value;
 
 impl Solution {
     /// The sheets on which the plans that the figure shows are drawn by hand, at the scales of the figure: first the
@@ -54,4 +57,173 @@ pub(super) fn key_rows<'a>(values: &'a [(QuantityRequest, f64)], pencil: &Pencil
 pub(super) fn key_sentences(solution: &Solution) -> Vec<String> {
     let words = solution.wording();
     vec![words.language.exercise_allowed().to_owned()]
+}
+
+/// The sentences with all given numbers and with the scales of the plans, in markup. Vectors are given as in the
+/// scene's `text`, by components or by size and direction.
+pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Wording) -> Vec<String> {
+    let file = serde_json::from_str(text).unwrap_or(Value::Null);
+    let teller = Teller { scene, words };
+    let mut all = Vec::new();
+    // The scheme of a drawn scene shows its points and guides.
+    if scene.given_by == GivenBy::Lengths {
+        all.extend(teller.lengths());
+        all.extend(teller.guides());
+    }
+    all.extend(teller.drives(&file));
+    all.extend(teller.motions(&file));
+    let scale = |(plan, mu): (Sheet, f64)| {
+        let unit = plan.drawn().unit(scene.units);
+        format!("{} = {} ({unit})/mm", plan.scale_symbol(), teller.number(mu))
+    };
+    let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.is_plan()).map(scale).collect();
+    vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
+}
+
+/// A list that can be broken into lines between its items only.
+fn listed(items: &[String]) -> String {
+    let items: Vec<String> = items.iter().map(|item| item.replace(' ', "\u{a0}")).collect();
+    items.join(", ")
+}
+
+struct Teller<'a> {
+    scene: &'a Scene,
+    words: &'a Wording,
+}
+
+impl Teller<'_> {
+    /// A number as people write it: more digits than six serve no drawing.
+    fn number(&self, x: f64) -> String {
+        self.words.write(x, NumberStyle::significant(6).trimmed().on(Medium::Figure))
+    }
+
+    fn unit(&self, kind: QuantityKind) -> String {
+        kind.unit(self.scene.units)
+    }
+
+    /// A symbol with its value and unit; zero is written without a unit.
+    fn value(&self, symbol: &str, x: f64, kind: QuantityKind) -> String {
+        let value = self.number(x);
+        match (x == 0.0, kind) {
+            (_, QuantityKind::Angle) => format!("{symbol} = {value}°"),
+            (true, _) => format!("{symbol} = {value}"),
+            _ => format!("{symbol} = {value} {}", self.unit(kind)),
+        }
+    }
+
+    fn pair(&self, place: [f64; 2]) -> String {
+        self.words.place(place.map(|x| self.number(x)))
+    }
+
+    /// Fixed points and lengths.
+    fn lengths(&self) -> Vec<String> {
+        let unit = self.unit(QuantityKind::Length);
+        let fixed = self.scene.coordinates.iter().map(|(name, place)| format!("{name} {} {unit}", self.pair(*place)));
+        let lengths = self.scene.links.values().flat_map(|link| match &link.shape {
+            Shape::Lengths(lengths) => lengths.as_slice(),
+            _ => &[],
+        });
+        let lengths =
+            lengths.map(|length| self.value(&length.key.replace('-', " "), length.value, QuantityKind::Length));
+        fixed.chain(lengths).collect()
+    }
+
+    /// Guides on the ground and those along two points of a link.
+    fn guides(&self) -> Vec<String> {
+        let language = self.words.language;
+        let unit = self.unit(QuantityKind::Length);
+        let told = self.scene.sliders.iter().filter_map(|slider| {
+            let name = slider.link.as_ref().or(slider.pin.as_ref())?;
+            let degrees = match (&slider.along, &slider.on) {
+                (Along::Points(a, b), _) => return Some(language.exercise_guide_through(name, &format!("{a}{b}"))),
+                (Along::Degrees(degrees), On::Ground) => *degrees,
+                (Along::Direction([x, y]), On::Ground) => libm::atan2(*y, *x).to_degrees(),
+                _ => return None,
+            };
+            let place = match &slider.through {
+                Some(At::Point(point)) => point.clone(),
+                Some(At::Place(place)) => format!("{} {unit}", self.pair(*place)),
+                None => self.scene.ground.first()?.clone(),
+            };
+            Some(language.exercise_guide(name, &place, &self.number(degrees)))
+        });
+        told.collect()
+    }
+
+    /// Drives in the units in which the file gives them.
+    fn drives(&self, file: &Value) -> Vec<String> {
+        let mut told = Vec::new();
+        for (name, link) in &self.scene.links {
+            let angle = link.angle_deg.or(link.drive.and_then(|d| d.angle_deg));
+            told.extend(angle.map(|x| self.value(&format!("φ_{{{name}}}"), x, QuantityKind::Angle)));
+            if let Some(drive) = &link.drive {
+                let [omega, alpha] = self.turning(name, drive.omega, drive.alpha);
+                let rpm = file["links"][name]["drive"]["rpm"].as_f64();
+                told.push(rpm.map_or(omega, |rpm| format!("n_{{{name}}} = {} rpm", self.number(rpm))));
+                told.push(alpha);
+            }
+        }
+        for slider in &self.scene.sliders {
+            let (Some(drive), Some(link)) = (&slider.drive, &slider.link) else {
+                continue;
+            };
+            let on = match &slider.on {
+                On::Ground => "ground",
+                On::Link(on) => on,
+            };
+            let (r, name) = (self.words.notation.relative, format!("({link}/{on})"));
+            let position = drive.position;
+            told.extend(position.map(|x| self.value(&format!("s{name}"), x, QuantityKind::Length)));
+            let [v, a] = ["v", "a"].map(|letter| format!("{letter}_{{{r}}}{name}"));
+            told.push(self.value(&v, drive.speed, QuantityKind::Velocity));
+            told.push(self.value(&a, drive.acceleration, QuantityKind::Acceleration));
+        }
+        told
+    }
+
+    fn turning(&self, link: &str, omega: f64, alpha: f64) -> [String; 2] {
+        [
+            self.value(&format!("ω_{{{link}}}"), omega, QuantityKind::AngularVelocity),
+            self.value(&format!("α_{{{link}}}"), alpha, QuantityKind::AngularAcceleration),
+        ]
+    }
+
+    /// Given motions of a drawn scene.
+    fn motions(&self, file: &Value) -> Vec<String> {
+        let mut told = Vec::new();
+        for (name, motion) in &self.scene.known {
+            let written = &file["known"][name];
+            told.extend(self.both(name, [motion.velocity, motion.acceleration], written));
+        }
+        for (name, link) in &self.scene.links {
+            let Some(motion) = &link.motion else {
+                continue;
+            };
+            let at = match &motion.at {
+                At::Point(point) => point.clone(),
+                At::Place(place) => self.pair(*place),
+            };
+            let written = &file["links"][name]["motion"];
+            told.extend(self.both(&at, [motion.velocity, motion.acceleration], written));
+            told.extend(self.turning(name, motion.omega, motion.alpha));
+        }
+        told
+    }
+
+    fn both(&self, at: &str, vectors: [[f64; 2]; 2], written: &Value) -> Vec<String> {
+        let kinds = [("v", "velocity", QuantityKind::Velocity), ("a", "acceleration", QuantityKind::Acceleration)];
+        let told = kinds.into_iter().zip(vectors).map(|((letter, key, kind), vector)| {
+            let symbol = format!("{letter}_{{{at}}}");
+            let polar = ["size", "angle"].map(|part| written[key][part].as_f64());
+            match (polar, vector) {
+                (_, [0.0, 0.0]) => format!("{symbol} = 0"),
+                ([Some(size), Some(angle)], _) => {
+                    let size = format!("{} {}", self.number(size), self.unit(kind));
+                    format!("{symbol} = {}", self.words.language.with_direction(&size, &self.number(angle)))
+                }
+                _ => format!("{symbol} = {} {}", self.pair(vector), self.unit(kind)),
+            }
+        });
+        told.collect()
+    }
 }

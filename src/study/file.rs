@@ -122,17 +122,17 @@ impl StudyFile {
         let file = StudyFile { text: text.to_owned(), keys };
         if !matches!(file.keys.scene, Json::String(_) | Json::Object(_)) {
             let hint = r#"write "scene": "four-bar.json", or the scene itself as { "kinegon": 1, … }"#;
-            return Err(file.error(&["scene"], "a scene is the path of a file or an object", Some(hint)));
+            return file.refuse(&["scene"], "a scene is the path of a file or an object", Some(hint));
         }
         if file.keys.vary.is_empty() {
             let hint = r#"add what varies, as "vary": { "2.BC": { "from": 80, "to": 120, "count": 9 } }"#;
-            return Err(file.error(&["vary"], "nothing varies", Some(hint)));
+            return file.refuse(&["vary"], "nothing varies", Some(hint));
         }
         let empty = file.keys.want.iter().find(|(_, figures)| figures.is_empty());
         let hint = r#"add what is wanted, as "want": { "omega(3)": ["max", "min"] }"#;
         match empty {
-            Some((name, _)) => Err(file.error(&["want", name], "no figure of this quantity is wanted", Some(hint))),
-            None if file.keys.want.is_empty() => Err(file.error(&["want"], "nothing is wanted", Some(hint))),
+            Some((name, _)) => file.refuse(&["want", name], "no figure of this quantity is wanted", Some(hint)),
+            None if file.keys.want.is_empty() => file.refuse(&["want"], "nothing is wanted", Some(hint)),
             None => Ok(file),
         }
     }
@@ -162,6 +162,16 @@ impl StudyFile {
     /// An error at a place of the study.
     pub(super) fn error(&self, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
         SceneTree::error(&self.text, path, message, hint)
+    }
+
+    /// Refuses what stands at a place of the study.
+    pub(super) fn refuse<T, E: From<SceneError>>(
+        &self,
+        path: &[&str],
+        message: impl Into<String>,
+        hint: Option<&str>,
+    ) -> Result<T, E> {
+        Err(self.error(path, message, hint).into())
     }
 
     /// The JSON Schema (draft 2020-12) of studies, with descriptions, for editors.

@@ -1,12 +1,12 @@
-//! One mechanism of a study in its position, and the values of its quantities.
+//! One mechanism of a study by itself: in its position, with the values of its quantities there, and followed along its branch:
+//! exactly, with its limits, and slowly.
 
-use super::number::has_links;
-use super::task::Status;
-use crate::cycle::CycleError;
+use super::samples::{mean, unwrap};
+use super::task::{Outcome, Status, Summary, Task, Wanted};
+use crate::cycle::{Curves, CycleError, Drive, Extreme, Path, Steps, Sweep};
 use crate::mechanism::{Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
-use crate::quantity::{Quantity, QuantityRequest, State};
-use crate::scene::{Scene, SceneError, SizeLimit};
+use crate::scene::{Scene, SceneError, Shape, SizeLimit};
 
 /// Why a study cannot be made of a scene.
 #[derive(Debug, thiserror::Error)]
@@ -36,6 +36,18 @@ pub(super) fn member(scene: &Scene) -> Result<(Mechanism, Pose), Status> {
     })
 }
 
+/// Whether links with these lengths exist: all are positive, and three of a link form a triangle.
+fn has_links(scene: &Scene) -> bool {
+    scene.links.values().all(|link| {
+        let Shape::Lengths(lengths) = &link.shape else {
+            return true;
+        };
+        let sum: f64 = lengths.iter().map(|length| length.value).sum();
+        let longest = lengths.iter().map(|length| length.value).fold(0.0, f64::max);
+        lengths.iter().all(|length| length.value > 0.0) && (lengths.len() < 3 || 2.0 * longest - sum <= 1e-12 * longest)
+    })
+}
+
 /// The mechanism of a scene in the assembly mode that `near` picks.
 pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
     SizeLimit::NUMBERS.check(scene)?;
@@ -44,15 +56,79 @@ pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
     Ok((mechanism, pose))
 }
 
-/// The value of a quantity that needs no construction, of a vector its size; NaN where it has none.
-pub(super) fn value(asked: &QuantityRequest, state: &impl State) -> f64 {
-    asked.value(state, None, None).map_or(f64::NAN, size)
+/// Follows one mechanism along its branch.
+pub(super) fn follow_alone(task: &Task, mechanism: &Mechanism, pose: &Pose) -> Outcome {
+    let none = |status| Outcome::without_motion(status, task);
+    let range = &task.range;
+    let Ok(drive) = Drive::new(mechanism, Some(&range.drive)) else {
+        return none(Status::NoMechanism);
+    };
+    let Ok(mut path) = Path::new(mechanism, pose, drive) else {
+        return none(Status::Singular);
+    };
+    match path.cover(Some(range.from), Some(range.to)) {
+        Ok(_) => {}
+        Err(CycleError::Singular { .. }) => return none(Status::Singular),
+        Err(_) => return none(Status::Outside),
+    }
+    let [low, high] = range.ends();
+    let whole = path.low() <= low && path.high() >= high;
+    let mut outcome = none(if whole { Status::Whole } else { Status::Part });
+    outcome.reach = Some(reach(&path, [low, high]));
+    for (wanted, summary) in task.wanted.iter().zip(&mut outcome.summaries) {
+        *summary = summarised(&path, task, wanted);
+    }
+    outcome
 }
 
-/// A number, or the size of a vector.
-pub(super) fn size(quantity: Quantity) -> f64 {
-    match quantity {
-        Quantity::Number(x) => x,
-        Quantity::Vector(v) => v.norm(),
+/// The part of a range that a path has reached, with its limits.
+fn reach(path: &Path, [low, high]: [f64; 2]) -> [f64; 2] {
+    let end = |above: bool, reached: f64| path.end(above).map_or(reached, |end| end.at);
+    let below = if path.low() > low { end(false, path.low()) } else { low };
+    let above = if path.high() < high { end(true, path.high()) } else { high };
+    [below.max(low), above.min(high)]
+}
+
+fn summarised(path: &Path, task: &Task, wanted: &Wanted) -> Summary {
+    let names = [wanted.name.clone()];
+    let mut summary = Summary { at_scene: sampled(path, None, wanted).first().copied(), ..Summary::default() };
+    let range = &task.range;
+    if let Ok(curves) = Curves::new(path, [range.from, range.to], Some(&names))
+        && let Some(curve) = curves.curves.first()
+    {
+        let found =
+            |greatest: bool| curve.extremes.iter().find(|e| e.greatest == greatest).map(|e: &Extreme| [e.at, e.value]);
+        let constant = curve.constant.map(|value| [curves.range[0], value]);
+        (summary.max, summary.min) = (constant.or_else(|| found(true)), constant.or_else(|| found(false)));
+        // What grows without bound has no mean that samples could tell.
+        if wanted.has_mean() && summary.max.is_some() && summary.min.is_some() {
+            summary.mean = mean(&sampled(path, Some(range.steps), wanted));
+        }
     }
+    summary
+}
+
+/// Values of a quantity at these steps, or at the scene's position; angles run on.
+fn sampled(path: &Path, steps: Option<Steps>, wanted: &Wanted) -> Vec<f64> {
+    let start = path.start();
+    let Some(steps) = steps.or_else(|| Steps::new(start, start, 1.0).ok()) else {
+        return Vec::new();
+    };
+    let Ok(sweep) = Sweep::new(path, steps, Some(std::slice::from_ref(&wanted.name))) else {
+        return Vec::new();
+    };
+    let width = sweep.header().len();
+    let numbers = sweep.rows(0..sweep.steps().count());
+    let size = |row: &[Option<f64>]| match row {
+        // The drive's own value is the first column, and not there twice.
+        [drive] => drive.unwrap_or(f64::NAN),
+        [_, number] => number.unwrap_or(f64::NAN),
+        [_, x, y] => x.zip(*y).map_or(f64::NAN, |(x, y)| libm::hypot(x, y)),
+        _ => f64::NAN,
+    };
+    let mut values: Vec<f64> = numbers.chunks_exact(width).map(size).collect();
+    if wanted.turns() {
+        unwrap(&mut values);
+    }
+    values
 }

@@ -2,10 +2,8 @@
 //! goes through the cycle, and figures of quantities over the cycle. Any rows can be asked for in any order and anywhere: a row hangs on
 //! the study and its own index alone.
 
-mod alone;
 mod file;
 mod member;
-mod number;
 mod plan;
 mod samples;
 mod task;

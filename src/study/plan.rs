@@ -1,12 +1,10 @@
 //! A study of its scene: which numbers vary and how, and the rows of its table.
 
-use super::alone;
 use super::file::StudyFile;
-use super::member::{StudyError, member, posed};
-use super::number::{Named, numbers};
-use super::task::{Column, Content, Outcome, Round, Status, Task, Wanted};
+use super::member::{StudyError, follow_alone, member, posed};
+use super::task::{Column, Content, DriveRange, Outcome, Status, Task, Wanted};
 use super::together;
-use super::vary::{Values, Varied};
+use super::vary::{Named, Values, Varied, numbers};
 use crate::Problem;
 use crate::cores::on_all_cores;
 use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
@@ -20,7 +18,7 @@ use std::ops::Range;
 const MOST: u64 = 1_000_000_000;
 
 /// Rows that a core computes at a time.
-const CHUNK: u64 = 16 * MANY as u64;
+const CHUNK: u64 = 4 * MANY as u64;
 
 /// Most positions of a cycle.
 const MOST_STEPS: usize = 100_000;
@@ -48,36 +46,36 @@ impl StudyFile {
             return Err(CycleError::Drawn.into());
         }
         let (mechanism, _) = posed(&scene)?;
-        let round = round(file, &mechanism)?;
-        let varied = varied(file, &scene, &round)?;
+        let range = drive_range(file, &mechanism)?;
+        let varied = varied(file, &scene, &range)?;
         let is_random = varied.iter().any(|v| !matches!(v.values, Values::Grid { .. }));
         let shots = match (file.keys.count, is_random) {
             (None, false) => 1,
-            (Some(0), _) => return Err(file.error(&["count"], "a study has at least one row", None).into()),
+            (Some(0), _) => return file.refuse(&["count"], "a study has at least one row", None),
             (Some(count), true) => count,
             (None, true) => {
                 let hint = r#"add "count": 1000, so many at each point of the grid"#;
-                return Err(file
-                    .error(&["vary"], "numbers vary at random, and nothing says how often", Some(hint))
-                    .into());
+                return file.refuse(&["vary"], "numbers vary at random, and nothing says how often", Some(hint));
             }
             (Some(_), false) => {
                 let hint = "leave it out: each point of the grid has one row";
-                return Err(file.error(&["count"], "nothing varies at random", Some(hint)).into());
+                return file.refuse(&["count"], "nothing varies at random", Some(hint));
             }
         };
-        let rows = varied.iter().try_fold(shots, |rows, v| rows.checked_mul(v.values.points())).filter(|r| *r <= MOST);
-        let rows = rows.ok_or_else(|| file.error(&["vary"], format!("these are more than {MOST} mechanisms"), None))?;
+        let rows = varied.iter().try_fold(shots, |rows, v| rows.checked_mul(v.values.points()));
+        let Some(rows) = rows.filter(|rows| *rows <= MOST) else {
+            return file.refuse(&["vary"], format!("these are more than {MOST} mechanisms"), None);
+        };
         let mut wanted = Vec::new();
         for (name, figures) in &file.keys.want {
             let asked = QuantityRequest::new(name, &mechanism)
                 .map_err(|error| refused(file, &["want", name], &error.problem()))?;
             if asked.is_on_paper() {
-                return Err(file.error(&["want", name], "a study has no paper", Some("the name without `/mu`")).into());
+                return file.refuse(&["want", name], "a study has no paper", Some("the name without `/mu`"));
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
-        Ok(Study { scene, varied, shots, seed: file.keys.seed.unwrap_or(1), rows, task: Task { round, wanted } })
+        Ok(Study { scene, varied, shots, seed: file.keys.seed.unwrap_or(1), rows, task: Task { range, wanted } })
     }
 }
 
@@ -88,19 +86,13 @@ impl Study {
         self.rows
     }
 
-    /// How many positions of each mechanism are computed.
-    #[must_use]
-    pub fn positions(&self) -> usize {
-        self.task.round.steps.count()
-    }
-
     /// The columns of its table.
     #[must_use]
     pub fn columns(&self) -> Vec<Column> {
         let column = |name: &str, content, unit: String| Column { name: name.to_owned(), content, unit };
         let number = |name: &str, unit: &str| column(name, Content::Number, unit.to_owned());
         let units = self.scene.units;
-        let drive = if self.task.round.is_angle { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
+        let drive = if self.task.range.is_angle { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
         let mut columns = vec![column("index", Content::Index, String::new())];
         columns.extend(self.varied.iter().map(|v| number(&v.name, &v.number.unit(units))));
         columns.push(column("status", Content::Status, String::new()));
@@ -156,8 +148,8 @@ impl Study {
             let member = member(&scene);
             failed.push(member.as_ref().err().copied());
             if let Ok((mechanism, pose)) = member {
-                mechanisms.push(if self.task.round.alone {
-                    alone_moving(&mechanism, &self.task.round.drive)
+                mechanisms.push(if self.task.range.alone {
+                    alone_moving(&mechanism, &self.task.range.drive)
                 } else {
                     mechanism
                 });
@@ -166,7 +158,7 @@ impl Study {
         }
         let moved = together::follow(&self.task, &mechanisms, &poses).into_iter().zip(mechanisms.iter().zip(&poses));
         // Side by side where that is sure, else each by itself.
-        let mut moved = moved.map(|(outcome, (m, pose))| outcome.unwrap_or_else(|| alone::follow(&self.task, m, pose)));
+        let mut moved = moved.map(|(outcome, (m, pose))| outcome.unwrap_or_else(|| follow_alone(&self.task, m, pose)));
         let outcomes = failed.into_iter().map(|status| match status {
             None => moved.next().unwrap_or_else(|| Outcome::without_motion(Status::NoMechanism, &self.task)),
             Some(status) => Outcome::without_motion(status, &self.task),
@@ -174,7 +166,7 @@ impl Study {
         for ((row, values), outcome) in rows.zip(varied).zip(outcomes) {
             numbers.push(row as f64);
             numbers.extend(values);
-            numbers.push(outcome.status.number());
+            numbers.push(outcome.status as u8 as f64);
             numbers.extend(outcome.reach.unwrap_or([f64::NAN; 2]));
             for (wanted, summary) in self.task.wanted.iter().zip(&outcome.summaries) {
                 for figure in &wanted.figures {
@@ -208,7 +200,7 @@ fn refused(file: &StudyFile, path: &[&str], problem: &Problem) -> StudyError {
 }
 
 /// The motion that the study asks for.
-fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
+fn drive_range(file: &StudyFile, mechanism: &Mechanism) -> Result<DriveRange, StudyError> {
     let cycle = &file.keys.cycle;
     let path: &[&str] = if cycle.drive.is_some() { &["cycle", "drive"] } else { &["cycle"] };
     let drive = Drive::new(mechanism, cycle.drive.as_deref()).map_err(|error| refused(file, path, &error.problem()))?;
@@ -216,17 +208,16 @@ fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
     let steps = steps.map_err(|error| refused(file, &["cycle", "step"], &error.problem()))?;
     if steps.count() < 3 || steps.count() > MOST_STEPS {
         let message = format!("a cycle has 3 to {MOST_STEPS} positions, and here are {}", steps.count());
-        return Err(file.error(&["cycle", "step"], message, None).into());
+        return file.refuse(&["cycle", "step"], message, None);
     }
     let (last, wide) = (steps.value(steps.count() - 1), cycle.to - cycle.from);
     if (last - cycle.to).abs() > 1e-9 * wide.abs() {
         let even = wide.abs() / ((wide / cycle.step).abs().round().max(1.0));
         let hint = format!("as {even}, which leads from {} to {}", cycle.from, cycle.to);
-        return Err(file
-            .error(&["cycle", "step"], "no whole number of steps leads to the end of the cycle", Some(&hint))
-            .into());
+        let message = "no whole number of steps leads to the end of the cycle";
+        return file.refuse(&["cycle", "step"], message, Some(&hint));
     }
-    Ok(Round {
+    Ok(DriveRange {
         quantity: drive.quantity(),
         is_angle: drive.is_angle(),
         is_turn: drive.is_angle() && wide.abs() == 360.0,
@@ -239,7 +230,7 @@ fn round(file: &StudyFile, mechanism: &Mechanism) -> Result<Round, StudyError> {
 }
 
 /// The numbers that vary.
-fn varied(file: &StudyFile, scene: &Scene, round: &Round) -> Result<Vec<Varied>, StudyError> {
+fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Varied>, StudyError> {
     let known: Vec<Named> = numbers(scene);
     let mut all: Vec<Varied> = Vec::new();
     for (name, range) in &file.keys.vary {
@@ -251,18 +242,19 @@ fn varied(file: &StudyFile, scene: &Scene, round: &Round) -> Result<Vec<Varied>,
                 None => format!("what may vary: {}", listed(&known)),
             };
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
-            return Err(file.error(&path, message, Some(&hint)).into());
+            return file.refuse(&path, message, Some(&hint));
         };
-        let is_moved = ["angle", "position"].iter().any(|key| found.name == format!("{}.{key}", round.drive));
-        if is_moved && round.quantity.starts_with(if found.name.ends_with("angle") { "angle" } else { "position" }) {
+        let is_moved = ["angle", "position"].iter().any(|key| found.name == format!("{}.{key}", driven.drive));
+        if is_moved && driven.quantity.starts_with(if found.name.ends_with("angle") { "angle" } else { "position" }) {
             let hint = "leave it out of `vary`: `cycle` says where the drive goes";
-            return Err(file.error(&path, "this is the drive that moves", Some(hint)).into());
+            return file.refuse(&path, "this is the drive that moves", Some(hint));
         }
         if let Some(twin) = all.iter().find(|v| v.number == found.number) {
             let message = format!("this is the same number as `{}`", crate::text::shown(&twin.name));
-            return Err(file.error(&path, message, Some("keep one of them")).into());
+            return file.refuse(&path, message, Some("keep one of them"));
         }
-        let values = Values::of(range, found.value).map_err(|message| {
+        let own = found.number.of(&mut scene.clone()).copied().unwrap_or_default();
+        let values = Values::of(range, own).map_err(|message| {
             let hint = r#"write { "from": 80, "to": 120, "count": 9 }, { "from": 80, "to": 120 }, { "plus_minus": 0.5 } or { "sigma": 0.2 }"#;
             file.error(&path, message, Some(hint))
         })?;

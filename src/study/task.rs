@@ -8,13 +8,13 @@ use serde::Deserialize;
 /// The motion that every mechanism makes, and what is wanted of it.
 #[derive(Clone, Debug)]
 pub(super) struct Task {
-    pub round: Round,
+    pub range: DriveRange,
     pub wanted: Vec<Wanted>,
 }
 
 /// The motion of every mechanism.
 #[derive(Clone, Debug)]
-pub(super) struct Round {
+pub(super) struct DriveRange {
     /// The drive's name.
     pub drive: String,
     /// Its name as a quantity.
@@ -30,7 +30,7 @@ pub(super) struct Round {
     pub alone: bool,
 }
 
-impl Round {
+impl DriveRange {
     /// Its lowest and highest value.
     pub fn ends(&self) -> [f64; 2] {
         [self.from.min(self.to), self.from.max(self.to)]
@@ -163,7 +163,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// All of them, by the number that stands for each in a row.
+    /// All of them in their order, by which a row has a number for each.
     pub const ALL: [Status; 6] =
         [Status::Whole, Status::Part, Status::Outside, Status::Singular, Status::NotAssembled, Status::NoMechanism];
 
@@ -178,12 +178,6 @@ impl Status {
             Status::NotAssembled => "not assembled",
             Status::NoMechanism => "no mechanism",
         }
-    }
-
-    /// The number that stands for it in a row.
-    #[must_use]
-    pub(super) fn number(self) -> f64 {
-        Status::ALL.iter().position(|other| *other == self).map_or(f64::NAN, |at| at as f64)
     }
 }
 

@@ -1,12 +1,12 @@
 //! Mechanisms followed side by side from position to position, as long as each surely stays on its branch.
 
-use super::member::value;
 use super::samples::{Spaced, Spot, mean, near, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Drive, Kept, Position, Variants};
 use crate::geometry::Many;
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
+use crate::quantity::Quantity;
 
 /// Difference of a quantity at the ends of a turn, in parts of its height, that is rounding.
 const SAME: f64 = 1e-9;
@@ -17,7 +17,7 @@ pub(super) fn follow(task: &Task, mechanisms: &[Mechanism], poses: &[Pose]) -> V
     if mechanisms.is_empty() || task.wanted.iter().any(|w| w.asked.needs_construction()) {
         return nothing;
     }
-    let Ok(drive) = Drive::new(&mechanisms[0], Some(&task.round.drive)) else {
+    let Ok(drive) = Drive::new(&mechanisms[0], Some(&task.range.drive)) else {
         return nothing;
     };
     let Ok(variants) = Variants::new(mechanisms, poses) else {
@@ -48,10 +48,10 @@ impl<'a> Walk<'a> {
     /// The mechanisms in their first position; `None` where the scene's position lies outside the cycle, or the drive's rates are such that
     /// they do not tell how far the next position is.
     fn new(task: &'a Task, variants: Variants<'a>, drive: Drive) -> Option<Self> {
-        let round = &task.round;
-        let (count, last) = (variants.count(), round.steps.count() - 1);
+        let range = &task.range;
+        let (count, last) = (variants.count(), range.steps.count() - 1);
         let origin = variants.start(0, &drive);
-        let first = ((origin - round.from) / (round.to - round.from) * last as f64).round();
+        let first = ((origin - range.from) / (range.to - range.from) * last as f64).round();
         let is_inside = (0.0..=last as f64).contains(&first);
         let starts_there = (0..count).all(|i| variants.start(i, &drive) == origin);
         if !is_inside || !starts_there || !(0..count).all(|i| variants.runs_evenly(i, &drive)) {
@@ -78,7 +78,7 @@ impl<'a> Walk<'a> {
 
     fn outcomes(mut self) -> Vec<Option<Outcome>> {
         let start = self.variants.kept();
-        let steps = self.task.round.steps;
+        let steps = self.task.range.steps;
         for sure in 0..self.sure.len() {
             self.sure[sure] = self.variants.position(sure).is_some();
         }
@@ -105,7 +105,7 @@ impl<'a> Walk<'a> {
         let mut last = None;
         let mut was = self.origin;
         for step in steps {
-            let value = self.task.round.steps.value(step);
+            let value = self.task.range.steps.value(step);
             for mechanism in (0..self.sure.len()).filter(|i| self.sure[*i]) {
                 self.variants.set_along(mechanism, &self.drive, value);
             }
@@ -140,7 +140,7 @@ impl<'a> Walk<'a> {
 
     /// What the samples tell.
     fn summed(&mut self) -> Vec<Option<Outcome>> {
-        let round = &self.task.round;
+        let range = &self.task.range;
         let mut outcomes = Vec::new();
         for (mechanism, sure) in self.sure.iter().enumerate() {
             let mut summaries = Vec::new();
@@ -153,7 +153,7 @@ impl<'a> Walk<'a> {
                 let mean = if wanted.has_mean() { mean(samples) } else { None };
                 summaries.push(Summary { max: None, min: None, mean, at_scene });
             }
-            let whole = Outcome { status: Status::Whole, reach: Some(round.ends()), summaries };
+            let whole = Outcome { status: Status::Whole, reach: Some(range.ends()), summaries };
             outcomes.push(sure.then_some(whole));
         }
         outcomes
@@ -161,10 +161,10 @@ impl<'a> Walk<'a> {
 
     /// Finds the greatest values of a quantity (`sign` 1), or the least ones: each mechanism is moved to where its samples let it expect.
     fn refine(&mut self, quantity: usize, sign: f64, outcomes: &mut [Option<Outcome>]) {
-        let (round, wanted) = (&self.task.round, &self.task.wanted[quantity]);
+        let (range, wanted) = (&self.task.range, &self.task.wanted[quantity]);
         let spots: Vec<Option<Spot>> = (0..self.sure.len()).map(|i| self.peak(i, quantity, sign, wanted)).collect();
-        let step = round.steps.value(1) - round.steps.value(0);
-        let at = |spot: Spot| round.steps.value(spot.sample) + spot.beyond * step;
+        let step = range.steps.value(1) - range.steps.value(0);
+        let at = |spot: Spot| range.steps.value(spot.sample) + spot.beyond * step;
         for (mechanism, spot) in spots.iter().enumerate() {
             if let Some(spot) = *spot
                 && let Some(kept) = &self.kept[spot.sample]
@@ -179,11 +179,12 @@ impl<'a> Walk<'a> {
                 continue;
             };
             let sample = self.samples[mechanism][quantity][spot.sample];
-            let sampled = [round.steps.value(spot.sample), sample];
-            let moved = self.variants.position(mechanism).map(|p| value(&wanted.asked, &p));
-            let moved = moved.map(|y| if wanted.turns() { near(y, sample) } else { y });
-            let better = moved.filter(|y| sign * (y - sample) > 0.0).map(|y| [within(at(spot), round.ends()), y]);
-            let found = better.unwrap_or(sampled);
+            let moved = read(wanted, self.variants.position(mechanism).as_ref());
+            let moved = if wanted.turns() { near(moved, sample) } else { moved };
+            let found = match sign * (moved - sample) > 0.0 {
+                true => [within(at(spot), range.ends()), moved],
+                false => [range.steps.value(spot.sample), sample],
+            };
             let summary = &mut outcome.summaries[quantity];
             if sign > 0.0 { summary.max = Some(found) } else { summary.min = Some(found) }
         }
@@ -196,14 +197,18 @@ impl<'a> Walk<'a> {
         let values = &self.samples[mechanism][quantity];
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], y| [l.min(*y), h.max(*y)]);
         let closes = (values[0] - values[values.len() - 1]).abs() <= SAME * (high - low);
-        let periodic = self.task.round.is_turn && closes && !wanted.turns();
+        let periodic = self.task.range.is_turn && closes && !wanted.turns();
         Spaced { values, sign, periodic }.peak()
     }
 }
 
-/// The value of a quantity in a position; NaN where it has none.
+/// The value of a quantity that needs no construction in a position, of a vector its size; NaN where it has none.
 fn read(wanted: &Wanted, position: Option<&Position<'_, Many>>) -> f64 {
-    position.map_or(f64::NAN, |position| value(&wanted.asked, position))
+    match position.map(|position| wanted.asked.value(position, None, None)) {
+        Some(Ok(Quantity::Number(x))) => x,
+        Some(Ok(Quantity::Vector(vector))) => vector.norm(),
+        _ => f64::NAN,
+    }
 }
 
 /// A value of the drive within a turn.

@@ -1,7 +1,7 @@
 //! Parts of the program that no command line reaches alone: names of students' pages, forms and their exercises, help, panics.
 
 mod caught {
-    use kinegon::cli::caught::caught;
+    use kinegon::cli::pieces::caught;
 
     #[test]
     fn a_panic_becomes_a_message() {
@@ -15,7 +15,7 @@ mod caught {
 }
 
 mod exercises {
-    use kinegon::cli::exercises::{ExerciseFiles, ExerciseFolder};
+    use kinegon::cli::forms::{ExerciseFiles, ExerciseFolder};
     use kinegon::text::Untrusted;
     use std::path::{Path, PathBuf};
 

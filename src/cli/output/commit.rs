@@ -1,126 +1,77 @@
 //! Renames complete files into their places, all or none.
 
-use super::signals::known;
-use super::stage::Stage;
-use super::{Staged, is_there_already};
-use crate::cli::files::unwritable;
+use super::is_there_already;
+use super::stage::{Stage, State, Unit, known};
 use crate::cli::message::Failure;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use tempfile::TempPath;
 
-/// A file, or a new folder with all its files, that is renamed into its place.
-pub(super) struct Unit {
-    /// Its path in messages.
-    named: PathBuf,
-    /// Index of its staging folder.
-    stage: usize,
-    from: PathBuf,
-    pub to: PathBuf,
-    /// Whether it must not replace another file.
-    is_first: bool,
-}
-
-impl Unit {
-    /// The unit to which a file belongs.
-    pub(super) fn of(file: &Staged, stage: &Stage) -> Unit {
-        let first = file.inside.iter().next().map_or(Path::new(""), Path::new);
-        let (to, is_file) = (stage.base().join(first), first == file.inside);
-        Unit {
-            named: if is_file { file.named.clone() } else { to.clone() },
-            stage: file.stage,
-            from: stage.new_path(first),
-            to,
-            is_first: file.is_first && is_file,
-        }
-    }
-}
-
-/// What takes a unit out of its place again.
-enum Undo {
-    /// Nothing was there.
-    Remove,
-    /// This file was there.
-    Restore(PathBuf),
-}
-
-/// Puts all units into their places, and on the disk. If one cannot be put there, what was there before is put back.
-pub(super) fn commit(mut stages: Vec<Stage>, units: &[Unit]) -> Result<(), Failure> {
+/// Puts the files of all stages into their places, and on the disk. If one cannot be put there, what was there before is
+/// put back.
+pub(super) fn commit(mut stages: Vec<Stage>) -> Result<(), Failure> {
     // No signal comes between.
     let mut known = known();
-    let mut undos: Vec<(&Unit, Undo)> = Vec::new();
-    let Err((path, error)) = put_all(&stages, units, &mut undos) else {
+    let Err((path, error)) = put_all(&mut stages) else {
         known.is_complete = true;
         // The guard is needed to remove the staging folders.
         drop(known);
-        drop(stages);
         return Ok(());
     };
-    let mut lost = Vec::new();
-    for (unit, undo) in undos.into_iter().rev() {
-        let undone = match undo {
-            Undo::Remove => fs::rename(&unit.to, &unit.from),
-            Undo::Restore(old) => fs::rename(old, &unit.to),
-        };
-        if undone.is_err() {
-            let kept = stages[unit.stage].keep(&mut known);
-            lost.push(format!("{} could not be put back (see {})", unit.named.display(), kept.display()));
+    let mut lost = String::new();
+    for stage in stages.iter().rev() {
+        for unit in stage.units.iter().rev() {
+            let undone = match &unit.state {
+                State::Staged => Ok(()),
+                State::Added => fs::rename(&unit.to, &unit.from),
+                State::Replaces(old) => fs::rename(old, &unit.to),
+            };
+            if undone.is_err() {
+                known.folders.retain(|folder| *folder != stage.folder);
+                let (named, kept) = (unit.named.display(), stage.folder.display());
+                lost += &format!("; {named} could not be put back (see {kept})");
+            }
         }
     }
     drop(known);
-    let failure = match units.iter().any(|unit| unit.is_first) && error.kind() == ErrorKind::AlreadyExists {
-        true => is_there_already(&path),
-        false => unwritable(&path, &error),
-    };
-    match (lost.is_empty(), failure) {
-        (false, Failure::Outside(problem)) => {
-            Err(Failure::outside(format!("{}; {}", problem.message, lost.join("; "))))
-        }
-        (_, failure) => Err(failure),
+    let has_first = stages.iter().flat_map(|stage| &stage.units).any(|unit| unit.is_first);
+    if has_first && error.kind() == ErrorKind::AlreadyExists {
+        return Err(is_there_already(&path));
     }
+    Err(Failure::outside(format!("{} cannot be written: {error}{lost}", path.display())))
 }
 
-/// Renames all units, until one fails; `undos` is what must be undone then.
-fn put_all<'u>(
-    stages: &[Stage],
-    units: &'u [Unit],
-    undos: &mut Vec<(&'u Unit, Undo)>,
-) -> Result<(), (PathBuf, io::Error)> {
-    let Some(last) = units.last() else {
-        return Ok(());
-    };
-    let failed = |unit: &Unit, error| (unit.named.clone(), error);
-    for stage in stages {
-        sync_folders(&stage.new_path(Path::new(""))).map_err(|error| failed(last, error))?;
+/// Renames all units, until one fails: its path in messages, and why.
+fn put_all(stages: &mut [Stage]) -> Result<(), (PathBuf, io::Error)> {
+    let last = stages.last().and_then(|stage| stage.units.last()).map(|unit| unit.named.clone()).unwrap_or_default();
+    let unsynced = |error| (last.clone(), error);
+    stages.iter().try_for_each(|stage| sync_folders(&stage.folder.join("new"))).map_err(unsynced)?;
+    for stage in &mut *stages {
+        for (number, unit) in stage.units.iter_mut().enumerate() {
+            let old = stage.folder.join("old").join(number.to_string());
+            put(unit, old).map_err(|error| (unit.named.clone(), error))?;
+        }
     }
-    for (number, unit) in units.iter().enumerate() {
-        let old = stages[unit.stage].old_path(number);
-        put(unit, old, undos).map_err(|error| failed(unit, error))?;
-    }
-    for stage in stages {
-        sync(stage.base()).map_err(|error| failed(last, error))?;
-    }
-    Ok(())
+    stages.iter().try_for_each(|stage| sync(&stage.base)).map_err(unsynced)
 }
 
 /// Renames one unit into its place; what is there is kept as `old`.
-fn put<'u>(unit: &'u Unit, old: PathBuf, undos: &mut Vec<(&'u Unit, Undo)>) -> io::Result<()> {
-    if unit.is_first {
-        TempPath::try_from_path(&unit.from)?.persist_noclobber(&unit.to).map_err(|error| error.error)?;
-        undos.push((unit, Undo::Remove));
-        return Ok(());
-    }
-    if !unit.to.is_file() {
-        fs::rename(&unit.from, &unit.to)?;
-        undos.push((unit, Undo::Remove));
+fn put(unit: &mut Unit, old: PathBuf) -> io::Result<()> {
+    if unit.is_first || !unit.to.is_file() {
+        if unit.is_first {
+            TempPath::try_from_path(&unit.from)?.persist_noclobber(&unit.to).map_err(|error| error.error)?;
+        } else {
+            fs::rename(&unit.from, &unit.to)?;
+        }
+        unit.state = State::Added;
         return Ok(());
     }
     // A second name for the old file, so that there is never none; not every file system can do that.
     if fs::hard_link(&unit.to, &old).is_err() {
         fs::rename(&unit.to, &old)?;
     }
-    undos.push((unit, Undo::Restore(old)));
+    unit.state = State::Replaces(old);
     fs::rename(&unit.from, &unit.to)
 }
 

@@ -4,37 +4,34 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Component, MAIN_SEPARATOR, Path, PathBuf};
 
-pub(super) enum Place {
-    /// A pipe or a device. It must not be replaced by a file, so it is written directly.
-    Special,
-    /// A file.
-    File {
-        /// A folder that is there.
-        base: PathBuf,
-        /// The way from it: folders that are not there yet, and the file's name.
-        inside: PathBuf,
-        /// The file that is there now.
-        replaced: Option<Box<Metadata>>,
-    },
+/// Where a file is to be.
+pub(super) struct Place {
+    /// A folder that is there.
+    pub base: PathBuf,
+    /// The path from it: folders that are not there yet, and the file's name.
+    pub inside: PathBuf,
+    /// The file that is there now.
+    pub replaced: Option<Metadata>,
 }
 
 /// Most links on the way to a file, as Linux has it.
 const LINKS: usize = 40;
 
 impl Place {
-    /// Where a path leads; the links in it are followed, so that what they show is replaced and not they.
+    /// Where a path leads; the links in it are followed, so that what they show is replaced and not they. `None` for a pipe
+    /// or a device: it must not be replaced by a file, so it is written directly.
     ///
     /// # Errors
     /// A folder is there, or a file in place of a folder, or a file that is write-protected.
-    pub(super) fn of(path: &Path) -> io::Result<Place> {
+    pub(super) fn of(path: &Path) -> io::Result<Option<Place>> {
         let (last, is_descriptor) = follow(path);
         if is_descriptor {
-            return Ok(Place::Special);
+            return Ok(None);
         }
         // The system itself follows the links here: it may refuse those that others have planted.
         match fs::metadata(path) {
             Ok(found) if found.is_dir() => Err(ErrorKind::IsADirectory.into()),
-            Ok(found) if !found.is_file() => Ok(Place::Special),
+            Ok(found) if !found.is_file() => Ok(None),
             Ok(found) if found.permissions().readonly() => {
                 Err(io::Error::new(ErrorKind::PermissionDenied, "it is there already and write-protected"))
             }
@@ -43,11 +40,11 @@ impl Place {
                 let (Some(base), Some(name)) = (file.parent(), file.file_name()) else {
                     return Err(ErrorKind::InvalidInput.into());
                 };
-                Ok(Place::File { base: base.to_owned(), inside: name.into(), replaced: Some(Box::new(found)) })
+                Ok(Some(Place { base: base.to_owned(), inside: name.into(), replaced: Some(found) }))
             }
             Err(error) => match path.ancestors().skip(1).find(|folder| folder.is_file()) {
                 Some(file) => Err(no_folder(file)),
-                None if error.kind() == ErrorKind::NotFound => new_place(&last),
+                None if error.kind() == ErrorKind::NotFound => new_place(&last).map(Some),
                 None => Err(error),
             },
         }
@@ -84,7 +81,7 @@ fn new_place(path: &Path) -> io::Result<Place> {
     {
         return Err(no_folder(&first));
     }
-    Ok(Place::File { base, inside: inside.join(name), replaced: None })
+    Ok(Place { base, inside: inside.join(name), replaced: None })
 }
 
 /// The end of the links that begin at a path, and whether they lead to an open file of this process, as `/dev/stdout`.

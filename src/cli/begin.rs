@@ -1,17 +1,20 @@
+//! What somebody begins with: the workbench, and starting scenes.
+
 use super::files;
-use super::message::{Failure, note};
+use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use crate::Problem;
 use crate::format::{OpenScene, workbench};
-use crate::scene::Scene;
+use crate::scene::Kind;
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use etcetera::BaseStrategy;
 use std::path::{Path, PathBuf};
 
 /// The name of the page's file.
 const NAME: &str = "kinegon.html";
 
-const AFTER_HELP: &str = "\
+const APP_HELP: &str = "\
 The workbench is one file and needs no network: it can be copied, sent and put on a course page, and works without this program.
 
 Examples:
@@ -19,9 +22,8 @@ Examples:
   kinegon app scene.json            opens it with this scene
   kinegon app -o kinegon.html       writes it";
 
-/// Open the workbench, the program as a page in the browser.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER_HELP)]
+#[command(after_help = APP_HELP)]
 pub(super) struct App {
     /// Scene file to open it with, `-` for stdin.
     scene: Option<PathBuf>,
@@ -34,7 +36,6 @@ impl App {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let page = self.page()?;
         match &self.output {
-            Some(output) if output == Path::new("-") => files::print(page.as_bytes()),
             Some(output) if files::is_folder(output) => self.write(&output.join(NAME), &page),
             Some(output) => self.write(output, &page),
             None => {
@@ -51,8 +52,7 @@ impl App {
         let Some(path) = &self.scene else {
             return Ok(workbench(None));
         };
-        let source = files::read(path)?;
-        Scene::read(&source.text).map_err(|error| source.fail(error))?;
+        let (source, _) = files::read_scene(path)?;
         Ok(workbench(Some(OpenScene { text: &source.text, step: None })))
     }
 
@@ -60,9 +60,7 @@ impl App {
         if let Some(scene) = &self.scene {
             files::refuse_overwriting("scene", scene, path)?;
         }
-        let mut files = FileSet::default();
-        files.add(path, page.as_bytes())?;
-        files.finish()
+        files::write(path, page.as_bytes())
     }
 }
 
@@ -103,4 +101,53 @@ fn has_screen() -> bool {
     let asks_for_one = cfg!(all(unix, not(target_os = "macos")));
     // Within Windows, and where a person has named a browser, there is a way without.
     !asks_for_one || ["DISPLAY", "WAYLAND_DISPLAY", "BROWSER", "WSL_DISTRO_NAME"].into_iter().any(is_set)
+}
+
+const NEW_HELP: &str = "\
+Examples:
+  kinegon new                             lists the kinds
+  kinegon new four-bar -o four-bar.json   writes a four-bar linkage
+  kinegon new slider-crank | kinegon draw - -o slider-crank.svg";
+
+#[derive(Debug, Args)]
+#[command(after_help = NEW_HELP)]
+pub(super) struct New {
+    /// Kind of mechanism; without one the kinds are listed.
+    #[arg(value_parser = PossibleValuesParser::new(Kind::NAMES), hide_possible_values = true)]
+    kind: Option<String>,
+    /// File to write, or a folder for KIND.json, or `-` for stdout; a file that is there already is never written over.
+    #[arg(short, long, default_value = "-")]
+    output: PathBuf,
+    /// List the kinds.
+    #[arg(long, conflicts_with_all = ["kind", "output"])]
+    list: bool,
+}
+
+impl New {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let Some(kind) = &self.kind else {
+            if self.output != Path::new("-") {
+                return refuse(
+                    "which kind of mechanism is to be written?",
+                    "name one of those that `kinegon new --list` shows",
+                );
+            }
+            return files::print_text(&list());
+        };
+        let Kind { name, text } = Kind::named(kind).expect("the command line takes no other name");
+        if self.output == Path::new("-") {
+            return files::print(text.as_bytes());
+        }
+        let is_folder = files::is_folder(&self.output);
+        let path = if is_folder { self.output.join(format!("{name}.json")) } else { self.output.clone() };
+        let mut files = FileSet::default();
+        files.add_first(&path, text.as_bytes())?;
+        files.finish()
+    }
+}
+
+/// The kinds with the titles of their scenes, a line each.
+fn list() -> String {
+    let width = Kind::NAMES.iter().map(|name| name.len()).max().unwrap_or_default();
+    Kind::all().map(|kind| format!("{:width$}  {}\n", kind.name, kind.title().for_terminal())).collect()
 }

@@ -1,13 +1,19 @@
+//! The motion of a scene while a drive moves, as a table or as curves.
+
+use super::figures::{Figures, Sheets, stem};
 use super::files;
-use super::message::{Failure, Source, note, warn};
+use super::message::{Failure, Source, note, refuse, warn};
+use super::options::{Paper, Words};
+use super::output::FileSet;
+use super::solve::{Mode, read};
 use super::table::{self, TableFormat};
-use super::work::{Mode, start};
 use crate::Problem;
 use crate::accuracy::is_bounded;
-use crate::cycle::{Drive, Path as Branch, Steps, Sweep, alone};
+use crate::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths, Steps, Sweep, alone};
+use crate::drawing::{curves, hodographs, paths};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
-use crate::scene::Scene;
+use crate::scene::{Scene, SizeLimit};
 use crate::words::Wording;
 use clap::Args;
 use std::path::PathBuf;
@@ -15,7 +21,7 @@ use std::path::PathBuf;
 /// Most extreme and change points that are listed.
 const NOTES: usize = 30;
 
-const AFTER_HELP: &str = "\
+const SWEEP_HELP: &str = "\
 The motion is followed from the scene's own position, without a jump to another assembly mode. The table keeps what can be \
 reached: if a limit position comes before the end of the range, that is said and the exit code is 1. Cells without a number, \
 as at a change point, are empty (null in JSON lines).
@@ -25,9 +31,8 @@ Examples:
   kinegon sweep scene.json --from 0 --to 180 -o half.csv   half a turn
   kinegon sweep scene.json --want \"omega(3), v(C).size\"   two quantities only";
 
-/// Write a table of a scene's motion while a drive moves.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER_HELP)]
+#[command(after_help = SWEEP_HELP)]
 pub(super) struct SweepCommand {
     #[command(flatten)]
     range: Range,
@@ -52,55 +57,57 @@ pub(super) struct SweepCommand {
 
 /// Which motion of which scene.
 #[derive(Debug, Args)]
-pub(super) struct Range {
+struct Range {
     /// Scene file, `-` for stdin.
-    pub scene: PathBuf,
+    scene: PathBuf,
     /// First value of the drive: an angle in degrees, or a slider's position along its guide. With neither --from nor
     /// --to: once around, or from end to end.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub from: Option<f64>,
+    from: Option<f64>,
     /// Last value of the drive; may be less than the first. Without --from the first is that of the scene.
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub to: Option<f64>,
+    to: Option<f64>,
     /// The drive that moves, if not the first: a driven link, or a slider on a moving link such as 3/2; other drives
     /// run along in proportion to their speeds.
     #[arg(long)]
-    pub drive: Option<String>,
+    drive: Option<String>,
     /// Other drives stand still.
     #[arg(long)]
-    pub alone: bool,
+    alone: bool,
     /// Quantities by name, as in "omega(4), v_r(3/2), L(B,S3)"; without it those that the scene wants, else all;
     /// of curves, ω of all links that follow.
     #[arg(long)]
-    pub want: Vec<String>,
+    want: Vec<String>,
     #[command(flatten)]
-    pub mode: Mode,
+    mode: Mode,
 }
 
 /// A scene in its own position, and the drive that is to move it.
-pub(super) struct DrivenScene {
-    pub source: Source,
-    pub scene: Scene,
-    pub mechanism: Mechanism,
-    pub pose: Pose,
-    pub drive: Drive,
+struct DrivenScene {
+    source: Source,
+    scene: Scene,
+    mechanism: Mechanism,
+    pose: Pose,
+    drive: Drive,
     /// Names of the quantities asked for; `None` for all.
-    pub names: Option<Vec<String>>,
+    names: Option<Vec<String>>,
 }
 
 impl Range {
     /// Reads the scene, finds its position and the drive.
-    pub(super) fn driven_scene(&self) -> Result<DrivenScene, Failure> {
-        let (source, (scene, mechanism, pose)) = start(&self.scene, self.mode.number)?;
-        let drive = Drive::new(&mechanism, self.drive.as_deref()).map_err(|error| source.fail(error))?;
+    fn driven_scene(&self) -> Result<DrivenScene, Failure> {
+        let source = files::read(&self.scene)?;
+        let (scene, mechanism, pose) = read(&source, SizeLimit::NUMBERS, self.mode.number)?;
+        mechanism.warnings.iter().chain(&pose.warnings).for_each(|text| warn(text));
+        let drive = source.checked(Drive::new(&mechanism, self.drive.as_deref()))?;
         let mechanism = if self.alone { alone(&mechanism, &drive.name) } else { mechanism };
-        let names: Vec<String> = self.want.iter().flat_map(|text| split_names(text)).collect();
+        let names = split_names(&self.want);
         let names = if names.is_empty() { scene.want.clone() } else { Some(names) };
         Ok(DrivenScene { source, scene, mechanism, pose, drive, names })
     }
 
     /// Whether one end of the range is given.
-    pub(super) fn is_given(&self) -> bool {
+    fn is_given(&self) -> bool {
         self.from.is_some() || self.to.is_some()
     }
 
@@ -108,14 +115,8 @@ impl Range {
     /// scene's figure. `product` is what is made.
     ///
     /// # Errors
-    /// [`Failure::Partly`] if a given range goes beyond a limit position.
-    pub(super) fn report_events(
-        &self,
-        branch: &Branch,
-        range: [f64; 2],
-        words: &Wording,
-        product: &str,
-    ) -> Result<(), Failure> {
+    /// [`Failure::Outside`] if a given range goes beyond a limit position.
+    fn report_events(&self, branch: &Branch, range: [f64; 2], words: &Wording, product: &str) -> Result<(), Failure> {
         let events = branch.happenings(range, words);
         events.iter().take(NOTES).for_each(|event| note(event));
         if events.len() > NOTES {
@@ -129,7 +130,7 @@ impl Range {
             let message = format!(
                 "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {stops}"
             );
-            return Err(Failure::Partly(match other_way_round(branch, range) {
+            return Err(Failure::Outside(match other_way_round(branch, range) {
                 Some(Problem { message: detour, hint }) => Problem { message: format!("{message}; {detour}"), hint },
                 None => message.into(),
             }));
@@ -152,26 +153,21 @@ fn other_way_round(branch: &Branch, range: [f64; 2]) -> Option<Problem> {
 
 impl DrivenScene {
     /// The branch, followed over the range that is asked for, and that range in units of the drive.
-    pub(super) fn follow(&self, range: &Range) -> Result<(Branch<'_>, [f64; 2]), Failure> {
-        let follow = || -> Result<_, crate::Error> {
-            let mut branch = Branch::new(&self.mechanism, &self.pose, self.drive.clone())?;
-            let covered = branch.cover(range.from, range.to)?;
-            Ok((branch, covered))
-        };
-        follow().map_err(|error| self.fail(error))
-    }
-
-    pub(super) fn fail(&self, error: impl Into<crate::Error>) -> Failure {
-        self.source.fail(error)
+    fn follow(&self, range: &Range) -> Result<(Branch<'_>, [f64; 2]), Failure> {
+        let mut branch = self.source.checked(Branch::new(&self.mechanism, &self.pose, self.drive.clone()))?;
+        let covered = self.source.checked(branch.cover(range.from, range.to))?;
+        Ok((branch, covered))
     }
 }
 
-/// The names in a list separated by commas; commas within parentheses belong to names.
-pub(super) fn split_names(text: &str) -> Vec<String> {
-    let mut depth = 0;
-    let names = text.split(move |c: char| {
-        depth += i32::from(c == '(') - i32::from(c == ')');
-        c == ',' && depth == 0
+/// The names in lists separated by commas; commas within parentheses belong to names.
+pub(super) fn split_names(lists: &[String]) -> Vec<String> {
+    let names = lists.iter().flat_map(|list| {
+        let mut depth = 0;
+        list.split(move |c: char| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            c == ',' && depth == 0
+        })
     });
     names.map(|n| n.trim().to_owned()).filter(|n| !n.is_empty()).collect()
 }
@@ -179,20 +175,20 @@ pub(super) fn split_names(text: &str) -> Vec<String> {
 /// Refuses an option that is given and names nothing, as `--path ","`.
 pub(super) fn refuse_nothing(option: &str, given: &[String], names: &[String]) -> Result<(), Failure> {
     match names.is_empty() && !given.is_empty() {
-        true => Err(Failure::misuse(format!("{option} names nothing"), "leave it out, or write names as \"B, C\"")),
+        true => refuse(format!("{option} names nothing"), "leave it out, or write names as \"B, C\""),
         false => Ok(()),
     }
 }
 
 impl SweepCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let format = self.table_format()?;
+        let format = TableFormat::of(self.format, &self.output, "table", |_| true)?;
         let driven = self.range.driven_scene()?;
         let (branch, [from, to]) = driven.follow(&self.range)?;
         let step = self.step.unwrap_or_else(|| branch.usual_step([from, to]));
         let steps = if self.range.is_given() { Steps::new(from, to, step) } else { branch.rows([from, to], step) };
-        let steps = steps.map_err(|error| driven.fail(error))?;
-        let sweep = Sweep::new(&branch, steps, driven.names.as_deref()).map_err(|error| driven.fail(error))?;
+        let steps = driven.source.checked(steps)?;
+        let sweep = driven.source.checked(Sweep::new(&branch, steps, driven.names.as_deref()))?;
         let sweep = if self.errors { with_errors(sweep, &driven.scene) } else { sweep };
         files::refuse_overwriting("scene", &self.range.scene, &self.output)?;
         if !self.yes {
@@ -200,19 +196,6 @@ impl SweepCommand {
         }
         table::write(&sweep, format, &self.output)?;
         self.range.report_events(&branch, [from, to], &Wording::of(&driven.scene.figure), "table")
-    }
-
-    fn table_format(&self) -> Result<TableFormat, Failure> {
-        if let Some(format) = self.format {
-            return Ok(format);
-        }
-        let ending = self.output.extension().and_then(|e| e.to_str());
-        TableFormat::of_ending(ending.unwrap_or("csv")).ok_or_else(|| {
-            Failure::misuse(
-                format!("no form of table for files ending in `.{}`", ending.unwrap_or_default()),
-                TableFormat::hint(ending, |_| true),
-            )
-        })
     }
 }
 
@@ -223,4 +206,73 @@ fn with_errors<'a>(sweep: Sweep<'a>, scene: &'a Scene) -> Sweep<'a> {
         warn(&format!("`{name}` has no stated bound of its error, so the table has no column {name}_error"));
     }
     sweep.with_errors(scene)
+}
+
+const CURVES_HELP: &str = "\
+Examples:
+  kinegon curves scene.json                                 ω of all links
+  kinegon curves scene.json --want \"omega(3), a(C).size\" -o curves.pdf
+  kinegon curves scene.json --hodograph \"v(C)\" -o tips.svg  tips of a vector
+  kinegon curves scene.json --path C -o path.svg            path of a point";
+
+#[derive(Debug, Args)]
+#[command(after_help = CURVES_HELP)]
+pub(super) struct CurvesCommand {
+    #[command(flatten)]
+    range: Range,
+    /// Draw the way of vectors' tips from a pole in place of curves: as "v(D), a(D)".
+    #[arg(long, value_name = "VECTORS", conflicts_with = "want")]
+    hodograph: Vec<String>,
+    /// Draw the paths of points in place of curves, y over x to one scale: as "F, M".
+    #[arg(long, value_name = "POINTS", conflicts_with_all = ["want", "hodograph"])]
+    path: Vec<String>,
+    /// Let the paths go on beyond limits of the drive, dashed, in other assembly modes.
+    #[arg(long, requires = "path", conflicts_with_all = ["from", "to"])]
+    beyond_limits: bool,
+    #[command(flatten)]
+    figures: Figures,
+    #[command(flatten)]
+    words: Words,
+    #[command(flatten)]
+    paper: Paper,
+}
+
+impl CurvesCommand {
+    pub(super) fn run(&self) -> Result<(), Failure> {
+        let mut driven = self.range.driven_scene()?;
+        self.words.put_into(&mut driven.scene.figure);
+        self.paper.put_into(&mut driven.scene.figure);
+        let style = self.figures.style()?;
+        style.put_into(&mut driven.scene.figure);
+        let (mut branch, mut range) = driven.follow(&self.range)?;
+        if !self.range.is_given() {
+            range = branch.shown_range(range);
+        }
+        let scene = &self.range.scene;
+        let (points, vectors) = (split_names(&self.path), split_names(&self.hodograph));
+        refuse_nothing("--path", &self.path, &points)?;
+        refuse_nothing("--hodograph", &self.hodograph, &vectors)?;
+        let (kind, drawing) = if !points.is_empty() {
+            let traced = driven.scene.check_traced(&points, None);
+            traced.map_err(|error| Failure::of_option("--path", error))?;
+            let sampled = PointPaths::new(&branch, range, &points);
+            let sampled = if self.beyond_limits { sampled.and_then(PointPaths::beyond_limits) } else { sampled };
+            let sampled = driven.source.checked(sampled)?;
+            ("path", paths(&driven.scene, &sampled))
+        } else if self.hodograph.is_empty() {
+            let sampled = driven.source.checked(Curves::new(&branch, range, driven.names.as_deref()))?;
+            ("curves", curves(&driven.scene, &sampled))
+        } else {
+            let sampled = driven.source.checked(Hodographs::new(&branch, range, &vectors))?;
+            ("hodograph", hodographs(&driven.scene, &sampled))
+        };
+        let mut drawing = driven.source.checked(drawing)?;
+        style.put_on([&mut drawing]);
+        let name = format!("{}-{kind}", stem(scene));
+        let page = |_| refuse("curves have no page", "`kinegon draw --format html` makes one of the figure");
+        let mut files = FileSet::default();
+        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], Sheets::Apart, page)?;
+        files.finish()?;
+        self.range.report_events(&branch, range, &Wording::of(&driven.scene.figure), "figure")
+    }
 }
