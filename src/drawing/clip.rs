@@ -33,20 +33,14 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
         Shape::Polyline(points) => points.windows(2).filter_map(|ends| line(&ends[0], &ends[1])).collect(),
         Shape::Polygon(corners) => {
             let corners = inside(area, corners);
-            let some = corners.len() > 2;
-            some.then_some(Shape::Polygon(corners)).into_iter().collect()
+            if corners.len() > 2 { vec![Shape::Polygon(corners)] } else { Vec::new() }
         }
         Shape::Area(chains) => {
             let chains = chains.iter().map(|corners| inside(area, corners)).filter(|corners| corners.len() > 2);
             vec![Shape::Area(chains.collect())]
         }
-        Shape::Circle { center, .. } | Shape::Arc { center, .. } | Shape::ArcArrow { center, .. } => {
-            let middle = *center;
-            holds(area, middle).then_some(shape).into_iter().collect()
-        }
-        Shape::Text(text) => {
-            let middle = text.ink_box().center();
-            holds(area, middle).then_some(shape).into_iter().collect()
+        Shape::Circle { .. } | Shape::Arc { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => {
+            holds(area, shape.bounds().center()).then_some(shape).into_iter().collect()
         }
     }
 }

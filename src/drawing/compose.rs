@@ -1,22 +1,21 @@
 //! Composition of a sheet: a title, panels in their places, items beside and below them; and of further sheets with the
 //! table that has no room on it.
 
+use super::canvas::Held;
 use super::context::SheetContext;
 use super::dims::{Dims, MARGIN, TITLE};
-use super::held::Held;
-use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout, sheet_of};
+use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout};
 use super::legend::{self, Legend};
 use super::lines;
-use super::markers::Signs;
+use super::markers::{SheetCode, draw_markers};
 use super::panel::Panel;
-use super::shape::{Shape, corners};
+use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::table::Table;
 use super::text::{PlacedText, RichText};
-use crate::quantity::QuantityKind;
-use crate::scene::Scene;
-use crate::sheet::Scales;
+use crate::scene::Figure;
+use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
@@ -48,20 +47,13 @@ pub(super) struct Composition<'a> {
     pub panels: Vec<Panel<'a>>,
     /// Items beside and below the panels, in drawing order.
     pub items: Vec<Box<dyn Item + 'a>>,
-    /// What its small code says, on a sheet with markers.
-    pub signs: Option<Signs>,
+    /// What its small code says, without the panels, on a sheet with markers.
+    pub code: Option<SheetCode>,
 }
 
 impl<'a> Composition<'a> {
-    /// A sheet with these panels, a table beside them, their scales, and items below.
-    pub(super) fn new(
-        context: &'a SheetContext<'a>,
-        panels: Vec<Panel<'a>>,
-        table: Option<Box<dyn Item>>,
-        below: Vec<Box<dyn Item + 'a>>,
-    ) -> Self {
-        let (words, units, dims) = (context.words, context.scene().units, context.surface.dims);
-        let legend: Box<dyn Item> = Box::new(Legend { words, units, dims });
+    /// A sheet with these panels alone.
+    pub(super) fn new(context: &'a SheetContext<'a>, panels: Vec<Panel<'a>>) -> Self {
         Composition {
             context,
             title: context.title(),
@@ -69,9 +61,24 @@ impl<'a> Composition<'a> {
             steps: Vec::new(),
             is_stepwise: false,
             panels,
-            items: table.into_iter().chain([legend]).chain(below).collect(),
-            signs: None,
+            items: Vec::new(),
+            code: None,
         }
+    }
+
+    /// The sheet with an item more, drawn after the others.
+    pub(super) fn with(mut self, item: impl Item + 'a) -> Self {
+        self.items.push(Box::new(item));
+        self
+    }
+
+    /// The sheet with a code of its number in its set and a name, if it has markers.
+    pub(super) fn with_code(mut self, number: u16, name: &str) -> Self {
+        let Self { context, .. } = self;
+        let (page, name) = (context.surface.page, name.to_owned());
+        let code = || SheetCode { page, number, scene: context.solution.scene.fingerprint(), panels: Vec::new(), name };
+        self.code = context.surface.dims.free.has_markers().then(code);
+        self
     }
 
     /// Height that the items need below the scales, in mm.
@@ -92,8 +99,7 @@ impl<'a> Composition<'a> {
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
-        let mu = |kind: QuantityKind| scales[sheet_of(kind)];
-        let needs = self.panels.iter().map(|panel| Needs { mu: mu(panel.needs.kind), ..panel.needs });
+        let needs = self.panels.iter().map(|panel| Needs { mu: scales[panel.needs.sheet], ..panel.needs });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
 
@@ -102,13 +108,13 @@ impl<'a> Composition<'a> {
     /// figure.
     fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
         let layout = self.layout_with(needs, below);
-        if !(self.is_stepwise || self.signs.is_some())
+        if !(self.is_stepwise || self.code.is_some())
             || needs.iter().any(|needs| needs.mu.is_none())
             || layout.shows_all()
         {
             return layout;
         }
-        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.kind == QuantityKind::Length)];
+        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.sheet == Sheet::Scheme)];
         let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: white(needs), ..*needs }).collect();
         Some(self.layout_with(&closer, below)).filter(Layout::shows_all).unwrap_or(layout)
     }
@@ -118,9 +124,7 @@ impl<'a> Composition<'a> {
         let in_columns = |columns: usize| {
             layout(&self.context.surface.dims, needs, [legend::height(needs.len(), columns), below], columns, asides)
         };
-        let fits = |layout: &Layout| {
-            legend::fits(layout, &self.context.words, self.context.scene().units, &self.context.surface.dims)
-        };
+        let fits = |layout: &Layout| Legend::of(self.context).fits(layout);
         [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
     }
 
@@ -132,19 +136,13 @@ impl<'a> Composition<'a> {
     /// Draws the sheet with labels where they were held in the picture before, if they can be there.
     pub(super) fn draw_holding(&self, layout: &Layout, mut held: Option<&mut Held>) -> Drawing {
         if let Some(held) = &mut held {
-            held.next();
+            held.before = std::mem::take(&mut held.now);
         }
-        let mut drawing =
-            titled(self.context.scene(), &self.context.surface.dims, &self.context.words, self.title.clone());
+        let (figure, dims) = (self.context.figure(), &self.context.surface.dims);
+        let mut drawing = titled(figure, dims, self.title.clone());
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
-            panel.draw(
-                &mut drawing,
-                placed,
-                &self.context.figure().labels,
-                &self.context.surface.dims,
-                held.as_deref_mut(),
-            );
+            panel.draw(&mut drawing, placed, &figure.labels, dims, held.as_deref_mut());
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);
@@ -152,49 +150,47 @@ impl<'a> Composition<'a> {
         if !self.is_stepwise {
             drawing.marks.retain(|mark| mark.until.is_none());
         }
-        let mut drawing = drawing.enlarged(self.context.surface.dims.unit);
-        if let Some(signs) = &self.signs {
+        let mut drawing = drawing.enlarged(dims.unit);
+        if let Some(code) = self.code.clone() {
             let panels = self.panels.iter().zip(&layout.panels);
-            signs.draw(&mut drawing, panels.map(|(panel, placed)| panel.on_paper(placed)).collect());
+            let panels = panels.map(|(panel, placed)| placed.on_paper(panel.content)).collect();
+            draw_markers(&mut drawing, SheetCode { panels, ..code });
         }
         drawing
     }
 }
 
-/// An empty sheet of the scene's size and style, with its title, in units of the layout.
-pub(super) fn titled(scene: &Scene, dims: &Dims, words: &Wording, title: Untrusted) -> Drawing {
-    let [width, height] = dims.page;
+/// An empty sheet in the style and the language of a figure.
+pub(super) fn blank(figure: &Figure, [width, height]: [f64; 2], title: Untrusted) -> Drawing {
     let mut drawing = Drawing::new(width, height);
-    drawing.style = Style::named(scene.figure.style);
-    drawing.language = words.language.code;
+    drawing.style = Style::named(figure.style);
+    drawing.language = Wording::of(figure).language.code;
     drawing.title = title;
-    let draw = if dims.free.has_markers() { draw_broken_title } else { draw_title };
-    draw(&mut drawing, dims.title_line());
     drawing
 }
 
-/// Writes the title above the panels between two ends of its line, in a smaller size if it is too wide; none where it is
-/// blank.
-fn draw_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
-    if drawing.title.is_blank() {
-        return;
-    }
-    let title = RichText::verbatim(&drawing.title);
-    let size = TITLE_SIZE * ((to - from) / title.width(TITLE_SIZE)).min(1.0);
-    let heading = PlacedText::new(title, size, Point::new(from, TITLE_LINE));
-    drawing.draw(Pen::Heading, Shape::Text(heading));
+/// An empty sheet of a figure with its title, in units of the layout.
+pub(super) fn titled(figure: &Figure, dims: &Dims, title: Untrusted) -> Drawing {
+    let mut drawing = blank(figure, dims.page, title);
+    draw_title(&mut drawing, dims.title_line(), dims.free.has_markers());
+    drawing
 }
 
-/// Writes the title beside a marker: on two lines where it is too wide for one, and cut off where it is too long for two. The file has all of it.
-fn draw_broken_title(drawing: &mut Drawing, [from, to]: [f64; 2]) {
+/// Writes the title above the panels between two ends of its line, in a smaller size if it is too wide. Beside a marker it
+/// is on two lines instead where it is too wide for one, and cut off where it is too long for two; the file has all of it.
+fn draw_title(drawing: &mut Drawing, [from, to]: [f64; 2], is_beside_marker: bool) {
     let text = drawing.title.for_comparing().to_owned();
     let fits = |text: &str| RichText::verbatim(text).width(SMALL_TITLE) <= to - from;
-    if fits(&text) {
-        return draw_title(drawing, [from, to]);
-    }
-    for (line, baseline) in two_lines(&text, fits).into_iter().zip(TITLE_LINES).filter(|(line, _)| !line.is_empty()) {
-        let line = PlacedText::new(RichText::verbatim(line.as_str()), SMALL_TITLE, Point::new(from, baseline));
-        drawing.draw(Pen::Heading, Shape::Text(line));
+    let lines = if is_beside_marker && !fits(&text) {
+        let lines = two_lines(&text, fits).map(|line| RichText::verbatim(line.as_str()));
+        lines.into_iter().zip(TITLE_LINES).map(|(line, baseline)| (line, SMALL_TITLE, baseline)).collect()
+    } else {
+        let title = RichText::verbatim(&drawing.title);
+        let size = TITLE_SIZE * ((to - from) / title.width(TITLE_SIZE)).min(1.0);
+        vec![(title, size, TITLE_LINE)]
+    };
+    for (line, size, baseline) in lines.into_iter().filter(|(line, ..)| !line.is_empty()) {
+        drawing.draw(Pen::Heading, Shape::Text(PlacedText::new(line, size, Point::new(from, baseline))));
     }
 }
 
@@ -219,11 +215,11 @@ fn two_lines(text: &str, fits: impl Fn(&str) -> bool) -> [String; 2] {
 
 /// Sheets with the figure's title, the lines of words for a sheet of their size, and the table, as many as its rows
 /// need; none without words and rows. Portrait unless the rows are too wide.
-pub(super) fn further_sheets<const N: usize>(
+pub(super) fn further_sheets(
     figure: &Drawing,
     unit: f64,
     words: impl Fn([f64; 2]) -> Vec<RichText>,
-    mut table: Table<N>,
+    mut table: Table,
 ) -> Vec<Drawing> {
     let [across, down] = [figure.width, figure.height].map(|side| side / unit);
     let narrow = across.min(down);
@@ -238,11 +234,11 @@ pub(super) fn further_sheets<const N: usize>(
         let mut drawing = Drawing::new(width, height);
         (drawing.style, drawing.language) = (figure.style.clone(), figure.language);
         drawing.title.clone_from(&figure.title);
-        draw_title(&mut drawing, [MARGIN, width - MARGIN]);
+        draw_title(&mut drawing, [MARGIN, width - MARGIN], false);
         let mut left = area;
         if !words.is_empty() {
             let room = Rect { y1: left.y0 + WORDS_TOP + lines::height(words.len()), ..left };
-            drawing.draw(Pen::Frame, Shape::Polygon(corners(room)));
+            drawing.draw(Pen::Frame, Shape::rectangle(room));
             lines::draw(&mut drawing, Rect { y0: room.y0 + WORDS_TOP, ..room }, 0, &std::mem::take(&mut words));
             left.y0 = room.y1 + WORDS_GAP;
         }

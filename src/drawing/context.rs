@@ -3,13 +3,12 @@
 
 use super::dims::Dims;
 use super::facts::Facts;
-use super::markers::Signs;
-use super::value::Value;
-use crate::construction::{Construction, Plan, Solution, Special, Teller};
+use super::text::RichText;
+use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
 use crate::cycle::{OtherModes, Traces};
-use crate::mechanism::{BodyId, Mechanism};
-use crate::position::Pose;
-use crate::scene::{Figure, Page, PageSize, Scene};
+use crate::mechanism::{BodyId, Mechanism, PointId};
+use crate::quantity::QuantityKind;
+use crate::scene::{Figure, Page, PageSize};
 use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
@@ -55,23 +54,6 @@ pub(super) enum Purpose {
     Exercise,
 }
 
-impl Surface {
-    /// The page of a figure, at the scales that the scene gives.
-    pub(super) fn of(figure: &Figure) -> Surface {
-        Surface { page: figure.page, dims: Dims::of(figure), mu: figure.mu }
-    }
-
-    /// Another page for the same figure, at scales of its own.
-    pub(super) fn on_page(page: Page, figure: &Figure, mu: Scales) -> Surface {
-        Surface { page, dims: Dims::on_page(page, figure), mu }
-    }
-
-    /// This page with room for markers along its edges.
-    pub(super) fn with_markers(self) -> Surface {
-        Surface { dims: self.dims.with_markers(), ..self }
-    }
-}
-
 impl<'a> SheetContext<'a> {
     /// The context of a solution for a sheet without values.
     pub(super) fn new(solution: &'a Solution, purpose: Purpose) -> Self {
@@ -80,11 +62,12 @@ impl<'a> SheetContext<'a> {
 
     /// The context of a solution whose paths and ghosts are known.
     pub(super) fn with_traces(solution: &'a Solution, purpose: Purpose, traces: Arc<Traces>) -> Self {
+        let figure = &solution.scene.figure;
         Self {
             solution,
             facts: Arc::new(Facts::of(solution)),
             words: solution.wording(),
-            surface: Surface::of(&solution.scene.figure),
+            surface: Surface { page: figure.page, dims: Dims::of(figure), mu: figure.mu },
             purpose,
             traces,
             modes: NO_MODES,
@@ -97,8 +80,17 @@ impl<'a> SheetContext<'a> {
         Self { surface, ..self.clone() }
     }
 
-    pub(super) fn scene(&self) -> &'a Scene {
-        &self.solution.scene
+    /// This context for another page, at scales of its own.
+    pub(super) fn on_page(&self, page: Page, mu: Scales) -> Self {
+        self.on(Surface { page, dims: Dims::on_page(page, self.figure()), mu })
+    }
+
+    /// This context with room for markers along the edges of a sheet to be drawn on, where it is to have them: not for a
+    /// projector.
+    pub(super) fn with_markers(&self) -> Self {
+        let Surface { page, dims, .. } = self.surface;
+        let wants_markers = self.figure().markers && page.size != PageSize::Wide;
+        self.on(Surface { dims: if wants_markers { dims.with_markers() } else { dims }, ..self.surface })
     }
 
     pub(super) fn figure(&self) -> &'a Figure {
@@ -107,10 +99,6 @@ impl<'a> SheetContext<'a> {
 
     pub(super) fn mechanism(&self) -> &'a Mechanism {
         &self.solution.mechanism
-    }
-
-    pub(super) fn pose(&self) -> &'a Pose {
-        &self.solution.pose
     }
 
     pub(super) fn construction(&self) -> &'a Construction {
@@ -126,23 +114,9 @@ impl<'a> SheetContext<'a> {
     pub(super) fn teller(&self) -> Teller<'_> {
         Teller::new(self.solution, &self.words)
     }
+
     pub(super) fn title(&self) -> Untrusted {
-        self.scene().title.clone().unwrap_or_else(|| self.words.language.title().into())
-    }
-
-    /// Whether the sheet is for a projector: wide, or with large letters.
-    pub(super) fn is_projected(&self) -> bool {
-        self.surface.page.size == PageSize::Wide || self.surface.dims.unit > 1.0
-    }
-
-    /// Whether a sheet to be drawn on has markers on this page, where there is room for them.
-    pub(super) fn wants_markers(&self) -> bool {
-        self.figure().markers && self.surface.page.size != PageSize::Wide
-    }
-
-    /// What the small code of a sheet says besides its panels.
-    pub(super) fn signs(&self, number: u16, name: &str) -> Signs {
-        Signs { page: self.surface.page, number, scene: self.scene().fingerprint(), name: name.to_owned() }
+        self.solution.scene.title.clone().unwrap_or_else(|| self.words.language.title().into())
     }
 
     /// The markup of a point's name, on the mechanism or within a plan: the scene's own, or else that of the figure's
@@ -168,7 +142,61 @@ impl<'a> SheetContext<'a> {
         let shown = self.figure().special_points;
         self.construction().special.iter().filter(move |special| shown && special.is_assur)
     }
+
+    /// The values of a sheet.
     pub(super) fn values_of(&self, sheet: Sheet) -> impl Iterator<Item = &Value> {
         self.values.iter().filter(move |value| value.panel == sheet)
+    }
+}
+
+/// A value to be written at a vector, a link or a length.
+#[derive(Clone, Debug)]
+pub(super) struct Value {
+    /// Where its label belongs.
+    pub panel: Sheet,
+    /// Its label's id without the panel.
+    pub name: String,
+    /// Its symbol in markup; several with signs of equality where they have the same value.
+    pub symbol: String,
+    pub number: f64,
+    pub kind: QuantityKind,
+    /// The number as written.
+    pub written: String,
+    /// Its unit.
+    pub unit: String,
+    /// The step that finds it.
+    pub since: u16,
+    pub of: ValueOf,
+}
+
+/// What a value belongs to.
+#[derive(Clone, Debug)]
+pub(super) enum ValueOf {
+    /// A vector of the panel's plan.
+    Vector(PlanVector),
+    /// The angular velocity or acceleration of a link.
+    Rate(BodyId),
+    /// A given length of a link.
+    Length([PointId; 2]),
+}
+
+impl Value {
+    pub(super) fn text(&self) -> RichText {
+        RichText::math(&self.symbol).followed_by(&self.equals())
+    }
+
+    /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
+    pub(super) fn is_listed(&self) -> bool {
+        match &self.of {
+            ValueOf::Rate(_) => true,
+            ValueOf::Vector(vector) => {
+                matches!(vector.part, VectorPart::Whole | VectorPart::Sliding | VectorPart::Coriolis)
+            }
+            ValueOf::Length(_) => false,
+        }
+    }
+
+    fn equals(&self) -> RichText {
+        RichText::plain(format!("= {} {}", self.written, self.unit).trim_end())
     }
 }

@@ -1,22 +1,23 @@
 //! The sheets of a corrected drawing: the student's drawing over the right figure, sentences about it, and the table of
 //! values.
 
-use super::compose::{Composition, further_sheets};
+use super::compose::{Composition, blank, further_sheets};
 use super::context::{Purpose, SheetContext};
 use super::dims::Dims;
 use super::layout::Layout;
+use super::legend::Legend;
 use super::lines;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace};
-use super::panels::{Extents, content, extents, hints, panels};
+use super::panel::{Extents, content, extents, hints, panels};
 use super::sheet::Drawing;
-use super::style::Style;
 use crate::construction::Solution;
 use crate::scene::Figure;
 use crate::text::Untrusted;
-use crate::words::Wording;
 
 /// Widths of a column of words beside the panels, in parts of the page's width.
 const BESIDE: [f64; 5] = [0.23, 0.235, 0.24, 0.25, 0.28];
+
+/// A sheet with the words about a drawing in some place.
 struct Division<'a> {
     place: WordsPlace,
     sheet: Composition<'a>,
@@ -59,10 +60,7 @@ pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
 #[must_use]
 pub fn overlay_words(figure: &Figure, title: &Untrusted, overlay: &Overlay) -> Vec<Drawing> {
     let dims = Dims::of(figure);
-    let mut blank = Drawing::new(dims.page[0], dims.page[1]).enlarged(dims.unit);
-    blank.style = Style::named(figure.style);
-    blank.language = Wording::of(figure).language.code;
-    blank.title = overlay.titled(title);
+    let blank = blank(figure, dims.page, overlay.titled(title)).enlarged(dims.unit);
     further_sheets(&blank, dims.unit, |page| overlay.lines(lines::width(page), false), overlay.table())
 }
 
@@ -73,20 +71,19 @@ fn sheet<'a>(
     extents: &Extents,
     notes: Notes<'a>,
 ) -> Composition<'a> {
-    let student_layer = |panel| Box::new(OwnLayer { overlay, context, panel });
-    let panels =
-        panels(context, extents, |panel| vec![hints(context, panel), content(context, panel), student_layer(panel)]);
-    let mut sheet = Composition::new(context, panels, None, vec![Box::new(notes)]);
-    sheet.title = overlay.titled(&sheet.title);
-    sheet.steps = Vec::new();
-    sheet
+    let mut panels = panels(context, extents, |sheet| vec![hints(context, sheet), content(context, sheet)]);
+    for panel in &mut panels {
+        panel.own = Some(OwnLayer { overlay, context, panel: panel.needs.sheet });
+    }
+    let sheet = Composition::new(context, panels).with(Legend::of(context)).with(notes);
+    Composition { title: overlay.titled(&sheet.title), ..sheet }
 }
 
 /// The division with which most panels show their whole contents; of equals the one that shows more of the student's
 /// points, then the one with the sentences beside the figure, then the one with larger contents.
 fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Division<'a> {
     let page = context.surface.dims.page;
-    let notes = |place| Notes { overlay, words: context.words, page, place };
+    let notes = |place| Notes { context, overlay, place };
     let division = |extents: &Extents, place: WordsPlace| {
         let sheet = sheet(context, overlay, extents, notes(place));
         Division { place, layout: sheet.layout(), sheet }

@@ -1,17 +1,20 @@
 //! What is looked up in a solution once, for all its sheets.
 
-use super::step_numbers::StepNumbers;
 use super::view::Extent;
-use crate::construction::{Construction, Solution, Special, display, image_name, point_on};
+use crate::construction::{Action, Construction, NumberedStep, Solution, Special, display, image_name, point_on};
 use crate::geometry;
 use crate::mechanism::{BodyId, Mark, Mechanism};
+use crate::sheet::{PerSheet, Sheet};
 use indexmap::IndexMap;
 
 /// Answers by name, by body and by point.
 pub(super) struct Facts {
     /// Markup of names that have another than [`display`] gives them.
     markup: IndexMap<String, String>,
-    pub steps: StepNumbers,
+    /// By name: the step that finds a special point.
+    special_steps: IndexMap<String, u16>,
+    /// By plan: the steps that make what is on it.
+    pub plan_steps: PerSheet<PlanSteps>,
     /// By body: its number among the links, none for the ground and for blocks without name.
     pub numbers: Vec<Option<usize>>,
     /// By point: whether it is a pin.
@@ -39,10 +42,18 @@ impl Facts {
         }
         let mut slides = vec![false; mechanism.points.len()];
         mechanism.sliders.iter().for_each(|slider| slides[slider.at.0] = true);
+        let (mut special_steps, mut plan_steps) = (IndexMap::new(), PerSheet::<PlanSteps>::default());
+        for NumberedStep { number, sheet, action, .. } in construction.numbered_steps() {
+            if let Action::SpecialPoint { point, .. } = action {
+                special_steps.insert(point.clone(), number as u16);
+            }
+            plan_steps[sheet].add(number as u16, sheet, action);
+        }
         let extent = Extent::of(pose.points.iter().copied());
         Self {
             markup: markup(mechanism, construction),
-            steps: StepNumbers::new(construction),
+            special_steps,
+            plan_steps,
             numbers,
             pins,
             slides,
@@ -50,6 +61,13 @@ impl Facts {
             middle: nalgebra::center(&extent.low, &extent.high),
         }
     }
+
+    /// The step that finds a special point.
+    pub(super) fn step_of_special(&self, point: &str) -> u16 {
+        self.special_steps.get(point).copied().unwrap_or_default()
+    }
+
+    /// The markup of a name.
     pub(super) fn markup(&self, name: &str) -> String {
         self.markup.get(name).cloned().unwrap_or_else(|| display(name))
     }
@@ -96,4 +114,74 @@ fn links<'a>(mechanism: &'a Mechanism, special: &'a Special) -> Vec<&'a str> {
     let legs = special.cuts.each_ref().map(|cut| cut.carrier);
     let legs = legs.map(|link| mechanism.body(link).name.as_str());
     if legs.concat() == name { legs.to_vec() } else { vec![name] }
+}
+
+/// For points, rays, vectors and rates of a plan the step of the construction that makes them. Steps count from 1, through
+/// the scheme and all plans.
+#[derive(Default)]
+pub(super) struct PlanSteps {
+    last: u16,
+    points: IndexMap<String, u16>,
+    rays: IndexMap<[String; 2], u16>,
+    vectors: IndexMap<[String; 2], u16>,
+    /// Solved rates, by the names of their quantities.
+    rates: IndexMap<String, u16>,
+}
+
+impl PlanSteps {
+    /// Adds the next step of a sheet.
+    fn add(&mut self, number: u16, sheet: Sheet, action: &Action) {
+        self.last = number;
+        let mut made = |point: &str| {
+            self.points.entry(point.to_owned()).or_insert(number);
+        };
+        match action {
+            Action::Pole { images } => {
+                made(sheet.pole());
+                images.iter().for_each(|image| made(image));
+            }
+            // The start of a vector may have no step of its own.
+            Action::LayOff(arrow) => {
+                [&arrow.from, &arrow.to].into_iter().for_each(|point| made(point));
+                self.vectors.entry([arrow.from.clone(), arrow.to.clone()]).or_insert(number);
+            }
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => made(point),
+            Action::Ray(ray) => {
+                self.rays.entry([ray.through.clone(), ray.to.clone()]).or_insert(number);
+            }
+            Action::Solve { unknowns, .. } => {
+                self.rates.extend(unknowns.iter().map(|(name, _)| (name.clone(), number)));
+            }
+            _ => {}
+        }
+    }
+
+    /// The step that makes a point; the plan's last for a point without a step.
+    pub(super) fn point(&self, name: &str) -> u16 {
+        self.points.get(name).copied().unwrap_or(self.last)
+    }
+
+    /// The step that lays off a vector.
+    pub(super) fn vector(&self, from: &str, to: &str) -> u16 {
+        self.vectors.get(&[from, to].map(str::to_owned)).copied().unwrap_or(self.last)
+    }
+
+    /// The step that draws the ray through one point to another.
+    pub(super) fn ray(&self, through: &str, to: &str) -> u16 {
+        self.rays.get(&[through, to].map(str::to_owned)).copied().unwrap_or(self.last)
+    }
+
+    /// The step that solves for a rate; the last for one that no step solves for.
+    pub(super) fn rate(&self, name: &str) -> u16 {
+        self.rates.get(name).copied().unwrap_or(self.last)
+    }
+}
+
+/// How finely a construction is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Steps {
+    /// Every step by itself.
+    Fine,
+    /// Steps that belong together at once.
+    Coarse,
 }

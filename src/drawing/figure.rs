@@ -1,17 +1,343 @@
-//! The figure of a scene: its panels with the table, the scales and the words around them.
+//! The figure of a scene: its panels with the table, the scales and the words around them; all sheets that it asks for, at
+//! scales that are decided once.
 
-use super::compose::Composition;
-use super::context::SheetContext;
-use super::layout::Item;
-use super::legend;
-use super::panel::Panel;
-use super::panels::{Extents, content, hints, panels};
-use super::step_numbers::Steps;
+use super::compose::{Composition, further_sheets};
+use super::context::{Purpose, SheetContext};
+use super::facts::Steps;
+use super::layout::{Layout, Placed};
+use super::legend::{self, Legend};
+use super::panel::{COMPANION, Extents, Panel, content, extent_of_images, extents, hints, panels};
+use super::sheet::Drawing;
 use super::values::value_list;
+use super::view::{Extent, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
-use crate::construction::shown_text;
-use crate::quantity::QuantityKind;
+use crate::construction::{Solution, shown_text};
+use crate::cycle::{Animation, Traces};
+use crate::scene::ScalesFor;
+use crate::sheet::{Scales, Sheet};
+use crate::words::Wording;
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+/// The sheets that have the same scales. A work sheet has them, too, but its table stands where there is room.
+const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None];
+
+/// Weight of the scheme's size beside those of the plans: of equals the one with the larger scheme, which must not
+/// shrink for the sake of one plan.
+const SCHEME: f64 = 1.1;
+
+/// Positions in which the largest plans of a cycle are looked for.
+const POSITIONS: usize = 72;
+
+/// Scales that are tried for one that fits.
+const TRIED: usize = 120;
+
+/// The sheets that the figure of a solved scene asks for.
+///
+/// Scales are decided once for all of them, and each sheet is laid out once, when it is first asked for: so a program
+/// that wants more than one thing of a figure makes this once.
+///
+/// ```
+/// use kinegon::drawing::{FigureSheets, Steps};
+///
+/// let scene = kinegon::Scene::read(include_str!("../../templates/four-bar.json"))?;
+/// let solution = kinegon::solve(&scene)?;
+/// let sheets = FigureSheets::new(&solution);
+/// let (figure, steps) = (sheets.figure(), sheets.steps(Steps::Coarse));
+/// assert!(sheets.overflow_warnings().is_empty() && steps.steps.len() > 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct FigureSheets<'a> {
+    base: SheetContext<'a>,
+    /// The scales that all sheets share.
+    common: OnceCell<Scales>,
+    figure: OnceCell<LaidOut<'a>>,
+}
+
+/// A sheet in its layout.
+struct LaidOut<'a> {
+    context: SheetContext<'a>,
+    extents: Extents,
+    contents: Contents,
+    layout: Layout,
+}
+
+impl<'a> FigureSheets<'a> {
+    /// The sheets of a solution.
+    #[must_use]
+    pub fn new(solution: &'a Solution) -> Self {
+        Self::with_traces(solution, Arc::new(Traces::of(solution)))
+    }
+
+    /// The sheets of a solution whose paths and ghosts are known.
+    #[must_use]
+    pub fn with_traces(solution: &'a Solution, traces: Arc<Traces>) -> Self {
+        let base = SheetContext::with_traces(solution, Purpose::Figure, traces).with_values();
+        FigureSheets { base, common: OnceCell::new(), figure: OnceCell::new() }
+    }
+
+    /// The figure: its panels on a sheet of paper, true to scale, all labels placed.
+    #[must_use]
+    pub fn figure(&self) -> Drawing {
+        let laid_out = self.laid_out();
+        laid_out.composition().draw(&laid_out.layout)
+    }
+
+    /// All finished sheets: first the figure; then, for a work sheet whose table has no room beside the panels, the table.
+    #[must_use]
+    pub fn sheets(&self) -> Vec<Drawing> {
+        let laid_out = self.laid_out();
+        let LaidOut { context, layout, .. } = laid_out;
+        let sheet = laid_out.composition();
+        let mut sheets = vec![sheet.draw(layout)];
+        if context.figure().worksheet && layout.aside.is_none() {
+            let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
+            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        sheets
+    }
+
+    /// The figure with every step of the construction, or in coarse steps with every
+    /// [passage](crate::construction::Passage): [`Drawing::after_step`] gives the sheet after one of them, with its
+    /// caption and equation below the panels. Steps of plans without a panel have captions, too.
+    #[must_use]
+    pub fn steps(&self, steps: Steps) -> Drawing {
+        let laid_out = self.lay_out(self.scaled(), Some(steps));
+        laid_out.composition().draw(&laid_out.layout).in_steps(steps, &laid_out.context)
+    }
+
+    /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
+    #[must_use]
+    pub fn scales(&self) -> Scales {
+        let figure = self.base.figure();
+        let mu = self.common();
+        let are_known =
+            figure.scales != ScalesFor::Sheet || figure.shown_panels().iter().all(|&sheet| mu[sheet].is_some());
+        let chosen = if are_known { mu } else { self.laid_out().layout.mu() };
+        figure.mu.or(chosen)
+    }
+
+    /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
+    /// fits, if there is one. Special points far away count as fitting: their cut lines are shown.
+    #[must_use]
+    pub fn overflow_warnings(&self) -> Vec<String> {
+        let figure = self.base.figure();
+        if !figure.panels.iter().any(|&panel| figure.mu[panel].is_some()) {
+            return Vec::new();
+        }
+        let LaidOut { context, extents, layout, .. } = self.laid_out();
+        let sheet = OnceCell::new();
+        let warning = |(index, placed): (usize, &Placed)| {
+            let (panel, extent) = extents[index];
+            // Content may reach into the white margin of the frame.
+            if placed.holds_in(placed.frame, &extent) {
+                return None;
+            }
+            let mut mu = context.surface.mu;
+            let holds = |tried: &f64| {
+                mu[panel] = Some(*tried);
+                let sheet: &Composition<'_> = sheet.get_or_init(|| self.laid_out().composition());
+                sheet.layout_at(&mu).panels[index].holds(&extent)
+            };
+            // No sheet is ten metres long.
+            let first = next_scale(placed.mu.max(1e-4 * extent.size().norm()));
+            let coarser = std::iter::successors(Some(first), |mu| Some(next_scale(1.01 * mu)));
+            let fitting = coarser.take(TRIED).find(holds);
+            Some(overflow_warning(panel, placed.mu, fitting))
+        };
+        layout.panels.iter().enumerate().filter_map(warning).collect()
+    }
+
+    /// The symbols of the values that the figure asks for and that stand nowhere on its drawing: their labels found no
+    /// room, and the list of results does not have them.
+    #[must_use]
+    pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
+        self.base.values_without_room(drawing)
+    }
+
+    /// The context of sheets at their scales: the common ones, or where each sheet has its own, those of the finished
+    /// figure or of the sheets with steps.
+    pub(super) fn context_of(&self, steps: Option<Steps>) -> SheetContext<'a> {
+        let mut context = self.scaled();
+        let shown = context.figure().shown_panels();
+        if shown.iter().any(|&sheet| context.surface.mu[sheet].is_none()) {
+            let own = self.lay_out(context.clone(), steps).layout.mu();
+            context.surface.mu = context.surface.mu.or(own);
+        }
+        context
+    }
+
+    fn scaled(&self) -> SheetContext<'a> {
+        let mut context = self.base.clone();
+        context.surface.mu = self.common();
+        context
+    }
+
+    fn common(&self) -> Scales {
+        *self.common.get_or_init(|| common_scales(&self.base))
+    }
+
+    /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
+    /// their scales.
+    fn laid_out(&self) -> &LaidOut<'a> {
+        self.figure.get_or_init(|| {
+            let context = self.scaled();
+            let marked = context.with_markers();
+            let marked = (context.figure().worksheet && marked.surface.dims.free.has_markers())
+                .then(|| self.lay_out(marked, None))
+                .filter(|marked| marked.layout.shows_all());
+            marked.unwrap_or_else(|| self.lay_out(context, None))
+        })
+    }
+
+    /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it at these
+    /// scales; where each sheet has scales of its own, it always is.
+    fn lay_out(&self, context: SheetContext<'a>, steps: Option<Steps>) -> LaidOut<'a> {
+        let extents = extents(&context);
+        let laid_out = |table: Option<TablePlace>| {
+            let contents = Contents { steps, only_step: None, table };
+            (contents, composed_on(&context, &extents, contents).layout())
+        };
+        let (contents, layout) = if !context.figure().worksheet {
+            laid_out(None)
+        } else if context.surface.mu.iter().any(|(_, mu)| mu.is_none()) {
+            laid_out(Some(TablePlace::Anywhere))
+        } else {
+            let (apart, beside) = (laid_out(Some(TablePlace::Apart)), laid_out(Some(TablePlace::Beside)));
+            let shown = |layout: &Layout| [layout.worth[0], layout.worth[1]];
+            let has_room = beside.1.aside.is_some() && shown(&beside.1) >= shown(&apart.1);
+            if has_room { beside } else { apart }
+        };
+        LaidOut { context, extents, contents, layout }
+    }
+}
+
+impl Solution {
+    /// The figure that the scene asks for: see [`FigureSheets::figure`].
+    #[must_use]
+    pub fn figure(&self) -> Drawing {
+        FigureSheets::new(self).figure()
+    }
+
+    /// All finished sheets that the scene asks for: see [`FigureSheets::sheets`].
+    #[must_use]
+    pub fn sheets(&self) -> Vec<Drawing> {
+        FigureSheets::new(self).sheets()
+    }
+
+    /// The figure with every step of the construction: see [`FigureSheets::steps`].
+    #[must_use]
+    pub fn stepwise_figure(&self) -> Drawing {
+        FigureSheets::new(self).steps(Steps::Fine)
+    }
+
+    /// The figure in coarse steps, one for each of the construction's passages: see [`FigureSheets::steps`].
+    #[must_use]
+    pub fn coarse_figure(&self) -> Drawing {
+        FigureSheets::new(self).steps(Steps::Coarse)
+    }
+
+    /// The scales of the figure: see [`FigureSheets::scales`].
+    #[must_use]
+    pub fn scales(&self) -> Scales {
+        FigureSheets::new(self).scales()
+    }
+}
+
+impl LaidOut<'_> {
+    fn composition(&self) -> Composition<'_> {
+        described(&self.context, composed_on(&self.context, &self.extents, self.contents))
+    }
+}
+
+/// A sheet, with the code of one that has markers.
+fn composed_on<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
+    composed(context, extents, contents).with_code(1, context.title().for_comparing())
+}
+
+/// Scales at which the content fits on every sheet: of the sets between those that the sheets themselves would have, the
+/// one with the largest contents.
+fn common_scales(context: &SheetContext<'_>) -> Scales {
+    let (figure, given) = (context.figure(), context.surface.mu);
+    if figure.scales == ScalesFor::Sheet || figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
+        return given;
+    }
+    let extents = extents_to_fit(context);
+    let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
+    let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
+    // By panel: the scales between the finest and the coarsest that a sheet would have.
+    let choices = extents.iter().enumerate().map(|(index, &(panel, _))| {
+        let own = own.iter().map(|layout| layout.panels[index].mu);
+        (panel, scales_between(own))
+    });
+    let mut sets = combined(given, &choices.collect::<Vec<_>>());
+    let weight = |panel: Sheet| match panel {
+        Sheet::Scheme if figure.focus.is_some() => COMPANION,
+        Sheet::Scheme => SCHEME,
+        _ => 1.0,
+    };
+    // The sum of the logarithms of the scales: the set with the largest contents comes first.
+    let coarseness = |set: &Scales| set.given().map(|(panel, mu)| weight(panel) * libm::log(mu)).sum();
+    sets.sort_by(|a, b| f64::total_cmp(&coarseness(a), &coarseness(b)));
+    let fits = |set: &&Scales| sheets.iter().all(|sheet| sheet.layout_at(set).shows_all());
+    sets.iter().find(fits).or(sets.last()).copied().unwrap_or(given)
+}
+
+/// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the first
+/// drive.
+pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
+    let own = extents(context);
+    if context.figure().scales != ScalesFor::Cycle {
+        return own;
+    }
+    let Ok(animation) = Animation::new(context.solution, None, POSITIONS) else {
+        return own;
+    };
+    let with_others = |(panel, extent): (Sheet, Extent)| {
+        let others = animation.positions.iter().filter_map(|position| extent_of_images(position, panel));
+        // At the ends of a range rates go to infinity.
+        let all = if animation.is_round { extent.with_all(others) } else { extent.with_most(others) };
+        (panel, all)
+    };
+    own.into_iter().map(with_others).collect()
+}
+
+/// The round scales from the finest to the coarsest of some.
+fn scales_between(own: impl Iterator<Item = f64>) -> Vec<f64> {
+    let (finest, coarsest) = own.fold((f64::INFINITY, 0.0_f64), |(low, high), mu| (low.min(mu), high.max(mu)));
+    let next = |mu: &f64| Some(next_scale(1.01 * mu)).filter(|next| *next < coarsest);
+    let mut all: Vec<f64> = std::iter::successors(Some(finest), next).collect();
+    all.push(coarsest);
+    all.dedup();
+    all
+}
+
+/// All sets with a scale of each panel.
+fn combined(given: Scales, choices: &[(Sheet, Vec<f64>)]) -> Vec<Scales> {
+    choices.iter().fold(vec![given], |sets, (panel, scales)| {
+        let with = |set: Scales| {
+            scales.iter().map(move |&mu| {
+                let mut set = set;
+                set[*panel] = Some(mu);
+                set
+            })
+        };
+        sets.into_iter().flat_map(with).collect()
+    })
+}
+
+/// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
+fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
+    let (key, words) = (panel.scale_key(), Wording::default());
+    let panel = words.language.sheet(panel).to_lowercase();
+    let written = |mu| words.write(mu, legend::SCALE);
+    let fitting = fitting.map_or_else(|| "none".to_owned(), written);
+    let given = written(given);
+    format!(
+        "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
+    )
+}
 
 /// What a sheet has besides the panels.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,34 +353,28 @@ pub(super) struct Contents {
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
     let Contents { steps, only_step, table } = contents;
-    let layers = |sheet| match steps {
+    let panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
+    });
+    let worksheet = table.filter(|place| *place != TablePlace::Apart);
+    let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
+    let sheet = Composition::new(context, panels).with(worksheet);
+    let Some(steps) = steps else {
+        // A work sheet has all values in its table.
+        let values = if table.is_none() { value_list(context, None) } else { None };
+        let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
+        let agreement = legend::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
+        return sheet.with(values).with(Legend::of(context)).with(agreement).with(ruler);
     };
-    let panels = panels(context, extents, layers);
-    // On the sheets of steps values come last; a work sheet has them all in its table.
-    let after = steps.map(|_| context.construction().step_count() as u16 + 1);
-    let has_list = steps.is_some() || table.is_none();
-    let values = has_list.then(|| value_list(context, after)).flatten().map(|list| Box::new(list) as Box<dyn Item>);
-    let ruler = (steps.is_none() && table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
-    let agreement = legend::agreement(context, after, ruler.as_ref().map_or(0.0, Ruler::width));
-    let agreement: Box<dyn Item> = Box::new(agreement);
-    let worksheet = |place| Worksheet { place, ..Worksheet::new(context, &panels) };
-    let worksheet = table.filter(|place| *place != TablePlace::Apart).map(worksheet);
-    let worksheet = worksheet.map(|table| Box::new(table) as Box<dyn Item>);
-    let mut sheet = match steps {
-        None => {
-            let ruler = ruler.map(|ruler| Box::new(ruler) as Box<dyn Item>);
-            let below = std::iter::once(agreement).chain(ruler).collect();
-            Composition::new(context, panels, worksheet.or(values), below)
-        }
-        Some(steps) => {
-            let words: Box<dyn Item + 'a> = Box::new(StepWords::new(context, steps, only_step));
-            Composition::new(context, panels, worksheet, vec![words, values.unwrap_or(agreement)])
-        }
-    };
-    sheet.is_stepwise = steps.is_some();
-    sheet
+    // On the sheets of steps values come after the last one.
+    let after = Some(context.construction().step_count() as u16 + 1);
+    let words = StepWords::new(context, steps, only_step);
+    let sheet = Composition { is_stepwise: true, ..sheet }.with(Legend::of(context)).with(words);
+    match value_list(context, after) {
+        Some(values) => sheet.with(values),
+        None => sheet.with(legend::agreement(context, after, 0.0)),
+    }
 }
 
 /// A sheet with its description and the captions of its steps.
@@ -68,10 +388,10 @@ pub(super) fn described<'a>(context: &SheetContext<'_>, mut sheet: Composition<'
 /// One sentence about the figure, for readers who cannot see it.
 fn description(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> String {
     let language = context.words.language;
-    let described = |panel: &Panel<'_>| match panel.needs.kind {
-        QuantityKind::Velocity => language.described_velocity_plan(),
-        QuantityKind::Acceleration => language.described_acceleration_plan(),
-        _ => language.described_scheme(),
+    let described = |panel: &Panel<'_>| match panel.needs.sheet {
+        Sheet::Scheme => language.described_scheme(),
+        Sheet::Velocity => language.described_velocity_plan(),
+        Sheet::Acceleration => language.described_acceleration_plan(),
     };
     let panels: Vec<&str> = panels.iter().map(described).collect();
     let groups = context.mechanism().groups.iter();

@@ -34,6 +34,8 @@ pub struct Grid {
     everywhere: Vec<u32>,
     seen: RefCell<Seen>,
 }
+
+/// A thing in a cell.
 #[derive(Clone, Copy, Debug)]
 struct Entry {
     thing: u32,

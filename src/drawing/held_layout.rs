@@ -1,15 +1,14 @@
 //! A sheet whose panels and scales are held while its mechanism moves, for a hand on the picture.
 
+use super::canvas::Held;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext};
-use super::figure::{Contents, composed, described};
-use super::figure_sheets::{FigureSheets, extents_to_fit};
-use super::held::Held;
+use super::facts::Steps;
+use super::figure::{Contents, FigureSheets, composed, described, extents_to_fit};
 use super::layout::{Layout, Placed};
-use super::panels::{Extents, extent_of_images, extents};
+use super::panel::{Extents, extent_of_images, extents};
 use super::plan;
 use super::sheet::Drawing;
-use super::step_numbers::Steps;
 use super::view::{Extent, View, next_scale};
 use crate::construction::{Plan, Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
@@ -128,8 +127,8 @@ impl HeldLayout {
         let context = self.context_of(solution, modes);
         let drawing = described(&context, self.composed(&context, None)).draw(&self.layout);
         match self.steps {
-            Some(Steps::Coarse) => drawing.in_passages(&context, &solution.construction.passages()),
-            _ => drawing,
+            Some(steps) => drawing.in_steps(steps, &context),
+            None => drawing,
         }
     }
 
@@ -151,15 +150,10 @@ impl HeldLayout {
         if let Some(step) = step.and_then(|number| construction.numbered_step(number)) {
             sheet.steps[step.number - 1] = shown_text(&context.teller().caption(&step), step.plan, &context.words);
         }
-        let mut drawing = sheet.draw_holding(&self.layout, Some(&mut held));
+        let drawing = sheet.draw_holding(&self.layout, Some(&mut held));
         self.held = held;
         match (self.steps, step) {
-            (Some(steps), Some(step)) => {
-                if steps == Steps::Coarse {
-                    drawing = drawing.in_passages(&context, &construction.passages());
-                }
-                drawing.after_step(step)
-            }
+            (Some(steps), Some(step)) => drawing.in_steps(steps, &context).after_step(step),
             _ => drawing,
         }
     }
@@ -167,18 +161,19 @@ impl HeldLayout {
     /// The scale of a panel, in units per mm of paper.
     #[must_use]
     pub fn mu(&self, panel: Sheet) -> Option<f64> {
-        Some(self.placed(panel)?.1.mu)
+        self.layout.mu_of(panel)
     }
 
     /// The panels of one of the layout's drawings.
     #[must_use]
     pub fn panels(&self, drawing: &Drawing) -> Vec<HeldPanel> {
-        let panel = |((panel, _), (name, frame)): (&(Sheet, Extent), &(String, Rect))| {
+        let panel = |(placed, (name, frame)): (&Placed, &(String, Rect))| {
+            let panel = placed.needs.sheet;
             let says = format!("{}-cut", panel.as_str());
             let is_cut = drawing.marks.iter().any(|mark| mark.id.as_ref() == Some(&says));
-            HeldPanel { name: name.clone(), panel: *panel, frame: *frame, is_cut }
+            HeldPanel { name: name.clone(), panel, frame: *frame, is_cut }
         };
-        self.extents.iter().zip(&drawing.panels).map(panel).collect()
+        self.layout.panels.iter().zip(&drawing.panels).map(panel).collect()
     }
 
     /// The points of the mechanism on the sheet.
@@ -228,7 +223,9 @@ impl HeldLayout {
 
     /// The context of a position at the scales of the layout.
     fn context_of<'a>(&self, solution: &'a Solution, modes: Option<&'a OtherModes>) -> SheetContext<'a> {
-        let traces = match has_lengths_of(&solution.mechanism, &self.mechanism) {
+        // The links are the same, but their lengths may not be.
+        let [a, b] = [&solution.mechanism, &self.mechanism].map(|mechanism| mechanism.bodies.as_slice());
+        let traces = match a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.local == b.local) {
             true => Arc::clone(&self.traces),
             false => Arc::new(Traces::of(solution)),
         };
@@ -238,33 +235,29 @@ impl HeldLayout {
     fn composed<'a>(&self, context: &'a SheetContext<'a>, only_step: Option<usize>) -> Composition<'a> {
         let contents = Contents { steps: self.steps, only_step, table: None };
         let mut composition = composed(context, &self.extents, contents);
-        for (panel, (sheet, _)) in composition.panels.iter_mut().zip(&self.extents) {
-            // The frame stands still, where the scene's own position is in sight.
-            if *sheet == Sheet::Scheme {
-                panel.content = self.scheme;
-            }
+        // The frame stands still, where the scene's own position is in sight.
+        for panel in composition.panels.iter_mut().filter(|panel| panel.needs.sheet == Sheet::Scheme) {
+            panel.content = self.scheme;
         }
         composition
     }
 
     fn scheme_view(&self) -> Option<View> {
-        let (extent, placed) = self.placed(Sheet::Scheme)?;
-        Some(placed.view(&extent, self.scheme))
+        Some(self.placed(Sheet::Scheme)?.view(self.scheme))
     }
 
     /// The plans that are shown, with their views.
     fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a Plan, View)> {
         let shown = Sheet::PLANS.into_iter().filter_map(|sheet| {
-            let (plan, (extent, placed)) = (solution.construction.plan_on(sheet)?, self.placed(sheet)?);
+            let plan = solution.construction.plan_on(sheet)?;
             let content = plan::sight::extent(plan, solution.scene.figure.construction);
-            Some((sheet, plan, placed.view(&extent, Some(content))))
+            Some((sheet, plan, self.placed(sheet)?.view(Some(content))))
         });
         shown.collect()
     }
 
-    fn placed(&self, panel: Sheet) -> Option<(Extent, &Placed)> {
-        let index = self.extents.iter().position(|(own, _)| *own == panel)?;
-        Some((self.extents[index].1, self.layout.panels.get(index)?))
+    fn placed(&self, panel: Sheet) -> Option<&Placed> {
+        self.layout.panels.iter().find(|placed| placed.needs.sheet == panel)
     }
 
     /// From units of the layout to mm of paper.
@@ -301,7 +294,12 @@ fn laid_out(
         }
     }
     own.surface.mu[Sheet::Scheme] = scale;
-    (composed(own, own_extents, contents).layout_above(below), all)
+    let mut layout = composed(own, own_extents, contents).layout_above(below);
+    // It shows the middle of all positions.
+    for (placed, (_, extent)) in layout.panels.iter_mut().zip(&all) {
+        placed.needs.extent = *extent;
+    }
+    (layout, all)
 }
 
 /// The context of a position at scales that are given.
@@ -313,9 +311,4 @@ fn at_scales<'a>(solution: &'a Solution, traces: &Arc<Traces>, mu: Scales) -> Sh
 
 fn with_modes<'a>(context: SheetContext<'a>, modes: Option<&'a OtherModes>) -> SheetContext<'a> {
     SheetContext { modes: modes.unwrap_or(context.modes), ..context }
-}
-
-/// Whether two mechanisms of the same links have the same lengths.
-fn has_lengths_of(a: &Mechanism, b: &Mechanism) -> bool {
-    a.bodies.len() == b.bodies.len() && a.bodies.iter().zip(&b.bodies).all(|(a, b)| a.local == b.local)
 }

@@ -1,7 +1,6 @@
 //! Enlarged detail: a crowd of plan points, drawn larger in a circle beside it.
 
-use super::canvas::Canvas;
-use super::held::Inset;
+use super::canvas::{Canvas, Inset};
 use super::shape::Shape;
 use super::sheet::{Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
@@ -29,10 +28,8 @@ impl Inset {
     /// without room.
     pub(super) fn new(canvas: &Canvas<'_>, places: &[Point]) -> Option<Inset> {
         let (crowd, reach) = crowd(places)?;
-        canvas
-            .held_inset()
-            .and_then(|held| held.moved(canvas, crowd, reach))
-            .or_else(|| Self::anew(canvas, crowd, reach))
+        let before = canvas.held.as_ref().and_then(|held| held.before.insets.get(canvas.prefix).copied());
+        before.and_then(|before| before.moved(canvas, crowd, reach)).or_else(|| Self::anew(canvas, crowd, reach))
     }
 
     /// This detail for its crowd that has moved, if it still has its room.
@@ -73,11 +70,13 @@ impl Inset {
 
     /// Draws the two circles and the enlarged marks of the crowd.
     pub(super) fn draw(&self, canvas: &mut Canvas<'_>, words: &Wording) {
-        canvas.keep_inset(*self);
+        if let Some(held) = &mut canvas.held {
+            held.now.insets.insert(canvas.prefix.to_owned(), *self);
+        }
         let marks: Vec<Mark> = canvas.marks().iter().filter(|mark| !mark.passing).cloned().collect();
         for mark in &marks {
             for shape in self.enlarged(&mark.shape) {
-                canvas.set_step(mark.since);
+                canvas.step = mark.since;
                 canvas.draw(mark.pen, shape).number = mark.number;
             }
         }
@@ -85,7 +84,7 @@ impl Inset {
             .iter()
             .filter(|mark| matches!(mark.shape, Shape::Circle { .. }) && self.shows(mark.shape.bounds().center()));
         let since = first.map(|mark| mark.since).min();
-        canvas.set_step(since.unwrap_or_default());
+        canvas.step = since.unwrap_or_default();
         canvas.reserve_circle(self.centre, self.radius);
         let small = self.shown().max(FILLED * self.shown() + 0.8);
         for (center, radius) in [(self.crowd, small), (self.centre, self.radius)] {
@@ -94,8 +93,8 @@ impl Inset {
                 canvas.draw(Pen::Frame, half);
             }
         }
-        let way = (self.centre - self.crowd).normalize();
-        let line = Shape::Line(self.crowd + way * small, self.centre - way * self.radius);
+        let along = (self.centre - self.crowd).normalize();
+        let line = Shape::Line(self.crowd + along * small, self.centre - along * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
         // Within the circle below or above; where both are taken, beneath it, over it or beside it, within the panel.
@@ -112,10 +111,10 @@ impl Inset {
             (-beside, middle),
         ]
         .map(at);
-        let frame = canvas.frame();
+        let frame = canvas.frame;
         let free = places.iter().find(|place| {
             let ink = place.ink_box().inflate(0.3, 0.3);
-            frame.union(ink) == frame && !canvas.is_taken(ink)
+            frame.union(ink) == frame && !canvas.obstacles.overlaps(ink)
         });
         let text = free.unwrap_or(&places[0]).clone();
         canvas.draw(Pen::Label, Shape::Text(text));

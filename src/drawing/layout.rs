@@ -2,7 +2,6 @@ use super::dims::Dims;
 use super::sheet::Drawing;
 use super::view::{Extent, fitting_scale, next_scale};
 use crate::geometry;
-use crate::quantity::QuantityKind;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Affine, Rect};
 
@@ -25,9 +24,9 @@ const LEAST: f64 = 20.0;
 /// The room that a panel needs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Needs {
-    /// The kind of quantity that is shown to scale.
-    pub kind: QuantityKind,
-    /// Extent of the content, in units of that quantity.
+    /// The sheet of the construction that it shows.
+    pub sheet: Sheet,
+    /// Extent of the content, in units of what is drawn on that sheet.
     pub extent: Extent,
     /// Width of its heading, in mm.
     pub heading: f64,
@@ -43,18 +42,15 @@ pub(super) struct Needs {
 
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
-    pub(super) fn usual(kind: QuantityKind, extent: Extent, heading: f64) -> Needs {
-        Needs { kind, extent, heading, above: 0.0, mu: None, white: WHITE, weight: 1.0 }
+    pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
+        Needs { sheet, extent, heading, above: 0.0, mu: None, white: WHITE, weight: 1.0 }
     }
 }
 
-/// The sheet on which a kind of quantity is drawn to scale.
-pub(super) fn sheet_of(kind: QuantityKind) -> Sheet {
-    Sheet::ALL.into_iter().find(|sheet| sheet.drawn() == kind).unwrap_or(Sheet::Scheme)
-}
+/// A panel's place on a sheet of paper.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
-    pub kind: QuantityKind,
+    pub needs: Needs,
     pub frame: Rect,
     /// The area of its content.
     pub area: Rect,
@@ -65,6 +61,20 @@ pub(super) struct Placed {
 }
 
 impl Placed {
+    /// A panel in a frame, at its scale or else at the finest at which its content fits.
+    fn new(needs: &Needs, frame: Rect, unit: f64) -> Placed {
+        let mut area = frame.inset(-needs.white);
+        area.y0 += HEADING - 2.0 + needs.above;
+        Placed::with_area(needs, frame, area, unit)
+    }
+
+    /// A panel in a frame with this area for its content.
+    pub(super) fn with_area(needs: &Needs, frame: Rect, area: Rect, unit: f64) -> Placed {
+        let on_paper = Affine::scale(unit).transform_rect_bbox(area);
+        let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper));
+        Placed { needs: *needs, frame, area, mu, unit }
+    }
+
     /// Width and height of something in the panel, in units of the layout.
     pub(super) fn shown(&self, extent: &Extent) -> geometry::Vector {
         extent.size() / (self.mu * self.unit)
@@ -72,8 +82,18 @@ impl Placed {
 
     /// Whether something fits into the area of the panel's content.
     pub(super) fn holds(&self, extent: &Extent) -> bool {
-        let (size, area) = (self.shown(extent), self.area.inflate(ROUNDING, ROUNDING));
+        self.holds_in(self.area, extent)
+    }
+
+    /// Whether something fits into an area at the panel's scale.
+    pub(super) fn holds_in(&self, area: Rect, extent: &Extent) -> bool {
+        let (size, area) = (self.shown(extent), area.inflate(ROUNDING, ROUNDING));
         size.x <= area.width() && size.y <= area.height()
+    }
+
+    /// Size of the content on paper, whether it fits or not.
+    pub(super) fn size(&self) -> f64 {
+        self.shown(&self.needs.extent).norm()
     }
 }
 
@@ -86,7 +106,7 @@ pub(super) enum Aside {
     Right(f64),
 }
 
-/// Something on a sheet beside or below its panels.
+/// Something on a sheet beside or below its panels; an item that is not there takes no room.
 pub(super) trait Item {
     /// Height that it needs below the scales, in mm.
     fn height(&self) -> f64 {
@@ -98,6 +118,22 @@ pub(super) trait Item {
         Vec::new()
     }
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
+}
+
+impl<T: Item> Item for Option<T> {
+    fn height(&self) -> f64 {
+        self.as_ref().map_or(0.0, T::height)
+    }
+
+    fn asides(&self, room: Rect) -> Vec<Aside> {
+        self.as_ref().map_or_else(Vec::new, |item| item.asides(room))
+    }
+
+    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
+        if let Some(item) = self {
+            item.draw(drawing, layout);
+        }
+    }
 }
 
 /// Frames of all parts of a sheet.
@@ -115,14 +151,14 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// A layout of an area of words alone: its panels have scales, but no room for scale lines.
-    pub(super) fn of_words(area: Rect, panels: Vec<Placed>) -> Layout {
-        Layout { legend: area, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] }
+    /// Whether all panels have room for their contents.
+    pub(super) fn holds_all(&self) -> bool {
+        self.worth[1] as usize == self.panels.len()
     }
 
-    /// Whether all panels are wide enough and have room for their contents.
+    /// Whether they are wide enough for their headings and for a content, too.
     pub(super) fn shows_all(&self) -> bool {
-        self.worth[0] > 0.0 && self.worth[1] as usize == self.panels.len()
+        self.worth[0] > 0.0 && self.holds_all()
     }
 
     /// The legend's lower part.
@@ -130,14 +166,14 @@ impl Layout {
         Rect { y0: self.legend.y0 + self.scales, ..self.legend }
     }
 
-    /// The scale of the panel for this kind of quantity, in units per mm.
-    pub(super) fn mu_of(&self, kind: QuantityKind) -> Option<f64> {
-        self.panels.iter().find(|placed| placed.kind == kind).map(|placed| placed.mu)
+    /// The scale of the panel of a sheet, in units per mm.
+    pub(super) fn mu_of(&self, sheet: Sheet) -> Option<f64> {
+        self.panels.iter().find(|placed| placed.needs.sheet == sheet).map(|placed| placed.mu)
     }
 
     /// The scales of the panels, in units per mm.
     pub(super) fn mu(&self) -> Scales {
-        PerSheet::from_fn(|sheet| self.mu_of(sheet.drawn()))
+        PerSheet::from_fn(|sheet| self.mu_of(sheet))
     }
 }
 
@@ -152,7 +188,7 @@ pub(super) fn room(dims: &Dims, legend: f64) -> Rect {
 type Division = (Option<Rect>, Vec<Placed>);
 
 /// Divides a room among panels, with a unit of the layout in mm.
-type Ways = fn(Rect, &[Needs], f64) -> Vec<Vec<Rect>>;
+type Arrange = fn(Rect, &[Needs], f64) -> Vec<Vec<Rect>>;
 
 /// Divides a sheet so that the panels' contents are largest at round scales.
 ///
@@ -174,22 +210,22 @@ pub(super) fn layout(
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
     let mut best: Option<([f64; 4], Division)> = None;
-    let passes: [(Ways, bool); 3] = [(arrangements, false), (paired, false), (by_headings, true)];
-    for (ways, is_last_resort) in passes {
+    let passes: [(Arrange, bool); 3] = [(arrangements, false), (paired, false), (by_headings, true)];
+    for (arrange, is_last_resort) in passes {
         if is_last_resort && best.as_ref().is_some_and(|(worth, _)| worth[0] > 0.0) {
             break;
         }
         // Two panels that share a column must not make the smallest content smaller.
-        let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(needs, placed));
+        let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(placed));
         for &(room, aside) in &rooms {
-            for frames in ways(room, needs, dims.unit) {
-                let placed: Vec<Placed> =
-                    needs.iter().zip(frames).map(|(needs, frame)| place(needs, frame, dims.unit)).collect();
-                let worth = worth(needs, &placed);
+            for frames in arrange(room, needs, dims.unit) {
+                let placed = needs.iter().zip(frames).map(|(needs, frame)| Placed::new(needs, frame, dims.unit));
+                let placed: Vec<Placed> = placed.collect();
+                let worth = worth(&placed);
                 let is_better = best.as_ref().is_none_or(|(most, _)| worth > *most);
                 // Headings come before all else.
                 let is_first = best.as_ref().is_some_and(|(most, _)| most[0] == 0.0) && worth[0] > 0.0;
-                if is_first || (is_better && smallest(needs, &placed) >= least - ROUNDING) {
+                if is_first || (is_better && smallest(&placed) >= least - ROUNDING) {
                     best = Some((worth, (aside, placed)));
                 }
             }
@@ -225,42 +261,37 @@ pub(super) fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
 
 /// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes, then
 /// at given scales, how much room the panel with least has for its content, or how large the panel in focus is.
-fn worth(needs: &[Needs], placed: &[Placed]) -> [f64; 4] {
-    let all = || needs.iter().zip(placed);
-    // Size of a content on paper.
-    let drawn = |(w, p): (&Needs, &Placed)| p.shown(&w.extent);
-    let roomy =
-        |(w, p): (&Needs, &Placed)| p.area.width().min(p.area.height()) >= LEAST && p.frame.width() >= w.heading;
-    let fits = |pair: (&Needs, &Placed)| {
-        let (size, area) = (drawn(pair), pair.1.area.inflate(ROUNDING, ROUNDING));
-        size.x <= area.width() && size.y <= area.height()
+fn worth(panels: &[Placed]) -> [f64; 4] {
+    let is_wide = |placed: &Placed| {
+        placed.area.width().min(placed.area.height()) >= LEAST && placed.frame.width() >= placed.needs.heading
     };
     // The size of what is not cut off.
-    let seen = |pair: (&Needs, &Placed)| {
-        let (size, area) = (drawn(pair), pair.1.area);
-        geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height()))
+    let seen = |placed: &Placed| {
+        let (size, area) = (placed.shown(&placed.needs.extent), placed.area);
+        geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height())).norm()
     };
-    let room = |pair: (&Needs, &Placed)| {
-        let (size, area) = (drawn(pair), pair.1.area);
+    let room = |placed: &Placed| {
+        let (size, area) = (placed.shown(&placed.needs.extent), placed.area);
         (area.width() / size.x).min(area.height() / size.y)
     };
-    let has_companion = needs.iter().any(|needs| needs.weight < 1.0);
-    let focus = needs.iter().position(|needs| has_companion && needs.weight == 1.0);
-    let yes = |is: bool| f64::from(u8::from(is));
+    let has_companion = panels.iter().any(|placed| placed.needs.weight < 1.0);
+    let focus = panels.iter().find(|placed| has_companion && placed.needs.weight == 1.0);
     [
-        yes(all().all(roomy)),
-        all().filter(|pair| fits(*pair)).count() as f64,
+        f64::from(u8::from(panels.iter().all(is_wide))),
+        panels.iter().filter(|placed| placed.holds(&placed.needs.extent)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        all().map(|pair| weighed(seen(pair).norm(), pair.0.weight)).product(),
-        match (needs.iter().all(|needs| needs.mu.is_some()), focus) {
-            (_, Some(panel)) => placed[panel].frame.area(),
-            (true, None) => all().map(room).fold(f64::INFINITY, f64::min),
+        panels.iter().map(|placed| weighed(seen(placed), placed.needs.weight)).product(),
+        match (panels.iter().all(|placed| placed.needs.mu.is_some()), focus) {
+            (_, Some(panel)) => panel.frame.area(),
+            (true, None) => panels.iter().map(room).fold(f64::INFINITY, f64::min),
             (false, None) => 0.0,
         },
     ]
 }
-fn smallest(needs: &[Needs], placed: &[Placed]) -> f64 {
-    needs.iter().zip(placed).map(|(needs, placed)| placed.shown(&needs.extent).norm()).fold(f64::INFINITY, f64::min)
+
+/// The size of the smallest content.
+fn smallest(panels: &[Placed]) -> f64 {
+    panels.iter().map(Placed::size).fold(f64::INFINITY, f64::min)
 }
 
 /// A size with its weight among others.
@@ -268,37 +299,28 @@ fn weighed(size: f64, weight: f64) -> f64 {
     if weight == 1.0 { size } else { libm::pow(size, weight) }
 }
 
-/// An area of the layout, in mm of paper.
-pub(super) fn on_paper(area: Rect, unit: f64) -> Rect {
-    Affine::scale(unit).transform_rect_bbox(area)
-}
-
-fn place(needs: &Needs, frame: Rect, unit: f64) -> Placed {
-    let mut area = frame.inset(-needs.white);
-    area.y0 += HEADING - 2.0 + needs.above;
-    let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper(area, unit)));
-    Placed { kind: needs.kind, frame, area, mu, unit }
-}
-
-/// Ways to divide `room` among one, two or three panels.
+/// Divisions of `room` among panels: of two and three in every way, of more the first beside or above the others.
 fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
-    let mut ways = Vec::new();
+    let mut divisions = Vec::new();
     match needs {
-        [] | [_] => ways.push(vec![room; needs.len()]),
+        [] | [_] => divisions.push(vec![room; needs.len()]),
         // A companion is as small as its content allows.
         [a, b] if a.weight < b.weight => {
             for down in [false, true] {
                 let whole = if down { room.height() } else { room.width() } - GAP;
-                ways.extend(COMPANION.map(|share| {
-                    let (a, b) = divided(room, down, share * whole);
-                    vec![a, b]
-                }));
+                divisions.extend(COMPANION.map(|share| divided(room, down, share * whole).to_vec()));
             }
         }
         [a, b] => {
             for down in [false, true] {
-                for (a, b) in splits(room, down, [&[*a], &[*b]], unit) {
-                    ways.push(vec![a, b]);
+                divisions.extend(splits(room, down, [&[*a], &[*b]], unit).into_iter().map(|both| both.to_vec()));
+            }
+        }
+        [a, others @ ..] if others.len() > 2 => {
+            for down in [false, true] {
+                for [first, rest] in splits(room, down, [&[*a], &[]], unit) {
+                    let frames = arrangements(rest, others, unit).into_iter();
+                    divisions.extend(frames.map(|others| [vec![first], others].concat()));
                 }
             }
         }
@@ -306,32 +328,32 @@ fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
             for (down, then) in [(false, true), (false, false), (true, false)] {
                 // Two panels side by side share the width; one above the other both have all of it.
                 let second = if down == then { &others[..0] } else { others };
-                for (first, rest) in splits(room, down, [&[*a], second], unit) {
-                    for (b, c) in splits(rest, then, [&others[..1], &others[1..]], unit) {
-                        ways.push(vec![first, b, c]);
+                for [first, rest] in splits(room, down, [&[*a], second], unit) {
+                    for [b, c] in splits(rest, then, [&others[..1], &others[1..]], unit) {
+                        divisions.push(vec![first, b, c]);
                     }
                 }
             }
         }
     }
-    ways
+    divisions
 }
 
-/// Ways to divide `room` among three panels of which the first two share a column or a row.
+/// Divisions of `room` among three panels of which the first two share a column or a row.
 fn paired(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
     let [a, b, c] = needs else { return Vec::new() };
-    let mut ways = Vec::new();
+    let mut divisions = Vec::new();
     for down in [false, true] {
         let both: &[Needs] = if down { &[] } else { &[*a, *b] };
-        for (both, third) in splits(room, down, [both, &[*c]], unit) {
+        for [both, third] in splits(room, down, [both, &[*c]], unit) {
             let halves = splits(both, !down, [&[*a], &[*b]], unit);
-            ways.extend(halves.into_iter().map(|(a, b)| vec![a, b, third]));
+            divisions.extend(halves.into_iter().map(|[a, b]| vec![a, b, third]));
         }
     }
-    ways
+    divisions
 }
 
-/// Ways to divide `room` so that headings fit: two panels as narrow as theirs beside a third, or all three so.
+/// Divisions of `room` so that headings fit: two panels as narrow as theirs beside a third, or all three so.
 fn by_headings(room: Rect, needs: &[Needs], _: f64) -> Vec<Vec<Rect>> {
     let [a, b, c] = needs else { return Vec::new() };
     let [a, b, c] = [a, b, c].map(|needs| needs.heading + ROUNDING);
@@ -341,8 +363,8 @@ fn by_headings(room: Rect, needs: &[Needs], _: f64) -> Vec<Vec<Rect>> {
         return Vec::new();
     }
     let row = |widths: [f64; 3]| {
-        let (first, rest) = divided(room, false, widths[0]);
-        let (second, third) = divided(rest, false, widths[1]);
+        let [first, rest] = divided(room, false, widths[0]);
+        let [second, third] = divided(rest, false, widths[1]);
         vec![first, second, third]
     };
     let third = spare / 3.0;
@@ -350,7 +372,7 @@ fn by_headings(room: Rect, needs: &[Needs], _: f64) -> Vec<Vec<Rect>> {
 }
 
 /// Divisions of `room` into two: at the middle, and where the content of either side just fits at a round scale.
-fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> Vec<(Rect, Rect)> {
+fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> Vec<[Rect; 2]> {
     let whole = if down { room.height() } else { room.width() } - GAP;
     let widths = |w: &Needs| {
         let size = w.extent.size();
@@ -358,7 +380,7 @@ fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> 
         let least = if down { 0.0 } else { w.heading };
         let at = move |mu: f64| (size / (mu * unit) + 2.0 * w.white + extra).max(least) + ROUNDING;
         // The scale that fits the whole room, and the next larger one.
-        let mut mu = w.mu.unwrap_or_else(|| place(w, room, unit).mu);
+        let mut mu = w.mu.unwrap_or_else(|| Placed::new(w, room, unit).mu);
         std::array::from_fn::<f64, 2, _>(|_| {
             let need = at(mu);
             if w.mu.is_none() {
@@ -375,12 +397,12 @@ fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> 
 }
 
 /// A room divided after `cut` mm, from the left or from above.
-fn divided(room: Rect, down: bool, cut: f64) -> (Rect, Rect) {
+fn divided(room: Rect, down: bool, cut: f64) -> [Rect; 2] {
     let (mut a, mut b) = (room, room);
     if down {
         (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
     } else {
         (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
     }
-    (a, b)
+    [a, b]
 }

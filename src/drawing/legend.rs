@@ -1,15 +1,15 @@
 //! The box below the panels: their scales, and the sentences under these.
 
-use super::context::SheetContext;
+use super::context::{SheetContext, Surface};
 use super::dims::Dims;
-use super::layout::{Item, Layout, Placed};
+use super::layout::{Item, Layout};
 use super::lines::{EDGE, Lines, PAD};
-use super::shape::{Shape, corners};
+use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, RichText};
 use crate::cycle::Times;
-use crate::quantity::QuantityKind;
-use crate::scene::Units;
+use crate::scene::{PageSize, Units};
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::Point;
@@ -38,15 +38,6 @@ pub(super) fn height(panels: usize, columns: usize) -> f64 {
     ROW * panels.max(1).div_ceil(columns) as f64 + EDGE
 }
 
-/// The symbol of the scale for a kind of quantity.
-pub(super) fn symbol(kind: QuantityKind) -> &'static str {
-    match kind {
-        QuantityKind::Velocity => "μ_v",
-        QuantityKind::Acceleration => "μ_a",
-        _ => "μ_l",
-    }
-}
-
 /// A scale, and a bar of a round value.
 pub(super) struct Entry {
     symbol: RichText,
@@ -57,20 +48,6 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    /// The scale of quantities of that kind: `mu` units a millimetre.
-    pub(super) fn new(kind: QuantityKind, mu: f64, words: &Wording, units: Units, dims: &Dims) -> Self {
-        let unit = kind.unit(units);
-        let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
-        let value = words.write(mu, SCALE);
-        let bar = words.write(BAR * mu, SCALE);
-        Self {
-            symbol: RichText::math(symbol(kind)),
-            value: RichText::plain(&format!("= {value} {per_mm}")),
-            bar: RichText::plain(&format!("{bar} {unit}")),
-            length: BAR / dims.unit,
-        }
-    }
-
     pub(super) fn width(&self) -> f64 {
         self.places()[2]
     }
@@ -101,13 +78,6 @@ impl Entry {
     }
 }
 
-/// Whether the scales fit into the layout's columns, or all into one row.
-pub(super) fn fits(layout: &Layout, words: &Wording, units: Units, dims: &Dims) -> bool {
-    let widths = layout.panels.iter().map(|placed| Entry::new(placed.kind, placed.mu, words, units, dims).width());
-    let widths: Vec<f64> = widths.collect();
-    fit_columns(&widths, layout) || (layout.columns >= widths.len() && gap(&widths, layout) >= LEAST_GAP)
-}
-
 fn fit_columns(widths: &[f64], layout: &Layout) -> bool {
     let column = layout.legend.width() / layout.columns as f64;
     widths.iter().all(|width| *width <= column - PAD)
@@ -120,20 +90,52 @@ fn gap(widths: &[f64], layout: &Layout) -> f64 {
 }
 
 /// The box with the scales of the panels, and room for words below them.
+#[derive(Clone, Copy)]
 pub(super) struct Legend {
     pub words: Wording,
     pub units: Units,
     pub dims: Dims,
 }
 
+impl Legend {
+    pub(super) fn of(context: &SheetContext<'_>) -> Legend {
+        Legend { words: context.words, units: context.solution.scene.units, dims: context.surface.dims }
+    }
+
+    /// The scale of a sheet: `mu` units a millimetre.
+    pub(super) fn entry(&self, sheet: Sheet, mu: f64) -> Entry {
+        let unit = sheet.drawn().unit(self.units);
+        let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
+        let [value, bar] = [mu, BAR * mu].map(|value| self.words.write(value, SCALE));
+        Entry {
+            symbol: RichText::math(sheet.scale_symbol()),
+            value: RichText::plain(&format!("= {value} {per_mm}")),
+            bar: RichText::plain(&format!("{bar} {unit}")),
+            length: BAR / self.dims.unit,
+        }
+    }
+
+    /// The scales of a layout, and their widths in mm.
+    fn entries(&self, layout: &Layout) -> (Vec<Entry>, Vec<f64>) {
+        let entries: Vec<Entry> =
+            layout.panels.iter().map(|placed| self.entry(placed.needs.sheet, placed.mu)).collect();
+        let widths = entries.iter().map(Entry::width).collect();
+        (entries, widths)
+    }
+
+    /// Whether the scales fit into the layout's columns, or all into one row.
+    pub(super) fn fits(&self, layout: &Layout) -> bool {
+        let (_, widths) = self.entries(layout);
+        fit_columns(&widths, layout) || (layout.columns >= widths.len() && gap(&widths, layout) >= LEAST_GAP)
+    }
+}
+
 impl Item for Legend {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let area = layout.legend;
-        drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+        drawing.draw(Pen::Frame, Shape::rectangle(area));
         let column = area.width() / layout.columns as f64;
-        let entry = |placed: &Placed| Entry::new(placed.kind, placed.mu, &self.words, self.units, &self.dims);
-        let entries: Vec<Entry> = layout.panels.iter().map(entry).collect();
-        let widths: Vec<f64> = entries.iter().map(Entry::width).collect();
+        let (entries, widths) = self.entries(layout);
         let (in_columns, gap) = (fit_columns(&widths, layout), gap(&widths, layout));
         for (index, entry) in entries.iter().enumerate() {
             let (row, place) = (index / layout.columns, index % layout.columns);
@@ -150,7 +152,9 @@ impl Item for Legend {
 /// the width are kept free.
 pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f64) -> Lines {
     let (sentence, agrees) = routes(context);
-    let is_said = !agrees || (context.values.is_empty() && !context.is_projected());
+    let Surface { page, dims, .. } = context.surface;
+    let is_projected = page.size == PageSize::Wide || dims.unit > 1.0;
+    let is_said = !agrees || (context.values.is_empty() && !is_projected);
     let sentence = is_said.then_some(sentence);
     Lines {
         step,
@@ -181,7 +185,7 @@ pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let Times { drive, step, time, .. } = context.traces.times.as_ref()?;
     let shown = |name: &str| context.shown(name, None);
     let points: Vec<String> = context.traces.paths.iter().map(|path| shown(&path.name)).collect();
-    let (language, units) = (context.words.language, context.scene().units);
+    let (language, units) = (context.words.language, context.solution.scene.units);
     let number = |value: f64| context.words.write(value, STEP);
     let step = match drive.is_angle() {
         true => format!("{}°", number(*step)),

@@ -39,15 +39,9 @@ impl Line {
         spaces + self.0.iter().map(|part| part.width(size)).sum::<f64>()
     }
 
-    /// Draws it as a caption, centred at a point of its baseline.
-    pub(super) fn centred(&self, drawing: &mut Drawing, middle: Point) {
-        let from = Point::new(middle.x - 0.5 * self.width(CAPTION), middle.y);
-        self.starting(drawing, Pen::Caption, from, CAPTION);
-    }
-
-    /// Draws it as a caption that ends at a point of its baseline.
-    pub(super) fn ending(&self, drawing: &mut Drawing, end: Point) {
-        let from = Point::new(end.x - self.width(CAPTION), end.y);
+    /// Draws it as a caption with this share of its width before a point of its baseline: 0.5 centres it, 1 ends it there.
+    pub(super) fn caption(&self, drawing: &mut Drawing, at: Point, share: f64) {
+        let from = Point::new(at.x - share * self.width(CAPTION), at.y);
         self.starting(drawing, Pen::Caption, from, CAPTION);
     }
 
@@ -64,6 +58,8 @@ impl Line {
         ink.unwrap_or(Rect::from_points(from, from))
     }
 }
+
+/// Lines of words below the scales.
 pub(super) struct Lines {
     pub lines: Vec<RichText>,
     /// The only step with these lines; none for all.

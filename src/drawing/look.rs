@@ -1,7 +1,11 @@
+//! What marks are, and how they look.
+
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 use std::fmt;
+
+use crate::sheet::Sheet;
 
 /// An sRGB colour of the screen; black by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -77,5 +81,126 @@ impl Look {
     pub(super) fn area(colour: Colour) -> Look {
         let fill = Some(colour);
         Look { stroke: None, width: 0.0, dash: Dash::new(), fill, cap: Cap::default(), ink: colour, halo: 0.0 }
+    }
+}
+
+/// What a mark *is*. Colour, width, dash and fill come from the drawing's [`Style`](super::Style), so a figure is
+/// restyled in one place. Style files write pens in small letters: `link_fill`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Pen {
+    /// The border of a panel, axes, the bar of a scale.
+    Frame,
+    /// The line of the frame that a pivot or a guide stands on.
+    Ground,
+    /// The short strokes under a ground line.
+    Hatch,
+    /// A link drawn as a line, or the outline of one drawn as an area.
+    Link,
+    /// The tinted area of a link.
+    LinkFill,
+    /// A sliding block, or a pivot's foot: outlined.
+    Slider,
+    /// The straight guide that a block slides on.
+    Guide,
+    /// A revolute joint: a small circle.
+    Joint,
+    /// The path of a point over a cycle.
+    Trace,
+    /// The rest of such a path, beyond the limits of the drive.
+    Beyond,
+    /// A link in another position of the cycle.
+    Ghost,
+    /// A helping line of the scheme.
+    Construction,
+    /// A line of known direction in a plan.
+    Ray,
+    /// A vector that is neither of the kinds below.
+    Vector,
+    /// A velocity.
+    Velocity,
+    /// A total acceleration.
+    Acceleration,
+    /// A normal part of an acceleration, known before the plan is closed.
+    Normal,
+    /// A tangential part, found by closing the plan.
+    Tangential,
+    /// A Coriolis part.
+    Coriolis,
+    /// The pole of a plan.
+    Pole,
+    /// The outline of the image of a link in a plan.
+    Image,
+    /// The area of such an image.
+    ImageFill,
+    /// The end of a vector in a plan, the image of a point: a small dot.
+    ImagePoint,
+    /// A special (Assur) point and what belongs to it.
+    Special,
+    /// The sense of turning: curved arrows of ω and α.
+    Turning,
+    /// The line from a label to what it names when it had to stand apart.
+    Leader,
+    /// The name of a point, a link or a vector; haloed, so that it reads across lines.
+    Label,
+    /// What a step is about, in that step alone: a broad pale line under a length or a direction.
+    Hint,
+    /// Running text: scales, equations, captions.
+    Caption,
+    /// The heading of a panel or a sheet.
+    Heading,
+    /// A line at a round value of an axis.
+    Grid,
+    /// The line at zero.
+    Zero,
+    /// A quantity over the cycle, its name, and the dots at its greatest and least values.
+    Curve,
+    /// A dead centre of the link or slider: a small circle on the line at zero.
+    Dead,
+    /// Where a drive can go no further.
+    Limit,
+    /// Where the motion could go on in another assembly mode too.
+    Change,
+    /// Where the drive stands in the scene.
+    Stand,
+    /// A line of a student's drawing over the right one.
+    Student,
+    /// A point of such a drawing, a small cross, and its name.
+    StudentPoint,
+    /// A marker by which a photograph of the sheet is read, and the small code: black in every style.
+    #[serde(skip_deserializing)]
+    #[schemars(skip)]
+    Marker,
+    /// The white around them, on paper of any colour.
+    #[serde(skip_deserializing)]
+    #[schemars(skip)]
+    MarkerWhite,
+}
+
+impl Pen {
+    /// How many pens have looks of a style.
+    pub(super) const COUNT: usize = Pen::StudentPoint as usize + 1;
+
+    /// Its name, as in style files: `link_fill`.
+    pub(crate) fn name(self) -> String {
+        let name = serde_json::to_value(self).ok();
+        name.and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default()
+    }
+
+    /// The pens of a plan's vectors: from its pole, and from one image to another.
+    pub(super) fn of_vectors(plan: Sheet) -> [Pen; 2] {
+        match plan {
+            Sheet::Scheme | Sheet::Velocity => [Pen::Velocity, Pen::Image],
+            Sheet::Acceleration => [Pen::Acceleration, Pen::Tangential],
+        }
+    }
+
+    /// The colour of areas that no style changes: programs look for them.
+    pub(super) fn fixed(self) -> Option<Colour> {
+        match self {
+            Pen::Marker => Some(Colour::new(0)),
+            Pen::MarkerWhite => Some(Colour::new(0xff_ffff)),
+            _ => None,
+        }
     }
 }

@@ -85,25 +85,20 @@ impl Setter {
     /// Sets a line of text; without `markup` all letters are literal.
     pub(super) fn set(source: &str, setting: Setting, markup: bool) -> Self {
         let letters: Vec<char> = source.chars().filter_map(printable).collect();
-        let mut setter = Setter::new(setting);
-        setter.line(&letters, if markup { DEEPEST } else { 0 });
-        setter
-    }
-
-    fn new(setting: Setting) -> Self {
-        let (pen, kind) = (Point::ORIGIN, LetterKind::Upright);
-        Self {
+        let mut setter = Self {
             setting,
             runs: Vec::new(),
             ink: None,
-            pen,
+            pen: Point::ORIGIN,
             scale: 1.0,
             content: String::new(),
-            kind,
+            kind: LetterKind::Upright,
             lean: 0.0,
             scripts: Vec::new(),
             spaced: false,
-        }
+        };
+        setter.line(&letters, if markup { DEEPEST } else { 0 });
+        setter
     }
 
     /// Sets letters with scripts of a nesting depth, and ends the last run.

@@ -5,9 +5,9 @@
 //!
 //! - `context` is what every layer asks: the solution with its `facts`, looked up once, the surface (page, sizes of letters,
 //!   scales) and what the sheet is for. It is made once and passed on; only a `Surface` knows the page.
-//! - `figure_sheets` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
-//!   scales while a mechanism moves, `held` where names were in the picture before.
-//! - `figure` puts a sheet together: `panels` with their layers, a `table` beside them, the `legend` and `words` below;
+//! - `figure` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
+//!   scales while a mechanism moves, a canvas where names were in the picture before.
+//! - A sheet is put together of `panel`s with their layers, a `table` beside them, the `legend` and `words` below;
 //!   `compose` makes a sheet of it with a `layout`. `exercise`, `correction`, `over_photo` and `curves` are other sheets.
 //! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
@@ -15,9 +15,9 @@
 //!
 //! # A sheet is a list
 //!
-//! A `Panel` says how much room it wants and has a stack of `Layer`s, each of which draws itself on the panel's
-//! canvas: the frame, hints, the scheme or a plan, a student's drawing over it; a graph of curves or a hodograph
-//! likewise. An `Item` stands beside or below the panels: a table, the scales, lines of words. `Composition` asks all
+//! A `Panel` says how much room it wants, has a frame and a stack of `Layer`s, each of which draws on the panel's
+//! canvas: hints, the scheme or a plan, the axes and the curve of a hodograph; and a student's drawing may lie over them.
+//! An `Item` stands beside or below the panels: a table, the scales, lines of words. `Composition` asks all
 //! of them for their room, divides the paper (`layout`) and has them drawn. Figure, work sheet, exercise, key and
 //! correction differ only in what is on the list.
 //!
@@ -50,7 +50,6 @@
 //! for the whole cycle (`cycle::Animation`): any position is drawn on it in a millisecond. What leaves a panel is cut
 //! off at its edge (`clip`); places too close for their names are drawn again, larger, in a circle (`inset`).
 
-mod arrow;
 mod canvas;
 #[doc(hidden)] // for tests
 pub mod clip;
@@ -63,11 +62,9 @@ mod dims;
 mod exercise;
 mod facts;
 mod figure;
-mod figure_sheets;
 mod fonts;
 #[doc(hidden)] // for tests
 pub mod grid;
-mod held;
 mod held_layout;
 mod inset;
 mod labels;
@@ -82,42 +79,36 @@ mod over_photo;
 #[doc(hidden)] // for tests
 pub mod overlay;
 mod panel;
-mod panels;
 mod passages;
-mod pen;
 mod plan;
 mod scheme;
 mod shape;
 mod sheet;
 mod sheet_notes;
-mod step_numbers;
 mod style;
 mod table;
 mod text;
-mod value;
 mod values;
 mod view;
 mod words;
 mod worksheet;
 
-pub use arrow::arrow_head;
 pub use correction::{overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
-pub use figure_sheets::FigureSheets;
+pub use facts::Steps;
+pub use figure::FigureSheets;
 pub use fonts::{ITALIC, REGULAR};
 pub use held_layout::{Handle, HeldLayout, HeldPanel};
 pub use labels::{LabelRequest, PlacedLabel, place};
-pub use look::{Cap, Colour, Dash, Look};
+pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};
 pub use obstacles::Obstacles;
 pub use over_photo::{SeenPoint, over_photo};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
-pub use pen::Pen;
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark};
 pub use sheet_notes::SheetLabels;
-pub use step_numbers::Steps;
 pub use style::Style;
 pub use text::{Anchor, PlacedRun, PlacedText, RichText};
 pub use view::{Extent, View, fitting_scale, next_scale};

@@ -1,9 +1,10 @@
 //! The right plans over a photographed sheet, straightened out.
 
+use super::compose::blank;
 use super::context::{Purpose, SheetContext};
 use super::layout::Placed;
 use super::markers::SheetCode;
-use super::panels::{content, panels};
+use super::panel::{Panel, content, panels};
 use super::plan::sight;
 use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Pen};
@@ -50,22 +51,17 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
         context.surface.mu[panel.panel] = Some(panel.mu);
     }
     let unit = context.surface.dims.unit;
-    let [width, height] = context.surface.dims.page;
-    let mut drawing = Drawing::new(width, height);
-    drawing.style = super::style::Style::named(solution.scene.figure.style);
-    drawing.title = solution.scene.title.clone().unwrap_or_default();
-    drawing.language = context.words.language.code;
+    let title = solution.scene.title.clone().unwrap_or_default();
+    let mut drawing = blank(context.figure(), context.surface.dims.page, title);
     for placed in &code.panels {
         let Some(plan) = context.plan(placed.panel) else { continue };
         let extent = sight::extent(plan, context.figure().construction);
         let all = panels(&context, &[(placed.panel, extent)], |panel| vec![content(&context, panel)]);
-        for mut panel in all {
-            // Without the frame, which the sheet has.
-            panel.layers.remove(0);
+        for panel in all {
+            // The photographed sheet has the frame.
+            let panel = Panel { frame: None, content: None, ..panel };
             let area = Affine::scale(1.0 / unit).transform_rect_bbox(area(&extent, placed.origin, placed.mu));
-            let place =
-                Placed { kind: placed.panel.drawn(), frame: area.inflate(AROUND, AROUND), area, mu: placed.mu, unit };
-            panel.content = None;
+            let place = Placed::with_area(&panel.needs, area.inflate(AROUND, AROUND), area, unit);
             panel.draw(&mut drawing, &place, &solution.scene.figure.labels, &context.surface.dims, None);
         }
     }
@@ -90,8 +86,8 @@ fn area(extent: &Extent, pole: [f64; 2], mu: f64) -> Rect {
 /// Draws a point that was found: a cross, the circle that holds it, and where it is off its name with an asterisk.
 fn draw_seen(drawing: &mut Drawing, context: &SheetContext<'_>, point: &SeenPoint) {
     let center = Point::new(point.at[0], point.at[1]);
-    for way in [Vec2::new(CROSS, CROSS), Vec2::new(CROSS, -CROSS)] {
-        drawing.draw(Pen::StudentPoint, Shape::Line(center - way, center + way));
+    for arm in [Vec2::new(CROSS, CROSS), Vec2::new(CROSS, -CROSS)] {
+        drawing.draw(Pen::StudentPoint, Shape::Line(center - arm, center + arm));
     }
     drawing.draw(Pen::StudentPoint, Shape::Circle { center, radius: point.band.max(CROSS) });
     if point.is_off {

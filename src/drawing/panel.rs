@@ -1,18 +1,23 @@
-//! Panels of a sheet, each with layers.
+//! Panels of a sheet, each with layers: what a figure shows in them, and how large it is.
 
-use super::canvas::Canvas;
+use super::canvas::{Canvas, Held};
+use super::context::SheetContext;
 use super::dims::Dims;
-use super::held::Held;
-use super::layout::{HEADING, Needs, Placed, sheet_of};
+use super::layout::{HEADING, Needs, Placed, WHITE};
 use super::lines::Line;
 use super::markers::PlacedPanel;
-use super::shape::{Shape, corners};
-use super::sheet::{Drawing, Mark, Pen};
-use super::text::CAPTION;
+use super::overlay::OwnLayer;
+use super::plan;
+use super::scheme;
+use super::shape::Shape;
+use super::sheet::{Drawing, Pen};
+use super::text::{CAPTION, RichText};
 use super::view::{Extent, View};
+use crate::construction::{Plan, Solution};
 use crate::geometry;
-use crate::quantity::QuantityKind;
+use crate::sheet::Sheet;
 use crate::text::Untrusted;
+use crate::words::Language;
 use indexmap::IndexMap;
 use kurbo::{Rect, Vec2};
 
@@ -20,7 +25,12 @@ use kurbo::{Rect, Vec2};
 const SIZE: f64 = 1.05 * CAPTION;
 /// Least distance of a pole from the edge, in mm: room for its name.
 const AROUND: f64 = 5.0;
+/// White before a heading, in mm.
 const BEFORE: f64 = 2.5;
+/// Weight of the size of a panel beside that in focus.
+pub(super) const COMPANION: f64 = 0.2;
+
+/// A panel: a frame with its heading, and layers in it.
 pub(super) struct Panel<'a> {
     /// Its name, in the figure's language.
     pub name: String,
@@ -28,40 +38,27 @@ pub(super) struct Panel<'a> {
     pub prefix: String,
     /// The room that it needs.
     pub needs: Needs,
-    /// What it says where its content is larger.
-    pub cut: String,
-    /// What it says where it has no room for all names.
-    pub unlabelled: String,
+    /// The language in which it says that its content is cut off or that it has no room for all names; none where it does
+    /// not say so.
+    pub language: Option<&'static Language>,
     /// The extent of what is held in sight where the panel is for other positions, too.
     pub content: Option<Extent>,
+    /// Its border and heading; none on a sheet that has them already.
+    pub frame: Option<Frame>,
     /// Its layers, the lowest first.
-    pub layers: Layers<'a>,
+    pub layers: Vec<Layer<'a>>,
+    /// A student's drawing over them.
+    pub own: Option<OwnLayer<'a>>,
 }
 
-/// Layers of a panel, the lowest first.
-pub(super) type Layers<'a> = Vec<Box<dyn Layer + 'a>>;
-
-/// A layer of a panel, drawn over those before it.
-pub(super) trait Layer {
-    /// Reserves room before the layers below are drawn: they and all labels keep off it.
-    fn reserve(&self, _canvas: &mut Canvas<'_>, _view: &View) {}
-    fn draw(&self, canvas: &mut Canvas<'_>, view: &View);
-
-    /// Changes the marks of all layers after labels have been placed.
-    fn retouch(&self, _marks: &mut Vec<Mark>) {}
-}
-
-impl<F: Fn(&mut Canvas<'_>, &View)> Layer for F {
-    fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
-        self(canvas, view);
-    }
-}
+/// Draws something on a panel, over what is there before.
+pub(super) type Layer<'a> = Box<dyn Fn(&mut Canvas<'_>, &View) + 'a>;
 
 impl<'a> Panel<'a> {
-    /// A panel whose content always fits and has room for its names.
-    pub(super) fn plain(name: &str, prefix: &str, needs: Needs, layers: Layers<'a>) -> Panel<'a> {
+    /// A panel that says nothing of what it cannot show.
+    pub(super) fn plain(name: &str, prefix: &str, needs: Needs, frame: Frame, layers: Vec<Layer<'a>>) -> Self {
         let (name, prefix) = (name.to_owned(), prefix.to_owned());
-        Panel { name, prefix, needs, cut: String::new(), unlabelled: String::new(), content: None, layers }
+        Panel { name, prefix, needs, language: None, content: None, frame: Some(frame), layers, own: None }
     }
 
     /// Draws the panel in its place; `renamed` replaces names of points and links. What was `held` in the picture before
@@ -74,44 +71,39 @@ impl<'a> Panel<'a> {
         dims: &Dims,
         held: Option<&mut Held>,
     ) {
-        drawing.panels.push((self.name.clone(), placed.frame));
-        let view = placed.view(&self.needs.extent, self.content);
+        let view = placed.view(self.content);
         let before = drawing.marks.len();
-        let mut canvas = Canvas::new(drawing, &self.prefix, placed.frame, renamed, *dims);
+        let mut canvas = Canvas::new(drawing, [&self.name, &self.prefix], placed.frame, renamed, *dims);
         canvas.held = held;
-        for layer in &self.layers {
-            layer.reserve(&mut canvas, &view);
+        if let Some(own) = &self.own {
+            own.reserve(&mut canvas, &view);
+        }
+        if let Some(frame) = &self.frame {
+            frame.draw(&mut canvas);
         }
         for layer in &self.layers {
-            layer.draw(&mut canvas, &view);
+            layer(&mut canvas, &view);
         }
-        let unlabelled = canvas.finish(&self.cut, &self.unlabelled);
-        if !unlabelled.is_empty() {
-            drawing.unlabelled.push((self.name.clone(), unlabelled));
+        if let Some(own) = &self.own {
+            own.draw(&mut canvas, &view);
         }
-        let mut marks = drawing.marks.split_off(before);
-        for layer in &self.layers {
-            layer.retouch(&mut marks);
+        canvas.finish(self.language);
+        if let Some(own) = &self.own {
+            let mut marks = drawing.marks.split_off(before);
+            own.retouch(&mut marks);
+            drawing.marks.append(&mut marks);
         }
-        drawing.marks.append(&mut marks);
-    }
-
-    /// The panel on a sheet, for programs that read a photograph of it.
-    pub(super) fn on_paper(&self, placed: &Placed) -> PlacedPanel {
-        let origin = placed.view(&self.needs.extent, self.content).at(geometry::Point::origin());
-        let panel = sheet_of(placed.kind);
-        PlacedPanel { panel, mu: placed.mu, origin: [origin.x, origin.y].map(|place| place * placed.unit) }
     }
 }
 
 impl Placed {
-    /// The view of a panel of some extent, moved so that a content that fits stays in sight, and always the pole of a plan.
-    pub(super) fn view(&self, extent: &Extent, content: Option<Extent>) -> View {
-        let mut view = View::new(self.mu * self.unit, extent, self.area);
+    /// The view of the panel, moved so that a content that fits stays in sight, and always the pole of a plan.
+    pub(super) fn view(&self, content: Option<Extent>) -> View {
+        let mut view = View::new(self.mu * self.unit, &self.needs.extent, self.area);
         if let Some(content) = content.filter(|content| self.holds(content)) {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
-        if matches!(self.kind, QuantityKind::Velocity | QuantityKind::Acceleration) {
+        if self.needs.sheet.is_plan() {
             view = view.holding(geometry::Point::origin(), self.room_of_pole());
         }
         view
@@ -119,13 +111,19 @@ impl Placed {
 
     /// Where the pole of a plan is always in sight, with its name.
     pub(super) fn room_of_pole(&self) -> Rect {
-        let mut room = self.frame.inset(-AROUND);
-        room.y0 += HEADING;
-        room
+        let room = self.frame.inset(-AROUND);
+        Rect { y0: room.y0 + HEADING, ..room }
+    }
+
+    /// The panel on a sheet, for programs that read a photograph of it.
+    pub(super) fn on_paper(&self, content: Option<Extent>) -> PlacedPanel {
+        let origin = self.view(content).at(geometry::Point::origin());
+        let origin = [origin.x, origin.y].map(|place| place * self.unit);
+        PlacedPanel { panel: self.needs.sheet, mu: self.mu, origin }
     }
 }
 
-/// A panel's border and heading: its lowest layer.
+/// A panel's border and heading.
 pub(super) struct Frame {
     pub heading: Line,
     /// What stands in a panel that is too narrow for the heading.
@@ -145,20 +143,17 @@ impl Frame {
     pub(super) fn width(&self) -> f64 {
         self.heading.width(SIZE) + 2.0 * BEFORE
     }
-}
 
-impl Layer for Frame {
-    fn draw(&self, canvas: &mut Canvas<'_>, _: &View) {
-        let frame = canvas.frame();
-        canvas.drawing.draw(Pen::Frame, Shape::Polygon(corners(frame)));
+    pub(super) fn draw(&self, canvas: &mut Canvas<'_>) {
+        canvas.drawing.draw(Pen::Frame, Shape::rectangle(canvas.frame));
         // A short one is no smaller than captions.
         let (heading, size) = match &self.short {
             // White on the right may be narrower: letters of panels differ in width.
-            Some(short) if self.width() - BEFORE > frame.width() => (short, CAPTION),
+            Some(short) if self.width() - BEFORE > canvas.frame.width() => (short, CAPTION),
             _ => (&self.heading, SIZE),
         };
-        let ink = heading.starting(canvas.drawing, self.pen, frame.origin() + self.at, size);
-        canvas.keep_off(ink);
+        let ink = heading.starting(canvas.drawing, self.pen, canvas.frame.origin() + self.at, size);
+        canvas.obstacles.add_boxes([ink]);
         canvas.exclude_drawn();
     }
 }
@@ -166,4 +161,81 @@ impl Layer for Frame {
 /// The heading of the panel with this index, as in `(a) Scheme`.
 pub(super) fn numbered(index: usize, name: &str) -> String {
     format!("({}) {name}", char::from(b'a' + index as u8))
+}
+
+/// The panels with content, and its extents.
+pub(super) type Extents = Vec<(Sheet, Extent)>;
+
+/// The panels that a figure shows.
+pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
+    let extent = |&sheet: &Sheet| match sheet {
+        Sheet::Scheme => Some((sheet, scheme::sight::extent(context))),
+        plan => context.plan(plan).map(|drawn| (plan, plan::sight::extent(drawn, context.figure().construction))),
+    };
+    context.figure().shown_panels().iter().filter_map(extent).collect()
+}
+
+/// The extent of the joints or of their images in a panel, in the position of a solution.
+pub(super) fn extent_of_images(solution: &Solution, sheet: Sheet) -> Option<Extent> {
+    match sheet {
+        Sheet::Scheme => Some(scheme::sight::extent_of_joints(solution)),
+        plan => solution.construction.plan_on(plan).map(plan::sight::extent_of_images),
+    }
+}
+
+/// Panels of these extents, with layers from `layers`.
+pub(super) fn panels<'a>(
+    context: &SheetContext<'a>,
+    extents: &[(Sheet, Extent)],
+    layers: impl Fn(Sheet) -> Vec<Layer<'a>>,
+) -> Vec<Panel<'a>> {
+    let panel = |(index, &(sheet, extent)): (usize, &(Sheet, Extent))| {
+        let name = context.words.language.sheet(sheet);
+        let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
+        let frame = |index| Frame { short: Some(line(name)), ..Frame::new(line(&numbered(index, name)), Pen::Heading) };
+        Panel {
+            name: name.to_owned(),
+            prefix: sheet.as_str().to_owned(),
+            needs: Needs {
+                sheet,
+                extent,
+                // The width of the first panel's heading: it must not depend on the panel's letter.
+                heading: frame(0).width(),
+                above: if sheet == Sheet::Scheme { scheme::above(context) } else { 0.0 },
+                mu: context.surface.mu[sheet],
+                white: WHITE,
+                weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
+            },
+            language: Some(context.words.language),
+            content: context.plan(sheet).map(|plan| plan::sight::extent(plan, context.figure().construction)),
+            frame: Some(frame(index)),
+            layers: layers(sheet),
+            own: None,
+        }
+    };
+    extents.iter().enumerate().map(panel).collect()
+}
+
+/// The layer with the scheme or a plan.
+pub(super) fn content<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
+    layer(context, sheet, scheme::draw, plan::draw)
+}
+
+/// The layer with the hints at the subject of each step.
+pub(super) fn hints<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Layer<'a> {
+    layer(context, sheet, scheme::hints, plan::hints)
+}
+
+/// A layer of the scheme or of a plan; a plan that a position does not have is not drawn.
+fn layer<'a>(
+    context: &'a SheetContext<'a>,
+    sheet: Sheet,
+    of_scheme: fn(&mut Canvas<'_>, &View, &SheetContext<'_>),
+    of_plan: fn(&mut Canvas<'_>, &View, &SheetContext<'_>, &Plan),
+) -> Layer<'a> {
+    Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (sheet, context.plan(sheet)) {
+        (Sheet::Scheme, _) => of_scheme(canvas, view, context),
+        (_, Some(plan)) => of_plan(canvas, view, context, plan),
+        (_, None) => {}
+    })
 }

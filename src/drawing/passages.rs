@@ -1,29 +1,17 @@
 //! A figure in coarse steps: words about each passage of the construction, and marks that come with it.
 
 use super::context::SheetContext;
+use super::facts::Steps;
 use super::sheet::Drawing;
 use super::text::RichText;
 use super::words::{BELOW, BETWEEN, EQUATION, FIRST, ROW, SECOND, Writer, width_of};
 use crate::construction::{Action, Aim, Known, NumberedStep, Passage, shown_text};
+use crate::sheet::Sheet;
 use kurbo::{Point, Rect};
 
 impl Writer<'_> {
-    /// Caption and details of a passage, or one of both.
-    pub(super) fn passage(&mut self, index: usize, passage: &Passage, [caption, details]: [bool; 2]) {
-        let context = self.context;
-        let steps: Vec<NumberedStep<'_>> = context.construction().steps_of(passage).collect();
-        self.number = passage.steps[1] as u16;
-        if caption {
-            let caption = context.teller().passage_caption(passage);
-            self.numbered(index + 1, &caption, steps.first().and_then(|step| step.plan));
-        }
-        if details {
-            self.details_of(passage.aim, &steps);
-        }
-    }
-
-    /// Equations and values of a passage.
-    fn details_of(&mut self, aim: Aim, steps: &[NumberedStep<'_>]) {
+    /// Equations and values of the steps of a passage.
+    pub(super) fn details_of(&mut self, aim: Aim, steps: &[NumberedStep<'_>]) {
         let with_details: Vec<&NumberedStep<'_>> = match aim {
             Aim::SpecialPoints => return self.lengths(steps),
             Aim::Crossing => return self.crossing(steps),
@@ -48,7 +36,7 @@ impl Writer<'_> {
             let (row, column) = ((index / 2) as f64, (index % 2) as f64);
             let from = Point::new(self.area.x0 + half * column, self.area.y0 + SECOND + ROW * row);
             let symbol = RichText::math(&self.context.teller().formula(step).markup());
-            let value = RichText::plain(&format!(" = {}", self.size(value, None)));
+            let value = RichText::plain(&format!(" = {}", self.size(value, Sheet::Scheme)));
             self.line(&[symbol, value], EQUATION, from, half - 4.0);
         }
     }
@@ -113,8 +101,12 @@ impl Writer<'_> {
 }
 
 impl Drawing {
-    /// The figure in coarse steps: marks come with the passage of their step.
-    pub(super) fn in_passages(mut self, context: &SheetContext<'_>, passages: &[Passage]) -> Drawing {
+    /// The figure in these steps: in coarse ones marks come with the passage of their step.
+    pub(super) fn in_steps(mut self, steps: Steps, context: &SheetContext<'_>) -> Drawing {
+        let passages = match steps {
+            Steps::Fine => return self,
+            Steps::Coarse => context.construction().passages(),
+        };
         let number = |step: u16| match passages.iter().position(|passage| step <= passage.steps[1] as u16) {
             Some(index) if step > 0 => index as u16 + 1,
             Some(_) => 0,

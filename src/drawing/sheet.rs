@@ -2,8 +2,8 @@ use kurbo::{Point, Rect};
 
 use super::grid::Grid;
 use super::look::Look;
+pub use super::look::Pen;
 use super::markers::SheetCode;
-pub use super::pen::Pen;
 use super::shape::{Shape, overlap};
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};
@@ -131,13 +131,9 @@ impl Drawing {
             halos.push(self.needs_halo(mark, &below));
             if self.look(mark).stroke.is_some() {
                 match &mark.shape {
-                    Shape::Line(from, to) => below.add_line(index, (*from, *to)),
-                    chain @ (Shape::Polyline(_) | Shape::Polygon(_)) => {
-                        chain.lines().into_iter().for_each(|line| below.add_line(index, line));
-                    }
-                    arrow @ Shape::Arrow { from, to, .. } => {
-                        below.add_line(index, (*from, *to));
-                        arrow.head_box().into_iter().for_each(|head| below.add(index, head));
+                    shape @ (Shape::Line(..) | Shape::Polyline(_) | Shape::Polygon(_) | Shape::Arrow { .. }) => {
+                        shape.lines().into_iter().for_each(|line| below.add_line(index, line));
+                        shape.head_box().into_iter().for_each(|head| below.add(index, head));
                     }
                     shape => below.add(index, shape.bounds()),
                 }

@@ -12,7 +12,6 @@ use crate::construction::{Plan, Rate, Solution};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
 use crate::sheet::Sheet;
-use crate::text::Untrusted;
 use crate::words::NumberStyle;
 use kurbo::Point;
 
@@ -153,17 +152,20 @@ pub(super) struct Fields {
 }
 
 impl Fields {
-    /// The lines beside the title of a sheet, or as a sentence below it.
-    pub(super) fn new(context: &SheetContext<'_>, title: &Untrusted) -> Result<Fields, String> {
+    /// The lines beside the title of a sheet, or else a sentence to stand below it.
+    pub(super) fn new(context: &SheetContext<'_>) -> (Option<Fields>, Option<String>) {
         let text = context.words.language.exercise_name();
-        let (fields, title) = (RichText::plain(text), RichText::verbatim(title));
+        let (fields, title) = (RichText::plain(text), RichText::verbatim(&context.title()));
         let dims = &context.surface.dims;
         let room = match dims.free.has_markers() {
             true => 0.5 * (dims.page[0] - dims.free.middle) - dims.free.edge,
             false => dims.page[0] - 2.0 * MARGIN - title.width(TITLE_SIZE) - GAP,
         };
         let right = dims.page[0] - dims.free.edge;
-        if fields.width(CAPTION) <= room { Ok(Fields { fields, right }) } else { Err(text.to_owned()) }
+        match fields.width(CAPTION) <= room {
+            true => (Some(Fields { fields, right }), None),
+            false => (None, Some(text.to_owned())),
+        }
     }
 }
 

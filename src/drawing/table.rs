@@ -1,7 +1,7 @@
 //! A table on a sheet: rows of cells under a head, in as many columns side by side as fit.
 
 use super::layout::{Aside, Item, Layout};
-use super::shape::{Shape, corners};
+use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use kurbo::{Point, Rect};
@@ -21,38 +21,52 @@ const SMALLEST: f64 = 0.1;
 /// Largest part of a shared sheet's width or height for the table.
 const MOST: f64 = 0.6;
 
-/// A table of rows of `N` cells, without a place.
+/// A table of rows of cells, without a place.
 #[derive(Clone)]
-pub(super) struct Table<const N: usize> {
+pub(super) struct Table {
     /// Headings of the cells.
-    pub head: [RichText; N],
-    /// Which cells are aligned on the right; the others are aligned on the left.
-    pub right_aligned: [bool; N],
-    /// Ends of the ids of a row's cells.
-    pub names: [&'static str; N],
-    /// Width of each cell, in mm.
-    pub widths: [f64; N],
-    pub rows: Vec<Cells<N>>,
+    pub head: Vec<Heading>,
+    pub rows: Vec<Cells>,
     /// Room below the last column: width and height in mm, and the height in rows.
     pub foot: ([f64; 2], usize),
 }
+
+/// What stands above the cells of all rows, and what these have in common.
 #[derive(Clone)]
-pub(super) struct Cells<const N: usize> {
-    pub texts: [RichText; N],
+pub(super) struct Heading {
+    text: RichText,
+    /// End of the cells' ids.
+    name: &'static str,
+    /// Whether the cells are aligned on the right, as numbers are.
+    is_right: bool,
+    /// Width of the cells, in mm.
+    pub width: f64,
+}
+
+impl Heading {
+    pub(super) fn new(text: RichText, name: &'static str, is_right: bool) -> Self {
+        Self { width: text.width(CAPTION), text, name, is_right }
+    }
+}
+
+/// A row of a table.
+#[derive(Clone)]
+pub(super) struct Cells {
+    pub texts: Vec<RichText>,
     /// Prefix of the ids of their marks.
-    pub id: Option<String>,
+    pub id: String,
     /// The step with which they appear.
     pub since: u16,
     /// Whether they are emphasized.
     pub stands_out: bool,
-    /// Which of them are boxes to be filled in.
-    pub boxes: [bool; N],
+    /// Indices of those that are boxes to be filled in.
+    pub boxes: &'static [usize],
 }
 
-impl<const N: usize> Cells<N> {
+impl Cells {
     /// Cells of texts, there from the start.
-    pub(super) fn new(texts: [RichText; N], id: String) -> Self {
-        Self { texts, id: Some(id), since: 0, stands_out: false, boxes: [false; N] }
+    pub(super) fn new(texts: Vec<RichText>, id: String) -> Self {
+        Self { texts, id, since: 0, stands_out: false, boxes: &[] }
     }
 }
 
@@ -64,7 +78,7 @@ struct Arrangement {
     small: f64,
 }
 
-impl<const N: usize> Item for Table<N> {
+impl Item for Table {
     fn asides(&self, room: Rect) -> Vec<Aside> {
         let below = self.height(self.columns(room.width()));
         let mut asides = vec![Aside::Below(below.min(MOST * room.height()))];
@@ -86,23 +100,21 @@ impl<const N: usize> Item for Table<N> {
     }
 }
 
-impl<const N: usize> Table<N> {
+impl Table {
     /// A table with cells wide enough for all texts.
-    pub(super) fn new(
-        head: [RichText; N],
-        right_aligned: [bool; N],
-        names: [&'static str; N],
-        rows: Vec<Cells<N>>,
-    ) -> Self {
-        let texts = || std::iter::once(&head).chain(rows.iter().map(|row| &row.texts));
-        let widest = |cell: usize| texts().map(|texts| texts[cell].width(CAPTION)).fold(0.0, f64::max);
-        Self { widths: std::array::from_fn(widest), head, right_aligned, names, rows, foot: ([0.0; 2], 0) }
+    pub(super) fn new(mut head: Vec<Heading>, rows: Vec<Cells>) -> Self {
+        for row in &rows {
+            for (heading, text) in head.iter_mut().zip(&row.texts) {
+                heading.width = heading.width.max(text.width(CAPTION));
+            }
+        }
+        Self { head, rows, foot: ([0.0; 2], 0) }
     }
 
     /// Width of a column with white on both sides, in mm.
     pub(super) fn column(&self) -> f64 {
-        let cells: f64 = self.widths.iter().sum();
-        let row = cells + GUTTER * (N - 1) as f64;
+        let cells: f64 = self.head.iter().map(|heading| heading.width).sum();
+        let row = cells + GUTTER * (self.head.len() - 1) as f64;
         row.max(self.foot.0[0]) + 2.0 * PAD
     }
 
@@ -174,7 +186,7 @@ impl<const N: usize> Table<N> {
 
     /// Draws the table in an area; returns the lower left corner of the foot.
     pub(super) fn draw_in(&self, drawing: &mut Drawing, area: Rect) -> Point {
-        drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+        drawing.draw(Pen::Frame, Shape::rectangle(area));
         let Arrangement { columns, depth, last, small } = self.arrangement(area);
         let pitch = area.width() / columns as f64;
         let mut left = self.rows.as_slice();
@@ -191,47 +203,43 @@ impl<const N: usize> Table<N> {
                 continue;
             }
             let head = Point::new(x + PAD * small, area.y0 + (PAD + 4.2) * small);
-            self.row(drawing, head, small, None, &self.head);
+            self.row(drawing, head, small, None);
             let y = area.y0 + (PAD + HEAD - 1.6) * small;
             let ends = [x + PAD * small, x + pitch - PAD * small].map(|x| Point::new(x, y));
             drawing.draw(Pen::Grid, Shape::Line(ends[0], ends[1]));
             for (line, row) in rows.iter().enumerate() {
                 let below = PAD + HEAD + ROW * line as f64 + 4.0;
                 let at = Point::new(head.x, area.y0 + below * small);
-                self.row(drawing, at, small, Some(row), &row.texts);
+                self.row(drawing, at, small, Some(row));
             }
         }
         Point::new(area.x1 - pitch + PAD, area.y1 - PAD)
     }
 
-    /// Writes a row from the left end `from` of its baseline.
-    fn row(&self, drawing: &mut Drawing, from: Point, small: f64, row: Option<&Cells<N>>, texts: &[RichText; N]) {
+    /// Writes a row, or else the headings, from the left end `from` of its baseline.
+    fn row(&self, drawing: &mut Drawing, from: Point, small: f64, row: Option<&Cells>) {
         let size = CAPTION * small;
-        let stands_out = row.is_some_and(|row| row.stands_out);
+        let (pen, emphasis) = match row {
+            Some(row) if row.stands_out => (Pen::Label, Emphasis::New),
+            _ => (Pen::Caption, Emphasis::Plain),
+        };
         let mut x = from.x;
-        for (cell, text) in texts.iter().enumerate() {
-            let width = self.widths[cell] * small;
-            let start = if self.right_aligned[cell] { x + width - text.width(size) } else { x };
-            let id = row.and_then(|row| row.id.as_ref());
-            let id = id.map(|id| format!("{id}-{}", self.names[cell]));
-            if row.is_some_and(|row| row.boxes[cell]) {
+        for (cell, heading) in self.head.iter().enumerate() {
+            let text = row.map_or(&heading.text, |row| &row.texts[cell]);
+            let width = heading.width * small;
+            let start = if heading.is_right { x + width - text.width(size) } else { x };
+            let id = row.map(|row| format!("{}-{}", row.id, heading.name));
+            if row.is_some_and(|row| row.boxes.contains(&cell)) {
                 let [above, below] = BOX.map(|y| y * small);
                 let area = Rect::new(x, from.y - above, x + width, from.y + below);
-                drawing.add(Mark { id: id.clone(), ..Mark::new(Pen::Frame, Shape::Polygon(corners(area))) });
+                drawing.add(Mark { id: id.clone(), ..Mark::new(Pen::Frame, Shape::rectangle(area)) });
             }
             x += width + GUTTER * small;
-            if text.is_empty() {
-                continue;
+            if !text.is_empty() {
+                let text = PlacedText::new(text.clone(), size, Point::new(start, from.y));
+                let since = row.map_or(0, |row| row.since);
+                drawing.add(Mark { id, since, emphasis, ..Mark::new(pen, Shape::Text(text)) });
             }
-            let text = PlacedText::new(text.clone(), size, Point::new(start, from.y));
-            let (pen, emphasis) =
-                if stands_out { (Pen::Label, Emphasis::New) } else { (Pen::Caption, Emphasis::Plain) };
-            drawing.add(Mark {
-                id,
-                since: row.map_or(0, |row| row.since),
-                emphasis,
-                ..Mark::new(pen, Shape::Text(text))
-            });
         }
     }
 }

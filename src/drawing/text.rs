@@ -202,12 +202,6 @@ impl PlacedText {
         Self { anchor, ..self }
     }
 
-    /// A text whose ink is centred at `center`, left to right and top to bottom.
-    pub fn centered(text: RichText, size: f64, center: Point) -> Self {
-        let ink = text.ink_box(size);
-        Self { origin: center - ink.center().to_vec2(), text, size, anchor: Anchor::Middle }
-    }
-
     /// A text that ends at `end` on its baseline.
     pub fn ending_at(text: RichText, size: f64, end: Point) -> Self {
         Self { origin: Point::new(end.x - text.width(size), end.y), text, size, anchor: Anchor::End }

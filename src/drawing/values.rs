@@ -2,16 +2,15 @@
 //! stand in a list, too, beside the panels.
 
 use super::canvas::{Canvas, Wanted, ascii};
-use super::context::SheetContext;
+use super::context::{SheetContext, Value, ValueOf};
 use super::dims::MARGIN;
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
 use super::plan::sight::is_hidden;
-use super::shape::{Shape, corners};
-use super::sheet::{Drawing, Mark, Pen};
+use super::shape::Shape;
+use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};
-use super::value::{Value, ValueOf};
 use crate::construction::{NOTHING, PlanVector, Solution, plain_text, rate_symbol};
 use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
@@ -37,7 +36,17 @@ const BETWEEN: f64 = 6.0;
 impl SheetContext<'_> {
     /// This context with the values that its figure shows.
     pub(super) fn with_values(self) -> Self {
-        Self { values: values(&self).into(), ..self }
+        let figure = self.figure();
+        let usual = || match figure.usual_values.unwrap_or_else(|| Style::named(figure.style).shows_values()) {
+            true => ValuesShown::Shown(None),
+            false => ValuesShown::Hidden,
+        };
+        self.with_values_as(figure.values.unwrap_or_else(usual))
+    }
+
+    /// This context with these values.
+    pub(super) fn with_values_as(self, shown: ValuesShown) -> Self {
+        Self { values: values(&self, shown).into(), ..self }
     }
 
     /// The symbols of the values that stand nowhere on a drawing of the figure: their labels found no room, and the list
@@ -54,24 +63,21 @@ impl SheetContext<'_> {
 }
 
 /// All values of a figure, in the order of the panels; none where it shows none.
-fn values(context: &SheetContext<'_>) -> Vec<Value> {
-    let figure = context.figure();
-    let usual = || match figure.usual_values.unwrap_or_else(|| Style::named(figure.style).shows_values()) {
-        true => ValuesShown::Shown(None),
-        false => ValuesShown::Hidden,
-    };
-    let ValuesShown::Shown(unit) = figure.values.unwrap_or_else(usual) else {
+fn values(context: &SheetContext<'_>, shown: ValuesShown) -> Vec<Value> {
+    let ValuesShown::Shown(unit) = shown else {
         return Vec::new();
     };
-    let own = context.scene().units;
+    let own = context.solution.scene.units;
     let length = unit.unwrap_or(own.length);
     let list = List { context, units: Units { length, ..own }, factor: own.length.metres() / length.metres() };
     let of_panel = |&panel: &Sheet| match panel {
         Sheet::Scheme => list.of_scheme(),
         plan => list.of_plan(plan),
     };
-    figure.shown_panels().iter().flat_map(of_panel).collect()
+    context.figure().shown_panels().iter().flat_map(of_panel).collect()
 }
+
+/// Makes the values of a figure.
 struct List<'a> {
     context: &'a SheetContext<'a>,
     /// The units of velocities and accelerations.
@@ -84,7 +90,7 @@ impl List<'_> {
     fn value(&self, panel: Sheet, symbol: String, number: f64, kind: QuantityKind, since: u16, of: ValueOf) -> Value {
         let words = &self.context.words;
         let (written, unit) = match kind {
-            QuantityKind::Length => (words.write(number, GIVEN), kind.unit(self.context.scene().units)),
+            QuantityKind::Length => (words.write(number, GIVEN), kind.unit(self.context.solution.scene.units)),
             QuantityKind::Velocity | QuantityKind::Acceleration => {
                 (words.write(number * self.factor, VALUE), kind.unit(self.units))
             }
@@ -96,18 +102,16 @@ impl List<'_> {
 
     /// Rates of links and given lengths.
     fn of_scheme(&self) -> Vec<Value> {
-        let mut values = self.rates(Sheet::Velocity);
-        // Angular accelerations belong to the acceleration plan.
-        let has_plan = self.context.figure().shown_panels().contains(&Sheet::Acceleration);
-        if has_plan && self.context.construction().plan_on(Sheet::Acceleration).is_some() {
-            values.extend(self.rates(Sheet::Acceleration));
-        }
+        // Rates that are computed from a plan belong to it; angular velocities are shown without it, too.
+        let shown = self.context.figure().shown_panels();
+        let has_rates =
+            |plan: &Sheet| *plan == Sheet::Velocity || (shown.contains(plan) && self.context.plan(*plan).is_some());
+        let mut values: Vec<Value> =
+            Sheet::PLANS.into_iter().filter(has_rates).flat_map(|plan| self.rates(plan)).collect();
         let mechanism = self.context.mechanism();
         for (_, body) in mechanism.links() {
-            let Some(Given::Lengths(lengths)) = self.context.scene().links.get(&body.name).map(|link| &link.shape)
-            else {
-                continue;
-            };
+            let link = self.context.solution.scene.links.get(&body.name);
+            let Some(Given::Lengths(lengths)) = link.map(|link| &link.shape) else { continue };
             for length in lengths {
                 if let (Some(a), Some(b)) = (mechanism.point(&length.from), mechanism.point(&length.to)) {
                     let symbol = length.key.replace('-', " ");
@@ -124,21 +128,22 @@ impl List<'_> {
         let Solution { mechanism, motion, .. } = self.context.solution;
         type Rate = (&'static str, QuantityKind, fn(&BodyMotion) -> f64);
         let (name, kind, rate): Rate = match plan {
+            Sheet::Scheme => return Vec::new(),
+            Sheet::Velocity => ("omega", QuantityKind::AngularVelocity, |motion| motion.omega),
             Sheet::Acceleration => ("alpha", QuantityKind::AngularAcceleration, |motion| motion.alpha),
-            _ => ("omega", QuantityKind::AngularVelocity, |motion| motion.omega),
         };
         let all = || mechanism.links().map(|(link, body)| (link, body, rate(motion.body(link))));
         let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
         let mut values: Vec<Value> = Vec::new();
         for (link, body, value) in all().filter(|(.., value)| *value != 0.0) {
-            let symbol = rate_symbol(&format!("{name}({})", body.name));
+            let quantity = format!("{name}({})", body.name);
+            let symbol = rate_symbol(&quantity);
             let number = if value.abs() < NOTHING * largest { 0.0 } else { value };
             if let Some(same) = values.iter_mut().find(|other| other.number == number && number != 0.0) {
                 same.symbol = format!("{} = {symbol}", same.symbol);
                 continue;
             }
-            let since = self.context.facts.steps.rate(plan, &format!("{name}({})", body.name));
-            let since = if mechanism.is_known(link) { 0 } else { since };
+            let since = if mechanism.is_known(link) { 0 } else { self.context.facts.plan_steps[plan].rate(&quantity) };
             values.push(self.value(Sheet::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
         }
         values
@@ -151,7 +156,7 @@ impl List<'_> {
         };
         let kind = plan.sheet.drawn();
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
-        let stages = self.context.facts.steps.plan(plan.sheet);
+        let steps = &self.context.facts.plan_steps[plan.sheet];
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);
         let mut values: Vec<Value> = Vec::new();
         for vector in self.context.teller().vectors(plan) {
@@ -179,7 +184,7 @@ impl List<'_> {
                 continue;
             }
             let number = if is_nothing { 0.0 } else { segment.norm() };
-            let since = stages.point(&vector.made);
+            let since = steps.point(&vector.made);
             values.push(self.value(panel, vector.symbol.clone(), number, kind, since, ValueOf::Vector(vector)));
         }
         values
@@ -189,8 +194,8 @@ impl List<'_> {
 /// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
 /// values, or where its style asks for values and the list would be long. On a stepwise sheet it stands below the panels, after the last step.
 pub(super) fn value_list(context: &SheetContext<'_>, after: Option<u16>) -> Option<ValueList> {
-    let entry = |value: &Value| Entry { text: value.text(), id: format!("{}-{}", value.panel.as_str(), value.name) };
-    let entries: Vec<Entry> = context.values.iter().filter(|value| value.is_listed()).map(entry).collect();
+    let entry = |value: &Value| (value.text(), format!("{}-{}", value.panel.as_str(), value.name));
+    let entries: Vec<(RichText, String)> = context.values.iter().filter(|value| value.is_listed()).map(entry).collect();
     let page = context.surface.dims.page;
     let list = ValueList { entries, after, page };
     // Values that nobody has asked for must not take the panels' room.
@@ -212,7 +217,7 @@ pub(super) fn label(
         ValueOf::Vector(_) | ValueOf::Length(..) => None,
     };
     let request = LabelRequest::new(value.text(), anchor, 0.9, prefer, 0);
-    canvas.set_step(value.since);
+    canvas.step = value.since;
     let wanted = Wanted::new(value.name.clone(), request);
     canvas.request_label(Wanted { number, optional: true, last: true, ..wanted });
 }
@@ -233,15 +238,11 @@ pub(super) fn drive_value<'a>(context: &'a SheetContext<'_>, link: BodyId) -> Op
 
 /// Values one after another in lines, in a frame between the panels and the scales or beside the panels.
 pub(super) struct ValueList {
-    entries: Vec<Entry>,
+    /// Texts, and what their ids end with.
+    entries: Vec<(RichText, String)>,
     /// The step after the last one, on a stepwise sheet.
     after: Option<u16>,
     page: [f64; 2],
-}
-
-struct Entry {
-    text: RichText,
-    id: String,
 }
 
 impl ValueList {
@@ -253,7 +254,7 @@ impl ValueList {
     }
 
     fn widest(&self) -> f64 {
-        self.entries.iter().map(|entry| entry.text.width(CAPTION)).fold(0.0, f64::max)
+        self.entries.iter().map(|(text, _)| text.width(CAPTION)).fold(0.0, f64::max)
     }
 
     fn height_in(&self, width: f64) -> f64 {
@@ -283,21 +284,16 @@ impl Item for ValueList {
         let area = match (self.after, layout.aside) {
             (Some(_), _) => layout.below(),
             (None, Some(area)) => {
-                drawing.draw(Pen::Frame, Shape::Polygon(corners(area)));
+                drawing.draw(Pen::Frame, Shape::rectangle(area));
                 area
             }
             (None, None) => return,
         };
-        for (entry, (x, line)) in self.entries.iter().zip(self.places(area.width())) {
+        for ((text, id), (x, line)) in self.entries.iter().zip(self.places(area.width())) {
             let from = Point::new(area.x0 + x, area.y0 + 5.0 + LINE * line as f64);
-            let text = PlacedText::new(entry.text.clone(), CAPTION, from);
-            let mark = Mark::new(Pen::Caption, Shape::Text(text));
-            drawing.add(Mark {
-                id: Some(format!("listed-{}", ascii(&entry.id))),
-                since: self.after.unwrap_or_default(),
-                passing: self.after.is_some(),
-                ..mark
-            });
+            let text = Shape::Text(PlacedText::new(text.clone(), CAPTION, from));
+            let mark = drawing.draw_named(format!("listed-{}", ascii(id)), Pen::Caption, text);
+            (mark.since, mark.passing) = (self.after.unwrap_or_default(), self.after.is_some());
         }
     }
 }

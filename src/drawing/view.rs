@@ -81,8 +81,8 @@ impl View {
     /// What is at a place of the sheet, in own units.
     #[must_use]
     pub fn under(&self, at: Point) -> geometry::Point {
-        let way = at - self.centre;
-        self.origin + geometry::Vector::new(way.x * self.mu, -way.y * self.mu)
+        let offset = at - self.centre;
+        self.origin + geometry::Vector::new(offset.x * self.mu, -offset.y * self.mu)
     }
 
     /// Units per millimetre.
@@ -107,8 +107,8 @@ pub fn on_sheet(direction: geometry::Vector) -> Vec2 {
 /// The unit vector from one place of the sheet to another; `otherwise` where they coincide.
 #[must_use]
 pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
-    let way = to - from;
-    if way.hypot() > 0.0 { way.normalize() } else { otherwise }
+    let run = to - from;
+    if run.hypot() > 0.0 { run.normalize() } else { otherwise }
 }
 
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k (units per mm) at which `extent` fits into `area`.

@@ -2,13 +2,13 @@
 
 use super::context::SheetContext;
 use super::dims::MARGIN;
-use super::layout::{Item, Layout, Placed};
+use super::facts::Steps;
+use super::layout::{Item, Layout, Needs, Placed};
 use super::legend::{HUNDREDTHS, SCALE, VALUE};
 use super::lines::PAD;
-use super::panels::extents;
+use super::panel::extents;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
-use super::step_numbers::Steps;
 use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, fitting_scale};
 use crate::construction::{
@@ -62,15 +62,16 @@ impl<'a> StepWords<'a> {
         let [width, height] = context.surface.dims.page;
         // Scales of plans of a usual size: they are part of the words.
         let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
-        let mu = |(panel, extent): (Sheet, Extent)| Placed {
-            kind: panel.drawn(),
+        let placed = |(sheet, extent): (Sheet, Extent)| Placed {
+            needs: Needs::usual(sheet, extent, 0.0),
             frame: usual,
             area: usual,
-            mu: context.surface.mu[panel].unwrap_or_else(|| fitting_scale(&extent, usual)),
+            mu: context.surface.mu[sheet].unwrap_or_else(|| fitting_scale(&extent, usual)),
             unit: context.surface.dims.unit,
         };
-        let scales = extents(context).into_iter().map(mu).collect();
-        let layout = Layout::of_words(Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0), scales);
+        let panels = extents(context).into_iter().map(placed).collect();
+        let legend = Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0);
+        let layout = Layout { legend, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] };
         for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
             let trial = |start: Option<f64>, parts: [bool; 2]| {
                 let mut drawing = Drawing::new(width, height);
@@ -110,30 +111,28 @@ impl<'a> StepWords<'a> {
         [caption, details]: [bool; 2],
     ) {
         let (context, area) = (self.context, layout.below());
+        let passage = self.passages.as_ref().map(|passages| &passages[index]);
+        let steps: Vec<NumberedStep<'_>> = match passage {
+            Some(passage) => context.construction().steps_of(passage).collect(),
+            None => context.construction().numbered_step(index + 1).into_iter().collect(),
+        };
         let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
         let beside = start.map(|start| Rect { x0: area.x0 + start, y0: area.y0 + FIRST - SECOND, ..area });
-        let mut writer = Writer {
-            drawing,
-            layout,
-            context,
-            captions: area,
-            area: beside.unwrap_or(area),
-            number: 0,
-            count: self.count(),
-            caption_end: area.x0,
-        };
-        match &self.passages {
-            Some(passages) => writer.passage(index, &passages[index], [caption, details]),
-            None => {
-                let Some(step) = context.construction().numbered_step(index + 1) else { return };
-                writer.number = step.number as u16;
-                if caption {
-                    writer.numbered(step.number, &context.teller().caption(&step), step.plan);
-                }
-                if details {
-                    writer.details(&step);
-                }
-            }
+        let (area, captions) = (beside.unwrap_or(area), area);
+        let since = passage.map_or(index + 1, |passage| passage.steps[1]) as u16;
+        let mut writer = Writer { drawing, layout, context, captions, area, since, caption_end: captions.x0 };
+        if caption {
+            let sentence = match passage {
+                Some(passage) => context.teller().passage_caption(passage),
+                None => steps.first().map_or_else(String::new, |step| context.teller().caption(step)),
+            };
+            let number = format!("{} / {}", index + 1, self.count());
+            writer.caption(&number, &sentence, steps.first().and_then(|step| step.plan));
+        }
+        match (passage, steps.as_slice()) {
+            (Some(passage), steps) if details => writer.details_of(passage.aim, steps),
+            (None, [step]) if details => writer.details(step),
+            _ => {}
         }
     }
 }
@@ -147,6 +146,8 @@ fn advance(text: &RichText, size: f64) -> f64 {
 pub(super) fn width_of(texts: &[RichText], size: f64) -> f64 {
     texts.iter().map(|text| advance(text, size)).sum()
 }
+
+/// The box around all marks.
 fn extent(drawing: &Drawing) -> Rect {
     let all = drawing.marks.iter().map(|mark| mark.shape.bounds());
     all.reduce(|a, b| a.union(b)).unwrap_or_default()
@@ -175,17 +176,15 @@ pub(super) struct Writer<'a> {
     pub captions: Rect,
     /// That of the details, with room for a caption above them.
     pub area: Rect,
-    /// Number of the step.
-    pub number: u16,
-    /// How many steps or passages there are.
-    pub count: usize,
+    /// The step with which its marks appear.
+    pub since: u16,
     /// The right end of the caption.
     pub caption_end: f64,
 }
 
 impl Writer<'_> {
     fn put(&mut self, pen: Pen, shape: Shape) {
-        self.drawing.marks.push(Mark { since: self.number, passing: true, ..Mark::new(pen, shape) });
+        self.drawing.marks.push(Mark { since: self.since, passing: true, ..Mark::new(pen, shape) });
     }
 
     fn write(&mut self, pen: Pen, text: RichText, size: f64, from: Point) {
@@ -214,9 +213,9 @@ impl Writer<'_> {
         text.split('`').enumerate().map(piece).collect()
     }
 
-    /// A numbered sentence in markup.
-    pub(super) fn numbered(&mut self, number: usize, sentence: &str, plan: Option<&Plan>) {
-        let number = RichText::plain(&format!("{number} / {}", self.count));
+    /// A sentence in markup after its number.
+    fn caption(&mut self, number: &str, sentence: &str, plan: Option<&Plan>) {
+        let number = RichText::plain(number);
         let from = Point::new(self.captions.x0, self.captions.y0 + FIRST);
         let after = from.x + number.width(SIZE) + 4.0;
         self.write(Pen::Heading, number, SIZE, from);
@@ -228,7 +227,7 @@ impl Writer<'_> {
     pub(super) fn details(&mut self, step: &NumberedStep<'_>) {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
-        let kind = plan.map(|p| p.sheet);
+        let sheet = plan.map_or(Sheet::Scheme, |plan| plan.sheet);
         let formula = self.context.teller().formula(step);
         let action = &step.action;
         let end = match action {
@@ -239,15 +238,15 @@ impl Writer<'_> {
         let ends = match action {
             Action::LayOff(arrow) => Some(arrow.ends()),
             Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                kind.map(|kind| [kind.pole(), point.as_str()])
+                plan.map(|plan| [plan.sheet.pole(), point.as_str()])
             }
             _ => None,
         };
         let vector = ends.and_then(|[from, to]| plan?.shown_segment(from, to));
         let value = match (action, vector) {
-            (Action::Measure { value, .. }, _) => self.size(*value, kind),
-            (Action::MeasureLength { value, .. }, _) => self.size(*value, None),
-            (_, Some(vector)) => self.vector(vector, kind),
+            (Action::Measure { value, .. }, _) => self.size(*value, sheet),
+            (Action::MeasureLength { value, .. }, _) => self.size(*value, Sheet::Scheme),
+            (_, Some(vector)) => self.vector(vector, sheet),
             _ => return,
         };
         let name = |name: &str| [RichText::math(&self.context.shown(name, plan)), RichText::plain(" ")];
@@ -290,19 +289,14 @@ impl Writer<'_> {
             self.line(equation, EQUATION, from, column - 4.0);
         }
         let found = unknowns.iter().enumerate().flat_map(|(index, (name, value))| {
-            let (symbol, unit) = self.rate(name);
-            let value = RichText::plain(&format!(" = {} {unit}", self.significant(*value)));
-            [RichText::plain(if index > 0 { ",   " } else { "" }), RichText::math(&symbol), value]
+            let unit = QuantityName::parse(name).map(|name| name.kind().unit(self.context.solution.scene.units));
+            let value = format!(" = {} {}", self.context.words.write(*value, VALUE), unit.unwrap_or_default());
+            let comma = RichText::plain(if index > 0 { ",   " } else { "" });
+            [comma, RichText::math(&rate_symbol(name)), RichText::plain(&value)]
         });
         let found: Vec<RichText> = found.collect();
         let from = Point::new(self.area.x0, self.area.y0 + SECOND + row_height * lines);
         self.line(&found, EQUATION, from, self.area.width());
-    }
-
-    /// Symbol and unit of a rate by its quantity name.
-    fn rate(&self, name: &str) -> (String, String) {
-        let unit = QuantityName::parse(name).map(|name| name.kind().unit(self.context.scene().units));
-        (rate_symbol(name), unit.unwrap_or_default())
     }
 
     /// Writes an equation and lines under its vectors: two where they are known entirely, one where in direction; below
@@ -360,29 +354,23 @@ impl Writer<'_> {
     }
 
     /// A size in a plan or on the mechanism, with its length on paper.
-    pub(super) fn size(&self, value: f64, kind: Option<Sheet>) -> String {
-        let kind = kind.unwrap_or(Sheet::Scheme).drawn();
-        let unit = kind.unit(self.context.scene().units);
+    pub(super) fn size(&self, value: f64, sheet: Sheet) -> String {
+        let unit = sheet.drawn().unit(self.context.solution.scene.units);
         let words = &self.context.words;
-        let on_paper = self.layout.mu_of(kind).and_then(|mu| {
+        let on_paper = self.layout.mu_of(sheet).and_then(|mu| {
             let mm = words.on_paper(value, mu, HUNDREDTHS)?;
             Some(format!(" ({mm} mm × {})", words.write(mu, SCALE)))
         });
-        let value = self.significant(value);
-        format!("{value} {unit}{}", on_paper.unwrap_or_default())
+        format!("{} {unit}{}", words.write(value, VALUE), on_paper.unwrap_or_default())
     }
 
     /// Size and direction of a vector, with its length on paper.
-    fn vector(&self, vector: Vector, kind: Option<Sheet>) -> String {
-        let size = self.size(vector.norm(), kind);
+    fn vector(&self, vector: Vector, sheet: Sheet) -> String {
+        let size = self.size(vector.norm(), sheet);
         if vector == Vector::zeros() {
             return size;
         }
         let words = &self.context.words;
         words.language.with_direction(&size, &words.write(degrees_of(vector), HUNDREDTHS))
-    }
-
-    fn significant(&self, value: f64) -> String {
-        self.context.words.write(value, VALUE)
     }
 }

@@ -60,4 +60,5 @@ pub(crate) use name::{pair, why_not};
 pub(crate) use schema::schema_of;
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;
+pub(crate) use value::several_forms;
 pub(crate) use words::{nearest, nearest_within};

@@ -206,7 +206,7 @@ macro_rules! several_forms {
         }
     };
 }
-pub(super) use several_forms;
+pub(crate) use several_forms;
 
 /// Makes an enum of such words, with one list for reading, schema and writing.
 macro_rules! choice {

@@ -1,14 +1,14 @@
 //! The labels of a panel: requested while it is drawn, placed when all is drawn.
 
-use super::{Canvas, Wanted, ascii};
+use super::{Canvas, Wanted};
 use crate::drawing::clip::{clipped, clipped_segment, holds, is_within};
-use crate::drawing::labels::{LabelRequest, place_among, place_near};
+use crate::drawing::labels::{LabelRequest, place, place_near};
 use crate::drawing::layout::HEADING;
-use crate::drawing::obstacles::Obstacles;
 use crate::drawing::shape::{Shape, overlap};
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::{CAPTION, PlacedText, RichText};
 use crate::text::Untrusted;
+use crate::words::Language;
 use kurbo::{Point, Rect, Vec2};
 
 /// White between a panel's edge and the words on what is cut off there, in mm.
@@ -32,20 +32,6 @@ impl Canvas<'_> {
         self.ask(name, LabelRequest::new(RichText::math(&markup), anchor, clearance, prefer, priority))
     }
 
-    /// Requests a label as [`label`](Self::label) does, whose markup has the scene's own names already. A hyphen more at
-    /// the end of its id tells it from the label of a point.
-    pub(in crate::drawing) fn label_renamed(
-        &mut self,
-        name: &str,
-        markup: &str,
-        anchor: Point,
-        clearance: f64,
-        prefer: Option<Vec2>,
-    ) -> &mut Wanted {
-        let request = LabelRequest::new(RichText::math(markup), anchor, clearance, prefer, 2);
-        self.ask(&format!("{name}-"), request)
-    }
-
     /// Requests a label of the usual look; `name` is the end of its mark's id.
     pub(in crate::drawing) fn ask(&mut self, name: &str, request: LabelRequest) -> &mut Wanted {
         self.request_label(Wanted::new(format!("label-{name}"), request))
@@ -53,13 +39,8 @@ impl Canvas<'_> {
 
     /// Requests a label of any look.
     pub(in crate::drawing) fn request_label(&mut self, wanted: Wanted) -> &mut Wanted {
-        self.requests.push((wanted, self.step));
-        &mut self.requests.last_mut().expect("a request was added").0
-    }
-
-    /// Requests plain words beside `anchor`.
-    pub(in crate::drawing) fn words(&mut self, name: &str, words: &str, anchor: Point) {
-        self.ask(name, LabelRequest::new(RichText::plain(words), anchor, 1.0, None, 3));
+        self.requests.push(Wanted { since: self.step, ..wanted });
+        self.requests.last_mut().expect("a request was added")
     }
 
     /// The text shown for a name: `standard` unless the scene renames it.
@@ -69,39 +50,42 @@ impl Canvas<'_> {
     }
 
     /// Places and draws the labels, and cuts off marks at the panel's edge. Labels of points outside the panel are left
-    /// out; `cut` says that something is, `unlabelled` that there is no room for all names, which are returned.
-    pub(in crate::drawing) fn finish(mut self, cut: &str, unlabelled: &str) -> Vec<String> {
+    /// out. Where something is cut off or a name has no room, the panel says so, if it is given a language.
+    pub(in crate::drawing) fn finish(mut self, language: Option<&Language>) {
         let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
         let cut_from = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
-        if let Some(step) = cut_from {
-            self.say("cut", cut, step);
+        if let (Some(step), Some(language)) = (cut_from, language) {
+            self.say("cut", language.cut_at_edge(), step);
         }
         let mut requests = std::mem::take(&mut self.requests);
-        requests.retain(|(wanted, _)| holds(self.frame, wanted.request.anchor));
-        let shown =
-            |anchor: Point| self.reserved_circles.iter().any(|(centre, radius)| (anchor - *centre).hypot() < *radius);
-        let (within, outside): (Vec<_>, Vec<_>) =
-            requests.into_iter().partition(|(wanted, _)| shown(wanted.request.anchor));
+        requests.retain(|wanted| holds(self.frame, wanted.request.anchor));
+        let is_in_detail = |wanted: &Wanted| {
+            let mut details = self.reserved_circles.iter();
+            details.any(|(centre, radius)| (wanted.request.anchor - *centre).hypot() < *radius)
+        };
+        let (within, outside): (Vec<_>, Vec<_>) = requests.into_iter().partition(is_in_detail);
         let first = self.drawing.marks.len();
         let mut left_out = self.place(within);
         for (centre, radius) in std::mem::take(&mut self.reserved_circles) {
-            self.taken.add_boxes(strips(centre, radius));
+            self.obstacles.add_boxes(strips(centre, radius));
         }
         left_out.append(&mut self.place(outside));
-        if !left_out.is_empty() {
-            left_out.append(&mut self.say_unlabelled(unlabelled, first));
+        if let Some(language) = language.filter(|_| !left_out.is_empty()) {
+            left_out.append(&mut self.say_unlabelled(language.names_without_room(), first));
         }
         self.cut_off();
-        left_out
+        if !left_out.is_empty() {
+            self.drawing.unlabelled.push((self.name.to_owned(), left_out));
+        }
     }
 
     /// Says in a corner that there is no room for all names. Labels, which begin with the mark `first`, give way; these
     /// are returned.
     fn say_unlabelled(&mut self, words: &str, first: usize) -> Vec<String> {
         let boxes = self.drawing.marks[first..].iter().map(|mark| mark.shape.bounds());
-        self.taken.add_boxes(boxes.collect::<Vec<_>>());
+        self.obstacles.add_boxes(boxes);
         let labels = self.drawing.marks.split_off(first);
-        let Some(area) = self.say("unlabelled", words, 0) else { return Vec::new() };
+        let area = self.say("unlabelled", words, 0);
         let mut left_out = Vec::new();
         for mark in labels {
             match &mark.shape {
@@ -119,10 +103,7 @@ impl Canvas<'_> {
     }
 
     /// Says something in a corner of the panel from a step on; `name` is the end of its mark's id. Returns its box.
-    fn say(&mut self, name: &str, words: &str, step: u16) -> Option<Rect> {
-        if words.is_empty() {
-            return None;
-        }
+    fn say(&mut self, name: &str, words: &str, step: u16) -> Rect {
         let text = RichText::plain(words);
         let size = Vec2::new(text.width(CAPTION), CAPTION);
         let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
@@ -132,46 +113,44 @@ impl Canvas<'_> {
         let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
         let covered = |from: &Point| {
             let ink = place(*from).ink_box().inflate(0.5, 0.5);
-            let Obstacles { boxes, lines, .. } = self.taken.all();
-            let lines = lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some()).count();
-            lines + 4 * boxes.iter().filter(|area| overlap(**area, ink)).count()
+            let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some());
+            lines.count() + 4 * self.obstacles.boxes.iter().filter(|area| overlap(**area, ink)).count()
         };
-        let from = corners.into_iter().min_by_key(covered)?;
-        self.step = step;
-        let text = place(from);
+        let text = place(corners.into_iter().min_by_key(covered).expect("a panel has four corners"));
         let area = text.ink_box();
-        self.taken.add_box(area);
-        let id = format!("{}-{name}", self.prefix);
-        self.add_mark(Some(id), Pen::Caption, Shape::Text(text));
-        Some(area.inflate(1.0, 1.0))
+        self.step = step;
+        self.draw_named(name, Pen::Caption, Shape::Text(text));
+        area.inflate(1.0, 1.0)
     }
 
     /// Places labels and draws them; returns those for which there is no room.
-    fn place(&mut self, requests: Vec<(Wanted, u16)>) -> Vec<String> {
+    fn place(&mut self, requests: Vec<Wanted>) -> Vec<String> {
         let mut left_out = Vec::new();
-        let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|(wanted, _)| wanted.last);
-        let mut asked: Vec<LabelRequest> = requests.iter().map(|w| w.0.request.clone()).collect();
+        let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|wanted| wanted.last);
+        let mut asked: Vec<LabelRequest> = requests.iter().map(|wanted| wanted.request.clone()).collect();
         let ids: Vec<String> = match self.held {
-            Some(_) => requests.iter().map(|(wanted, _)| format!("{}-{}", self.prefix, wanted.name)).collect(),
+            Some(_) => requests.iter().map(|wanted| self.id(&wanted.name)).collect(),
             None => Vec::new(),
         };
-        let before = self.held.as_ref().filter(|held| held.has_picture());
-        let before: Option<Vec<_>> = before.map(|held| ids.iter().map(|id| held.label(id)).collect());
-        let mut placed = place_among(&asked, &self.taken, before.as_deref());
+        let before = self.held.as_ref().filter(|held| !held.before.labels.is_empty());
+        let before: Option<Vec<_>> =
+            before.map(|held| ids.iter().map(|id| held.before.labels.get(id).copied()).collect());
+        let mut placed = place(&asked, &self.obstacles, before.as_deref());
         let mut is_shortened = false;
-        for ((label, (wanted, _)), asked) in placed.iter().zip(&requests).zip(&mut asked) {
+        for ((label, wanted), asked) in placed.iter().zip(&requests).zip(&mut asked) {
             if let (true, Some(short)) = (label.crowded || label.struck > STRUCK, &wanted.short) {
                 (asked.text, is_shortened) = (short.clone(), true);
             }
         }
         if is_shortened {
-            placed = place_among(&asked, &self.taken, before.as_deref());
+            placed = place(&asked, &self.obstacles, before.as_deref());
         }
         if let Some(held) = &mut self.held {
             let free = ids.into_iter().zip(&placed).zip(&asked).filter(|((_, label), _)| !label.crowded);
-            free.for_each(|((id, label), asked)| held.keep_label(id, label.text.ink_box().center() - asked.anchor));
+            let offsets = free.map(|((id, label), asked)| (id, label.text.ink_box().center() - asked.anchor));
+            held.now.labels.extend(offsets);
         }
-        for (label, (wanted, since)) in placed.into_iter().zip(requests) {
+        for (label, wanted) in placed.into_iter().zip(requests) {
             if label.left_out || wanted.optional && label.crowded {
                 if !wanted.optional {
                     left_out.push(label.text.text.content());
@@ -179,31 +158,27 @@ impl Canvas<'_> {
                 continue;
             }
             if !last.is_empty() {
-                self.taken.add_box(label.text.ink_box());
+                self.obstacles.add_boxes([label.text.ink_box()]);
             }
-            self.step = wanted.before.first().map_or(since, |(first, _)| *first);
+            self.step = wanted.before.first().map_or(wanted.since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
                 self.add_mark(None, Pen::Leader, Shape::Line(a, b));
             }
             for (index, (step, text)) in wanted.before.iter().enumerate() {
-                let next = wanted.before.get(index + 1).map_or(since, |(next, _)| *next);
+                let next = wanted.before.get(index + 1).map_or(wanted.since, |(next, _)| *next);
                 let text = part_of(&label.text, text, wanted.request.anchor);
                 self.step = *step;
                 let mark = self.add_mark(None, wanted.pen, Shape::Text(text));
                 (mark.number, mark.until) = (wanted.number, Some(next));
             }
-            self.step = since;
-            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
-            let mark = self.add_mark(Some(id), wanted.pen, Shape::Text(label.text));
-            mark.number = wanted.number;
+            self.step = wanted.since;
+            self.draw_below(&wanted.name, wanted.pen, Shape::Text(label.text)).number = wanted.number;
         }
-        for (wanted, since) in last {
-            let label = place_near(&wanted.request, &self.taken).filter(|label| label.struck <= STRUCK);
+        for wanted in last {
+            let label = place_near(&wanted.request, &self.obstacles).filter(|label| label.struck <= STRUCK);
             let Some(label) = label else { continue };
-            self.taken.add_box(label.text.ink_box());
-            self.step = since;
-            let id = format!("{}-{}", self.prefix, ascii(&wanted.name));
-            self.add_mark(Some(id), wanted.pen, Shape::Text(label.text)).number = wanted.number;
+            self.step = wanted.since;
+            self.draw_named(&wanted.name, wanted.pen, Shape::Text(label.text)).number = wanted.number;
         }
         left_out
     }

@@ -1,3 +1,4 @@
+use crate::drawing::text::RichText;
 use crate::drawing::view::next_of;
 use crate::words::{Medium, NumberStyle, Wording};
 
@@ -56,6 +57,11 @@ impl Axis {
     pub fn at(&self, value: f64) -> f64 {
         let share = (value - self.ends[0]) / (self.ends[1] - self.ends[0]);
         self.places[0] + share * (self.places[1] - self.places[0])
+    }
+
+    /// The round values as written beside the axis, with their coordinates in mm.
+    pub(super) fn numbers(&self) -> impl Iterator<Item = (f64, RichText)> {
+        self.ticks.iter().map(|tick| (self.at(*tick), RichText::plain(&self.tick(*tick))))
     }
 
     /// A round value as written beside the axis.

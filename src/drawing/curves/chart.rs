@@ -6,7 +6,7 @@ use super::graph::{self, BESIDE, Graph};
 use crate::cycle::{Curve, Curves};
 use crate::drawing::dims::{MARGIN, TITLE};
 use crate::drawing::labels::{LabelRequest, place};
-use crate::drawing::layout::{HEADING, Placed};
+use crate::drawing::layout::HEADING;
 use crate::drawing::obstacles::Obstacles;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
@@ -42,13 +42,10 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
     let [width, _] = context.dims.page;
     let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
-    let drive = drive_axis(&context, across);
+    let drive = Axis::new(context.words, shown_range(&context), across, APART, context.path.drive.is_angle());
     let mut drawing = context.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {
-        let frame = Rect::new(across[0], graph.rows[1], across[1], graph.rows[2]);
-        // A graph has different scales in x and y, in its own axes.
-        let placed = Placed { kind: graph.kind, frame, area: frame, mu: f64::NAN, unit: context.dims.unit };
-        graph.panel(index, &context, &drive).draw(&mut drawing, &placed, &scene.figure.labels, &context.dims, None);
+        graph.draw(&mut drawing, index, &context, &drive);
     }
     if let (Some(first), Some(last)) = (graphs.first(), graphs.last()) {
         name_verticals(&mut drawing, &context, first.rows[1], &drive);
@@ -139,9 +136,6 @@ fn looks(curves: &Curves, kinds: &[(QuantityKind, Vec<usize>)]) -> Vec<usize> {
     }
     numbers
 }
-fn drive_axis(context: &CurveContext<'_>, across: [f64; 2]) -> Axis {
-    Axis::new(context.words, shown_range(context), across, APART, context.path.drive.is_angle())
-}
 
 /// The range of the motion, with some room beyond limits.
 fn shown_range(context: &CurveContext<'_>) -> [f64; 2] {
@@ -173,8 +167,7 @@ fn name_verticals(drawing: &mut Drawing, context: &CurveContext<'_>, y: f64, dri
     let requests: Vec<LabelRequest> = context.verticals().into_iter().map(request).collect();
     // All names are on one baseline.
     let row = Rect::new(MARGIN, y - 0.7 - CAPTION, drawing.width - MARGIN, y);
-    let obstacles = Obstacles { boxes: Vec::new(), lines: Vec::new(), bounds: row };
-    for label in place(&requests, &obstacles) {
+    for label in place(&requests, &Obstacles::new(row), None) {
         if !label.crowded {
             let mut text = label.text;
             text.origin.y = y - 1.4;
@@ -185,11 +178,10 @@ fn name_verticals(drawing: &mut Drawing, context: &CurveContext<'_>, y: f64, dri
 
 /// Draws numbers and name of the drive's axis, and the key of the marks.
 fn foot(drawing: &mut Drawing, context: &CurveContext<'_>, curves: &[Curve], y: f64, drive: &Axis) {
-    for tick in &drive.ticks {
-        let text = RichText::plain(&drive.tick(*tick));
-        let x = drive.at(*tick) - 0.5 * text.width(CAPTION);
-        let text = PlacedText::new(text, CAPTION, Point::new(x, y + BESIDE + 3.2)).anchored(Anchor::Middle);
-        drawing.draw(Pen::Caption, Shape::Text(text));
+    for (x, number) in drive.numbers() {
+        let from = Point::new(x - 0.5 * number.width(CAPTION), y + BESIDE + 3.2);
+        let number = PlacedText::new(number, CAPTION, from).anchored(Anchor::Middle);
+        drawing.draw(Pen::Caption, Shape::Text(number));
     }
     let baseline = y + FOOT - 1.8;
     // From right to left.
@@ -213,7 +205,7 @@ fn foot(drawing: &mut Drawing, context: &CurveContext<'_>, curves: &[Curve], y: 
     let half = 0.5 * line.width(CAPTION);
     let centre = 0.5 * (drive.places[0] + drive.places[1]);
     let centre = centre.min(x - half).max(MARGIN + half);
-    line.centred(drawing, Point::new(centre, baseline));
+    line.caption(drawing, Point::new(centre, baseline), 0.5);
 }
 
 /// Sentences about the figure for readers who cannot see it.

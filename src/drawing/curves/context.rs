@@ -71,11 +71,11 @@ impl<'a> CurveContext<'a> {
     /// A sheet with its title and, if there is room up to `right`, the rates of the drives.
     pub fn titled(&self, right: f64) -> Drawing {
         let title = self.scene.title.clone().unwrap_or_else(|| self.words.language.curves().into());
-        let mut drawing = titled(self.scene, &self.dims, &self.words, title.clone());
+        let mut drawing = titled(&self.scene.figure, &self.dims, title.clone());
         let free = right - RichText::verbatim(&title).width(TITLE_SIZE) - MARGIN - 6.0;
         let speeds = self.speeds();
         if speeds.width(CAPTION) <= free {
-            speeds.ending(&mut drawing, Point::new(right, TITLE_LINE));
+            speeds.caption(&mut drawing, Point::new(right, TITLE_LINE), 1.0);
         }
         drawing
     }
@@ -125,6 +125,8 @@ impl<'a> CurveContext<'a> {
             Line::new(vec![RichText::plain(&language.drive_position(&link, self.scene.units.length.as_str()))])
         }
     }
+
+    /// The rates of the drives.
     fn speeds(&self) -> Line {
         let (mechanism, units) = (&self.path.mechanism, self.scene.units);
         let mut parts: Vec<[String; 2]> = Vec::new();

@@ -5,14 +5,11 @@ use crate::cycle::Curve;
 use crate::drawing::canvas::{Canvas, Wanted};
 use crate::drawing::clip::{clipped_chain, simplified};
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::Needs;
 use crate::drawing::lines::Line;
-use crate::drawing::panel::{Frame, Layers, Panel, numbered};
+use crate::drawing::panel::{Frame, numbered};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, LABEL, PlacedText, RichText};
-use crate::drawing::view::{Extent, View};
-use crate::geometry;
 use crate::quantity::QuantityKind;
 use crate::words::{Language, Wording, power_of_ten};
 use kurbo::{Point, Rect, Vec2};
@@ -70,71 +67,50 @@ impl<'a> Graph<'a> {
 
     /// Width of the widest number beside its axis, in mm.
     pub(super) fn widest_number(&self) -> f64 {
-        let width = |tick: &f64| RichText::plain(&self.axis.tick(*tick)).width(CAPTION);
-        self.axis.ticks.iter().map(width).fold(0.0, f64::max)
-    }
-    fn prefix(&self) -> &'static str {
-        match self.kind {
-            QuantityKind::Angle => "angle",
-            QuantityKind::AngularVelocity => "omega",
-            QuantityKind::AngularAcceleration => "alpha",
-            QuantityKind::Position => "position",
-            QuantityKind::Length => "length",
-            QuantityKind::Velocity => "velocity",
-            QuantityKind::Acceleration => "acceleration",
-        }
+        self.axis.numbers().map(|(_, number)| number.width(CAPTION)).fold(0.0, f64::max)
     }
 
-    /// The panel with the layers grid, frame and curves.
-    pub(super) fn panel<'s>(&'s self, index: usize, context: &'s CurveContext<'_>, drive: &'s Axis) -> Panel<'s> {
-        let language = context.words.language;
+    /// Draws the graph with its grid, frame and curves.
+    pub(super) fn draw(&self, drawing: &mut Drawing, index: usize, context: &CurveContext<'_>, drive: &Axis) {
         let unit = self.kind.unit(context.scene.units);
         let unit = match self.axis.power {
             0 => unit,
             power => format!("{} {unit}", power_of_ten(power)),
         };
-        let name = name(language, self.kind);
-        let heading = numbered(index, &language.in_unit(name, &unit));
+        let (name, prefix) = names(context.words.language, self.kind);
+        let heading = numbered(index, &context.words.language.in_unit(name, &unit));
         let frame = Frame {
             heading: Line::new(vec![RichText::plain(&heading)]),
             short: None,
             pen: Pen::Heading,
             at: Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]),
         };
-        let grid = |canvas: &mut Canvas<'_>, _: &View| self.grid(canvas.drawing, canvas.frame(), drive);
-        let content = |canvas: &mut Canvas<'_>, _: &View| self.content(canvas, context, drive);
-        let corner = |end: usize| geometry::Point::new(drive.ends[end], self.axis.ends[end]);
-        let extent = Extent::of([corner(0), corner(1)]);
-        let layers: Layers<'s> = vec![Box::new(grid), Box::new(frame), Box::new(content)];
-        Panel::plain(name, self.prefix(), Needs::usual(self.kind, extent, 0.0), layers)
+        let area = Rect::new(drive.places[0], self.rows[1], drive.places[1], self.rows[2]);
+        let mut canvas = Canvas::new(drawing, [name, prefix], area, &context.scene.figure.labels, context.dims);
+        self.grid(canvas.drawing, area, drive);
+        frame.draw(&mut canvas);
+        self.content(&mut canvas, context, drive);
+        canvas.finish(None);
     }
 
     /// Lines at round values, and their numbers.
     fn grid(&self, drawing: &mut Drawing, frame: Rect, drive: &Axis) {
         let inside = |at: f64, [a, b]: [f64; 2]| (at - a).abs() > 0.1 && (at - b).abs() > 0.1;
-        for tick in &self.axis.ticks {
-            let y = self.axis.at(*tick);
-            let (a, b) = (Point::new(frame.x0, y), Point::new(frame.x1, y));
+        for (y, number) in self.axis.numbers() {
             if inside(y, self.axis.places) {
-                drawing.draw(Pen::Grid, Shape::Line(a, b));
+                drawing.draw(Pen::Grid, Shape::Line(Point::new(frame.x0, y), Point::new(frame.x1, y)));
             }
-            let text = RichText::plain(&self.axis.tick(*tick));
             let end = Point::new(frame.x0 - BESIDE, y + 0.33 * CAPTION);
-            let text = PlacedText::ending_at(text, CAPTION, end);
-            drawing.draw(Pen::Caption, Shape::Text(text));
+            drawing.draw(Pen::Caption, Shape::Text(PlacedText::ending_at(number, CAPTION, end)));
         }
-        for tick in &drive.ticks {
-            let x = drive.at(*tick);
-            let (a, b) = (Point::new(x, frame.y0), Point::new(x, frame.y1));
-            if inside(x, drive.places) {
-                drawing.draw(Pen::Grid, Shape::Line(a, b));
-            }
+        for x in drive.ticks.iter().map(|tick| drive.at(*tick)).filter(|x| inside(*x, drive.places)) {
+            drawing.draw(Pen::Grid, Shape::Line(Point::new(x, frame.y0), Point::new(x, frame.y1)));
         }
     }
 
     /// Draws lines at zero and at marked values of the drive, the curves, their extreme values and names.
     fn content(&self, canvas: &mut Canvas<'_>, context: &CurveContext<'_>, drive: &Axis) {
-        let frame = canvas.frame();
+        let frame = canvas.frame;
         let place = |at: f64, value: f64| Point::new(drive.at(at), self.axis.at(value));
         let mut straight = Vec::new();
         if self.axis.ends[0] < 0.0 && self.axis.ends[1] > 0.0 {
@@ -229,7 +205,7 @@ fn line(
     (curve, look): &(&Curve, usize),
     place: impl Fn(f64, f64) -> Point,
 ) -> Vec<Vec<Point>> {
-    let frame = canvas.frame();
+    let frame = canvas.frame;
     let chains = curve.pieces.iter().flat_map(|piece| {
         let points: Vec<Point> = piece.iter().map(|[x, y]| place(*x, *y)).collect();
         clipped_chain(frame, &points)
@@ -254,14 +230,16 @@ fn dots(canvas: &mut Canvas<'_>, (curve, look): &(&Curve, usize), place: impl Fn
         canvas.draw(Pen::Curve, dot).number = Some(*look);
     }
 }
-fn name(language: &Language, kind: QuantityKind) -> &str {
+
+/// The name of a kind of quantity, and the prefix of the ids in its graph.
+fn names(language: &Language, kind: QuantityKind) -> (&str, &'static str) {
     match kind {
-        QuantityKind::Angle => language.angle(),
-        QuantityKind::AngularVelocity => language.angular_velocity(),
-        QuantityKind::AngularAcceleration => language.angular_acceleration(),
-        QuantityKind::Position => language.position(),
-        QuantityKind::Length => language.length(),
-        QuantityKind::Velocity => language.velocity(),
-        QuantityKind::Acceleration => language.acceleration(),
+        QuantityKind::Angle => (language.angle(), "angle"),
+        QuantityKind::AngularVelocity => (language.angular_velocity(), "omega"),
+        QuantityKind::AngularAcceleration => (language.angular_acceleration(), "alpha"),
+        QuantityKind::Position => (language.position(), "position"),
+        QuantityKind::Length => (language.length(), "length"),
+        QuantityKind::Velocity => (language.velocity(), "velocity"),
+        QuantityKind::Acceleration => (language.acceleration(), "acceleration"),
     }
 }

@@ -9,17 +9,17 @@ use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_chain, holds, simplified};
 use crate::drawing::dims::{MARGIN, TITLE};
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::layout::{HEADING, Needs, Placed, on_paper};
-use crate::drawing::legend::Entry;
+use crate::drawing::layout::{HEADING, Needs, Placed};
+use crate::drawing::legend::{Entry, Legend};
 use crate::drawing::lines::Line;
 use crate::drawing::panel::{Frame, Layer, Panel, numbered};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
-use crate::drawing::view::{Extent, View, fitting_scale};
+use crate::drawing::view::{Extent, View};
 use crate::geometry;
-use crate::quantity::QuantityKind;
 use crate::scene::{DecimalMark, Scene};
+use crate::sheet::Sheet;
 use kurbo::{Point, Rect, Vec2};
 
 /// Panels that a sheet holds.
@@ -41,15 +41,8 @@ const SHARED: f64 = 0.4;
 /// Half the length of the stroke across the path at a limit, in mm.
 const STROKE: f64 = 2.4;
 
-/// White in a panel besides that around the curve, for the numbers of axes, in mm.
-#[derive(Clone, Copy, Default)]
-struct Sides {
-    left: f64,
-    below: f64,
-}
-
-/// Room for the numbers of the axes, in mm.
-const NUMBERS: Sides = Sides { left: 7.0, below: 5.0 };
+/// White in a panel besides that around the curve, for the numbers of axes: on the left and below, in mm.
+const NUMBERS: [f64; 2] = [7.0, 5.0];
 /// Distance of the axes from the panel's left edge and from the scale at its foot, in mm.
 const AXES: [f64; 2] = [13.0, 5.5];
 /// Smallest distance of round values on the axes, in mm.
@@ -64,8 +57,9 @@ const BESIDE_AXIS: f64 = 1.2;
 pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
     let context = CurveContext::new(scene, all.path, all.range, &all.events);
     let unit = scene.units.length.as_str();
+    let panels = all.curves.iter().enumerate().map(|(index, one)| path_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.path_of(&one.name, unit));
-    sheet(&context, &all.curves, path_panel, NUMBERS, sentences.collect())
+    sheet(&context, panels.collect(), NUMBERS, sentences.collect())
 }
 
 /// The figure of the hodographs of some vectors, on the scene's page.
@@ -74,8 +68,9 @@ pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
 /// There are too many for a sheet.
 pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesError> {
     let context = CurveContext::new(scene, all.path, all.range, &all.events);
+    let panels = all.curves.iter().enumerate().map(|(index, one)| hodograph_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.hodograph(one.asked.name()));
-    sheet(&context, &all.curves, hodograph_panel, Sides::default(), sentences.collect())
+    sheet(&context, panels.collect(), [0.0; 2], sentences.collect())
 }
 
 /// The panel of a point with the layers frame, scale, axes and path.
@@ -85,13 +80,12 @@ fn path_panel<'a>(context: &'a CurveContext<'a>, index: usize, one: &'a PointPat
     let sentence = |symbol: &str| numbered(index, &context.words.language.path_of(symbol, unit));
     let frame = Frame::new(Line::around(sentence, symbol), Pen::Caption);
     let places = one.pieces.iter().chain(&one.beyond).flatten().map(|(_, place)| *place);
-    let needs = Needs::usual(QuantityKind::Length, Extent::of(places), frame.width());
+    let needs = Needs::usual(Sheet::Scheme, Extent::of(places), frame.width());
     let axes = |canvas: &mut Canvas<'_>, view: &View| axes(context, canvas, view);
     let locus = Locus { context, index };
     let path = move |canvas: &mut Canvas<'_>, view: &View| locus.path(canvas, view, one);
-    let layers: Vec<Box<dyn Layer>> =
-        vec![Box::new(frame), scale_of(context, QuantityKind::Length), Box::new(axes), Box::new(path)];
-    Panel::plain(&one.name, &prefix("path", index), needs, layers)
+    let layers: Vec<Layer<'_>> = vec![scale_of(context, Sheet::Scheme), Box::new(axes), Box::new(path)];
+    Panel::plain(&one.name, &prefix("path", index), needs, frame, layers)
 }
 
 /// The panel of a vector with the layers frame, scale and path of its tip.
@@ -99,12 +93,12 @@ fn hodograph_panel<'a>(context: &'a CurveContext<'a>, index: usize, one: &'a Hod
     let symbol = context.symbol(&one.asked).trim_matches('|').to_owned();
     let sentence = |symbol: &str| numbered(index, &context.words.language.hodograph(symbol));
     let frame = Frame::new(Line::around(sentence, RichText::math(&symbol)), Pen::Caption);
-    let kind = one.asked.kind();
-    let needs = Needs::usual(kind, Extent::of(one.window.map(geometry::Point::from)), frame.width());
+    let sheet = one.asked.sheet();
+    let needs = Needs::usual(sheet, Extent::of(one.window.map(geometry::Point::from)), frame.width());
     let locus = Locus { context, index };
     let tip = move |canvas: &mut Canvas<'_>, view: &View| locus.hodograph(canvas, view, one, &symbol);
-    let layers: Vec<Box<dyn Layer>> = vec![Box::new(frame), scale_of(context, kind), Box::new(tip)];
-    Panel::plain(one.asked.name(), &prefix("hodograph", index), needs, layers)
+    let layers: Vec<Layer<'_>> = vec![scale_of(context, sheet), Box::new(tip)];
+    Panel::plain(one.asked.name(), &prefix("hodograph", index), needs, frame, layers)
 }
 
 /// Prefix of the ids in a panel, as `path-a`.
@@ -112,27 +106,25 @@ fn prefix(what: &str, index: usize) -> String {
     format!("{what}-{}", char::from(b'a' + index as u8))
 }
 
-/// The sheet with a panel for each of `all`; its `sentences` are for readers who cannot see it.
-fn sheet<'a, T>(
-    context: &'a CurveContext<'a>,
-    all: &'a [T],
-    panel: fn(&'a CurveContext<'a>, usize, &'a T) -> Panel<'a>,
-    beside: Sides,
+/// The sheet with these panels; its `sentences` are for readers who cannot see it.
+fn sheet(
+    context: &CurveContext<'_>,
+    panels: Vec<Panel<'_>>,
+    numbers: [f64; 2],
     sentences: Vec<String>,
 ) -> Result<Drawing, CurvesError> {
-    if all.len() > MOST {
-        return Err(CurvesError::Panels { wanted: all.len(), room: MOST });
+    if panels.len() > MOST {
+        return Err(CurvesError::Panels { wanted: panels.len(), room: MOST });
     }
-    let panels: Vec<Panel<'_>> = all.iter().enumerate().map(|(index, one)| panel(context, index, one)).collect();
     let [width, height] = context.dims.page;
     let mut drawing = context.titled(width - MARGIN);
     let line = context.drive();
     let middle = Point::new(0.5 * width, height - MARGIN - 1.8);
     let center = middle + Vec2::new(-0.5 * line.width(CAPTION) - 2.2, -1.3);
     drawing.draw(Pen::Pole, Shape::Circle { center, radius: DOT });
-    line.centred(&mut drawing, middle);
+    line.caption(&mut drawing, middle, 0.5);
     let whole = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN - FOOT);
-    for (panel, placed) in panels.iter().zip(places(context, whole, &panels, beside)) {
+    for (panel, placed) in panels.iter().zip(places(context, whole, &panels, numbers)) {
         panel.draw(&mut drawing, &placed, &context.scene.figure.labels, &context.dims, None);
     }
     drawing.description = format!("{}.", sentences.join("; "));
@@ -140,7 +132,7 @@ fn sheet<'a, T>(
 }
 
 /// The panels' places, in the number of columns that makes the paths largest.
-fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], beside: Sides) -> Vec<Placed> {
+fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], [left, below]: [f64; 2]) -> Vec<Placed> {
     let in_columns = |columns: usize| -> Vec<Placed> {
         let rows = panels.len().div_ceil(columns);
         let width = (whole.width() + GAP) / columns as f64;
@@ -150,25 +142,22 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], beside:
             let corner = Point::new(whole.x0 + width * column, whole.y0 + height * row);
             let frame = Rect::from_origin_size(corner, (width - GAP, height - GAP));
             let mut area = frame.inset(-PADDING);
-            area.x0 += beside.left;
+            area.x0 += left;
             area.y0 += HEADING - 4.0;
-            area.y1 -= SCALE - 4.0 + beside.below;
-            let Needs { kind, extent, .. } = panel.needs;
-            let unit = context.dims.unit;
-            Placed { kind, frame, area, mu: fitting_scale(&extent, on_paper(area, unit)), unit }
+            area.y1 -= SCALE - 4.0 + below;
+            Placed::with_area(&panel.needs, frame, area, context.dims.unit)
         };
         panels.iter().enumerate().map(place).collect()
     };
     // First whether every panel is wide enough for its scale, then the size of the paths; of equals the one with more
     // columns.
     let worth = |places: &Vec<Placed>| {
-        let width = |placed: &Placed| scale(context, placed.kind, placed.mu).width() + 2.0 * BESIDE_SCALE;
+        let width = |placed: &Placed| scale(context, placed.needs.sheet, placed.mu).width() + 2.0 * BESIDE_SCALE;
         let fits = places.iter().all(|placed| width(placed) <= placed.frame.width());
-        let sizes = places.iter().zip(panels).map(|(placed, panel)| placed.shown(&panel.needs.extent).norm());
-        (fits, sizes.product::<f64>())
+        (fits, places.iter().map(Placed::size).product::<f64>())
     };
-    let ways = (1..=panels.len().max(1)).map(in_columns);
-    let best = ways.max_by(|a, b| {
+    let divisions = (1..=panels.len().max(1)).map(in_columns);
+    let best = divisions.max_by(|a, b| {
         let (a, b) = (worth(a), worth(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
@@ -176,25 +165,25 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], beside:
 }
 
 /// The scale of a panel, with its bar.
-fn scale(context: &CurveContext<'_>, kind: QuantityKind, mu: f64) -> Entry {
-    Entry::new(kind, mu, &context.words, context.scene.units, &context.dims)
+fn scale(context: &CurveContext<'_>, sheet: Sheet, mu: f64) -> Entry {
+    Legend { words: context.words, units: context.scene.units, dims: context.dims }.entry(sheet, mu)
 }
 
 /// The layer with the scale of a panel.
-fn scale_of<'a>(context: &'a CurveContext<'a>, kind: QuantityKind) -> Box<dyn Layer + 'a> {
+fn scale_of<'a>(context: &'a CurveContext<'a>, sheet: Sheet) -> Layer<'a> {
     Box::new(move |canvas: &mut Canvas<'_>, view: &View| {
-        let entry = scale(context, kind, view.mu() / context.dims.unit);
-        let frame = canvas.frame();
+        let entry = scale(context, sheet, view.mu() / context.dims.unit);
+        let frame = canvas.frame;
         let foot = Point::new(frame.x0 + BESIDE_SCALE, frame.y1 - 2.8);
         entry.draw(canvas.drawing, foot);
-        canvas.keep_off(Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1));
+        canvas.obstacles.add_boxes([Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1)]);
         canvas.exclude_drawn();
     })
 }
 
 /// The area of the path in its panel.
 fn room_of_path(canvas: &Canvas<'_>) -> Rect {
-    let frame = canvas.frame();
+    let frame = canvas.frame;
     Rect { x0: frame.x0 + AXES[0], y1: frame.y1 - SCALE - AXES[1], ..canvas.room() }
 }
 
@@ -206,19 +195,15 @@ fn axes(context: &CurveContext<'_>, canvas: &mut Canvas<'_>, view: &View) {
     let [low, high] = [room.y1, room.y0].map(|y| (origin.y - y) * view.mu());
     let across = Axis::new(context.words, [left, right], [room.x0, room.x1], APART, false);
     let up = Axis::new(context.words, [low, high], [room.y1, room.y0], APART, false);
-    for value in &across.ticks {
-        let x = across.at(*value);
+    for (x, text) in across.numbers() {
         canvas.draw(Pen::Grid, Shape::Line(Point::new(x, room.y0), Point::new(x, room.y1)));
-        let text = RichText::plain(&across.tick(*value));
         let half = 0.5 * text.width(CAPTION);
         if x - half > room.x0 - 2.0 && x + half < room.x1 {
             number(canvas, text, Point::new(x - half, room.y1 + BESIDE_AXIS + 3.2), Anchor::Middle);
         }
     }
-    for value in &up.ticks {
-        let y = up.at(*value);
+    for (y, text) in up.numbers() {
         canvas.draw(Pen::Grid, Shape::Line(Point::new(room.x0, y), Point::new(room.x1, y)));
-        let text = RichText::plain(&up.tick(*value));
         let from = Point::new(room.x0 - BESIDE_AXIS - text.width(CAPTION), y + 1.5);
         if y - 2.0 > room.y0 && y + 2.0 < room.y1 + 2.0 {
             number(canvas, text, from, Anchor::End);
@@ -266,13 +251,10 @@ impl Locus<'_> {
         let at = |v: geometry::Vector| view.at(geometry::Point::from(v));
         let pole = at(nalgebra::zero());
         let notation = self.context.words.notation;
-        let own_pen = match one.asked.kind() {
-            QuantityKind::Acceleration => Pen::Acceleration,
-            _ => Pen::Velocity,
-        };
+        let [own_pen, _] = Pen::of_vectors(one.asked.sheet());
         let pole_name = notation.pole(one.asked.sheet());
         // Lines end above the scale.
-        let room = Rect { y1: canvas.frame().y1 - SCALE, ..canvas.room() };
+        let room = Rect { y1: canvas.frame.y1 - SCALE, ..canvas.room() };
         for (a, b) in [
             (Point::new(room.x0, pole.y), Point::new(room.x1, pole.y)),
             (Point::new(pole.x, room.y0), Point::new(pole.x, room.y1)),
@@ -317,7 +299,7 @@ impl Locus<'_> {
             }
         }
         for (center, values) in places {
-            if !holds(canvas.bounds(), center) {
+            if !holds(canvas.obstacles.bounds, center) {
                 continue;
             }
             let name = significant(6).write(values[0], DecimalMark::Point);
@@ -347,11 +329,11 @@ impl Locus<'_> {
                 None
             };
             let Some((end, before)) = end else { continue };
-            let way = end - before;
-            if way.hypot() == 0.0 {
+            let along = end - before;
+            if along.hypot() == 0.0 {
                 continue;
             }
-            let across = Vec2::new(-way.y, way.x).normalize() * STROKE;
+            let across = Vec2::new(-along.y, along.x).normalize() * STROKE;
             canvas.draw(Pen::Zero, Shape::Line(end - across, end + across));
             let words = format!("{} {}", self.context.words.language.limit(), self.context.drive_value(event.at));
             let name = format!("limit-{}", if near(event.at, low) { "low" } else { "high" });

@@ -1,4 +1,5 @@
 use crate::drawing::clip::{clipped_segment, distance};
+use crate::drawing::shape::{corners, distance_to_box};
 use kurbo::{Point, Rect, Size, Vec2};
 
 /// White between a curve and its name, in mm.
@@ -108,16 +109,9 @@ fn apart(a: Rect, b: Rect) -> f64 {
 
 /// The distance between a box and a straight line; 0 where they touch.
 fn gap_to_line(area: Rect, a: Point, b: Point) -> f64 {
-    let beside = |p: Point| {
-        let x = (area.x0 - p.x).max(p.x - area.x1).max(0.0);
-        let y = (area.y0 - p.y).max(p.y - area.y1).max(0.0);
-        (x * x + y * y).sqrt()
-    };
-    let ends = beside(a).min(beside(b));
+    let ends = distance_to_box(area, a).min(distance_to_box(area, b));
     if ends == 0.0 || clipped_segment(area, a, b).is_some() {
         return 0.0;
     }
-    let corners = [(area.x0, area.y0), (area.x1, area.y0), (area.x0, area.y1), (area.x1, area.y1)];
-    let corners = corners.map(|c| distance(c.into(), a, b));
-    corners.into_iter().fold(ends, f64::min)
+    corners(area).map(|corner| distance(corner, a, b)).into_iter().fold(ends, f64::min)
 }

@@ -14,7 +14,7 @@ mod moves;
 mod places;
 mod search;
 
-use super::obstacles::{Obstacles, Taken};
+use super::obstacles::Obstacles;
 use super::text::{Anchor, PlacedText};
 use places::Spot;
 pub use places::{LabelRequest, PlacedLabel};
@@ -25,18 +25,11 @@ use search::Search;
 /// No label touches another, an obstacle box or the edge of the panel, unless it is `crowded`: then the panel has no
 /// free place, and it is where it covers least. The search for so many labels that no panel could show them ends early;
 /// labels without a place are then `left_out`. The same input gives the same places on every platform.
-pub fn place(requests: &[LabelRequest], obstacles: &Obstacles) -> Vec<PlacedLabel> {
-    place_among(requests, &Taken::of(obstacles), None)
-}
-
-/// Places labels among obstacles whose places are known already. While a mechanism moves, `before` has for each label where
-/// the middle of its ink was from its anchor: it stays there as long as nothing is much better, and the search is short.
-pub(super) fn place_among(
-    requests: &[LabelRequest],
-    taken: &Taken,
-    before: Option<&[Option<Vec2>]>,
-) -> Vec<PlacedLabel> {
-    let mut search = Search::new(requests, taken, before);
+///
+/// While a mechanism moves, `before` has for each label where the middle of its ink was from its anchor: it stays there
+/// as long as nothing is much better, and the search is short.
+pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, before: Option<&[Option<Vec2>]>) -> Vec<PlacedLabel> {
+    let mut search = Search::new(requests, obstacles, before);
     search.choose_first(requests);
     search.make_room();
     search.improve();
@@ -60,8 +53,8 @@ pub(super) fn place_among(
 
 /// The best place near its anchor for one more label; `None` where nothing is free there. Other labels do not move for
 /// it.
-pub(super) fn place_near(request: &LabelRequest, taken: &Taken) -> Option<PlacedLabel> {
-    let mut search = Search::new(std::slice::from_ref(request), taken, None);
+pub(super) fn place_near(request: &LabelRequest, obstacles: &Obstacles) -> Option<PlacedLabel> {
+    let mut search = Search::new(std::slice::from_ref(request), obstacles, None);
     let count = search.labels[0].places.len();
     let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
     let place = search.labels[0].places[cheapest?.1];

@@ -2,7 +2,8 @@
 
 use kurbo::{Rect, Vec2};
 
-use super::places::{LINE_GAP, LabelRequest, SIDES, Spot, gap};
+use super::super::shape::distance_to_box;
+use super::places::{LINE_GAP, LabelRequest, SIDES, Spot};
 use super::search::{Effort, Search};
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.
@@ -37,9 +38,13 @@ impl Search<'_> {
             (label.before.is_none(), u8::MAX - requests[index].priority, label.places.len(), index)
         });
         for index in order {
-            let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
-            self.choose(index, place);
+            self.choose_cheapest(index);
         }
+    }
+
+    fn choose_cheapest(&mut self, index: usize) {
+        let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
+        self.choose(index, place);
     }
 
     /// Makes room for labels without a place: others move, or the label gets a place far from its anchor.
@@ -50,18 +55,21 @@ impl Search<'_> {
                 continue;
             }
             // Without time for pushing there are still places farther away.
-            let Effort { pushes, mut tries } = self.effort;
-            if !self.is_enough() && self.push(index, pushes, &mut Pushed::default(), &mut tries) {
+            if self.push_others(index) {
                 continue;
             }
             self.add_far_places(index);
-            let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
-            self.choose(index, place);
-            if self.labels[index].chosen.is_none() && !self.is_enough() {
-                let Effort { pushes, mut tries } = self.effort;
-                self.push(index, pushes, &mut Pushed::default(), &mut tries);
+            self.choose_cheapest(index);
+            if self.labels[index].chosen.is_none() {
+                self.push_others(index);
             }
         }
+    }
+
+    /// Finds a place for a label by moving others, while there is time for it.
+    fn push_others(&mut self, index: usize) -> bool {
+        let Effort { pushes, mut tries } = self.effort;
+        !self.is_enough() && self.push(index, pushes, &mut Pushed::default(), &mut tries)
     }
 
     /// Gives labels that lines strike through a place with a leader, where that is better.
@@ -209,7 +217,7 @@ impl Search<'_> {
             if label.chosen.is_some() || label.is_blank() {
                 continue;
             }
-            let (bounds, size) = (self.taken.all().bounds, label.ink.size());
+            let (bounds, size) = (self.obstacles.bounds, label.ink.size());
             let steps = |room: f64| {
                 if room >= 0.0 { (room / LAST_STEP).min(1000.0) as usize + 1 } else { 0 }
             };
@@ -221,7 +229,7 @@ impl Search<'_> {
                 for column in 0..steps(bounds.width() - size.width) {
                     let corner = bounds.origin() + Vec2::new(column as f64, row as f64) * LAST_STEP;
                     let ink = Rect::from_origin_size(corner, size);
-                    let distance = gap(ink, label.anchor) - label.clearance;
+                    let distance = distance_to_box(ink, label.anchor) - label.clearance;
                     self.count(1);
                     if distance < 0.0 || best.is_some_and(|(least, _)| distance >= least) {
                         continue;
@@ -250,9 +258,9 @@ impl Search<'_> {
     /// A place inside the panel for a label without one, which covers as little as possible.
     pub(super) fn least_covering(&self, index: usize) -> Spot {
         let label = &self.labels[index];
-        let bounds = self.taken.all().bounds;
+        let bounds = self.obstacles.bounds;
         let covered = |ink: Rect| {
-            let all = self.chosen_near(ink).map(|other| other.ink).chain(self.taken.boxes_near(ink));
+            let all = self.chosen_near(ink).map(|other| other.ink).chain(self.obstacles.boxes_near(ink));
             all.map(|other| {
                 let both = other.intersect(ink);
                 both.width().max(0.0) * both.height().max(0.0)

@@ -2,6 +2,7 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+use super::super::shape::crosses_line;
 use super::super::text::{LABEL, PlacedText, RichText};
 
 /// A label without a place.
@@ -261,7 +262,7 @@ impl Spot {
         let strikes = |leader: Option<(Point, Point)>, ink: Rect| {
             leader.is_some_and(|leader| Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0)
         };
-        let leaders = matches!((self.leader, other.leader), (Some(one), Some(two)) if cross(one, two));
+        let leaders = matches!((self.leader, other.leader), (Some(one), Some(two)) if crosses_line(one, two));
         let struck = [strikes(self.leader, other.ink), strikes(other.leader, self.ink)];
         usize::from(leaders) + struck.into_iter().filter(|is| *is).count()
     }
@@ -317,17 +318,4 @@ pub(super) fn touch(a: Rect, b: Rect, gap: f64) -> bool {
 
 pub(super) fn inside(area: Rect, point: Point) -> bool {
     area.x0 <= point.x && point.x <= area.x1 && area.y0 <= point.y && point.y <= area.y1
-}
-
-/// The distance of a point from a box; 0 inside.
-pub(super) fn gap(area: Rect, point: Point) -> f64 {
-    let x = (area.x0 - point.x).max(point.x - area.x1).max(0.0);
-    let y = (area.y0 - point.y).max(point.y - area.y1).max(0.0);
-    (x * x + y * y).sqrt()
-}
-
-/// Whether two lines cross; touching ends do not count.
-pub(super) fn cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
-    let turn = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
-    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }

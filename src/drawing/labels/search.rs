@@ -4,8 +4,9 @@ use kurbo::{Rect, Vec2};
 use std::cell::Cell;
 
 use super::super::grid::Grid;
-use super::super::obstacles::Taken;
-use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot, gap, inside, touch};
+use super::super::obstacles::Obstacles;
+use super::super::shape::distance_to_box;
+use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot, inside, touch};
 
 // Costs, in mm of distance from the anchor.
 /// Per millimetre of line inside the box.
@@ -45,7 +46,7 @@ pub(super) struct Search<'a> {
     pub(super) labels: Vec<Label>,
     pub(super) effort: Effort,
     lines: Vec<Clipped>,
-    pub(super) taken: &'a Taken,
+    pub(super) obstacles: &'a Obstacles,
     /// Where the labels' present places and their leaders are.
     chosen: Grid,
     anchors: Grid,
@@ -56,10 +57,10 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(requests: &[LabelRequest], taken: &'a Taken, before: Option<&[Option<Vec2>]>) -> Self {
-        let lines = taken.all().lines.iter().copied().map(Clipped::new).collect();
+    pub(super) fn new(requests: &[LabelRequest], obstacles: &'a Obstacles, before: Option<&[Option<Vec2>]>) -> Self {
+        let lines = obstacles.lines.iter().copied().map(Clipped::new).collect();
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
-        let bounds = taken.all().bounds;
+        let bounds = obstacles.bounds;
         let mut anchors = Grid::new(bounds);
         for (index, label) in labels.iter().enumerate() {
             anchors.add(index, Rect::from_points(label.anchor, label.anchor));
@@ -67,7 +68,7 @@ impl<'a> Search<'a> {
         let chosen = Grid::new(bounds);
         let (work, is_cut_short) = (Cell::new(0), Cell::new(false));
         let effort = if before.is_some() { Effort::MOVING } else { Effort::WHOLE };
-        let mut search = Self { labels, effort, lines, taken, chosen, anchors, work, is_cut_short };
+        let mut search = Self { labels, effort, lines, obstacles, chosen, anchors, work, is_cut_short };
         for index in 0..search.labels.len() {
             search.find_surroundings(index);
             search.labels[index].before = before.and_then(|before| before[index]);
@@ -123,7 +124,7 @@ impl<'a> Search<'a> {
     /// Finds the lines and anchors that the places of a label could touch.
     fn find_surroundings(&mut self, index: usize) {
         let (reach, anchor) = (self.labels[index].reach, self.labels[index].anchor);
-        let lines = self.taken.lines_near(reach).into_iter();
+        let lines = self.obstacles.lines_near(reach).into_iter();
         let lines = lines.filter(|&line| self.lines[line].share_inside(reach) > 0.0);
         let lines = lines.take(MOST_AROUND).map(|line| line as u32).collect();
         let others = self.anchors.near(reach).into_iter().map(|other| self.labels[other].anchor);
@@ -139,8 +140,8 @@ impl<'a> Search<'a> {
         let label = &self.labels[index];
         let Some(offset) = label.before else { return };
         let ink = Rect::from_center_size(label.anchor + offset, label.ink.size());
-        let distance = gap(ink, label.anchor) - label.clearance;
-        let bounds = self.taken.all().bounds;
+        let distance = distance_to_box(ink, label.anchor) - label.clearance;
+        let bounds = self.obstacles.bounds;
         if distance < GROWN || ink.union(bounds) != bounds || self.is_on_obstacle(ink) {
             return;
         }
@@ -156,7 +157,7 @@ impl<'a> Search<'a> {
     /// Adds the free places of a label at these distances.
     fn add_places(&mut self, index: usize, distances: &[f64]) {
         let label = &self.labels[index];
-        let bounds = self.taken.all().bounds;
+        let bounds = self.obstacles.bounds;
         let free = |ink: Rect| {
             ink.x0 >= bounds.x0
                 && ink.x1 <= bounds.x1
@@ -180,7 +181,7 @@ impl<'a> Search<'a> {
     /// Whether ink is too near to an obstacle box.
     pub(super) fn is_on_obstacle(&self, ink: Rect) -> bool {
         let near = ink.inflate(OBSTACLE_GAP, OBSTACLE_GAP);
-        self.taken.any_box(near, |other| touch(other, ink, OBSTACLE_GAP))
+        self.obstacles.any_box(near, |other| touch(other, ink, OBSTACLE_GAP))
     }
 
     /// Adds the distant places of a label, with leaders.
@@ -198,13 +199,13 @@ impl<'a> Search<'a> {
 
     /// Length of the lines inside a box, in mm.
     pub(super) fn struck(&self, ink: Rect) -> f64 {
-        let lines = self.taken.lines_near(ink).into_iter().map(|line| &self.lines[line]);
+        let lines = self.obstacles.lines_near(ink).into_iter().map(|line| &self.lines[line]);
         lines.map(|line| line.share_inside(ink) * line.length).sum()
     }
 
     /// Whether a line crosses a box.
     pub(super) fn is_struck(&self, ink: Rect) -> bool {
-        self.taken.any_line(ink, |line| self.lines[line].share_inside(ink) * self.lines[line].length > 0.0)
+        self.obstacles.any_line(ink, |line| self.lines[line].share_inside(ink) * self.lines[line].length > 0.0)
     }
 
     /// The whole cost of a place if it is less than `limit`.
@@ -216,9 +217,9 @@ impl<'a> Search<'a> {
         }
         // Summation stops at the limit; the sum is then a better lower bound for the next time.
         let mut whole = true;
-        let own_gap = gap(ink, label.anchor);
+        let own_gap = distance_to_box(ink, label.anchor);
         for &other in &label.anchors {
-            least += AMBIGUITY * (own_gap + CLEARLY - gap(ink, other)).max(0.0);
+            least += AMBIGUITY * (own_gap + CLEARLY - distance_to_box(ink, other)).max(0.0);
         }
         let area = ink.inflate(LINE_GAP, LINE_GAP);
         self.work.set(self.work.get() + 1 + label.anchors.len() + label.lines.len());
@@ -233,7 +234,7 @@ impl<'a> Search<'a> {
         if whole && let Some(leader) = leader {
             let area = Rect::from_points(leader.0, leader.1);
             let leader = Clipped::new(leader);
-            for other in self.taken.boxes_near(area) {
+            for other in self.obstacles.boxes_near(area) {
                 least += CROSSING * leader.share_inside(other) * leader.length;
             }
         }

@@ -1,49 +1,31 @@
 //! Markers and the small code as marks of a drawing.
 
-use super::{CODE_WHITE, CODES, PlacedPanel, SheetCode, WHITE, cells, code_place, places};
-use crate::drawing::shape::{Shape, corners};
+use super::sheet_code::written_name;
+use super::{CODE_WHITE, CODES, SheetCode, WHITE, cells, code_place, places};
+use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
-use crate::scene::Page;
 use kurbo::{Point, Rect};
 use std::collections::BTreeMap;
 
 /// A corner of cells: column and row.
 pub type Corner = [usize; 2];
 
-/// What the code of a sheet says besides its panels.
-#[derive(Clone, Debug)]
-pub(in crate::drawing) struct Signs {
-    /// Its paper.
-    pub page: Page,
-    /// The sheet's number in its set, from 1.
-    pub number: u16,
-    /// The scene's fingerprint.
-    pub scene: String,
-    /// The name of the exercise or scene.
-    pub name: String,
-}
-
-impl Signs {
-    /// Draws the markers and the code of a sheet with these panels on its drawing, whose lengths are mm of paper.
-    pub(in crate::drawing) fn draw(&self, drawing: &mut Drawing, panels: Vec<PlacedPanel>) {
-        let page = [drawing.width, drawing.height];
-        for ((place, code), number) in places(page).into_iter().zip(CODES).zip(1..) {
-            draw_cells(drawing, &format!("marker-{number}"), place, WHITE, &cells(code).map(|row| row.to_vec()));
-        }
-        let Signs { number, scene, .. } = self.clone();
-        let code =
-            SheetCode { page: self.page, number, scene, panels, name: super::sheet_code::written_name(&self.name) };
-        if let Some(modules) = code.modules() {
-            draw_cells(drawing, "code", code_place(page), CODE_WHITE, &modules);
-            drawing.code = Some(code);
-        }
+/// Draws the markers and the code of a sheet on its drawing, whose lengths are mm of paper.
+pub(in crate::drawing) fn draw_markers(drawing: &mut Drawing, code: SheetCode) {
+    let page = [drawing.width, drawing.height];
+    for ((place, code), number) in places(page).into_iter().zip(CODES).zip(1..) {
+        draw_cells(drawing, &format!("marker-{number}"), place, WHITE, &cells(code).map(|row| row.to_vec()));
+    }
+    let code = SheetCode { name: written_name(&code.name), ..code };
+    if let Some(modules) = code.modules() {
+        draw_cells(drawing, "code", code_place(page), CODE_WHITE, &modules);
+        drawing.code = Some(code);
     }
 }
 
 /// Draws the black ones of cells in rows, as one area without seams, and white under and around them: a style may be for dark paper.
 fn draw_cells(drawing: &mut Drawing, id: &str, place: Rect, white: f64, cells: &[Vec<bool>]) {
-    let around = corners(place.inflate(white, white));
-    drawing.draw_named(format!("{id}-white"), Pen::MarkerWhite, Shape::Polygon(around));
+    drawing.draw_named(format!("{id}-white"), Pen::MarkerWhite, Shape::rectangle(place.inflate(white, white)));
     let side = place.width() / cells.len() as f64;
     let at = |[column, row]: Corner| place.origin() + side * kurbo::Vec2::new(column as f64, row as f64);
     let chains = outlines(cells).into_iter().map(|chain| chain.into_iter().map(at).collect::<Vec<Point>>());

@@ -7,7 +7,7 @@
 pub mod drawn;
 mod sheet_code;
 
-pub(in crate::drawing) use drawn::Signs;
+pub(in crate::drawing) use drawn::draw_markers;
 pub use sheet_code::{PlacedPanel, SheetCode};
 
 use kurbo::{Point, Rect, Size};

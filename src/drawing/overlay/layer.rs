@@ -4,7 +4,7 @@ use super::own::{Overlay, OwnKind, OwnLine, OwnPoint, WrongStep};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_segment, holds};
 use crate::drawing::context::SheetContext;
-use crate::drawing::panel::Layer;
+use crate::drawing::labels::LabelRequest;
 use crate::drawing::plan::sight::is_hidden;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Emphasis, Mark, Pen};
@@ -26,9 +26,10 @@ pub(in crate::drawing) struct OwnLayer<'a> {
     pub panel: Sheet,
 }
 
-impl Layer for OwnLayer<'_> {
-    fn reserve(&self, canvas: &mut Canvas<'_>, view: &View) {
-        canvas.set_overlaid();
+impl<'a> OwnLayer<'a> {
+    /// Reserves room before the layers below are drawn: they and all labels keep off it.
+    pub(in crate::drawing) fn reserve(&self, canvas: &mut Canvas<'_>, view: &View) {
+        canvas.is_overlaid = true;
         for line in self.lines() {
             canvas.reserve(&Shape::Line(view.at(line.ends[0]), view.at(line.ends[1])));
         }
@@ -37,7 +38,7 @@ impl Layer for OwnLayer<'_> {
         }
     }
 
-    fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
+    pub(in crate::drawing) fn draw(&self, canvas: &mut Canvas<'_>, view: &View) {
         for wrong in self.overlay.steps.iter().filter(|wrong| wrong.panel == self.panel) {
             self.name_step(canvas, wrong);
         }
@@ -65,7 +66,7 @@ impl Layer for OwnLayer<'_> {
     }
 
     /// Makes all marks paler except the student's and those of wrong steps, and shows all steps together.
-    fn retouch(&self, marks: &mut Vec<Mark>) {
+    pub(in crate::drawing) fn retouch(&self, marks: &mut Vec<Mark>) {
         marks.retain_mut(|mark| {
             let is_wrong = self.overlay.steps.iter().any(|wrong| self.belongs_to(mark, wrong));
             let stays = is_wrong || !mark.passing;
@@ -78,9 +79,7 @@ impl Layer for OwnLayer<'_> {
             stays
         });
     }
-}
 
-impl<'a> OwnLayer<'a> {
     fn line(&self, canvas: &mut Canvas<'_>, view: &View, line: &OwnLine, number: usize) {
         let room = canvas.room();
         let [from, to] = line.ends.map(|place| view.at(place));
@@ -95,9 +94,8 @@ impl<'a> OwnLayer<'a> {
         let name = format!("student-line-{number}");
         canvas.draw_named(&name, pen, shape);
         if let Some(label) = &line.label {
-            let wanted = canvas.label(&name, label, a.midpoint(b), 1.5, None, 2);
-            wanted.request.text = RichText::plain(label);
-            wanted.pen = Pen::StudentPoint;
+            let request = LabelRequest::new(RichText::plain(label), a.midpoint(b), 1.5, None, 2);
+            canvas.ask(&name, request).pen = Pen::StudentPoint;
         }
     }
 
@@ -105,11 +103,11 @@ impl<'a> OwnLayer<'a> {
         for arm in cross(center) {
             canvas.draw(Pen::StudentPoint, arm);
         }
-        canvas.keep_off(Shape::Circle { center, radius: CROSS }.bounds());
+        canvas.obstacles.add_boxes([Shape::Circle { center, radius: CROSS }.bounds()]);
         if !label.is_empty() {
             let name = format!("student-{}", point.name);
-            let wanted = canvas.label(&name, label, center, CROSS + 0.7, None, 2);
-            wanted.pen = Pen::StudentPoint;
+            let request = LabelRequest::new(RichText::math(label), center, CROSS + 0.7, None, 2);
+            canvas.ask(&name, request).pen = Pen::StudentPoint;
         }
     }
 
@@ -135,11 +133,10 @@ impl<'a> OwnLayer<'a> {
             Shape::ArcArrow { center, radius, .. } => (*center, radius + 0.8, None),
             other => (other.bounds().center(), 2.0, None),
         };
-        canvas.set_step(wrong.step as u16);
+        canvas.step = wrong.step as u16;
         let name = format!("step-{}", wrong.step);
-        let request = canvas.label(&name, &wrong.label, anchor, clearance, prefer, 3);
-        request.request.text = RichText::plain(&wrong.label);
-        canvas.set_step(0);
+        canvas.ask(&name, LabelRequest::new(RichText::plain(&wrong.label), anchor, clearance, prefer, 3));
+        canvas.step = 0;
     }
 
     /// Names a point outside its panel, with its distance beyond the edge: where a line to it leaves the panel, else at
@@ -156,8 +153,8 @@ impl<'a> OwnLayer<'a> {
         let Some((start, edge)) = from else {
             return;
         };
-        let way = towards(start, edge, Vec2::new(1.0, 0.0));
-        let tail = edge - way * ARROW;
+        let along = towards(start, edge, Vec2::new(1.0, 0.0));
+        let tail = edge - along * ARROW;
         let name = format!("student-{}", point.name);
         if seen.is_none() {
             let shape = canvas.arrow(tail, edge);
@@ -166,9 +163,7 @@ impl<'a> OwnLayer<'a> {
         let words = self.context.words;
         let mm = words.write((target - edge).hypot(), NumberStyle::decimals(0));
         let words = words.language.check_beyond(label, &mm);
-        let wanted = canvas.label(&name, &words, tail, 1.0, None, 3);
-        wanted.request.text = RichText::plain(&words);
-        wanted.pen = Pen::StudentPoint;
+        canvas.ask(&name, LabelRequest::new(RichText::plain(&words), tail, 1.0, None, 3)).pen = Pen::StudentPoint;
     }
 
     fn points(&self) -> impl Iterator<Item = &'a OwnPoint> {
@@ -211,8 +206,8 @@ pub(super) fn cross(center: Point) -> [Shape; 2] {
 /// A point of a line and a side of it where a name has room.
 fn beside(canvas: &Canvas<'_>, from: Point, to: Point) -> (Point, Option<Vec2>) {
     const FREE: f64 = 2.6;
-    let way = towards(from, to, Vec2::new(1.0, 0.0));
-    let normal = Vec2::new(way.y, -way.x);
+    let along = towards(from, to, Vec2::new(1.0, 0.0));
+    let normal = Vec2::new(along.y, -along.x);
     let places = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|share| from.lerp(to, share));
     let mut sides = places.into_iter().flat_map(|p| [(p, normal), (p, -normal)]);
     let free = sides.find(|(p, side)| canvas.is_free(*p + *side * (FREE + 1.4), FREE));

@@ -2,13 +2,13 @@
 
 use super::layer::cross;
 use super::own::{Overlay, OwnValue};
+use crate::drawing::context::SheetContext;
 use crate::drawing::layout::{Aside, Item, Layout};
 use crate::drawing::lines::{self, PAD};
-use crate::drawing::shape::{Shape, corners};
+use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Emphasis, Pen};
-use crate::drawing::table::{Cells, Table};
+use crate::drawing::table::{Cells, Heading, Table};
 use crate::drawing::text::{CAPTION, RichText};
-use crate::words::Wording;
 use kurbo::{Point, Rect};
 
 /// White between a sample in the key and its words, and after these, in mm.
@@ -31,10 +31,8 @@ pub(in crate::drawing) enum WordsPlace {
 
 /// The key and the words on the figure's sheet.
 pub(in crate::drawing) struct Notes<'a> {
+    pub context: &'a SheetContext<'a>,
     pub overlay: &'a Overlay,
-    pub words: Wording,
-    /// Size of the sheet, in mm.
-    pub page: [f64; 2],
     pub place: WordsPlace,
 }
 
@@ -51,7 +49,7 @@ impl Notes<'_> {
 
     fn lines(&self) -> Vec<RichText> {
         match self.place {
-            WordsPlace::Below => self.overlay.lines(lines::width(self.page), false),
+            WordsPlace::Below => self.overlay.lines(lines::width(self.context.surface.dims.page), false),
             WordsPlace::Beside(width) => self.overlay.lines(width - 2.0 * PAD, true),
             WordsPlace::Apart => Vec::new(),
         }
@@ -80,7 +78,7 @@ impl Notes<'_> {
     fn draw_key(&self, drawing: &mut Drawing, area: Rect) {
         let mut at = lines::baseline(area, 0);
         for (line, sample) in (1..).zip(self.key()) {
-            let language = self.words.language;
+            let language = self.context.words.language;
             let words = [language.check_key_right(), language.check_key_own(), language.check_key_wrong()][sample];
             let end = key(drawing, at, sample, words);
             at = match self.is_column() {
@@ -106,7 +104,7 @@ impl Item for Notes<'_> {
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let area = match layout.aside {
             Some(column) if self.is_column() => {
-                drawing.draw(Pen::Frame, Shape::Polygon(corners(column)));
+                drawing.draw(Pen::Frame, Shape::rectangle(column));
                 Rect { y0: column.y0 + TOP, ..column }
             }
             _ => layout.below(),
@@ -122,15 +120,18 @@ impl Overlay {
     pub fn set(text: &str) -> RichText {
         RichText::plain(&typeset(text))
     }
-    pub(in crate::drawing) fn table(&self) -> Table<6> {
-        let set = |texts: &[String; 6]| texts.each_ref().map(|text| Overlay::set(text));
-        let row = |(value, number): (&OwnValue, usize)| Cells {
-            stands_out: value.is_off,
-            ..Cells::new(set(&value.cells), format!("value-{number}"))
+
+    /// The table of the values.
+    pub(in crate::drawing) fn table(&self) -> Table {
+        let row = |(value, number): (&OwnValue, usize)| {
+            let texts = value.cells.iter().map(|text| Overlay::set(text)).collect();
+            Cells { stands_out: value.is_off, ..Cells::new(texts, format!("value-{number}")) }
         };
-        let rows = self.values.iter().zip(1..).map(row).collect();
         let names = ["name", "own", "expected", "mm", "percent", "verdict"];
-        Table::new(set(&self.head), [false, true, true, true, true, false], names, rows)
+        let heading = |(text, name): (&String, &'static str)| {
+            Heading::new(Overlay::set(text), name, !matches!(name, "name" | "verdict"))
+        };
+        Table::new(self.head.iter().zip(names).map(heading).collect(), self.values.iter().zip(1..).map(row).collect())
     }
 
     /// The words in lines of at most this width in mm; in a column with an empty line before each paragraph.

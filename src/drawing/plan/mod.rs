@@ -1,7 +1,6 @@
 //! A plan in its panel, drawn from the steps of its construction.
 
 mod on_paper;
-mod points;
 pub(super) mod sight;
 
 use super::canvas::Canvas;
@@ -24,7 +23,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
     plan.vectors_on_rays(canvas);
     plan.points(canvas);
     plan.values(canvas);
-    canvas.set_step(0);
+    canvas.step = 0;
 }
 
 /// Draws the hints of a plan's steps: the measured segment; at the start of a ray the direction of the mechanism's line

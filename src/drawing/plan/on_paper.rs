@@ -1,21 +1,23 @@
-//! Lines and areas of a plan: images of links, rays, vectors and their values.
+//! A plan in a view: images of links, rays, vectors and their values; points with their names. Coincident points share a
+//! label, crowds have an enlarged detail, and far points stand as arrows at the edge.
 
 use super::sight::{extent, is_hidden, is_image};
 use crate::construction::{Arrow, Plan, PlanVector, PointRole, VectorOf, VectorPart, coincident_name, image_name};
-use crate::drawing::canvas::Canvas;
+use crate::drawing::canvas::{Canvas, Inset};
 use crate::drawing::clip::{clipped_segment, holds};
-use crate::drawing::context::SheetContext;
-use crate::drawing::scheme::link_shape::outline;
+use crate::drawing::context::{SheetContext, ValueOf};
+use crate::drawing::facts::PlanSteps;
+use crate::drawing::labels::LabelRequest;
+use crate::drawing::scheme::on_paper::outline;
 use crate::drawing::shape::Shape;
-use crate::drawing::sheet::{Mark, Pen};
-use crate::drawing::step_numbers::PlanSteps;
-use crate::drawing::value::ValueOf;
+use crate::drawing::sheet::Pen;
+use crate::drawing::text::RichText;
 use crate::drawing::values::label;
 use crate::drawing::view::{View, on_sheet};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::scene::ConstructionShown;
-use crate::sheet::Sheet;
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
 /// White between the room of a panel and the points in it, in mm.
@@ -24,6 +26,11 @@ const EDGE: f64 = 1.5;
 const SHORT: f64 = 4.0;
 /// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
+
+/// Plan points closer than this on paper, in mm, share one label.
+const SHARED: f64 = 0.35;
+/// Most names of coincident points in one label.
+const TOGETHER: usize = 5;
 
 /// A plan as it stands on a sheet.
 pub(super) struct PlanOnPaper<'a> {
@@ -37,12 +44,18 @@ pub(super) struct PlanOnPaper<'a> {
 
 impl<'a> PlanOnPaper<'a> {
     pub(super) fn new(view: &'a View, context: &'a SheetContext<'a>, plan: &'a Plan) -> Self {
-        let steps = context.facts.steps.plan(plan.sheet);
+        let steps = &context.facts.plan_steps[plan.sheet];
         PlanOnPaper { view, context, plan, steps, images: images(context.mechanism(), plan) }
     }
 
     pub(super) fn at(&self, name: &str) -> Option<Point> {
         self.plan.points.get(name).map(|point| self.view.at(point.vector.into()))
+    }
+
+    /// The middle of the plan on the sheet.
+    pub(super) fn middle(&self) -> Point {
+        let extent = extent(self.plan, self.context.figure().construction);
+        self.view.at(nalgebra::center(&extent.low, &extent.high))
     }
 
     /// Whether a point that only leads to others lies off the panel: only its direction is drawn.
@@ -71,7 +84,7 @@ impl<'a> PlanOnPaper<'a> {
         for (number, image) in self.images.iter().enumerate() {
             let (corners, since) = self.corners(image);
             if corners.len() > 2 {
-                canvas.set_step(since);
+                canvas.step = since;
                 canvas.draw(Pen::ImageFill, Shape::Polygon(corners)).number = Some(number);
             }
         }
@@ -91,7 +104,7 @@ impl<'a> PlanOnPaper<'a> {
             let ends = (from - along * (0.5 * BEYOND), to + along * BEYOND);
             if let Some((a, b)) = clipped_segment(canvas.room(), ends.0, ends.1) {
                 let name = format!("ray-{}-{}", ray.through, ray.to);
-                canvas.set_step(self.steps.ray(&ray.through, &ray.to));
+                canvas.step = self.steps.ray(&ray.through, &ray.to);
                 canvas.draw_named(&name, Pen::Ray, Shape::Line(a, b));
             }
         }
@@ -106,7 +119,7 @@ impl<'a> PlanOnPaper<'a> {
                 [_, _, _, ..] => Shape::Polygon(corners),
                 _ => continue,
             };
-            canvas.set_step(since);
+            canvas.step = since;
             canvas.draw(Pen::Image, outline).number = Some(number);
         }
     }
@@ -114,10 +127,7 @@ impl<'a> PlanOnPaper<'a> {
     /// The vectors, those from the pole first.
     pub(super) fn vectors(&self, canvas: &mut Canvas<'_>) {
         let plan = self.plan;
-        let whole = match plan.sheet {
-            Sheet::Acceleration => Pen::Acceleration,
-            _ => Pen::Velocity,
-        };
+        let [whole, _] = Pen::of_vectors(plan.sheet);
         let pole = plan.sheet.pole();
         // In the source paper's plans no vector goes to a point that a relative motion leads to.
         let is_paper = self.context.figure().construction == ConstructionShown::Paper;
@@ -131,11 +141,8 @@ impl<'a> PlanOnPaper<'a> {
             is_whole && !self.is_hidden(name)
         };
         for name in plan.points.keys().filter(|name| from_pole(name)) {
-            canvas.set_step(self.steps.point(name));
-            let number = self.link_of(name);
-            if let Some(mark) = self.arrow(canvas, pole, name, whole) {
-                mark.number = number;
-            }
+            canvas.step = self.steps.point(name);
+            self.arrow(canvas, [pole, name], whole, self.link_of(name));
         }
         for laid in plan.arrows() {
             // For a slider on the ground this vector has been drawn from the pole.
@@ -151,7 +158,7 @@ impl<'a> PlanOnPaper<'a> {
                 VectorPart::Sliding => Pen::Vector,
                 VectorPart::Coriolis => Pen::Coriolis,
             };
-            canvas.set_step(self.steps.vector(&laid.from, &laid.to));
+            canvas.step = self.steps.vector(&laid.from, &laid.to);
             let number = match pen {
                 // The side of a link's image has the look of the image.
                 Pen::Image => {
@@ -160,10 +167,7 @@ impl<'a> PlanOnPaper<'a> {
                 }
                 _ => self.link_of_vector(laid),
             };
-            let [from, to] = laid.ends();
-            if let Some(mark) = self.arrow(canvas, from, to, pen) {
-                mark.number = number;
-            }
+            self.arrow(canvas, laid.ends(), pen, number);
         }
     }
 
@@ -185,22 +189,15 @@ impl<'a> PlanOnPaper<'a> {
     pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
         for value in self.context.values_of(self.plan.sheet) {
             let ValueOf::Vector(PlanVector { ends: [from, to], link: Some(link), .. }) = &value.of else { continue };
-            canvas.set_step(value.since);
-            let pen = match self.plan.sheet {
-                Sheet::Acceleration => Pen::Tangential,
-                _ => Pen::Image,
-            };
-            let number = self.context.number(*link);
-            if let Some(mark) = self.arrow(canvas, from, to, pen) {
-                mark.number = number;
-            }
+            canvas.step = value.since;
+            let [_, pen] = Pen::of_vectors(self.plan.sheet);
+            self.arrow(canvas, [from, to], pen, self.context.number(*link));
         }
     }
 
     /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
     pub(super) fn values(&self, canvas: &mut Canvas<'_>) {
-        let extent = extent(self.plan, self.context.figure().construction);
-        let middle = self.view.at(nalgebra::center(&extent.low, &extent.high));
+        let middle = self.middle();
         for value in self.context.values_of(self.plan.sheet) {
             let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
             let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
@@ -231,15 +228,17 @@ impl<'a> PlanOnPaper<'a> {
 
     /// Draws the vector from one point to another, unless it is zero; of one that ends far off or starts there, the
     /// part of its line on the panel.
-    fn arrow<'c>(&self, canvas: &'c mut Canvas<'_>, from: &str, to: &str, pen: Pen) -> Option<&'c mut Mark> {
+    fn arrow(&self, canvas: &mut Canvas<'_>, [from, to]: [&str; 2], pen: Pen, number: Option<usize>) {
         let name = format!("vector-{from}-{to}");
-        if self.is_far(canvas, from) || self.is_far(canvas, to) {
-            let (from, to) = self.at(from).zip(self.at(to))?;
-            let (a, b) = clipped_segment(canvas.room(), from, to)?;
-            return Some(canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b)));
+        let is_far = self.is_far(canvas, from) || self.is_far(canvas, to);
+        let Some((from, to)) = self.at(from).zip(self.at(to)) else { return };
+        let drawn = match is_far {
+            true => clipped_segment(canvas.room(), from, to).map(|(a, b)| (Pen::Construction, Shape::Line(a, b))),
+            false => ((to - from).hypot() > 1e-3).then(|| (pen, canvas.arrow(from, to))),
+        };
+        if let Some((pen, shape)) = drawn {
+            canvas.draw_named(&name, pen, shape).number = number;
         }
-        let (from, to) = self.at(from).zip(self.at(to))?;
-        ((to - from).hypot() > 1e-3).then(|| canvas.draw_named(&name, pen, canvas.arrow(from, to)))
     }
 }
 
@@ -255,4 +254,131 @@ fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
             .collect()
     };
     mechanism.links().map(|(_, body)| image(body)).collect()
+}
+
+impl PlanOnPaper<'_> {
+    /// Draws dots and labels of the points; coincident points share a label.
+    pub(super) fn points(&self, canvas: &mut Canvas<'_>) {
+        let (far, places): (Vec<_>, Vec<_>) =
+            self.places().into_iter().partition(|(_, here, _)| self.is_far(canvas, here[0]));
+        let since = |here: &[&str]| here.iter().map(|name| self.steps.point(name)).min().unwrap_or_default();
+        for (center, here, role) in &places {
+            let (center, (pen, radius)) = (*center, self.dot(*role));
+            canvas.step = since(here);
+            canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
+        }
+        let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
+        let inset = Inset::new(canvas, &crowded);
+        if let Some(inset) = &inset {
+            inset.draw(canvas, &self.context.words);
+        }
+        let middle = self.middle();
+        for (place, here, role) in places {
+            // The pole is named in the plan itself, not in the detail.
+            let (anchor, away) = match inset.filter(|inset| inset.shows(place) && role != PointRole::Pole) {
+                Some(inset) => (inset.at(place), Vec2::ZERO),
+                None => (place, place - middle),
+            };
+            let prefer: Option<Vec2> = (away.hypot() > 4.0).then(|| away.normalize());
+            for names in here.chunks(TOGETHER).filter(|names| !self.shown(names).is_empty()) {
+                let (last, before) = self.growth(names, RichText::math);
+                canvas.step = last;
+                let clearance = self.dot(role).1 + 0.7;
+                let text = RichText::math(&self.shown(names));
+                let label = canvas.ask(&id(names), LabelRequest::new(text, anchor, clearance, prefer, 2));
+                label.before = before;
+            }
+        }
+        for (place, here, _) in far {
+            self.mark_far(canvas, place, &here);
+        }
+    }
+
+    /// Draws an arrow where the line to a far point leaves the panel, with the point's distance on paper.
+    fn mark_far(&self, canvas: &mut Canvas<'_>, place: Point, names: &[&str]) {
+        const ARROW: f64 = 8.0;
+        let pole = self.plan.sheet.pole();
+        let laid = self.plan.arrows().find(|laid| names.contains(&laid.to.as_str()));
+        let start = laid.map_or(pole, |laid| &laid.from);
+        let start = if self.is_far(canvas, start) { pole } else { start };
+        let Some(from) = self.at(start) else { return };
+        let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.0), from, place) else { return };
+        let tail = edge - (edge - from).normalize() * ARROW.min(0.5 * (edge - from).hypot());
+        let mm = (place - from).hypot() * self.context.surface.dims.unit;
+        let mm = self.context.words.write(mm, NumberStyle::decimals(0).on(Medium::Figure));
+        let words = |names: &str| RichText::plain(&self.context.words.language.far_in_plan(names, &mm));
+        let (last, before) = self.growth(names, words);
+        canvas.step = before.first().map_or(last, |(first, _)| *first);
+        canvas.draw_named(&format!("point-{}", names[0]), Pen::Special, canvas.arrow(tail, edge));
+        canvas.step = last;
+        let text = words(&self.shown(names));
+        let label = canvas.ask(&id(names), LabelRequest::new(text, tail, 1.0, None, 2));
+        label.before = before;
+    }
+
+    /// The visible points, grouped by place.
+    fn places(&self) -> Vec<(Point, Vec<&str>, PointRole)> {
+        let plan = self.plan;
+        let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
+        let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
+        for (name, point) in &plan.points {
+            // The image of a ground point under a slider coincides with the pole: it is left out.
+            if self.is_hidden(name) || at_pole(name) || is_vanished(plan, name) {
+                continue;
+            }
+            let place = self.view.at(geometry::Point::from(point.vector));
+            let shared = places.iter_mut().find(|(p, ..)| (*p - place).hypot() < SHARED);
+            match shared {
+                Some((_, here, _)) => here.push(name),
+                None => places.push((place, vec![name], point.role)),
+            }
+        }
+        places
+    }
+
+    /// Pen and radius of a point's dot.
+    fn dot(&self, role: PointRole) -> (Pen, f64) {
+        let dot = self.context.surface.dims.dot;
+        match role {
+            PointRole::Pole => (Pen::Pole, 2.0 * dot),
+            PointRole::Special => (Pen::Special, (16.0 / 9.0) * dot),
+            _ => (Pen::ImagePoint, dot),
+        }
+    }
+
+    /// How the names of coincident points grow with the steps that make them: the step that adds the last name, and what
+    /// stands there before, from which step.
+    fn growth(&self, names: &[&str], set: impl Fn(&str) -> RichText) -> (u16, Vec<(u16, RichText)>) {
+        let mut steps: Vec<u16> = names.iter().map(|name| self.steps.point(name)).collect();
+        steps.sort_unstable();
+        steps.dedup();
+        let text = |step: u16| {
+            let made: Vec<&str> = names.iter().copied().filter(|name| self.steps.point(name) <= step).collect();
+            (step, set(&self.shown(&made)))
+        };
+        let last = steps.pop().unwrap_or_default();
+        (last, steps.into_iter().map(text).collect())
+    }
+
+    /// The names of coincident points.
+    fn shown(&self, names: &[&str]) -> String {
+        let mut shown: Vec<String> = names.iter().map(|name| self.context.shown(name, Some(self.plan))).collect();
+        // A fixed point O and the pole o have the same symbol.
+        shown.dedup();
+        // The scene may give a name no text.
+        shown.retain(|name| !name.is_empty());
+        shown.join(", ")
+    }
+}
+
+/// The id of the label of coincident points; the hyphen at its end tells it from the label of a joint of this name.
+fn id(names: &[&str]) -> String {
+    format!("{}-", names[0])
+}
+
+/// Whether a name is that of the end of a vanishing normal acceleration, which coincides with another point.
+fn is_vanished(plan: &Plan, name: &str) -> bool {
+    let end = &plan.points[name];
+    let mut others = plan.points.values();
+    end.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == end.vector)
 }

@@ -44,8 +44,8 @@ pub(in crate::drawing) fn extent_of_images(plan: &Plan) -> Extent {
 pub(in crate::drawing) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
     let role = plan.points.get(name).map(|p| p.role);
     let on_the_way = match plan.sheet {
+        Sheet::Scheme | Sheet::Velocity => matches!(role, Some(PointRole::Special)),
         Sheet::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
-        _ => matches!(role, Some(PointRole::Special)),
     };
     on_the_way && !figure.special_points
 }

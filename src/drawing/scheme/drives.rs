@@ -3,12 +3,11 @@
 
 use super::on_paper::SchemeOnPaper;
 use crate::drawing::canvas::Canvas;
-use crate::drawing::context::Purpose;
+use crate::drawing::context::{Purpose, Value, ValueOf};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
-use crate::drawing::value::{Value, ValueOf};
 use crate::drawing::values::{drive_value, is_at_drive, label};
-use crate::drawing::view::{on_sheet, towards};
+use crate::drawing::view::on_sheet;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
 use crate::quantity::QuantityKind;
 use crate::scene::{Argument, QuantityName};
@@ -99,40 +98,26 @@ impl SchemeOnPaper<'_> {
     fn rotation_arrow(&self, canvas: &mut Canvas<'_>, link: BodyId, pivot: PointId, omega: f64) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
-        let body = self.mechanism.body(link);
-        let name = body.name.as_str();
-        let center = self.at(pivot);
-        let arm = self.arm_of(link, pivot);
         if omega == 0.0 {
             return;
         }
+        let name = self.mechanism.body(link).name.as_str();
+        let (center, arm) = (self.at(pivot), self.arm_of(link, pivot));
         // Counter-clockwise is negative in the angles of the sheet.
         let sense = -omega.signum();
-        let head = canvas.dims().head;
-        let arc = |radius: f64, lead: f64| Shape::ArcArrow {
-            center,
-            radius,
-            start: libm::atan2(arm.y, arm.x) + sense * lead,
-            sweep: sense * SWEEP,
-            head,
-        };
+        let start = |lead: f64| libm::atan2(arm.y, arm.x) + sense * lead;
+        let (sweep, head) = (sense * SWEEP, canvas.dims.head);
+        let arc = |&(radius, lead): &(f64, f64)| Shape::ArcArrow { center, radius, start: start(lead), sweep, head };
         // Within the panel and, if possible, off the pivot's hatching: ahead of the link, behind it, or smaller.
-        let (bounds, foot) = (canvas.bounds(), self.pivot_box(pivot));
+        let (bounds, foot) = (canvas.obstacles.bounds, self.pivot_box(pivot));
         let behind = -0.35 - SWEEP;
         let tries = [(RADIUS, 0.35), (RADIUS, behind), (0.8 * RADIUS, 0.35), (0.8 * RADIUS, behind)];
-        let fits = |&&(radius, lead): &&(f64, f64)| arc(radius, lead).drawn_box().union(bounds) == bounds;
-        let clear = |&&(radius, lead): &&(f64, f64)| {
-            let both = arc(radius, lead).drawn_box().intersect(foot);
-            both.area() <= 0.0
-        };
+        let fits = |tried: &&(f64, f64)| arc(tried).drawn_box().union(bounds) == bounds;
+        let clear = |tried: &&(f64, f64)| arc(tried).drawn_box().intersect(foot).area() <= 0.0;
         let best = tries.iter().filter(fits).find(clear);
-        let &(radius, lead) = best.or(tries.iter().find(fits)).unwrap_or(&tries[2]);
-        let start = libm::atan2(arm.y, arm.x) + sense * lead;
-        let sweep = sense * SWEEP;
-        let shape = arc(radius, lead);
-        let arrow = canvas.draw_named(&format!("omega-{name}"), Pen::Turning, shape);
-        arrow.number = self.number(link);
-        let middle = start + 0.6 * sweep;
+        let best @ &(radius, lead) = best.or(tries.iter().find(fits)).unwrap_or(&tries[2]);
+        canvas.draw_named(&format!("omega-{name}"), Pen::Turning, arc(best)).number = self.number(link);
+        let middle = start(lead) + 0.6 * sweep;
         let direction = Vec2::new(libm::cos(middle), libm::sin(middle));
         let label = format!("ω_{{{}}}", canvas.shown(name, name));
         let anchor = center + direction * radius;
@@ -165,7 +150,7 @@ impl SchemeOnPaper<'_> {
         };
         let arm = along * (0.5 * LENGTH * speed.signum());
         // Beside the block or a little further on: inside the panel, where fewest obstacles are crossed.
-        let bounds = canvas.bounds();
+        let bounds = canvas.obstacles.bounds;
         let places = sides.into_iter().flat_map(|side| [0.0, -LENGTH, LENGTH].map(|shift| (side, shift)));
         let arrows = places.map(|(side, shift)| {
             let middle = block + along * shift + side * (half.y + BESIDE);
@@ -173,16 +158,13 @@ impl SchemeOnPaper<'_> {
         });
         let cost = |&(_, from, to): &(Vec2, Point, Point)| {
             let drawn = canvas.arrow(from, to).drawn_box();
-            (drawn.union(bounds) != bounds, canvas.crossings_with(from, to))
+            (drawn.union(bounds) != bounds, canvas.obstacles.crossings_with(from, to))
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");
-        let shape = canvas.arrow(from, to);
-        let arrow = canvas.draw_named(arrow_id, Pen::Turning, shape);
-        arrow.number = self.number(slider.link);
-        let anchor = from.midpoint(to);
-        let label = canvas.label(label_id, label, anchor, 0.8, Some(side), 2);
-        label.number = self.number(slider.link);
+        let number = self.number(slider.link);
+        canvas.draw_named(arrow_id, Pen::Turning, canvas.arrow(from, to)).number = number;
+        canvas.label(label_id, label, from.midpoint(to), 0.8, Some(side), 2).number = number;
     }
 }
 
@@ -205,7 +187,7 @@ impl SchemeOnPaper<'_> {
                 ValueOf::Vector(_) => {}
             }
         }
-        canvas.set_step(0);
+        canvas.step = 0;
     }
 
     /// The arrow of a rate of a link; that of a drive's angular velocity is at its pivot. Without room between the joints
@@ -218,9 +200,7 @@ impl SchemeOnPaper<'_> {
             QuantityKind::AngularAcceleration => (ALPHA_RADIUS, "alpha"),
             _ => (RATE_RADIUS, "omega"),
         };
-        if let Some(shape) = self.rate_arrow(link, radius, value.number)
-            && let Shape::ArcArrow { center, .. } = shape
-        {
+        if let Some(shape @ Shape::ArcArrow { center, .. }) = self.rate_arrow(link, radius, value.number) {
             let mut joints = self.pose.points.iter().map(|&place| self.view.at(place));
             let is_near = |other: &Point| (*other - center).hypot() < 2.0 * ALPHA_RADIUS + 1.0;
             let is_apart = joints.all(|joint| (joint - center).hypot() > radius + self.dims().joint + 1.0);
@@ -228,7 +208,7 @@ impl SchemeOnPaper<'_> {
                 return;
             }
             taken.push(center);
-            canvas.set_step(value.since);
+            canvas.step = value.since;
             let name = format!("{name}-{}", self.mechanism.body(link).name);
             canvas.draw_named(&name, Pen::Turning, shape).number = self.number(link);
         }
@@ -249,10 +229,7 @@ impl SchemeOnPaper<'_> {
     /// A length stands beside the middle of its line, away from the middle of the mechanism.
     fn label_length(&self, canvas: &mut Canvas<'_>, value: &Value, [a, b]: [PointId; 2]) {
         let [a, b] = [a, b].map(|point| self.at(point));
-        let anchor: Point = a.lerp(b, 0.66);
-        let along = towards(a, b, Vec2::new(1.0, 0.0));
-        let beside = Vec2::new(-along.y, along.x);
-        let outer = self.outward(anchor).is_some_and(|outward| outward.dot(beside) < 0.0);
-        label(self.context, canvas, value, anchor, Some(if outer { -beside } else { beside }));
+        let anchor = a.lerp(b, 0.66);
+        label(self.context, canvas, value, anchor, Some(self.outer_side([a, b], anchor)));
     }
 }

@@ -2,14 +2,11 @@
 //! on their pins, joints, special points, labels.
 
 mod drives;
-pub(super) mod link_shape;
 mod links;
-mod names;
-mod on_paper;
+pub(super) mod on_paper;
+mod points;
 pub(super) mod sight;
 mod sliders;
-mod special;
-mod traces;
 
 pub(super) use sliders::above;
 
@@ -24,13 +21,68 @@ use crate::mechanism::{GROUND, Role};
 use on_paper::SchemeOnPaper;
 use sight::circles;
 use std::f64::consts::PI;
+
+/// Draws the scheme.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
-    SchemeOnPaper::new(context, view).draw(canvas);
+    let scheme = SchemeOnPaper::new(context, view);
+    scheme.ghosts(canvas);
+    scheme.other_modes(canvas);
+    scheme.link_areas(canvas);
+    scheme.paths(canvas);
+    for special in context.special() {
+        canvas.step = context.facts.step_of_special(&special.name);
+        scheme.cuts(canvas, special);
+    }
+    canvas.step = 0;
+    for slider in scheme.sliders() {
+        scheme.guide(canvas, slider);
+    }
+    for &point in &scheme.mechanism.body(GROUND).points {
+        scheme.pivot(canvas, point);
+    }
+    scheme.wheels(canvas);
+    scheme.link_lines(canvas);
+    scheme.slide_arrows(canvas);
+    for slider in scheme.sliders() {
+        scheme.block(canvas, slider);
+    }
+    for (link, body) in scheme.mechanism.links() {
+        if body.role == Role::Unsolved {
+            scheme.neighbour(canvas, link);
+        }
+    }
+    scheme.rotation_arrows(canvas);
+    scheme.values(canvas);
+    scheme.joints(canvas);
+    for special in context.special() {
+        canvas.step = context.facts.step_of_special(&special.name);
+        scheme.mark_special(canvas, special);
+    }
+    canvas.step = 0;
+    scheme.link_names(canvas);
 }
 
 /// Draws the hints of the steps: the measured length, the line to which a ray is normal, the senses of solved rates.
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
-    SchemeOnPaper::new(context, view).hints(canvas);
+    let scheme = SchemeOnPaper::new(context, view);
+    for NumberedStep { number, action, .. } in context.construction().numbered_steps() {
+        let number = number as u16;
+        let ends = match action {
+            Action::MeasureLength { from, to, .. } => {
+                let joint = scheme.mechanism.point(from).map(|p| scheme.pose.point(p));
+                joint.zip(context.construction().special_point(to).and_then(|s| s.place.finite()))
+            }
+            Action::Ray(ray) => scheme.line_of(ray),
+            Action::Solve { unknowns, .. } => {
+                scheme.rate_arrows(canvas, number, unknowns);
+                None
+            }
+            _ => None,
+        };
+        if let Some((from, to)) = ends {
+            canvas.hint(number, scheme.view.at(from), scheme.view.at(to));
+        }
+    }
 }
 
 impl SchemeOnPaper<'_> {
@@ -46,65 +98,6 @@ impl SchemeOnPaper<'_> {
             // Two half circles: unlike a full circle they leave the inside free for a label.
             for start in [0.0, PI] {
                 canvas.draw(Pen::Guide, Shape::Arc { center, radius, start, sweep: PI });
-            }
-        }
-    }
-
-    fn draw(&self, canvas: &mut Canvas<'_>) {
-        self.ghosts(canvas);
-        self.other_modes(canvas);
-        self.link_areas(canvas);
-        self.paths(canvas);
-        for special in self.context.special() {
-            canvas.set_step(self.context.facts.steps.special(&special.name));
-            self.cuts(canvas, special);
-        }
-        canvas.set_step(0);
-        for slider in self.sliders() {
-            self.guide(canvas, slider);
-        }
-        for &point in &self.mechanism.body(GROUND).points {
-            self.pivot(canvas, point);
-        }
-        self.wheels(canvas);
-        self.link_lines(canvas);
-        self.slide_arrows(canvas);
-        for slider in self.sliders() {
-            self.block(canvas, slider);
-        }
-        for (link, body) in self.mechanism.links() {
-            if body.role == Role::Unsolved {
-                self.stub(canvas, link);
-            }
-        }
-        self.rotation_arrows(canvas);
-        self.values(canvas);
-        self.joints(canvas);
-        for special in self.context.special() {
-            canvas.set_step(self.context.facts.steps.special(&special.name));
-            self.mark_special(canvas, special);
-        }
-        canvas.set_step(0);
-        self.link_names(canvas);
-    }
-
-    fn hints(&self, canvas: &mut Canvas<'_>) {
-        for NumberedStep { number, action, .. } in self.context.construction().numbered_steps() {
-            let number = number as u16;
-            let ends = match action {
-                Action::MeasureLength { from, to, .. } => {
-                    let joint = self.mechanism.point(from).map(|p| self.pose.point(p));
-                    joint.zip(self.context.construction().special_point(to).and_then(|s| s.place.finite()))
-                }
-                Action::Ray(ray) => self.line_of(ray),
-                Action::Solve { unknowns, .. } => {
-                    self.rate_arrows(canvas, number, unknowns);
-                    None
-                }
-                _ => None,
-            };
-            if let Some((from, to)) = ends {
-                canvas.hint(number, self.view.at(from), self.view.at(to));
             }
         }
     }

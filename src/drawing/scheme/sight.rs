@@ -1,7 +1,7 @@
 //! What of the mechanism is in sight: its extent, and which special points are near enough to stand at their places.
 
 use crate::construction::{Solution, Special};
-use crate::cycle::{OtherModes, Traces};
+use crate::cycle::Traces;
 use crate::drawing::context::{Purpose, SheetContext};
 use crate::drawing::view::Extent;
 use crate::geometry::{Point, Vector, span};
@@ -24,7 +24,8 @@ const GUIDE: f64 = 0.06;
 pub(in crate::drawing) fn extent(context: &SheetContext<'_>) -> Extent {
     let special = context.special().filter_map(|special| reached(context, special));
     let places = places(context.solution).chain(special);
-    Extent::of(places.chain(places_of_traces(&context.traces)).chain(places_of_modes(context.modes)))
+    let modes = context.modes.shown.iter().flat_map(|(_, pose)| pose.points.iter().copied());
+    Extent::of(places.chain(places_of_traces(&context.traces)).chain(modes))
 }
 
 /// The extent of a position without what depends on the figure.
@@ -34,7 +35,7 @@ pub(in crate::drawing) fn extent_of_joints(solution: &Solution) -> Extent {
 
 /// Whether a special point is near enough to be drawn at its place.
 pub(in crate::drawing) fn is_near(context: &SheetContext<'_>, special: &Special) -> bool {
-    let points = || context.pose().points.iter().copied();
+    let points = || context.solution.pose.points.iter().copied();
     let reach = if has_far_points(context) { REACH_OF_PENCIL } else { REACH };
     special.place.finite().is_some_and(|place| span(points().chain([place])) <= reach * span(points()))
 }
@@ -61,8 +62,8 @@ fn reached(context: &SheetContext<'_>, special: &Special) -> Option<Point> {
         return Some(place);
     }
     let start = special.cuts.iter().find_map(|cut| cut.start()).filter(|_| !has_far_points(context))?;
-    let start = context.pose().point(start);
-    let size = span(context.pose().points.iter().copied());
+    let start = context.solution.pose.point(start);
+    let size = span(context.solution.pose.points.iter().copied());
     Some(start + (place - start).normalize() * (ARROW * size))
 }
 
@@ -90,8 +91,4 @@ fn places_of_traces(traces: &Traces) -> impl Iterator<Item = Point> {
     let pieces = traces.paths.iter().flat_map(|path| path.pieces.iter().chain(&path.beyond).flatten());
     let ghosts = traces.ghosts.iter().flat_map(|ghost| ghost.points.iter().copied());
     pieces.map(|(_, place)| *place).chain(ghosts)
-}
-
-fn places_of_modes(modes: &OtherModes) -> impl Iterator<Item = Point> {
-    modes.shown.iter().flat_map(|(_, pose)| pose.points.iter().copied())
 }

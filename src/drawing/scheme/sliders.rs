@@ -1,7 +1,6 @@
 //! Guides and the blocks on them; the ground: pivots, ground lines and their hatching.
 
-use super::link_shape::{ON_LINE, is_on};
-use super::on_paper::SchemeOnPaper;
+use super::on_paper::{ON_LINE, SchemeOnPaper, is_on};
 use super::sight::extent;
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
@@ -75,7 +74,7 @@ impl SchemeOnPaper<'_> {
         let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
         // White for the ground line and its hatching beside the block.
-        let bounds = canvas.bounds().inset(-(half.y + HATCH));
+        let bounds = canvas.obstacles.bounds.inset(-(half.y + HATCH));
         let Some((a, b)) = clipped_segment(bounds, at - along * reach, at + along * reach) else {
             return;
         };
@@ -84,9 +83,7 @@ impl SchemeOnPaper<'_> {
             let (a, b) = (a + side * half.y, b + side * half.y);
             canvas.draw(Pen::Ground, Shape::Line(a, b));
             hatch(canvas, a, b, side);
-            for (from, to) in strokes(a, b, side) {
-                canvas.keep_off(Rect::from_points(from, to));
-            }
+            canvas.obstacles.add_boxes(strokes(a, b, side).map(|(from, to)| Rect::from_points(from, to)));
             return;
         }
         let (mut low, mut high) = ((a - at).dot(along), (b - at).dot(along));
@@ -123,9 +120,8 @@ impl SchemeOnPaper<'_> {
         let on_sheet = |p: Point| at + along * p.x + across * p.y;
         let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
         let name = format!("slider-{}", self.mechanism.body(slider.link).name);
-        let corners = corners(area).into_iter().map(on_sheet).collect();
-        let block = canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners));
-        block.number = self.number(slider.link);
+        let corners = corners(area).map(on_sheet).to_vec();
+        canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners)).number = self.number(slider.link);
         let others = self.mechanism.links().map(|(link, _)| link);
         for link in others.filter(|&link| link != slider.link && link != slider.on) {
             let lines = self.shape(link).lines();
@@ -178,7 +174,7 @@ impl SchemeOnPaper<'_> {
         let (a, b) = (base - across * PIVOT_HALF, base + across * PIVOT_HALF);
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, down);
-        canvas.keep_off(self.pivot_box(point));
+        canvas.obstacles.add_boxes([self.pivot_box(point)]);
     }
 
     /// Draws a fixed point without a link: a piece of the ground with the point on it.
@@ -186,7 +182,7 @@ impl SchemeOnPaper<'_> {
         let across = Vec2::new(PIVOT_HALF, 0.0);
         canvas.draw(Pen::Ground, Shape::Line(at - across, at + across));
         hatch(canvas, at - across, at + across, Vec2::new(0.0, 1.0));
-        canvas.keep_off(Rect::from_points(at - across, at + across + Vec2::new(0.0, HATCH)));
+        canvas.obstacles.add_boxes([Rect::from_points(at - across, at + across + Vec2::new(0.0, HATCH))]);
     }
 
     /// The box around the ground line under a pivot and its hatching.

@@ -1,7 +1,6 @@
 //! The format of the style file, version 1, key by key.
 
-use super::super::look::{Cap, Colour, Dash};
-use super::super::pen::Pen;
+use super::super::look::{Cap, Colour, Dash, Pen};
 use super::paint::{DashList, Dashes, Millimetres, Paint};
 use crate::scene::{Measure, Sizes, StyleName};
 use indexmap::IndexMap;

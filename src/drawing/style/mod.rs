@@ -1,12 +1,10 @@
 //! Styles: the look of each pen. In: a style file (`templates/styles`, or the user's). Out: a [`Style`], which gives
 //! the look of a mark. Content and places of marks are no part of it.
 
-mod emphasis;
 mod file;
 mod paint;
 
-use super::look::{Colour, Dash, Look};
-use super::pen::Pen;
+use super::look::{Colour, Dash, Look, Pen};
 use crate::scene::{FileKind, SceneError, Sizes, StyleName, read_as, schema_of};
 use file::{StyleFile, StyleValues};
 use paint::{Dashes, Paint};
@@ -14,6 +12,13 @@ use std::sync::{Arc, LazyLock};
 
 /// Share of the background's colour in pale shades of links.
 const PALE: f64 = 0.6;
+
+/// Additional width of lines in the accent colour, in mm.
+const BOLDER: f64 = 0.15;
+/// Share of the background's colour in the marks of earlier steps.
+const CALM: f64 = 0.45;
+/// Share of the background's colour in a tint of the accent colour.
+const TINT: f64 = 0.8;
 
 const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
 
@@ -75,7 +80,7 @@ impl Style {
         let ink = paint(pen.ink).or(stroke).unwrap_or(self.0.ink);
         Look {
             stroke,
-            width: pen.width.map_or(0.0, f64::from),
+            width: pen.width.map_or(0.0, |width| width.0),
             dash: match &pen.dash {
                 Some(Dashes::Of(dash)) => dash.clone(),
                 Some(Dashes::OfCurve) => self.curve_dash(number.unwrap_or(0)),
@@ -84,7 +89,7 @@ impl Style {
             fill: paint(pen.fill),
             cap: pen.cap.unwrap_or_default(),
             ink,
-            halo: pen.halo.map_or(0.0, f64::from),
+            halo: pen.halo.map_or(0.0, |halo| halo.0),
         }
     }
 
@@ -124,6 +129,47 @@ impl Style {
     #[must_use]
     pub fn links(&self) -> &[Colour] {
         &self.0.links
+    }
+
+    /// The look in the accent colour, with slightly wider lines.
+    pub(super) fn accented(&self, look: Look) -> Look {
+        let (accent, background) = (self.0.accent, self.background());
+        let is_tint = self.is_tint(&look);
+        let solid = |fill: Colour| match look.stroke.is_some() && fill == background {
+            true => fill,
+            false => accent,
+        };
+        Look {
+            stroke: look.stroke.map(|_| accent),
+            width: look.width + BOLDER,
+            // Areas without outline stay tints: letters on them must be legible.
+            fill: look.fill.map(|fill| match is_tint {
+                true => accent.towards(background, TINT),
+                false => solid(fill),
+            }),
+            ink: accent,
+            ..look
+        }
+    }
+
+    /// The look in paler colours.
+    pub(super) fn calmed(&self, look: Look) -> Look {
+        let background = self.background();
+        let pale = |colour: Colour| colour.towards(background, CALM);
+        let is_tint = self.is_tint(&look);
+        Look {
+            stroke: look.stroke.map(pale),
+            fill: look.fill.map(|fill| if is_tint { fill } else { pale(fill) }),
+            ink: look.ink.towards(background, 0.5 * CALM),
+            ..look
+        }
+    }
+
+    /// Whether it is an area without outline whose colour is nearer to the background than to the ink.
+    fn is_tint(&self, look: &Look) -> bool {
+        let sum = |c: Colour| i32::from(c.red) + i32::from(c.green) + i32::from(c.blue);
+        let from = |fill: Colour, to: Colour| (sum(fill) - sum(to)).abs();
+        look.stroke.is_none() && look.fill.is_some_and(|fill| from(fill, self.background()) < from(fill, self.0.ink))
     }
 
     fn colour(&self, paint: Paint, number: Option<usize>) -> Option<Colour> {

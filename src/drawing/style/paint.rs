@@ -1,11 +1,8 @@
 //! The values of a style file: colours, lengths, dashes. Messages about a wrong value list the permitted forms.
 
 use super::super::look::{Colour, Dash};
-use crate::scene::Measure;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use crate::scene::{Measure, several_forms};
 use serde::de::{Error, SeqAccess, Unexpected, Visitor};
-use serde::{Deserialize, Deserializer};
-use std::borrow::Cow;
 use std::fmt;
 
 /// The colour of a line or an area.
@@ -31,19 +28,14 @@ pub(super) enum Paint {
 
 /// A length in mm of paper, from 0 to [`Millimetres::MOST`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Millimetres(f64);
+pub(super) struct Millimetres(pub f64);
 
 impl Millimetres {
     /// A larger value is taken for a mistake.
     const MOST: f64 = 10.0;
-    const EXPECTED: &str = "a number of mm from 0 to 10";
 }
 
-impl From<Millimetres> for f64 {
-    fn from(length: Millimetres) -> f64 {
-        length.0
-    }
-}
+/// The dashes of a pen's lines.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Dashes {
     /// Dashes and gaps in turn.
@@ -56,6 +48,72 @@ pub(super) enum Dashes {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DashList(pub Dash);
 
+/// Smallest and largest size on a sheet in mm; others are taken for mistakes.
+const SIZE_MM: [f64; 2] = [0.1, 40.0];
+/// Smallest and largest size as a part of the sheet, in per cent.
+const SIZE_PERCENT: [f64; 2] = [0.1, 20.0];
+
+/// Reads a value that a file may write as a number, a text or a list of lengths. Each form that is allowed has a function
+/// that gives none for a value that is out of range or unknown.
+struct Forms<T> {
+    expecting: &'static str,
+    number: Option<fn(f64) -> Option<T>>,
+    text: Option<fn(&str) -> Option<T>>,
+    list: Option<fn(Dash) -> Option<T>>,
+}
+
+impl<T> Forms<T> {
+    /// No forms yet; messages say that this was expected.
+    fn new(expecting: &'static str) -> Self {
+        Self { expecting, number: None, text: None, list: None }
+    }
+}
+
+impl<'de, T> Visitor<'de> for Forms<T> {
+    type Value = T;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.expecting)
+    }
+
+    fn visit_f64<E: Error>(self, number: f64) -> Result<T, E> {
+        match self.number {
+            Some(read) => read(number).ok_or_else(|| E::invalid_value(Unexpected::Float(number), &self)),
+            None => Err(E::invalid_type(Unexpected::Float(number), &self)),
+        }
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<T, E> {
+        match self.number {
+            Some(_) => self.visit_f64(number as f64),
+            None => Err(E::invalid_type(Unexpected::Signed(number), &self)),
+        }
+    }
+
+    fn visit_u64<E: Error>(self, number: u64) -> Result<T, E> {
+        match self.number {
+            Some(_) => self.visit_f64(number as f64),
+            None => Err(E::invalid_type(Unexpected::Unsigned(number), &self)),
+        }
+    }
+
+    fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
+        match self.text {
+            Some(read) => read(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self)),
+            None => Err(E::invalid_type(Unexpected::Str(text), &self)),
+        }
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<T, A::Error> {
+        let Some(read) = self.list else { return Err(A::Error::invalid_type(Unexpected::Seq, &self)) };
+        let mut list = Dash::new();
+        while let Some(Millimetres(mm)) = seq.next_element()? {
+            list.push(mm);
+        }
+        read(list).ok_or_else(|| A::Error::invalid_value(Unexpected::Seq, &self))
+    }
+}
+
 /// A colour from the form `#rrggbb`.
 fn colour(text: &str) -> Option<Colour> {
     let digits = text.strip_prefix('#')?;
@@ -64,226 +122,92 @@ fn colour(text: &str) -> Option<Colour> {
     rgb.filter(|_| hexadecimal).map(Colour::new)
 }
 
-/// Reads a value from a text.
-struct Word<T> {
-    value: fn(&str) -> Option<T>,
-    expecting: &'static str,
-}
-
-impl<T> Visitor<'_> for Word<T> {
-    type Value = T;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.expecting)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
-        (self.value)(text).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
+fn paint(text: &str) -> Option<Paint> {
+    match text {
+        "none" => Some(Paint::None),
+        "ink" => Some(Paint::Ink),
+        "background" => Some(Paint::Background),
+        "link" => Some(Paint::Link),
+        "tint" => Some(Paint::Tint),
+        "pale" => Some(Paint::Pale),
+        "curve" => Some(Paint::Curve),
+        _ => colour(text).map(Paint::Of),
     }
 }
 
-impl<'de> Deserialize<'de> for Colour {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let expecting = "a colour as \"#b5361c\"";
-        deserializer.deserialize_any(Word { value: colour, expecting })
-    }
+fn millimetres(mm: f64) -> Option<Millimetres> {
+    (0.0..=Millimetres::MOST).contains(&mm).then_some(Millimetres(mm))
 }
 
-impl<'de> Deserialize<'de> for Paint {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let value = |text: &str| match text {
-            "none" => Some(Paint::None),
-            "ink" => Some(Paint::Ink),
-            "background" => Some(Paint::Background),
-            "link" => Some(Paint::Link),
-            "tint" => Some(Paint::Tint),
-            "pale" => Some(Paint::Pale),
-            "curve" => Some(Paint::Curve),
-            _ => colour(text).map(Paint::Of),
-        };
-        let expecting = "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"pale\", \"curve\"";
-        deserializer.deserialize_any(Word { value, expecting })
-    }
-}
-struct Length;
-
-impl Visitor<'_> for Length {
-    type Value = Millimetres;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(Millimetres::EXPECTED)
-    }
-
-    fn visit_f64<E: Error>(self, mm: f64) -> Result<Millimetres, E> {
-        match (0.0..=Millimetres::MOST).contains(&mm) {
-            true => Ok(Millimetres(mm)),
-            false => Err(E::invalid_value(Unexpected::Float(mm), &self)),
-        }
-    }
-
-    fn visit_i64<E: Error>(self, mm: i64) -> Result<Millimetres, E> {
-        self.visit_f64(mm as f64)
-    }
-
-    fn visit_u64<E: Error>(self, mm: u64) -> Result<Millimetres, E> {
-        self.visit_f64(mm as f64)
-    }
+/// A size in mm.
+fn size(mm: f64) -> Option<Measure> {
+    let [least, most] = SIZE_MM;
+    (least..=most).contains(&mm).then_some(Measure::Millimetres(mm))
 }
 
-impl<'de> Deserialize<'de> for Millimetres {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Length)
-    }
+/// A size as a part of the sheet, from a form as `3.6 %`.
+fn percent(text: &str) -> Option<Measure> {
+    let part = text.strip_suffix('%')?.trim().parse::<f64>().ok()?;
+    let [least, most] = SIZE_PERCENT;
+    (least..=most).contains(&part).then_some(Measure::Percent(part))
 }
 
-/// Reads a size on a sheet.
-struct SizeForms;
-
-impl SizeForms {
-    /// Smallest and largest size in mm; others are taken for mistakes.
-    const MM: [f64; 2] = [0.1, 40.0];
-    /// Smallest and largest part of the sheet, in per cent.
-    const PERCENT: [f64; 2] = [0.1, 20.0];
+/// Whether dashes and gaps can be repeated: with an odd number they would swap at every repetition, and dashes of zero
+/// length would have no end.
+fn is_in_turn(dash: &Dash) -> bool {
+    dash.len().is_multiple_of(2) && dash.iter().all(|mm| *mm > 0.0)
 }
 
-impl Visitor<'_> for SizeForms {
-    type Value = Measure;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number of mm from 0.1 to 40, or a part of the sheet's shorter side from 0.1 to 20 as \"3.6 %\"")
-    }
-
-    fn visit_f64<E: Error>(self, mm: f64) -> Result<Measure, E> {
-        let [least, most] = SizeForms::MM;
-        match (least..=most).contains(&mm) {
-            true => Ok(Measure::Millimetres(mm)),
-            false => Err(E::invalid_value(Unexpected::Float(mm), &self)),
-        }
-    }
-
-    fn visit_i64<E: Error>(self, mm: i64) -> Result<Measure, E> {
-        self.visit_f64(mm as f64)
-    }
-
-    fn visit_u64<E: Error>(self, mm: u64) -> Result<Measure, E> {
-        self.visit_f64(mm as f64)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<Measure, E> {
-        let [least, most] = SizeForms::PERCENT;
-        let part = text.strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
-        let part = part.filter(|part| (least..=most).contains(part));
-        part.map(Measure::Percent).ok_or_else(|| E::invalid_value(Unexpected::Str(text), &self))
-    }
-}
-
-impl<'de> Deserialize<'de> for Measure {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(SizeForms)
-    }
-}
-
-/// Reads dashes and gaps in turn or, if `word` allows it, the word `curve`.
-struct DashForms {
-    word: bool,
-    expecting: &'static str,
-}
-
-impl<'de> Visitor<'de> for DashForms {
-    type Value = Dashes;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.expecting)
-    }
-
-    fn visit_str<E: Error>(self, text: &str) -> Result<Dashes, E> {
-        match (self.word, text) {
-            (true, "curve") => Ok(Dashes::OfCurve),
-            _ => Err(E::invalid_value(Unexpected::Str(text), &self)),
-        }
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Dashes, A::Error> {
-        let mut dash = Dash::new();
-        while let Some(Millimetres(mm)) = seq.next_element()? {
-            dash.push(mm);
-        }
-        // With an odd number dashes and gaps would swap at every repetition; dashes of zero length would have no end.
-        match dash.len().is_multiple_of(2) && dash.iter().all(|mm| *mm > 0.0) {
-            true => Ok(Dashes::Of(dash)),
-            false => Err(A::Error::invalid_value(Unexpected::Seq, &self)),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Dashes {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(DashForms {
-            word: true,
-            expecting: "dashes and gaps above 0 in turn as [1.8, 1.0], [] for a full line, or \"curve\"",
-        })
-    }
-}
-
-impl<'de> Deserialize<'de> for DashList {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let dashes = deserializer.deserialize_any(DashForms {
-            word: false,
-            expecting: "dashes and gaps above 0 in turn as [1.8, 1.0], or [] for a full line",
-        })?;
-        match dashes {
-            Dashes::Of(dash) => Ok(DashList(dash)),
-            Dashes::OfCurve => unreachable!("the word is not allowed"),
-        }
-    }
-}
-
-/// The schema of a value of several forms.
-macro_rules! schema_of {
-    ($type:ident, $name:literal, $generator:ident => $schema:expr) => {
-        impl JsonSchema for $type {
-            fn schema_name() -> Cow<'static, str> {
-                $name.into()
-            }
-            fn json_schema($generator: &mut SchemaGenerator) -> Schema {
-                $schema
-            }
-        }
-    };
-}
-
-schema_of!(Colour, "colour", _generator => json_schema!({
+several_forms!(Colour, "colour", Forms { text: Some(colour), ..Forms::new("a colour as \"#b5361c\"") }, _generator => {
     "description": "Red, green and blue",
     "type": "string", "pattern": "^#[0-9a-fA-F]{6}$"
-}));
+});
 
-schema_of!(Paint, "paint", generator => json_schema!({
+const PAINTS: &str =
+    "a colour as \"#b5361c\", or one of \"none\", \"ink\", \"background\", \"link\", \"tint\", \"pale\", \"curve\"";
+
+several_forms!(Paint, "paint", Forms { text: Some(paint), ..Forms::new(PAINTS) }, generator => {
     "description": "A colour; or the style's ink, the background, the colour, the tint or a pale shade of the mark's link, the colour of its curve",
     "anyOf": [
         generator.subschema_for::<Colour>(),
         { "enum": ["none", "ink", "background", "link", "tint", "pale", "curve"] },
     ]
-}));
+});
 
-schema_of!(Millimetres, "millimetres", _generator => json_schema!({
+const MILLIMETRES: &str = "a number of mm from 0 to 10";
+
+several_forms!(Millimetres, "millimetres", Forms { number: Some(millimetres), ..Forms::new(MILLIMETRES) }, _generator => {
     "type": "number", "minimum": 0, "maximum": Millimetres::MOST
-}));
+});
 
-schema_of!(Measure, "measure", _generator => json_schema!({
+const SIZES: &str = "a number of mm from 0.1 to 40, or a part of the sheet's shorter side from 0.1 to 20 as \"3.6 %\"";
+
+several_forms!(Measure, "measure", Forms { number: Some(size), text: Some(percent), ..Forms::new(SIZES) }, _generator => {
     "anyOf": [
-        { "description": "In mm", "type": "number", "minimum": SizeForms::MM[0], "maximum": SizeForms::MM[1] },
+        { "description": "In mm", "type": "number", "minimum": SIZE_MM[0], "maximum": SIZE_MM[1] },
         { "description": "Of the sheet's shorter side", "type": "string", "pattern": "^[0-9]+([.][0-9]+)? ?%$" },
     ]
-}));
+});
 
-schema_of!(DashList, "dash", _generator => json_schema!({
-    "description": "Dashes and gaps in turn, in mm; [] for a full line",
-    "type": "array", "items": { "type": "number", "exclusiveMinimum": 0, "maximum": Millimetres::MOST }
-}));
+const DASHES: &str = "dashes and gaps above 0 in turn as [1.8, 1.0], [] for a full line, or \"curve\"";
 
-schema_of!(Dashes, "dashes", generator => json_schema!({
+several_forms!(Dashes, "dashes", Forms {
+    text: Some(|text| (text == "curve").then_some(Dashes::OfCurve)),
+    list: Some(|dash| is_in_turn(&dash).then_some(Dashes::Of(dash))),
+    ..Forms::new(DASHES)
+}, generator => {
     "anyOf": [
         generator.subschema_for::<DashList>(),
         { "const": "curve", "description": "The dash of the mark's curve" },
     ]
-}));
+});
+
+several_forms!(DashList, "dash", Forms {
+    // A word is a wrong value, not a value of a wrong kind: a pen's dashes may be a word.
+    text: Some(|_| None),
+    list: Some(|dash| is_in_turn(&dash).then_some(DashList(dash))),
+    ..Forms::new("dashes and gaps above 0 in turn as [1.8, 1.0], or [] for a full line")
+}, _generator => {
+    "description": "Dashes and gaps in turn, in mm; [] for a full line",
+    "type": "array", "items": { "type": "number", "exclusiveMinimum": 0, "maximum": Millimetres::MOST }
+});

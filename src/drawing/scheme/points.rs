@@ -1,34 +1,38 @@
-//! Joints, and the labels of points and links.
+//! Joints and special points, the cut lines that cross there, and the names of points and links.
 
-use super::link_shape::LinkShape;
-use super::on_paper::SchemeOnPaper;
+use super::on_paper::{LinkShape, SchemeOnPaper};
+use super::sight::is_near;
 use super::sliders::BLOCK;
-use crate::construction::display;
+use crate::construction::{Special, display};
 use crate::drawing::canvas::Canvas;
+use crate::drawing::clip::clipped_segment;
 use crate::drawing::grid::Grid;
+use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
+use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
+use crate::geometry::Place;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
+use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
+
+/// Number style of the distances of special points far away.
+const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
 
 impl SchemeOnPaper<'_> {
     /// Draws circles at pins, dots at other points, and their labels.
     pub(super) fn joints(&self, canvas: &mut Canvas<'_>) {
-        let mut named = Near::new(canvas.bounds());
+        let mut named = Near::new(canvas.obstacles.bounds);
         for point in (0..self.mechanism.points.len()).map(PointId) {
             let center = self.at(point);
-            let pin = self.is_pin(point);
             let slides = self.context.facts.slides[point.0];
             let name = self.mechanism.point_name(point);
-            let id = format!("point-{name}");
-            if pin {
-                let radius = self.dims().joint;
-                canvas.draw_named(&id, Pen::Joint, Shape::Circle { center, radius });
-            } else {
-                let radius = self.dims().dot * (0.5 / 0.45);
-                canvas.draw_named(&id, Pen::ImagePoint, Shape::Circle { center, radius });
-            }
+            let (pen, radius) = match self.is_pin(point) {
+                true => (Pen::Joint, self.dims().joint),
+                false => (Pen::ImagePoint, self.dims().dot * (0.5 / 0.45)),
+            };
+            canvas.draw_named(&format!("point-{name}"), pen, Shape::Circle { center, radius });
             let clearance = if slides { BLOCK.y + 0.8 } else { self.dims().joint + 0.9 };
             // Of two coincident points the second has the lower priority.
             let twin = named.distance(center, 0.3).is_some_and(|distance| distance < 0.3);
@@ -42,7 +46,7 @@ impl SchemeOnPaper<'_> {
     pub(super) fn link_names(&self, canvas: &mut Canvas<'_>) {
         /// Room beside a link's name, in mm.
         const ROOM: f64 = 8.0;
-        let mut joints = Near::new(canvas.bounds());
+        let mut joints = Near::new(canvas.obstacles.bounds);
         self.pose.points.iter().for_each(|&p| joints.add(self.view.at(p)));
         for (id, body) in self.mechanism.links() {
             if body.role == Role::Unsolved {
@@ -58,11 +62,7 @@ impl SchemeOnPaper<'_> {
                     let best = |x: &f64, y: &f64| free(*x).total_cmp(&free(*y));
                     let share = good.or_else(|| shares.into_iter().max_by(best));
                     let anchor = a.lerp(b, share.unwrap_or(0.5));
-                    // Normal to the line, on its outer side.
-                    let along = towards(a, b, Vec2::new(1.0, 0.0));
-                    let beside = Vec2::new(-along.y, along.x);
-                    let outer = self.outward(anchor).is_some_and(|o| o.dot(beside) < 0.0);
-                    (anchor, 1.3, Some(if outer { -beside } else { beside }))
+                    (anchor, 1.3, Some(self.outer_side([a, b], anchor)))
                 }
                 LinkShape::Nothing => match self.place_of_small(id) {
                     Some(place) => place,
@@ -73,8 +73,7 @@ impl SchemeOnPaper<'_> {
                     ((sum / corners.len() as f64).to_point(), 0.0, None)
                 }
             };
-            let label = canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1);
-            label.number = self.number(id);
+            canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1).number = self.number(id);
         }
         if let Some(&first) = self.mechanism.body(GROUND).points.first() {
             let name = self.mechanism.body(GROUND).name.as_str();
@@ -116,6 +115,87 @@ impl SchemeOnPaper<'_> {
         let taken: f64 = lines.iter().map(|line| line.dot(side)).sum();
         let side = if taken > 0.0 { -side } else { side };
         Some((at, half + 0.8, Some(side)))
+    }
+
+    /// The cut lines of a special point, from their joints to it.
+    pub(super) fn cuts(&self, canvas: &mut Canvas<'_>, special: &Special) {
+        if !self.context.figure().construction.has_lines() {
+            return;
+        }
+        let bounds = canvas.room();
+        for cut in &special.cuts {
+            let (Some(start), Some(direction)) = (cut.start(), cut.line.direction()) else {
+                continue;
+            };
+            let from = self.at(start);
+            // For a distant special point the cut line runs towards it to the panel's edge.
+            let to = match special.place {
+                Place::At(place) => self.view.at(place),
+                Place::AtInfinity(_) => from + on_sheet(direction) * (bounds.width() + bounds.height()),
+            };
+            let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
+            // A special point may coincide with the joint.
+            let towards_special = towards(from, to, on_sheet(direction));
+            let end = if is_near(self.context, special) { to + towards_special * 3.0 } else { to };
+            if let Some((a, b)) = clipped_segment(bounds, from, end) {
+                canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
+            }
+            if let Some(slider) = cut.guide() {
+                let along = on_sheet(self.pose.guide(slider));
+                self.right_angle(canvas, from, along, towards_special);
+            }
+        }
+    }
+
+    /// Draws the sign of a right angle at `corner`.
+    fn right_angle(&self, canvas: &mut Canvas<'_>, corner: Point, a: Vec2, b: Vec2) {
+        const SIDE: f64 = 2.4;
+        let chain = vec![corner + a * SIDE, corner + (a + b) * SIDE, corner + b * SIDE];
+        canvas.draw(Pen::Frame, Shape::Polyline(chain));
+    }
+
+    /// Draws a special point at its place, or a distant one as an arrow with its distance.
+    pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, special: &Special) {
+        let label = self.context.facts.markup(&special.name);
+        if is_near(self.context, special) {
+            let Some(place) = special.place.finite() else {
+                return;
+            };
+            let center = self.view.at(place);
+            let name = format!("point-{}", special.name);
+            let shape = Shape::Circle { center, radius: self.dims().joint };
+            canvas.draw_named(&name, Pen::Special, shape);
+            canvas.label(&special.name, &label, center, self.dims().joint + 0.7, None, 3);
+            return;
+        }
+        // The arrow is on the first cut line with a direction.
+        let bounds = canvas.room().inset(-2.0);
+        let start = special.cuts.iter().find_map(|c| Some((c.start()?, c.line.direction()?)));
+        let Some((start, direction)) = start else {
+            return;
+        };
+        let from = self.at(start);
+        let towards = match special.place {
+            Place::At(place) => self.view.at(place) - from,
+            Place::AtInfinity(_) => on_sheet(direction),
+        };
+        let far = from + towards.normalize() * (bounds.width() + bounds.height());
+        let Some((_, edge)) = clipped_segment(bounds, from, far) else {
+            return;
+        };
+        let tail = edge - towards.normalize() * 9.0;
+        let distance = match special.place {
+            Place::At(place) => {
+                let distance = (place - self.pose.point(start)).norm();
+                let name = self.mechanism.point_name(start);
+                let distance = self.context.words.write(distance, DISTANCE);
+                self.context.words.language.far_away(&label, &distance, name)
+            }
+            Place::AtInfinity(_) => self.context.words.language.at_infinity(&label),
+        };
+        let name = format!("point-{}", special.name);
+        canvas.draw_named(&name, Pen::Special, canvas.arrow(tail, edge));
+        canvas.ask(&special.name, LabelRequest::new(RichText::plain(&distance), tail, 1.0, None, 3));
     }
 }
 
