@@ -2,7 +2,7 @@
 //! and ±0.25°, a third of them with one mistake put in. Run with
 //! `cargo run --release --example class_of_forms -- examples/figure-2.json 1000 FOLDER`.
 
-use kinegon::check::{AnswerKey, Candidate, LATITUDE, Measured, Mistake, Student};
+use kinegon::check::{AnswerKey, Candidate, LENIENCY, Measured, Mistake, Student};
 use kinegon::construction::Tolerance;
 use kinegon::geometry::Random;
 use kinegon::{Scene, solve};
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         solution: &solution,
         scales: solution.scales(),
         tolerance: Tolerance::default(),
-        latitude: LATITUDE,
+        leniency: LENIENCY,
         depth: 1,
     };
     let student = Student::new(&key)?;

@@ -2,7 +2,7 @@
 //! Run with `cargo run --release --example gallery`.
 
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, LATITUDE, Measured, check, redrawn};
+use kinegon::check::{AnswerKey, LENIENCY, Measured, check, redrawn};
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths};
 use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
@@ -318,7 +318,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
     let own = {
         // As deep as the program looks.
         let (scales, tolerance) = (solution.scales(), Tolerance::default());
-        let key = AnswerKey { solution: &solution, scales, tolerance, latitude: LATITUDE, depth: 5 };
+        let key = AnswerKey { solution: &solution, scales, tolerance, leniency: LENIENCY, depth: 5 };
         redrawn(&measured, &key, &check(&measured, &key)?, &solution.wording())?
     };
     let figure = &mut solution.scene.figure;

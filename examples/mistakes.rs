@@ -7,7 +7,7 @@
 //! could find, and one that throws a point off a sheet of 594 mm is seen at once; both are drawn again elsewhere.
 
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, Candidate, Explanation, Given, LATITUDE, Measured, Mistake, Student, Verdict, check};
+use kinegon::check::{AnswerKey, Candidate, Explanation, Given, LENIENCY, Measured, Mistake, Student, Verdict, check};
 use kinegon::construction::Tolerance;
 use kinegon::exercise::{Number, each_number};
 use kinegon::geometry::Random;
@@ -60,7 +60,7 @@ fn drawable(text: &str) -> Option<Solution> {
 
 /// What values are checked against; so many mistakes at once are looked for.
 pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
-    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), latitude: LATITUDE, depth }
+    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), leniency: LENIENCY, depth }
 }
 
 /// Varies lengths, places and motions by up to an eighth, drives by up to 20°.

@@ -4,7 +4,7 @@ mod by_hand;
 
 use by_hand::ByHand;
 use divan::{Bencher, black_box};
-use kinegon::check::{AnswerKey, LATITUDE, Measured, check};
+use kinegon::check::{AnswerKey, LENIENCY, Measured, check};
 use kinegon::construction::{Extent, Tolerance, construct};
 use kinegon::cycle::{Drive, Mover, Path, Steps, Sweep, Walker};
 use kinegon::geometry::{MANY, Many};
@@ -291,7 +291,7 @@ fn check_a_drawing(bencher: Bencher, depth: usize) {
         solution: &solution,
         scales: solution.scales(),
         tolerance: Tolerance::default(),
-        latitude: LATITUDE,
+        leniency: LENIENCY,
         depth,
     };
     bencher.bench(|| check(black_box(&measured), &key));

@@ -1,7 +1,7 @@
 use crate::refused::Refused;
 use crate::solution::{Solution, tolerance};
 use kinegon::check::{
-    AnswerKey, Awarded, Checked, EmptyForm, Feedback, Marks, Measured, check, check_result, redrawn, report,
+    AnswerKey, Awarded, Checked, Feedback, Marks, Measured, WrittenForm, check, check_result, redrawn, report,
 };
 use kinegon::drawing::{Drawing, overlay};
 use kinegon::format::json_line;
@@ -34,7 +34,7 @@ struct Judged<'a> {
 impl Solution {
     pub fn empty_form(&self, is_table: bool) -> Result<String, Refused> {
         let solution = self.by_hand()?;
-        let form = EmptyForm { solution, scales: solution.scales(), exercise: None };
+        let form = WrittenForm::empty(solution, solution.scales(), None);
         Ok(if is_table { form.csv() } else { form.json() })
     }
 

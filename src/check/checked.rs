@@ -1,19 +1,7 @@
-use super::answer_key::AnswerKey;
-use super::entry::{Entry, entries_by};
-use super::error::CheckError;
-use super::explanation::Diagnosis;
-use super::hand::{Hand, SLIP};
-use super::mistakes::Site;
-use super::model::COMPUTING;
-use super::points::is_mirrored;
-use super::prepared::{Prepared, Ready};
-use super::score::Scorer;
-use super::search::{Search, hand};
-use super::sheet::Measured;
-use super::shown::ShownNames;
-use super::verdict::{Judged, Verdict};
-use crate::construction::Tolerance;
-use crate::quantity::{QuantityKind, Unread};
+//! What a check finds: the verdict on every value, and the mistakes that explain those that are off.
+
+use super::entry::Entry;
+use super::mistakes::{Blank, Candidate, tell};
 use crate::sheet::Sheet;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -36,7 +24,17 @@ impl Checked {
     /// Whether no value is off, and no plan mirrored.
     #[must_use]
     pub fn is_passed(&self) -> bool {
-        self.mirrored.is_empty() && self.values.iter().all(|v| v.verdict != Verdict::Off)
+        self.mirrored.is_empty() && self.count(Verdict::Off) == 0
+    }
+
+    /// How many values have this verdict.
+    pub(super) fn count(&self, verdict: Verdict) -> usize {
+        self.values.iter().filter(|value| value.verdict == verdict).count()
+    }
+
+    /// The names of the quantities of some values.
+    pub(super) fn names(&self, values: &[usize]) -> Vec<String> {
+        values.iter().map(|&value| self.values[value].entry.asked.name().to_owned()).collect()
     }
 }
 
@@ -57,143 +55,105 @@ pub struct Accuracy {
     pub percent: f64,
 }
 
-impl Accuracy {
-    fn of(hand: &Hand, key: &AnswerKey<'_>) -> Accuracy {
-        let size = hand.worst();
-        let Tolerance { mm, degrees } = key.tolerance;
-        Accuracy { mm: size * mm, degrees: size * degrees, percent: SLIP * hand.errors[COMPUTING] }
-    }
+/// The verdict on a written value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The exact value rounds to it.
+    Right,
+    /// It differs from the exact value by no more than honest hand drawings do.
+    WithinTolerance,
+    /// A rate whose size is right or within the tolerance, written without a sign where no sense counts as positive: it
+    /// does not tell its sense.
+    SenseMissing,
+    /// It differs by more.
+    Off,
+    /// It has no tolerance: there is no construction from which it could be read.
+    Unjudged,
 }
 
-/// The verdicts on the values that somebody has read from a drawing, and the mistakes that explain the values.
-///
-/// Where the scatter of all values shows that the hand is worse than the tolerance supposes, the tolerance follows it as
-/// far as the key's latitude.
-///
-/// # Errors
-/// A value is not understood.
-pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
-    Prepared::new(key).check(measured)
+/// A value with its verdict.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The value.
+    pub entry: Entry,
+    /// The verdict on it.
+    pub verdict: Verdict,
+    /// The value less the exact one, in the scene's units; of an angle the shorter way round.
+    pub difference: f64,
+    /// Largest difference that counts as within the tolerance; `None` where the value is not drawn.
+    pub tolerance: Option<f64>,
 }
 
-impl Prepared<'_> {
-    /// The same as [`check`], for one of many forms.
-    ///
-    /// # Errors
-    /// A value is not understood.
-    pub fn check(&self, measured: &Measured) -> Result<Checked, CheckError> {
-        let key = &self.key;
-        let measured = &with_usual_points(measured, key);
-        let entries = entries_by(measured, key, &self.names)?;
-        let ready = self.ready(measured.mu, &entries)?;
-        let mut values = judged(&entries, &ready);
-        let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
-        let models = if has_off(&values) { ready.models(key, &entries) } else { core::slice::from_ref(&ready.right) };
-        let scorer = Scorer::new(models, &entries, key.tolerance, &ready.groups);
-        let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
-        let mut accuracy = none.as_ref().map(|fit| Accuracy::of(&fit.hand, key));
-        let diagnosis = match none {
-            Some(none) if has_off(&values) && !is_all_alike(&entries) => {
-                let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
-                let mut search = Search::new(site.candidates(), &scorer);
-                let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
-                let tried = search.run(none, &off, key.depth);
-                if let Some(hand) = hand(&tried) {
-                    accuracy = Some(Accuracy::of(&hand, key));
-                    widen(&mut values, &scorer, &hand, key);
-                }
-                if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
-            }
-            _ => Diagnosis::none(&values),
-        };
-        let plans = key.solution.construction.plans();
-        let mirrored = plans.filter(|plan| {
-            let mut places = measured.points.iter().filter(|p| p.kind == plan.sheet);
-            places.any(|points| is_mirrored(points, plan))
-        });
-        let accuracy = accuracy.filter(|_| scorer.data.len() >= ENOUGH);
-        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.sheet).collect() })
-    }
+/// The best explanation of the values, and the others.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Diagnosis {
+    /// The mistakes that explain the values and are probable; none where no value is off, or where no cause is probable.
+    pub best: Explanation,
+    /// Other explanations, less probable.
+    pub others: Vec<Explanation>,
+    /// Indices of the values that remain without an explanation.
+    pub unexplained: Vec<usize>,
 }
 
-/// Whether one number is written everywhere: nothing was measured, so no mistake is looked for.
-fn is_all_alike(entries: &[Entry]) -> bool {
-    entries.len() > 2 && entries.iter().all(|entry| entry.text == entries[0].text && !entry.text.is_empty())
+/// Mistakes that together explain the values.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Explanation {
+    /// The mistakes, in the order of the construction.
+    pub findings: Vec<Finding>,
+    /// The probability that they were made, or others that the values alone cannot tell from them, from 0 to 1. An honest
+    /// share is left for mistakes that the catalogue does not have. Without mistakes: the probability that none was made
+    /// that the catalogue has.
+    pub probability: f64,
+    /// Whether the given values alone cannot tell it from the best one.
+    pub is_alike: bool,
 }
 
-/// The verdicts at the key's tolerance.
-fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
-    let judged = entries.iter().zip(&ready.bands).zip(&ready.right.readings);
-    let judged = judged.map(|((entry, band), reading)| {
-        let mut difference =
-            if entry.is_magnitude { entry.value.abs() - entry.expected.abs() } else { entry.value - entry.expected };
-        if entry.asked.kind() == QuantityKind::Angle {
-            difference -= 360.0 * libm::round(difference / 360.0);
-        }
-        // Segments and lengths have no sign, whatever sign is written.
-        if reading.is_ok_and(|r| r.is_size()) {
-            difference = entry.value.abs() - entry.expected.abs();
-        }
-        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-        let is_given = *reading == Err(Unread::Given);
-        let has_no_sense = entry.is_magnitude && entry.value != 0.0;
-        let off = difference.abs();
-        // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = match tolerance {
-            _ if off <= 1.001 * entry.rounding => Verdict::Right,
-            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-            None if !is_given => Verdict::Unjudged,
-            _ => Verdict::Off,
-        };
-        let verdict = match verdict {
-            Verdict::Right | Verdict::WithinTolerance if has_no_sense => Verdict::SenseMissing,
-            judged => judged,
-        };
-        Judged {
-            entry: entry.clone(),
-            verdict,
-            difference,
-            tolerance,
-            is_rough: band.is_some_and(|band| band.is_rough),
-        }
-    });
-    judged.collect()
+/// A mistake that was probably made.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Finding {
+    /// The mistake, and where it was made.
+    pub candidate: Candidate,
+    /// Indices of the values that differ from the right ones because of the mistake and are consistent with it.
+    pub follows: Vec<usize>,
+    /// Indices of the values that the mistake would change and that are not as it would make them.
+    pub(super) contradicts: Vec<usize>,
+    /// Indices of the values in which the mistake itself was made: written otherwise than meant, or read from the wrong
+    /// operation.
+    pub written: Vec<usize>,
 }
 
-/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows.
-fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
-    let mut allowed = *hand;
-    allowed.errors.iter_mut().for_each(|size| *size = size.min(key.latitude));
-    // A few values do not show how good a hand is.
-    if key.latitude <= 1.0 || !hand.is_by_hand() || scorer.data.len() < ENOUGH {
-        return;
-    }
-    for (place, datum) in scorer.data.iter().enumerate() {
-        let value = &mut values[datum.entry];
-        let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
-        if value.tolerance.is_some_and(|usual| usual < tolerance) {
-            value.tolerance = Some(tolerance);
-            if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
-                value.verdict = Verdict::WithinTolerance;
-            }
+impl Diagnosis {
+    /// No mistake is told; values that are off remain without an explanation.
+    pub(super) fn none(values: &[Judged]) -> Diagnosis {
+        Diagnosis {
+            best: Explanation { findings: Vec::new(), probability: 1.0, is_alike: false },
+            others: Vec::new(),
+            unexplained: (0..values.len()).filter(|&i| values[i].verdict == Verdict::Off).collect(),
         }
     }
 }
 
-/// Least number of drawn values whose scatter shows how accurate a hand is.
-const ENOUGH: usize = 8;
-
-/// Half a band, in standard deviations: 95 of 100 values are within.
-const BAND: f64 = 1.96;
-
-/// The same with the usual names of plan points, which may be written in any notation.
-fn with_usual_points(measured: &Measured, key: &AnswerKey<'_>) -> Measured {
-    let shown = ShownNames::of(key.solution);
-    let mut measured = measured.clone();
-    for points in &mut measured.points {
-        let sheet = points.kind;
-        points.places = points.places.iter().map(|(name, at)| (shown.usual_point(sheet, name), *at)).collect();
-        points.bands = points.bands.iter().map(|(name, band)| (shown.usual_point(sheet, name), *band)).collect();
+impl Finding {
+    /// The values that the mistake changes, in the order of the construction.
+    pub(super) fn changed(&self) -> Vec<usize> {
+        let mut all: Vec<usize> =
+            [&self.written, &self.follows, &self.contradicts].into_iter().flatten().copied().collect();
+        all.sort_unstable();
+        all
     }
-    measured
+
+    /// The first value that the mistake changes.
+    pub(super) fn first(&self) -> Option<usize> {
+        self.changed().first().copied()
+    }
+
+    /// The finding with its place and consequences, but of unknown cause; `name`: the first value that is wrong.
+    pub(super) fn of_unknown_cause(&self, name: &str) -> Finding {
+        let mut finding = self.clone();
+        finding.candidate.told = tell::unknown(Blank::Quantity(name.to_owned()));
+        finding
+    }
 }

@@ -1,12 +1,10 @@
 //! The report on a whole class for its teacher: a row for each drawing, and the commonest mistakes.
 
-use super::answer_key::AnswerKey;
-use super::checked::Checked;
-use super::explanation::Finding;
+use super::checked::{Checked, Finding, Verdict};
 use super::marks::{Awarded, MarkScheme};
+use super::measured::AnswerKey;
 use super::mistakes::Mistake;
-use super::shown::ShownNames;
-use super::verdict::Verdict;
+use super::names::Names;
 use crate::scene::schema_of;
 use crate::text::{Untrusted, cell};
 use crate::words::Wording;
@@ -68,7 +66,7 @@ pub struct ClassFound {
     /// What was probably done there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub done: Option<String>,
-    /// The same with the names of quantities as they stand on sheets.
+    /// What was probably done, with the names of quantities as they stand on sheets.
     #[serde(skip)]
     told: String,
     /// All further mistakes.
@@ -116,7 +114,6 @@ impl ClassRow {
         words: &Wording,
         scheme: Option<&MarkScheme>,
     ) -> ClassRow {
-        let count = |verdict| checked.values.iter().filter(|v| v.verdict == verdict).count();
         let diagnosis = &checked.diagnosis;
         let findings = &diagnosis.best.findings;
         let mistake = |finding: &Finding| ClassMistake {
@@ -125,13 +122,12 @@ impl ClassRow {
         };
         let told = findings.first().map(|finding| {
             let told = &finding.candidate.told;
-            let shown = ShownNames::of(key.solution);
-            let as_shown = told.sentences_with(words, &|name| shown.named(name));
+            let names = Names::new(key.solution);
+            let as_shown = told.sentences_with(words, &|name| names.named(name));
             let [[done, _], [told, _]] = [told.sentences(words), as_shown];
             (done, told)
         });
         let (done, told) = told.unzip();
-        let unexplained = diagnosis.unexplained.iter().map(|&i| checked.values[i].entry.asked.name().to_owned());
         ClassRow {
             file,
             exercise: None,
@@ -139,16 +135,16 @@ impl ClassRow {
             passed: checked.is_passed(),
             found: Some(ClassFound {
                 values: checked.values.len(),
-                right: count(Verdict::Right),
-                within: count(Verdict::WithinTolerance),
-                off: count(Verdict::Off),
-                sense_missing: count(Verdict::SenseMissing),
+                right: checked.count(Verdict::Right),
+                within: checked.count(Verdict::WithinTolerance),
+                off: checked.count(Verdict::Off),
+                sense_missing: checked.count(Verdict::SenseMissing),
                 first: findings.first().map(mistake),
                 told: told.unwrap_or_default(),
                 done,
                 further: findings.iter().skip(1).map(mistake).collect(),
                 probability: (!findings.is_empty()).then_some(diagnosis.best.probability),
-                unexplained: unexplained.collect(),
+                unexplained: checked.names(&diagnosis.unexplained),
                 marks: scheme.map(|scheme| scheme.award(checked)),
             }),
             message: None,
@@ -168,7 +164,7 @@ impl ClassRow {
         }
     }
 
-    /// The same row in a report on several exercises, with the name of its own.
+    /// The row in a report on several exercises, with the name of its exercise.
     #[must_use]
     pub fn of(self, exercise: Option<&str>) -> ClassRow {
         ClassRow { exercise: exercise.map(Untrusted::from), ..self }
@@ -177,51 +173,61 @@ impl ClassRow {
     /// The first line of the table: the names of its columns.
     #[must_use]
     pub fn csv_head(columns: ClassColumns) -> String {
-        let exercise = if columns.exercise { "exercise," } else { "" };
-        let marks = if columns.marks { ",marks,marks_of" } else { "" };
-        format!(
-            "file,{exercise}name,passed,values,right,within,off,step,mistake,done,further,probability,unexplained{marks},message,sense_missing\n"
-        )
+        let cells = ClassRow::broken(Untrusted::default(), "").cells(columns);
+        csv_line(cells.iter().map(|(column, _)| *column))
     }
 
     /// The row as a line of that table.
     #[must_use]
     pub fn csv(&self, columns: ClassColumns) -> String {
-        let text = |text: Option<&Untrusted>| text.map_or_else(String::new, Untrusted::for_cell);
-        let found = self.found.as_ref();
-        let number = |of: fn(&ClassFound) -> usize| found.map_or_else(String::new, |found| of(found).to_string());
-        let first = found.and_then(|f| f.first.as_ref());
-        let further = found.map_or(&[][..], |f| &f.further).iter();
-        let further: Vec<String> = further.map(|m| format!("{} (step {})", m.mistake, m.step)).collect();
-        let probability = found.and_then(|f| f.probability);
-        let marks = found.and_then(|f| f.marks);
-        let marks = |of: fn(&Awarded) -> f64| marks.map_or_else(String::new, |marks| Awarded::written(of(&marks)));
-        let mut cells = vec![self.file.for_cell()];
-        cells.extend(columns.exercise.then(|| text(self.exercise.as_ref())));
+        csv_line(self.cells(columns).iter().map(|(_, cell)| cell.as_str()))
+    }
+
+    /// The cells of the row, each behind the name of its column.
+    fn cells(&self, columns: ClassColumns) -> Vec<(&'static str, String)> {
+        let text = |text: &Option<Untrusted>| text.as_ref().map_or_else(String::new, Untrusted::for_cell);
+        let found = |of: fn(&ClassFound) -> String| self.found.as_ref().map_or_else(String::new, of);
+        let first = |of: fn(&ClassMistake) -> String| {
+            self.found.as_ref().and_then(|found| found.first.as_ref()).map_or_else(String::new, of)
+        };
+        let marks = |of: fn(&Awarded) -> f64| {
+            let marks = self.found.as_ref().and_then(|found| found.marks.as_ref());
+            marks.map_or_else(String::new, |marks| Awarded::written(of(marks)))
+        };
+        let further = |f: &ClassFound| {
+            let further: Vec<String> = f.further.iter().map(|m| format!("{} (step {})", m.mistake, m.step)).collect();
+            further.join("; ")
+        };
+        let mut cells = vec![("file", self.file.for_cell())];
+        cells.extend(columns.exercise.then(|| ("exercise", text(&self.exercise))));
         cells.extend([
-            text(self.name.as_ref()),
-            self.passed.to_string(),
-            number(|f| f.values),
-            number(|f| f.right),
-            number(|f| f.within),
-            number(|f| f.off),
-            first.map_or_else(String::new, |m| m.step.to_string()),
-            first.map_or_else(String::new, |m| m.mistake.to_owned()),
-            found.and_then(|f| f.done.as_deref()).map_or_else(String::new, cell),
-            further.join("; "),
-            probability.map_or_else(String::new, |p| format!("{p:.2}")),
-            found.map_or_else(String::new, |f| cell(&f.unexplained.join("; "))),
+            ("name", text(&self.name)),
+            ("passed", self.passed.to_string()),
+            ("values", found(|f| f.values.to_string())),
+            ("right", found(|f| f.right.to_string())),
+            ("within", found(|f| f.within.to_string())),
+            ("off", found(|f| f.off.to_string())),
+            ("step", first(|mistake| mistake.step.to_string())),
+            ("mistake", first(|mistake| mistake.mistake.to_owned())),
+            ("done", found(|f| f.done.as_deref().map_or_else(String::new, cell))),
+            ("further", found(further)),
+            ("probability", found(|f| f.probability.map_or_else(String::new, |p| format!("{p:.2}")))),
+            ("unexplained", found(|f| cell(&f.unexplained.join("; ")))),
         ]);
         if columns.marks {
-            cells.extend([marks(|m| m.earned), marks(|m| m.of)]);
+            cells.extend([("marks", marks(|m| m.earned)), ("marks_of", marks(|m| m.of))]);
         }
-        cells.extend([text(self.message.as_ref()), number(|f| f.sense_missing)]);
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let written = writer.write_record(&cells);
-        written.expect("writing to memory does not fail");
-        let bytes = writer.into_inner().expect("writing to memory does not fail");
-        String::from_utf8(bytes).expect("cells are text")
+        cells.extend([("message", text(&self.message)), ("sense_missing", found(|f| f.sense_missing.to_string()))]);
+        cells
     }
+}
+
+/// A line of a table, with what its cells need to be quoted.
+fn csv_line<'c>(cells: impl Iterator<Item = &'c str>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(cells).expect("writing to memory does not fail");
+    let bytes = writer.into_inner().expect("writing to memory does not fail");
+    String::from_utf8(bytes).expect("cells are text")
 }
 
 /// Counts of a class's drawings, and the commonest first mistakes.
@@ -257,7 +263,7 @@ pub struct Common {
     pub mistake: &'static str,
     /// What was probably done.
     pub done: String,
-    /// The same with the names of quantities as they stand on sheets.
+    /// What was probably done, with the names of quantities as they stand on sheets.
     #[serde(skip)]
     told: String,
 }

@@ -1,10 +1,134 @@
-//! The covariance of all values that the honest errors of a hand cause.
+//! Values as they are compared with predictions; how accurate the hand is that has drawn, measured and computed; and the
+//! covariance that its honest errors give the values.
 
-use super::datum::Datum;
-use super::hand::{Habit, Hand, SLIP};
 use super::mistakes::{Amount, Free};
 use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
 use crate::construction::{Change, NumberId, OperationKind, Tolerance, Values};
+use crate::sheet::Sheet;
+
+/// A value of the form as it is compared with a prediction.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Datum {
+    /// The index of its entry.
+    pub entry: usize,
+    pub value: f64,
+    /// Half a unit of its last digit.
+    pub rounding: f64,
+    /// Whether its sign is unknown.
+    pub is_magnitude: bool,
+    pub is_angle: bool,
+    /// The plan in whose unit it is; `None` for lengths, angles and angular rates.
+    pub sheet: Option<Sheet>,
+    /// The range in which a value of this kind could lie.
+    pub span: f64,
+}
+
+impl Datum {
+    /// The variance of its rounding: errors are uniform up to half a unit of the last digit.
+    pub fn variance(&self) -> f64 {
+        self.rounding * self.rounding / 3.0
+    }
+
+    /// The value less the predicted one; where the sign is unknown, with the sign that brings this difference nearest
+    /// to `expected`.
+    pub fn off(&self, predicted: f64, expected: f64) -> f64 {
+        let off = self.turned(self.value - predicted);
+        if !self.is_magnitude {
+            return off;
+        }
+        let reversed = -self.value - predicted;
+        if (reversed - expected).abs() < (off - expected).abs() { reversed } else { off }
+    }
+
+    /// By how much two predictions differ as far as such a value shows it.
+    pub fn seen_apart(&self, predicted: f64, other: f64) -> f64 {
+        if self.is_magnitude { predicted.abs() - other.abs() } else { self.turned(predicted - other) }
+    }
+
+    /// A difference of two such values; of angles the shorter way round.
+    pub fn turned(&self, difference: f64) -> f64 {
+        if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
+    }
+}
+
+/// Sizes of a hand's errors that are tried, in parts of the tolerance: from a blunt pencil to a drawing program.
+pub(super) const SIZES: [f64; 13] = [4.0, 2.8, 2.0, 1.4, 1.0, 0.7, 0.5, 0.2, 0.05, 0.01, 2e-3, 2e-4, 1e-5];
+
+/// Index in [`SIZES`] of the hand for which the tolerance is made.
+pub(super) const CAREFUL: usize = 4;
+
+/// Sizes of slips in computed numbers that are tried, in parts of [`SLIP`].
+pub(super) const SLIPS: [f64; 3] = [0.0, 0.3, 1.0];
+
+/// Limit of the relative errors of numbers computed carelessly, in per cent.
+pub(super) const SLIP: f64 = 1.0;
+
+/// Least size of a hand's errors, in parts of the tolerance; a drawing with smaller errors was not made by hand.
+const BY_HAND: f64 = 0.04;
+
+/// Cost of a hand whose errors of one kind are ten times smaller than the tolerance.
+const BETTER: f64 = 1.2;
+
+/// Cost of a hand whose errors are twice as large as the tolerance.
+const WORSE: f64 = 9.0;
+
+/// Cost of slips in computed numbers.
+const SLIPPING: f64 = 6.0;
+
+/// How accurate a hand is, and how it computes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Hand {
+    /// The size of its errors of each kind, in parts of the tolerance; of computed numbers, of [`SLIP`].
+    pub errors: [f64; GROUPS],
+    /// Which digits of a number it uses later.
+    pub habit: Habit,
+}
+
+/// Which digits of a written number somebody uses in later operations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Habit {
+    /// Sometimes those that are written, sometimes all.
+    Mixed,
+    /// Those that are written.
+    AsWritten,
+    /// All digits of a calculator.
+    AllDigits,
+}
+
+impl Hand {
+    /// A hand whose errors of drawing and measuring are all of one size, and that computes without slips.
+    pub fn alike(size: f64) -> Hand {
+        let mut errors = [size; GROUPS];
+        errors[TOGETHER] = 0.0;
+        errors[COMPUTING] = 0.0;
+        Hand { errors, habit: Habit::Mixed }
+    }
+
+    /// A hand whose errors are all so many times as large.
+    pub fn times(mut self, factor: f64) -> Hand {
+        self.errors.iter_mut().for_each(|size| *size *= factor);
+        self
+    }
+
+    /// The size of its largest errors of drawing and measuring, in parts of the tolerance.
+    pub fn worst(&self) -> f64 {
+        self.errors[..COMPUTING].iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Whether its errors are as large as those of drawings by hand.
+    pub fn is_by_hand(&self) -> bool {
+        self.errors[..COMPUTING].iter().all(|&s| s == 0.0 || s >= BY_HAND)
+    }
+
+    /// Its cost, −2 ln of its prior probability. A kind of errors of size zero is left out: it is not a better hand.
+    pub fn cost(&self) -> f64 {
+        let sizes = self.errors[..COMPUTING].iter().filter(|s| **s > 0.0);
+        let better: f64 = sizes.map(|s| -BETTER * libm::log10(s.min(1.0))).sum();
+        let worse = WORSE * libm::log2(self.worst().max(1.0));
+        let slipping = if self.errors[COMPUTING] > 0.0 { SLIPPING } else { 0.0 };
+        better + worse + slipping
+    }
+}
 
 /// Covariance matrices of the values: one for each kind of errors at the tolerance, and one for roundings of numbers
 /// used later.
@@ -74,7 +198,7 @@ pub(super) fn read(model: &Model, values: &Values, data: &[Datum], which: &[usiz
 }
 
 /// The replays from which values are read: the changes of each, and the data read from it.
-pub(super) type Variants<'c> = [(Changes<'c>, Vec<usize>)];
+pub(super) type Variants = [(Changes, Vec<usize>)];
 
 impl Covariances {
     /// The covariances of the values in drawings with these changes. `free`: amounts among them that were fitted to the
@@ -83,7 +207,7 @@ impl Covariances {
         model: &Model,
         tolerance: &Tolerance,
         data: &[Datum],
-        variants: &Variants<'_>,
+        variants: &Variants,
         free: &[(Free, f64)],
         groups: Option<&Groups>,
     ) -> Covariances {
@@ -111,7 +235,7 @@ impl Covariances {
     }
 
     /// Adds the effects of amounts that are not known beforehand.
-    fn add_free(&mut self, effects: &mut Effects<'_, '_>, free: &[(Free, f64)]) {
+    fn add_free(&mut self, effects: &mut Effects<'_>, free: &[(Free, f64)]) {
         if free.is_empty() {
             return;
         }
@@ -133,7 +257,7 @@ impl Covariances {
 const DEVIATION: f64 = 0.577_350_269_189_625_8;
 
 /// The covariances that the errors of hands cause, whatever digits are written.
-fn of_hands(effects: &mut Effects<'_, '_>, tolerance: &Tolerance) -> Groups {
+fn of_hands(effects: &mut Effects<'_>, tolerance: &Tolerance) -> Groups {
     let (model, count) = (effects.model, effects.exact.len());
     let mut groups: Groups = core::array::from_fn(|_| vec![0.0; count * count]);
     let mut plotted: Vec<Vec<f64>> = Vec::new();
@@ -160,7 +284,7 @@ fn of_hands(effects: &mut Effects<'_, '_>, tolerance: &Tolerance) -> Groups {
 }
 
 /// Adds the effects of slips in computed numbers, and of those in turning millimetres into values.
-fn add_slips(group: &mut [f64], effects: &mut Effects<'_, '_>) {
+fn add_slips(group: &mut [f64], effects: &mut Effects<'_>) {
     let model = effects.model;
     let size = 0.01 * SLIP * DEVIATION;
     for (operation, number) in model.computed() {
@@ -184,10 +308,10 @@ fn add_slips(group: &mut [f64], effects: &mut Effects<'_, '_>) {
 const NUDGE: f64 = 1e-3;
 
 /// The effects of single changes on the values of a drawing.
-struct Effects<'a, 'c> {
+struct Effects<'a> {
     model: &'a Model,
     data: &'a [Datum],
-    variants: &'a Variants<'c>,
+    variants: &'a Variants,
     bases: Vec<Values>,
     /// The values without a further change.
     exact: Vec<f64>,
@@ -195,8 +319,8 @@ struct Effects<'a, 'c> {
     column: Vec<f64>,
 }
 
-impl<'a, 'c> Effects<'a, 'c> {
-    fn new(model: &'a Model, data: &'a [Datum], variants: &'a Variants<'c>) -> Effects<'a, 'c> {
+impl<'a> Effects<'a> {
+    fn new(model: &'a Model, data: &'a [Datum], variants: &'a Variants) -> Effects<'a> {
         let bases: Vec<Values> = variants.iter().map(|(changes, _)| model.replay(changes)).collect();
         let mut exact = vec![0.0; data.len()];
         for ((_, which), base) in variants.iter().zip(&bases) {
@@ -207,7 +331,7 @@ impl<'a, 'c> Effects<'a, 'c> {
     }
 
     /// By datum: the difference that a change of an operation makes, times `factor`.
-    fn of(&mut self, operation: usize, change: impl Fn(&Values) -> Change<'static>, factor: f64) -> &[f64] {
+    fn of(&mut self, operation: usize, change: impl Fn(&Values) -> Change, factor: f64) -> &[f64] {
         for ((changes, which), base) in self.variants.iter().zip(&self.bases) {
             self.model.replay_after(&mut self.scratch, base, operation, change(base), changes);
             read(self.model, &self.scratch, self.data, which, &mut self.column);

@@ -1,12 +1,11 @@
 //! Weighs the explanations that were tried, and chooses what is told: causes only that are probable, and none that the
 //! student's own values refute.
 
-use super::explanation::{Diagnosis, Explanation, Finding};
+use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
+use super::covariance::Hand;
 use super::fit::Fit;
-use super::hand::Hand;
 use super::mistakes::{Candidate, Mistake};
 use super::search::{Search, Tried};
-use super::verdict::{Judged, Verdict};
 
 /// Least probability of a cause that is told.
 const TOLD: f64 = 0.6;
@@ -139,8 +138,8 @@ impl Search<'_> {
             let changed = finding.changed();
             let contradicting = changed.iter().filter(|&&entry| self.is_outside(&tried.fit, entry)).count();
             let begins_wrong = changed.first().is_none_or(|&entry| self.is_outside(&tried.fit, entry));
-            let reinterpreted = finding.candidate.reinterpreted.iter().filter(|r| r.value.is_some());
-            let is_written_wrong = reinterpreted.map(|r| r.entry).any(|entry| self.is_outside(&tried.fit, entry));
+            let mut reinterpreted = finding.candidate.reinterpreted.iter();
+            let is_written_wrong = reinterpreted.any(|r| self.is_outside(&tried.fit, r.entry));
             begins_wrong || is_written_wrong || 2 * contradicting > changed.len()
         })
     }
@@ -152,7 +151,7 @@ impl Search<'_> {
         let is_touched = |entry: usize| {
             let reading = model.readings[entry].ok();
             let maker = reading.and_then(|r| model.makers[r.number.0]);
-            let is_edited = maker.is_some_and(|m| candidate.edits.iter().any(|(operation, _)| *operation == m));
+            let is_edited = maker.is_some_and(|m| candidate.edits.iter().any(|edit| edit.operation == m));
             is_edited || candidate.reinterpreted.iter().any(|s| s.entry == entry)
         };
         self.scorer.data.iter().map(|d| d.entry).filter(|&entry| is_touched(entry)).collect()

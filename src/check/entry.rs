@@ -1,12 +1,9 @@
-use super::answer_key::AnswerKey;
-use super::error::CheckError;
+//! The values of a form with the quantities for which they stand, those that are written and the distances of given places.
+
+use super::measured::{AnswerKey, CheckError, Given, Measured, PlacedPoint, Positive};
 use super::names::{Meant, Names};
-use super::points::{Distance, distances};
-use super::precision::{Precision, most_digits, number, whole_rounding};
-use super::sheet::{Given, Measured, Positive};
-use super::unit;
+use super::written::{Precision, factors, most_digits, number, whole_rounding};
 use crate::quantity::{QuantityRequest, What};
-use crate::sheet::Sheet;
 use crate::text;
 use indexmap::IndexMap;
 
@@ -29,7 +26,7 @@ pub struct Entry {
     pub is_magnitude: bool,
     /// `value` over the written number: unit, scale on paper and sense of rotation.
     pub factor: f64,
-    /// The same factor if no unit had been written beside the number.
+    /// What `factor` would be if no unit had been written beside the number.
     pub factor_without_unit: f64,
     /// The unit that was written beside it.
     pub unit: Option<String>,
@@ -38,8 +35,6 @@ pub struct Entry {
     /// Scale of its sheet, in units of the scene per millimetre, where it is a length there; `None` for rates and
     /// angles.
     pub per_mm: Option<f64>,
-    /// The sheet from which it is read.
-    pub sheet: Sheet,
     /// The number of the step that gives it.
     pub step: usize,
     /// The exact value.
@@ -55,7 +50,7 @@ pub fn entries(measured: &Measured, key: &AnswerKey<'_>) -> Result<Vec<Entry>, C
     entries_by(measured, key, &Names::new(key.solution))
 }
 
-/// The same with the names of the scene's quantities, which many forms have in common.
+/// The entries of a form by the names of the scene's quantities, which many forms have in common.
 pub(super) fn entries_by(
     measured: &Measured,
     key: &AnswerKey<'_>,
@@ -113,7 +108,7 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
                 format!("add {mu}, the scale of your {}", sheet.name()),
             ));
         };
-        let pole = points.kind.pole();
+        let pole = sheet.pole();
         let Some(own_pole) = points.pole() else {
             return Err(CheckError::new(
                 format!("the places of the {} do not have its pole {pole}", sheet.name()),
@@ -124,13 +119,21 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
         let named = |name: &str| {
             if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
         };
-        let places: IndexMap<String, [f64; 2]> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
-        let bands: IndexMap<String, f64> = points.bands.iter().map(|(n, &band)| (named(n), band)).collect();
-        for Distance { name, to, mm, rounding } in distances(points.kind, &places, &bands, names) {
+        let places: IndexMap<String, PlacedPoint> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
+        // The distance of each point from the pole, and those of points that a step names.
+        let others = || places.keys().map(String::as_str).filter(|name| *name != pole);
+        let between = others().flat_map(|from| others().map(move |to| (from, to)));
+        let between = between.filter(|(from, to)| names.order.contains_key(&sheet.segment_name(from, to)));
+        for (from, to) in others().map(|to| (pole, to)).chain(between) {
+            let name = sheet.segment_name(from, to);
             if entries.iter().any(|e| e.asked.name() == name) {
                 continue;
             }
-            let Meant { asked, row, expected, sheet, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
+            let [p, q] = [from, to].map(|name| places[name]);
+            let mm = libm::hypot(q.at[0] - p.at[0], q.at[1] - p.at[1]);
+            // People write places to a tenth or a hundredth of a millimetre; places from a photograph have their radii.
+            let rounding = libm::hypot(p.band.unwrap_or(0.0), q.band.unwrap_or(0.0)).max(0.05);
+            let Meant { asked, row, expected, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
             // The image of a point at rest is the pole itself.
             if expected == 0.0 {
                 continue;
@@ -148,7 +151,6 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
                 unit: None,
                 on_paper: true,
                 per_mm: Some(mu),
-                sheet,
                 step,
                 expected,
             });
@@ -200,8 +202,8 @@ impl<'a> Reader<'a> {
     fn entry(&self, given: &Given) -> Result<Entry, CheckError> {
         let (number, precision, rounding) = number(&given.text)?;
         let (name, marked) = given.plain_name();
-        let Meant { asked, row, expected, sheet, step } = self.names.meant(&name, self.names_ground)?;
-        let kind = asked.kind();
+        let Meant { asked, row, expected, step } = self.names.meant(&name, self.names_ground)?;
+        let (kind, sheet) = (asked.kind(), asked.sheet());
         let has_length = asked.is_length_on_sheet();
         let on_paper =
             marked || (self.measured.in_mm && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
@@ -210,7 +212,7 @@ impl<'a> Reader<'a> {
             return Err(CheckError::about(&name, "is no length on paper, so `/mu` cannot follow it", hint));
         }
         let paper = on_paper.then_some((sheet, self.measured.mu[sheet]));
-        let (factor, factor_without_unit) = unit::factors(given, &name, kind, paper, self.key.solution.scene.units)?;
+        let (factor, factor_without_unit) = factors(given, &name, kind, paper, self.key.solution.scene.units)?;
         let turns = asked.turns();
         let flips = turns && self.measured.positive == Some(Positive::Clockwise);
         let factor = if flips { -factor } else { factor };
@@ -226,7 +228,6 @@ impl<'a> Reader<'a> {
             unit: given.unit.clone(),
             on_paper,
             per_mm: if has_length { self.measured.mu.or(self.key.scales)[sheet] } else { None },
-            sheet,
             step,
             expected,
             row,

@@ -1,12 +1,10 @@
 //! What a student gets back: the verdict on every value, what probably happened, the marks, and where values are off the
 //! student's drawing over the right one.
 
-use super::answer_key::AnswerKey;
 use super::checked::Checked;
-use super::error::CheckError;
 use super::marks::Awarded;
+use super::measured::{AnswerKey, CheckError, Measured};
 use super::redrawn::redrawn;
-use super::sheet::Measured;
 use crate::construction::Solution;
 use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
 use crate::format::{FeedbackPage, feedback_html};
@@ -71,7 +69,7 @@ impl Feedback {
         }
     }
 
-    /// The same as a page for a browser.
+    /// A page for a browser with what is on the sheets.
     #[must_use]
     pub fn html(&self) -> String {
         // Words and table are text of the page.

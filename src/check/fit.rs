@@ -1,13 +1,10 @@
 //! The complete comparison of values with a construction: with the covariance that honest errors give them, for the
 //! hand for which they are likeliest.
 
-use super::covariance::Covariances;
-use super::datum::Datum;
-use super::hand::{CAREFUL, Habit, Hand, SIZES, SLIPS};
+use super::covariance::{CAREFUL, Covariances, Habit, Hand, SIZES, SLIPS};
 use super::mistakes::Candidate;
 use super::model::{COMPUTING, TOGETHER};
-use super::score::Scorer;
-use super::walk::{Compared, Walk};
+use super::score::{Compared, Scorer, Walk};
 
 /// The kind of errors of the velocity plan.
 const VELOCITY: usize = 2;
@@ -123,7 +120,7 @@ impl Scorer<'_> {
     /// The approximate standard deviation of a value drawn by the hand of the fit.
     pub fn deviation(&self, datum: usize, fit: &Fit) -> f64 {
         let hand = fit.hand.worst();
-        (hand * hand * self.quick[datum] + self.data[datum].variance()).sqrt()
+        (hand * hand * self.variance(datum) + self.data[datum].variance()).sqrt()
     }
 
     /// Whether the values cannot tell two explanations apart: both fit equally well, and each value is about as far
@@ -131,17 +128,14 @@ impl Scorer<'_> {
     pub fn are_alike(&self, a: &Fit, b: &Fit, sets: [&[&Candidate]; 2]) -> bool {
         let [meant_a, meant_b] = sets.map(|set| self.meant(set));
         let hand = a.hand.worst();
-        let same = |index: usize| match (&meant_a[index], &meant_b[index]) {
-            (Some(m), Some(n)) => {
-                let [p, q] = [a.predicted[index], b.predicted[index]];
-                let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
-                let deviation = hand * self.quick[index].sqrt() / m.rounding.max(n.rounding);
-                // Where no sign is written, the explanations may differ in it.
-                let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
-                same_sense && (r - s).abs() <= 0.5 * (1.0 + deviation)
-            }
-            (None, None) => true,
-            _ => false,
+        let same = |index: usize| {
+            let (m, n) = (&meant_a[index], &meant_b[index]);
+            let [p, q] = [a.predicted[index], b.predicted[index]];
+            let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
+            let deviation = hand * self.variance(index).sqrt() / m.rounding.max(n.rounding);
+            // Where no sign is written, the explanations may differ in it.
+            let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
+            same_sense && (r - s).abs() <= 0.5 * (1.0 + deviation)
         };
         (a.cost - b.cost).abs() <= SAME_FIT && (0..self.data.len()).all(same)
     }
@@ -153,7 +147,7 @@ impl Scorer<'_> {
         if predicted.iter().any(|p| !p.is_finite()) {
             return None;
         }
-        let meant: Vec<Option<Datum>> = self.meant(set);
+        let meant = self.meant(set);
         let covariances = self.covariances(set);
         let mut hands = Hands {
             covariances: &covariances,

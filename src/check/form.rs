@@ -1,20 +1,20 @@
-//! A form as a JSON file; and the forms that are written: all boxes of a scene's form in their order, empty or with
-//! somebody's values.
+//! A form as a JSON file; the forms that are written: all boxes of a scene's form in their order, empty or with somebody's
+//! values; and the boxes for a page that shows them one by one.
 
-use super::answer_key::AnswerKey;
+use super::measured::{AnswerKey, Given, Measured, ON_PAPER, PlacedPoint, PointsOf, Positive, WIDEST};
 use super::names::Names;
-use super::rows::FormNames;
-use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
-use super::shown::ShownNames;
 use super::table;
-use crate::construction::Solution;
+use crate::construction::{Plan, Solution};
+use crate::drawing::{RichText, SheetLabels};
+use crate::quantity::{QuantityRequest, What};
 use crate::scene::{FileKind, SceneError, read_as};
 use crate::sheet::{Scales, Sheet};
 use crate::text::{Untrusted, shown};
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -37,7 +37,7 @@ struct FormFile {
     written_in: Option<Paper>,
     #[serde(default)]
     values: IndexMap<String, Value>,
-    points: Option<IndexMap<Plan, IndexMap<String, Place>>>,
+    points: Option<IndexMap<PlanKey, IndexMap<String, PlacedPoint>>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
@@ -49,27 +49,23 @@ enum Paper {
 
 /// The key of a plan, under which the places of its points stand.
 #[derive(Debug, PartialEq, Eq, Hash)]
-struct Plan(Sheet);
+struct PlanKey(Sheet);
 
 static PLAN_WORDS: LazyLock<Vec<&str>> = LazyLock::new(|| Sheet::PLANS.map(Sheet::as_str).to_vec());
 
-impl<'de> Deserialize<'de> for Plan {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Plan, D::Error> {
+impl<'de> Deserialize<'de> for PlanKey {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<PlanKey, D::Error> {
         let word = String::deserialize(deserializer)?;
         let plan = Sheet::PLANS.into_iter().find(|plan| plan.as_str() == word);
-        plan.map(Plan).ok_or_else(|| D::Error::unknown_variant(&word, &PLAN_WORDS))
+        plan.map(PlanKey).ok_or_else(|| D::Error::unknown_variant(&word, &PLAN_WORDS))
     }
 }
 
-/// The place of a point, and its radius where there is one.
-#[derive(Debug)]
-struct Place([f64; 2], Option<f64>);
-
-impl<'de> Deserialize<'de> for Place {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Place, D::Error> {
+impl<'de> Deserialize<'de> for PlacedPoint {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<PlacedPoint, D::Error> {
         match Vec::<f64>::deserialize(deserializer)?.as_slice() {
-            [x, y] => Ok(Place([*x, *y], None)),
-            [x, y, band] if (0.0..=WIDEST).contains(band) => Ok(Place([*x, *y], Some(*band))),
+            [x, y] => Ok(PlacedPoint { at: [*x, *y], band: None }),
+            [x, y, band] if (0.0..=WIDEST).contains(band) => Ok(PlacedPoint { at: [*x, *y], band: Some(*band) }),
             [_, _, band] => Err(D::Error::custom(format!(
                 "{band} is no radius: behind x and y stands how far the point may be from there, 0 to {WIDEST} mm"
             ))),
@@ -81,9 +77,9 @@ impl<'de> Deserialize<'de> for Place {
     }
 }
 
-impl Serialize for Place {
+impl Serialize for PlacedPoint {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.0.iter().chain(&self.1))
+        serializer.collect_seq(self.at.iter().chain(&self.band))
     }
 }
 
@@ -172,7 +168,7 @@ impl Measured {
             name,
         });
         let mut places = file.points.unwrap_or_default();
-        let points = Sheet::PLANS.into_iter().filter_map(|plan| Some((plan, places.swap_remove(&Plan(plan))?)));
+        let points = Sheet::PLANS.into_iter().filter_map(|plan| Some((plan, places.swap_remove(&PlanKey(plan))?)));
         Ok(Measured {
             name: file.name,
             exercise: file.exercise.map(|name| Untrusted::from(name.trim())).filter(|name| !name.is_blank()),
@@ -183,11 +179,7 @@ impl Measured {
             values: given.collect(),
             points: points
                 .filter(|(_, places)| !places.is_empty())
-                .map(|(kind, places)| {
-                    let mut points = PointsOf::new(kind);
-                    places.into_iter().for_each(|(name, Place(at, band))| points.put(name, at, band));
-                    points
-                })
+                .map(|(kind, places)| PointsOf { kind, places })
                 .collect(),
         })
     }
@@ -208,9 +200,8 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     put("positive", json!(measured.positive));
     put("in", json!(measured.in_mm.then_some(Paper::Mm)));
     put("values", json!(values));
-    let places_on = |sheet: Sheet| -> IndexMap<&str, Place> {
-        let plans = measured.points.iter().filter(|plan| plan.kind == sheet);
-        plans.flat_map(|plan| plan.all().map(|(name, at, band)| (name, Place(at, band)))).collect()
+    let places_on = |sheet: Sheet| -> IndexMap<&String, &PlacedPoint> {
+        measured.points.iter().filter(|plan| plan.kind == sheet).flat_map(|plan| &plan.places).collect()
     };
     let points = Sheet::PLANS.into_iter().map(|plan| (plan.as_str(), places_on(plan)));
     let points: IndexMap<_, _> = points.filter(|(_, places)| !places.is_empty()).collect();
@@ -218,88 +209,64 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     crate::format::json(&form)
 }
 
-/// A form without values.
-#[derive(Clone, Copy, Debug)]
-pub struct EmptyForm<'a> {
-    /// The scene whose quantities are asked for.
-    pub solution: &'a Solution,
-    /// The scales that stand in it.
-    pub scales: Scales,
-    /// The name of the exercise that it belongs to.
-    pub exercise: Option<&'a str>,
+/// A form to be written by the names of the scene's own form: all its boxes, empty or with somebody's values.
+#[derive(Clone, Debug)]
+pub struct WrittenForm<'a> {
+    measured: Cow<'a, Measured>,
+    solution: &'a Solution,
 }
 
-impl EmptyForm<'_> {
-    /// The form as JSON: values are to be written between the quotes, or as numbers in place of them.
+impl<'a> WrittenForm<'a> {
+    /// A form without values for the quantities of a scene: with the scales that stand in it, and the name of the exercise
+    /// that it belongs to. Counter-clockwise is positive in every such form, as in scenes and results; a slide is positive
+    /// along its guide.
     #[must_use]
-    pub fn json(&self) -> String {
-        written(&self.head(), &self.values())
-    }
-
-    /// The form as a table.
-    #[must_use]
-    pub fn csv(&self) -> String {
-        table::written(&self.head(), cells(&self.values()))
-    }
-
-    /// What stands above the values. Counter-clockwise is positive in every form, as in scenes and results; a slide is
-    /// positive along its guide.
-    fn head(&self) -> Measured {
-        Measured {
+    pub fn empty(solution: &'a Solution, scales: Scales, exercise: Option<&str>) -> WrittenForm<'a> {
+        let measured = Measured {
             name: Some(Untrusted::default()),
-            exercise: self.exercise.map(Untrusted::from),
-            mu: self.scales,
+            exercise: exercise.map(Untrusted::from),
+            mu: scales,
             positive: Some(Positive::CounterClockwise),
             ..Measured::default()
-        }
+        };
+        WrittenForm { measured: Cow::Owned(measured), solution }
     }
 
-    /// The boxes, by the names of the quantities in the notation of the figure.
-    fn values(&self) -> IndexMap<String, Value> {
-        let shown = ShownNames::of(self.solution);
-        let rows = FormNames::new(&self.solution.construction);
-        rows.names().map(|name| (shown.in_form(name, &rows), Value::default())).collect()
+    /// A form with the values of somebody.
+    #[must_use]
+    pub fn filled(solution: &'a Solution, measured: &'a Measured) -> WrittenForm<'a> {
+        WrittenForm { measured: Cow::Borrowed(measured), solution }
     }
-}
 
-/// The values of somebody, to be written by the names of the scene's own form.
-#[derive(Clone, Copy, Debug)]
-pub struct FilledForm<'a> {
-    /// The values.
-    pub measured: &'a Measured,
-    /// The scene whose form it is.
-    pub key: &'a AnswerKey<'a>,
-}
-
-impl FilledForm<'_> {
-    /// The form as JSON.
+    /// The form as JSON: where it is empty, values are to be written between the quotes, or as numbers in place of them.
     #[must_use]
     pub fn json(&self) -> String {
-        written(self.measured, &self.values())
+        written(&self.measured, &self.values())
     }
 
     /// The form as a table.
     #[must_use]
     pub fn csv(&self) -> String {
-        table::written(self.measured, cells(&self.values()))
+        let values = self.values();
+        let cells = values.iter().map(|(name, value)| [name, &value.text, value.unit.as_deref().unwrap_or("")]);
+        table::written(&self.measured, cells)
     }
 
     /// All boxes in their order, then the values that the form does not ask for. Of two values for one box the second
     /// keeps its name.
     fn values(&self) -> IndexMap<String, Value> {
-        let names = Names::new(self.key.solution);
-        let shown = ShownNames::of(self.key.solution);
+        let names = Names::new(self.solution);
         let names_ground = self.measured.names_ground();
         let named = |given: &Given| {
             let (name, is_on_paper) = given.plain_name();
             let row = names.meant(&name, names_ground).ok()?.row;
-            Some((shown.in_form(&row, &names.rows), is_on_paper))
+            Some((names.in_form(&row), is_on_paper))
         };
-        let boxes = names.rows.names().map(|name| (shown.in_form(name, &names.rows), Vec::new()));
+        let boxes = names.rows().map(|name| (names.in_form(name), Vec::new()));
         let mut filled: IndexMap<String, Vec<(String, Value)>> = boxes.collect();
         for given in &self.measured.values {
             let (row, name) = match named(given) {
-                Some((row, true)) => (row.clone(), format!("{row}/mu")),
+                Some((row, true)) => (row.clone(), format!("{row}{ON_PAPER}")),
                 Some((row, false)) => (row.clone(), row),
                 None => (given.name.clone(), given.name.clone()),
             };
@@ -315,7 +282,72 @@ impl FilledForm<'_> {
     }
 }
 
-/// The values as cells of a table.
-fn cells(values: &IndexMap<String, Value>) -> impl Iterator<Item = [&str; 3]> {
-    values.iter().map(|(name, value)| [name.as_str(), &value.text, value.unit.as_deref().unwrap_or("")])
+/// A box for a value.
+#[derive(Clone, Debug)]
+pub struct FormBox {
+    /// The name under which its value stands in a form.
+    pub name: String,
+    /// The quantity.
+    pub asked: QuantityRequest,
+    /// How the sheets write it.
+    pub label: RichText,
+    /// The sheet from which it is read.
+    pub sheet: Sheet,
+    /// The number of the step that gives it.
+    pub step: usize,
+}
+
+impl FormBox {
+    fn new(labels: &SheetLabels<'_>, name: String, asked: QuantityRequest, step: usize) -> FormBox {
+        let (label, sheet) = (labels.quantity(&asked), asked.sheet());
+        FormBox { name, asked, label, sheet, step }
+    }
+}
+
+/// The boxes of a scene's form, in its order.
+#[must_use]
+pub fn form_boxes(solution: &Solution) -> Vec<FormBox> {
+    let (names, labels) = (Names::new(solution), SheetLabels::of(solution));
+    let of_row = |name: &str| {
+        let asked = QuantityRequest::new(name, &solution.mechanism).ok()?;
+        let step = names.order.get(name).copied().unwrap_or(0);
+        Some(FormBox::new(&labels, names.in_form(name), asked, step))
+    };
+    names.rows().filter_map(of_row).collect()
+}
+
+/// Boxes for values of a filled form that the empty one does not ask for; names that are not understood have none.
+#[must_use]
+pub fn further_boxes(measured: &Measured, key: &AnswerKey<'_>) -> Vec<FormBox> {
+    let (names, labels) = (Names::new(key.solution), SheetLabels::of(key.solution));
+    let asked_for: Vec<String> = names.rows().map(|name| names.in_form(name)).collect();
+    let further = measured.values.iter().map(|given| given.name.trim_end_matches(ON_PAPER));
+    let further = further.filter(|name| !asked_for.iter().any(|asked| asked == name));
+    let of_name = |name: &str| {
+        let meant = names.quantity(name).ok()?;
+        Some(FormBox::new(&labels, name.to_owned(), meant.asked, meant.step))
+    };
+    further.filter_map(of_name).collect()
+}
+
+/// By plan the points between which the form's segments lie, the pole first: the names under which a form gives their
+/// places, and their labels.
+#[must_use]
+pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
+    let labels = SheetLabels::of(solution);
+    let boxes = form_boxes(solution);
+    let of_plan = |plan: &Plan| {
+        let mut names = vec![plan.sheet.pole().to_owned()];
+        for found in &boxes {
+            if let What::Segment { kind, from, to, .. } = found.asked.what()
+                && *kind == plan.sheet
+            {
+                names.extend([from, to].map(ToString::to_string));
+            }
+        }
+        let names: IndexSet<String> = names.into_iter().collect();
+        names.into_iter().map(|name| (name.clone(), labels.plan_point(plan, &name))).collect()
+    };
+    let construction = &solution.construction;
+    Sheet::PLANS.map(|sheet| construction.plan_on(sheet).map_or_else(Vec::new, of_plan))
 }

@@ -1,12 +1,9 @@
 //! A marking scheme: the marks that each quantity is worth, and those that checked values earn.
 
-use super::answer_key::AnswerKey;
-use super::checked::Checked;
-use super::entry::entries;
-use super::error::CheckError;
-use super::rows::{form_name, form_names};
-use super::sheet::{Given, Measured};
-use super::verdict::Verdict;
+use super::checked::{Checked, Verdict};
+use super::entry::{Entry, entries_by};
+use super::measured::{AnswerKey, CheckError, Given, Measured};
+use super::names::Names;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::sheet::PerSheet;
 use crate::text::shown;
@@ -97,21 +94,20 @@ impl Marks {
             Some(each) => Some(marks("each", each)?),
             None => self.values.is_empty().then_some(1.0),
         };
-        let construction = &key.solution.construction;
+        let names = Names::new(key.solution);
         let mut worth: IndexMap<String, (String, f64)> = IndexMap::new();
         if let Some(each) = each {
-            let all = form_names(construction).into_iter();
-            worth.extend(all.map(|name| (name.clone(), (name, each))));
+            worth.extend(names.rows().map(|name| (name.to_owned(), (name.to_owned(), each))));
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();
         for (written, value) in &self.values {
             let place = format!("values.{}", shown(written));
             let value = marks(&place, *value)?;
-            let usual = usual_name(written, key)?;
-            let row = form_name(construction, &usual);
+            let Entry { asked, row, .. } = entry_of(written, &place, key, &names)?;
             // Rates of two links that turn together may have marks of their own.
-            let has_both = construction.same_rates.contains_key(&usual) && self.values.contains_key(&row);
-            let name = if has_both { usual } else { row.clone() };
+            let same_rates = &key.solution.construction.same_rates;
+            let has_both = same_rates.contains_key(asked.name()) && self.values.contains_key(&row);
+            let name = if has_both { asked.name().to_owned() } else { row.clone() };
             if let Some(other) = given.insert(name.clone(), written) {
                 let message = format!("`{}` is the same quantity and has its marks already", shown(other));
                 let error = CheckError::new(message, "keep the one that you mean");
@@ -133,20 +129,15 @@ impl Marks {
     }
 }
 
-/// The steps' and results' name of a quantity that a scheme names.
-fn usual_name(written: &str, key: &AnswerKey<'_>) -> Result<String, CheckError> {
+/// The entry that a form would have for a quantity that a scheme names.
+fn entry_of(written: &str, place: &str, key: &AnswerKey<'_>, names: &Names<'_>) -> Result<Entry, CheckError> {
+    let (name, text, place) = (written.to_owned(), "0".to_owned(), place.to_owned());
     let alone = Measured {
         mu: PerSheet::from_fn(|_| Some(1.0)),
-        values: vec![Given {
-            name: written.to_owned(),
-            text: "0".to_owned(),
-            unit: None,
-            place: format!("values.{}", shown(written)),
-        }],
+        values: vec![Given { name, text, unit: None, place }],
         ..Measured::default()
     };
-    let mut found = entries(&alone, key)?;
-    Ok(found.swap_remove(0).asked.name().to_owned())
+    Ok(entries_by(&alone, key, names)?.swap_remove(0))
 }
 
 /// The marks that the quantities of a scene are worth.

@@ -3,17 +3,16 @@
 //! explain the values best: the construction is replayed with one mistake, then with more, and every replay is compared
 //! with all values, right and wrong ones.
 //!
-//! In reading order: `sheet` has the values of a form, `form` reads and writes them as JSON, `table` as a table; `rows` has
-//! the boxes of a scene's form, `shown` the names of the sheets, `names` finds what a written name means, `boxes` lists what
-//! a page asks for. `entry` makes of each value a quantity with its number (`precision`: how finely it is written; `unit`:
-//! the unit beside it; `points`: distances between given places); `error` says what is not understood. `answer_key` is what
-//! values are compared with, `prepared` keeps what many forms of one scene have in common; `checked` gives each value its
-//! `verdict`.
+//! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
+//! has the names of a form's boxes, those on the sheets, and what a written name means; `form` reads and writes forms as
+//! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
+//! what `written` knows of digits and units. `checked` is what a check finds; `prepared` carries it out and keeps what many
+//! forms of one scene have in common.
 //!
-//! `model` predicts all values together with their common errors, `together` the errors that a drawing program makes;
-//! `datum`, `covariance`, `hand`, `walk`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the
-//! catalogue, `settle` fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the
-//! explanations and chooses the `explanation` that is told.
+//! `model` predicts all values together with their common errors, those of a drawing program among them;
+//! `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue, `settle`
+//! fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the explanations and chooses the one
+//! that is told.
 //!
 //! `report` says it in parts and as text, `result` as JSON, `redrawn/` draws the student's sheets as they probably were,
 //! `marks` gives the marks that values earn, `class` sums up many drawings, `feedback` makes of one what its student gets
@@ -24,10 +23,10 @@
 //!
 //! Every classical mistake is a small function that changes operations (`mistakes/`): a ray turned, a product left
 //! out, another length measured. Slips of writing change the value that is compared, and what follows where the
-//! student goes on with it. Each replay predicts all values; honest errors, common to many values, give their
+//! student uses it later. Each replay predicts all values; honest errors, common to many values, give their
 //! covariance (`covariance`). The values are gone through in the order of the construction, each against what the
 //! earlier ones let expect; one that nothing explains pays for the range in which it could lie. How good the hand is
-//! (from the pencil's tolerance to a drawing program), and whether it goes on with numbers as it writes them, is
+//! (from the pencil's tolerance to a drawing program), and whether it uses numbers later as it writes them, is
 //! found from the values, too, for each sheet (`fit`): so an exact sheet shows slips of a last digit that a pencil
 //! would hide, and a blunt pencil accuses nobody. Costs are −2 ln of likelihoods plus those of the mistakes, so that
 //! a further mistake must explain more than it costs.
@@ -55,29 +54,22 @@
 //! `Prepared` keeps names, constructions of all assembly modes, bands and the covariance of a right drawing by the
 //! quantities and scales of the forms; each form then stays on one core.
 
-mod answer_key;
-mod boxes;
 mod checked;
 mod class;
 mod covariance;
-mod datum;
 mod diagnosis;
 mod entry;
-mod error;
-mod explanation;
 mod feedback;
 mod fit;
 mod form;
-mod hand;
 mod marks;
+mod measured;
 mod mistakes;
-mod model;
+#[doc(hidden)] // for tests
+pub mod model;
 mod names;
 #[cfg(feature = "photo")]
 mod photographs;
-mod points;
-#[doc(hidden)] // for tests
-pub mod precision;
 mod prepared;
 #[cfg(feature = "photo")]
 mod proposed;
@@ -85,34 +77,26 @@ mod proposed;
 pub mod redrawn;
 mod report;
 mod result;
-mod rows;
 mod score;
 mod search;
 mod settle;
-mod sheet;
-mod shown;
 mod student;
 mod table;
 #[doc(hidden)] // for tests
-pub mod together;
-mod unit;
-mod verdict;
-mod walk;
+pub mod written;
 
-pub use answer_key::{AnswerKey, DEPTH, LATITUDE};
-pub use boxes::{FormBox, form_boxes, further_boxes, plan_points};
-pub use checked::{Accuracy, BANDS, Checked, check};
+pub use checked::{Accuracy, BANDS, Checked, Diagnosis, Explanation, Finding, Judged, Verdict};
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries, faults};
-pub use explanation::{Diagnosis, Explanation, Finding};
 pub use feedback::Feedback;
-pub use form::{EmptyForm, FilledForm};
+pub use form::{FormBox, WrittenForm, form_boxes, further_boxes, plan_points};
 pub use marks::{Awarded, MarkScheme, Marks};
+pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
 pub use mistakes::{Blank, Candidate, Mistake, Told};
+pub use names::form_names;
 #[cfg(feature = "photo")]
-pub use photographs::{Aimed, PencilledPlan, PlacedPoint, PointVerdict, hundredths};
-pub use precision::Precision;
-pub use prepared::Prepared;
+pub use photographs::{Aimed, PencilledPlan, PointVerdict, hundredths};
+pub use prepared::{Prepared, check};
 #[cfg(feature = "photo")]
 pub use proposed::{Found, Proposal, Proposals, proposed};
 pub use redrawn::redrawn;
@@ -120,9 +104,5 @@ pub use redrawn::redrawn;
 pub(crate) use report::aligned;
 pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
-
-pub use error::CheckError;
-pub use rows::{form_name, form_names};
-pub use sheet::{Given, Measured, PointsOf, Positive};
 pub use student::Student;
-pub use verdict::{Judged, Verdict};
+pub use written::Precision;

@@ -1,16 +1,16 @@
 //! The construction as a student carries it out: replayed exactly, with mistakes, or with errors of the hand.
 
-use super::answer_key::AnswerKey;
 use super::entry::Entry;
-use super::error::CheckError;
-use super::together::ways_together;
+use super::measured::{AnswerKey, CheckError};
 use crate::construction::{
-    Along, Change, Construction, Disturbance, LineId, NumberId, Operation, OperationKind, PlaceId, Product, Reference,
+    Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
     Solution, Tolerance, Values,
 };
-use crate::mechanism::Mechanism;
+use crate::geometry::{Vector, unit};
+use crate::mechanism::{GROUND, Mechanism, PointId};
 use crate::quantity::{Band, QuantityRequest, Reading, Unread, read_by_hand};
 use crate::sheet::{PerSheet, Scales, Sheet};
+use nalgebra::DMatrix;
 use smallvec::SmallVec;
 
 /// Number of kinds of errors; a hand has a size for each. The kinds: joints plotted, the rest of the scheme, the
@@ -55,36 +55,15 @@ pub(super) struct Model {
     pub together: Vec<Vec<f64>>,
 }
 
-/// The edit that a mistake makes to one operation.
-#[derive(Clone, Debug)]
-pub(super) enum Edit {
-    /// The operation does this instead.
-    Instead(OperationKind),
-    /// This number of the operation is multiplied by the factor.
-    Times(NumberId, f64),
-    /// This number of the operation has this value.
-    Becomes(NumberId, f64),
-    /// This elementary error of the operation has this size, in mm or degrees.
-    Error(usize, f64),
-    /// This line of the operation is displaced to its left by a product, in units of the sheet.
-    Aside(LineId, Product),
-}
-
-impl Edit {
-    /// The edit as a change of a replay.
-    pub fn change(&self) -> Change<'_> {
-        match self {
-            Edit::Instead(kind) => Change::Instead(kind),
-            Edit::Times(number, factor) => Change::Times(*number, *factor),
-            Edit::Becomes(number, value) => Change::Written(*number, *value),
-            Edit::Error(which, size) => Change::Error(*which, *size),
-            Edit::Aside(line, by) => Change::Aside(*line, by),
-        }
-    }
-}
-
 /// Changes of a replay, in the order of the operations.
-pub(super) type Changes<'c> = SmallVec<[Disturbance<'c>; 4]>;
+pub(super) type Changes = SmallVec<[Disturbance; 4]>;
+
+/// Changes put in the order of the operations.
+pub(super) fn in_order<'c>(changes: impl Iterator<Item = &'c Disturbance>) -> Changes {
+    let mut changes: Changes = changes.cloned().collect();
+    changes.sort_by_key(|change| change.operation);
+    changes
+}
 
 impl Model {
     /// The construction of a position at the student's scales.
@@ -103,22 +82,23 @@ impl Model {
             })?;
         }
         let exact = construction.run(scales, &[]);
+        let mechanism = &solution.mechanism;
+        let [places, _, numbers] = construction.counts();
         let mut model = Model {
+            steps: Vec::new(),
+            makers: vec![None; numbers],
+            used: vec![false; numbers],
+            number_names: (0..numbers).map(|n| construction.number_name(mechanism, NumberId(n))).collect(),
+            place_names: vec![None; places],
+            place_makers: vec![None; places],
+            sizes: Vec::new(),
+            together: ways_together(&construction, &exact, mechanism),
             readings,
             scales,
             exact,
-            steps: Vec::new(),
-            makers: Vec::new(),
-            used: Vec::new(),
-            number_names: Vec::new(),
-            place_names: Vec::new(),
-            place_makers: Vec::new(),
-            sizes: Vec::new(),
-            together: Vec::new(),
             construction,
         };
-        model.index(&solution.mechanism);
-        model.together = ways_together(&model.construction, &model.exact, &solution.mechanism);
+        model.index();
         Ok(model)
     }
 
@@ -133,13 +113,9 @@ impl Model {
         self.readings.iter().map(band).collect()
     }
 
-    /// Fills the tables of what operations make and read, and of names.
-    fn index(&mut self, mechanism: &Mechanism) {
+    /// Fills the tables of what operations make and read, and of places' names.
+    fn index(&mut self) {
         let construction = &self.construction;
-        let [places, _, numbers] = construction.counts();
-        self.makers = vec![None; numbers];
-        self.used = vec![false; numbers];
-        self.place_makers = vec![None; places];
         let mut before = 0;
         for (index, operation) in construction.operations.iter().enumerate() {
             for number in operation.kind.numbers() {
@@ -153,8 +129,6 @@ impl Model {
             before = operation.step.map_or(before, |step| construction.step_number(step));
             self.steps.push(before);
         }
-        self.number_names = (0..numbers).map(|n| construction.number_name(mechanism, NumberId(n))).collect();
-        self.place_names = vec![None; places];
         for (sheet, name, PlaceId(place)) in construction.named_places() {
             if self.place_makers[place].is_some() {
                 self.place_names[place].get_or_insert((sheet, name.to_owned()));
@@ -178,7 +152,7 @@ impl Model {
     }
 
     /// The values of a replay with changes.
-    pub fn replay(&self, changes: &[Disturbance<'_>]) -> Values {
+    pub fn replay(&self, changes: &[Disturbance]) -> Values {
         let mut values = self.exact.clone();
         let operations = &self.construction.operations;
         let first = changes.first().map_or(operations.len(), |c| c.operation);
@@ -193,13 +167,13 @@ impl Model {
         values: &mut Values,
         before: &Values,
         operation: usize,
-        own: Change<'_>,
-        changes: &[Disturbance<'_>],
+        own: Change,
+        changes: &[Disturbance],
     ) {
         values.clone_from(before);
         let start = changes.partition_point(|c| c.operation < operation);
         let end = changes.partition_point(|c| c.operation <= operation);
-        let mut all: Changes<'_> = SmallVec::new();
+        let mut all = Changes::new();
         all.extend(changes[start..end].iter().cloned());
         all.push(Disturbance { operation, change: own });
         all.extend(changes[end..].iter().cloned());
@@ -263,4 +237,45 @@ fn given_first(operations: &mut [Operation]) {
         }
         _ => 2,
     });
+}
+
+/// A basis of the joint displacements that keep the links' shapes: the null space of the constraints, which are the
+/// distances between points of one link and the places of the ground's points.
+pub fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
+    let operations = construction.operations.iter();
+    let plots: Vec<(PointId, Vector)> = operations
+        .filter_map(|operation| match (operation.role, &operation.kind) {
+            (OperationRole::Joint(point), OperationKind::Plot { place, .. }) => Some((point, exact.place(*place))),
+            _ => None,
+        })
+        .collect();
+    if plots.is_empty() {
+        return Vec::new();
+    }
+    let count = 2 * plots.len();
+    // AᵀA of the constraint matrix A: both have the same null space.
+    let mut squares = DMatrix::<f64>::zeros(count, count);
+    let mut constrain = |row: &[(usize, f64)]| {
+        for &(i, a) in row {
+            for &(j, b) in row {
+                squares[(i, j)] += a * b;
+            }
+        }
+    };
+    for (i, (point, at)) in plots.iter().enumerate() {
+        if mechanism.body(GROUND).points.contains(point) {
+            constrain(&[(2 * i, 1.0)]);
+            constrain(&[(2 * i + 1, 1.0)]);
+        }
+        for (j, (other, there)) in plots.iter().enumerate().take(i) {
+            let is_rigid = mechanism.bodies.iter().any(|b| b.points.contains(point) && b.points.contains(other));
+            if is_rigid && let Some(u) = unit(at - there) {
+                constrain(&[(2 * i, u.x), (2 * i + 1, u.y), (2 * j, -u.x), (2 * j + 1, -u.y)]);
+            }
+        }
+    }
+    let eigen = squares.symmetric_eigen();
+    let largest = eigen.eigenvalues.amax();
+    let null_space = eigen.eigenvalues.iter().enumerate().filter(|(_, value)| value.abs() <= 1e-10 * largest);
+    null_space.map(|(k, _)| eigen.eigenvectors.column(k).iter().copied().collect()).collect()
 }

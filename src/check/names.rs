@@ -1,23 +1,92 @@
-//! What quantity a written name means: by the names of the sheets or of results, its ends in either order, and with
+//! Names of quantities: those that a form asks for, those that its sheets show, and what quantity a written name means.
+//!
+//! Quantities keep their names in results; a form writes `vplan(o,b)` where the figure's notation calls the pole o. A
+//! form may have either name, and the usual ones of poles in all notations, the ends of segments in either order, and
 //! letters that a program has lost.
 
-use super::error::CheckError;
-use super::rows::FormNames;
-use super::shown::ShownNames;
-use crate::construction::{Solution, image_name};
-use crate::quantity::{Quantity, QuantityError, QuantityRequest};
+use super::measured::{CheckError, UNDER_SLIDER};
+use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
+use crate::quantity::{Quantity, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::Sheet;
+use crate::text::{Untrusted, shown};
+use crate::words::{Notation, Wording, with_prime};
 use indexmap::IndexMap;
 
-/// The names of a scene's quantities.
+/// The names of the quantities of the steps, once each: those that a form asks for.
+///
+/// A segment may have several names, as p a₃ and o a₃ where o is fixed: the one that is measured stands there. Of links
+/// that turn together, as a block and its lever, the one with more points is asked for.
+#[must_use]
+pub fn form_names(construction: &Construction) -> Vec<String> {
+    rows(construction).into_iter().map(|row| row.name).collect()
+}
+
+/// A row of a form.
+#[derive(Debug)]
+struct FormRow {
+    name: String,
+    segment: Option<Segment>,
+    is_measured: bool,
+}
+
+impl FormRow {
+    /// Whether it asks for the quantity of that name, which is this segment.
+    fn is(&self, name: &str, segment: Option<Segment>) -> bool {
+        self.name == name || (segment.is_some() && self.segment == segment)
+    }
+}
+
+/// The two places between which a segment of a plan lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Segment(Sheet, [PlaceId; 2]);
+
+impl Segment {
+    /// The segment of that name; `None` for other quantities.
+    fn of(construction: &Construction, name: &str) -> Option<Segment> {
+        let (name, sheet) = between(name).filter(|(name, _)| name.is_plain())?;
+        let place = |name: &String| construction.place(sheet, construction.plan_name(sheet, name));
+        let (a, b) = (place(name.arguments.first()?)?, place(name.arguments.get(1)?)?);
+        Some(Segment(sheet, if a.0 <= b.0 { [a, b] } else { [b, a] }))
+    }
+}
+
+/// A name that asks for the distance of two points of a sheet, and the sheet.
+fn between(name: &str) -> Option<(QuantityName, Sheet)> {
+    let name = QuantityName::parse(name)?;
+    match name.head {
+        Head::Between(sheet) => Some((name, sheet)),
+        _ => None,
+    }
+}
+
+fn rows(construction: &Construction) -> Vec<FormRow> {
+    let mut rows: Vec<FormRow> = Vec::new();
+    for step in construction.numbered_steps() {
+        let is_measured = step.action.is_measured();
+        for name in step.names() {
+            let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
+            let segment = Segment::of(construction, &name);
+            match rows.iter().position(|row| row.is(&name, segment)) {
+                Some(row) if is_measured && !rows[row].is_measured => drop(rows.remove(row)),
+                Some(_) => continue,
+                None => {}
+            }
+            rows.push(FormRow { name, segment, is_measured });
+        }
+    }
+    rows
+}
+
+/// The names of a solved scene's quantities, also in its figure's notation with its labels.
 #[derive(Debug)]
 pub(super) struct Names<'a> {
     pub solution: &'a Solution,
+    words: Wording,
     /// All quantities of the steps, in order, with the numbers of their steps.
     pub order: IndexMap<String, usize>,
     /// Those that the form asks for.
-    pub rows: FormNames,
+    rows: Vec<FormRow>,
 }
 
 /// A quantity that a name means.
@@ -28,8 +97,6 @@ pub(super) struct Meant {
     pub row: String,
     /// Its exact value.
     pub expected: f64,
-    /// The sheet from which it is read.
-    pub sheet: Sheet,
     /// The number of the step that gives it.
     pub step: usize,
 }
@@ -40,17 +107,41 @@ impl<'a> Names<'a> {
         let steps = construction.steps_of_quantities().into_iter();
         Names {
             solution,
+            words: Wording::of(&solution.scene.figure),
             order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
-            rows: FormNames::new(construction),
+            rows: rows(construction),
         }
+    }
+
+    /// The names of the form's rows, in their order.
+    pub fn rows(&self) -> impl Iterator<Item = &str> {
+        self.rows.iter().map(|row| row.name.as_str())
+    }
+
+    /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the
+    /// two are one point, and the sheet shows the pole.
+    fn row_with_pole(&self, name: &str) -> Option<&str> {
+        let segment = Segment::of(&self.solution.construction, name)?;
+        let row = self.rows.iter().find(|row| row.segment == Some(segment))?;
+        (row.name != name && row.name.contains(UNDER_SLIDER)).then_some(row.name.as_str())
+    }
+
+    /// The name by which the form asks for a quantity; of one that it does not ask for its own name.
+    pub fn row_of<'n>(&'n self, name: &'n str) -> &'n str {
+        let construction = &self.solution.construction;
+        let name = construction.same_rates.get(name).map_or(name, String::as_str);
+        // No two rows ask for one segment, so a row of that very name is the one.
+        if self.rows().any(|row| row == name) {
+            return name;
+        }
+        let segment = Segment::of(construction, name);
+        self.rows.iter().find(|row| row.is(name, segment)).map_or(name, |row| row.name.as_str())
     }
 
     /// The quantity that a name means in a form. The pole may stand in it for the image of the ground under a slider, but
     /// not in a form that `names_ground`, where the pole is itself.
     pub fn meant(&self, name: &str, names_ground: bool) -> Result<Meant, CheckError> {
-        let usual = || ShownNames::of(self.solution).usual(name);
-        let of_ground =
-            if names_ground { None } else { self.rows.row_with_pole(&self.solution.construction, &usual()) };
+        let of_ground = if names_ground { None } else { self.row_with_pole(&self.usual(name)) };
         self.quantity(of_ground.unwrap_or(name))
     }
 
@@ -58,13 +149,12 @@ impl<'a> Names<'a> {
     pub fn quantity(&self, written: &str) -> Result<Meant, CheckError> {
         let solution = self.solution;
         let wrong = |error| self.unknown(written, error);
-        let shown = ShownNames::of(solution);
-        let name = &shown.usual(written);
-        if let Some(error) = shown.lost_pole(name, |name| self.order.contains_key(name)) {
+        let name = &self.usual(written);
+        if let Some(error) = self.lost_pole(name) {
             return Err(error);
         }
-        let usual = self.usual(name);
-        let name = usual.as_deref().unwrap_or(name);
+        let in_steps = self.in_steps(name);
+        let name = in_steps.as_deref().unwrap_or(name);
         let mut asked = QuantityRequest::new(name, &solution.mechanism).map_err(wrong)?;
         if asked.is_vector() {
             asked = QuantityRequest::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
@@ -74,10 +164,9 @@ impl<'a> Names<'a> {
             Quantity::Number(x) => x,
             Quantity::Vector(v) => v.norm(),
         };
-        let row = self.rows.of(&solution.construction, asked.name()).to_owned();
-        let sheet = asked.sheet();
-        let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked, sheet));
-        Ok(Meant { asked, row, expected, sheet, step })
+        let row = self.row_of(asked.name()).to_owned();
+        let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked));
+        Ok(Meant { asked, row, expected, step })
     }
 
     /// The error of a name that means nothing here, with the nearest name that does.
@@ -95,14 +184,28 @@ impl<'a> Names<'a> {
         CheckError::new(error.problem().message, own.unwrap_or_else(|| all.to_owned()))
     }
 
+    /// The error of a name whose π has become a question mark: an encoding without Greek letters lost it.
+    fn lost_pole(&self, name: &str) -> Option<CheckError> {
+        if !name.contains(['?', '\u{fffd}']) {
+            return None;
+        }
+        let restored = name.replace(['?', '\u{fffd}'], "π");
+        let is_known = |name: &str| self.order.contains_key(&self.usual(name));
+        let reversed = || Some(QuantityName::parse(&restored)?.reversed().to_string());
+        let was_pole = is_known(&restored) || reversed().is_some_and(|name| is_known(&name));
+        was_pole.then(|| {
+            let message = format!("the letter π was lost in `{}`", shown(name));
+            CheckError::new(message, "save as CSV UTF-8, or write pi")
+        })
+    }
+
     /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had
     /// a normal part; `None` for other names.
-    fn usual(&self, name: &str) -> Option<String> {
+    fn in_steps(&self, name: &str) -> Option<String> {
         if self.order.contains_key(name) {
             return None;
         }
-        let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
-        let Head::Between(sheet) = name.head else { return None };
+        let (name, sheet) = between(name).filter(|(name, _)| name.is_plain())?;
         let plan_name = |point: &String| self.solution.construction.plan_name(sheet, point).to_owned();
         let name = name.with_arguments(name.arguments.iter().map(plan_name).collect());
         [name.to_string(), name.reversed().to_string()].into_iter().find(|n| self.order.contains_key(n))
@@ -110,7 +213,8 @@ impl<'a> Names<'a> {
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
     /// point, or else the last of its sheet. 0 on the scheme.
-    fn step_of(&self, asked: &QuantityRequest, sheet: Sheet) -> usize {
+    fn step_of(&self, asked: &QuantityRequest) -> usize {
+        let sheet = asked.sheet();
         if sheet == Sheet::Scheme {
             return 0;
         }
@@ -121,4 +225,101 @@ impl<'a> Names<'a> {
         let last = steps().filter(|s| s.sheet <= sheet).last();
         maker.or(last).map_or(0, |s| s.number)
     }
+
+    /// A quantity as a person reads it on the sheets: `p b`, `B S3`, `ω_2`.
+    pub fn shown(&self, asked: &QuantityRequest) -> String {
+        let between = |sheet, from: &str, to: &str| {
+            let [from, to] = [from, to].map(|name| self.point(sheet, name).unwrap_or_else(|| name.to_owned()));
+            format!("{from} {to}")
+        };
+        match asked.what() {
+            What::Segment { kind, from, to, .. } => between(*kind, from, to),
+            What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
+            _ => plain(&asked.symbol(&self.solution.mechanism, self.words.notation, &|name| self.label(name))),
+        }
+    }
+
+    /// A quantity by its name as a person reads it; names that mean none stay as they are.
+    pub fn named(&self, name: &str) -> String {
+        let asked = QuantityRequest::new(name, &self.solution.mechanism);
+        asked.map_or_else(|_| name.to_owned(), |asked| self.shown(&asked))
+    }
+
+    /// The name by which a form in the figure's notation asks for a quantity; its usual name where that is not plain.
+    pub fn in_form(&self, name: &str) -> String {
+        let shown = || {
+            let (parts, sheet) = between(name)?;
+            let ends = parts.arguments.iter().map(|end| Some(self.point(sheet, end)?.replace('′', "'")));
+            let shown = parts.with_arguments(ends.collect::<Option<Vec<String>>>()?).to_string();
+            let usual = self.usual(&shown);
+            (usual == name || self.row_with_pole(&usual) == Some(name)).then_some(shown)
+        };
+        shown().unwrap_or_else(|| name.to_owned())
+    }
+
+    /// The usual name of a quantity written by the names of any notation; what is not known stays as it is.
+    fn usual(&self, written: &str) -> String {
+        let Some((parts, sheet)) = between(written) else { return written.to_owned() };
+        let ends = parts.arguments.iter().map(|end| self.usual_point(sheet, end));
+        parts.with_arguments(ends.collect()).to_string()
+    }
+
+    /// The usual name of a point of a sheet written in any notation.
+    pub fn usual_point(&self, sheet: Sheet, written: &str) -> String {
+        let construction = &self.solution.construction;
+        let name = written.trim().replace('′', "'");
+        let Some(plan) = construction.plan_on(sheet) else {
+            let known = self.scheme_points().any(|known| known == name);
+            let labelled = || self.scheme_points().find(|known| self.point(sheet, known).as_ref() == Some(&name));
+            return if known { name } else { labelled().map_or(name.clone(), str::to_owned) };
+        };
+        if plan.points.contains_key(construction.plan_name(sheet, &name)) {
+            return name;
+        }
+        let shown = |point: &&String| self.point(sheet, point).is_some_and(|shown| shown.replace('′', "'") == name);
+        if let Some(point) = plan.points.keys().find(shown) {
+            return point.clone();
+        }
+        in_other_notation(plan, &name).unwrap_or(name)
+    }
+
+    /// A point as a sheet shows it, without markup; `None` where its label has been taken away or is no plain name.
+    fn point(&self, sheet: Sheet, name: &str) -> Option<String> {
+        let labels = &self.solution.scene.figure.labels;
+        let shown = match (labels.get(name), self.solution.construction.plan_on(sheet)) {
+            (Some(label), _) => plain(&label.for_setting()),
+            (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), self.words.notation)),
+            (None, None) => name.to_owned(),
+        };
+        let is_plain = !shown.is_empty() && !shown.contains([',', '(', ')', ' ', '"', ';']);
+        is_plain.then_some(shown)
+    }
+
+    /// A name of the scene with its label.
+    fn label(&self, name: &str) -> String {
+        let label = self.solution.scene.figure.labels.get(name).filter(|label| !label.is_blank());
+        label.map_or_else(|| name.to_owned(), Untrusted::for_setting)
+    }
+
+    /// The names of the points of the scheme.
+    fn scheme_points(&self) -> impl Iterator<Item = &str> {
+        let special = self.solution.construction.special.iter().map(|special| special.name.as_str());
+        self.solution.mechanism.points.iter().map(String::as_str).chain(special)
+    }
+}
+
+/// The plan point with that name in any notation.
+fn in_other_notation(plan: &Plan, name: &str) -> Option<String> {
+    let is_pole = |notation: &&Notation| plain(notation.pole(plan.sheet)).replace('′', "'") == name;
+    if Notation::ALL.iter().any(is_pole) || (plan.sheet == Sheet::Acceleration && name == "pi") {
+        return Some(plan.sheet.pole().to_owned());
+    }
+    // Images in an acceleration plan may bear a prime.
+    let primed = plan.points.keys().find(|point| with_prime(point).replace('′', "'") == name);
+    primed.filter(|_| plan.sheet == Sheet::Acceleration).cloned()
+}
+
+/// Markup without its braces.
+fn plain(markup: &str) -> String {
+    markup.chars().filter(|c| !matches!(c, '{' | '}' | '`')).collect()
 }

@@ -1,5 +1,6 @@
 //! The plans of a student's photographed sheets: what is tapped on them, and how points stand there.
 
+use super::measured::PlacedPoint;
 use crate::geometry::Point;
 use crate::photo::{PhotoSheet, Stroke, crossing};
 use crate::sheet::Sheet;
@@ -33,15 +34,6 @@ pub struct Aimed {
     pub band: f64,
     /// Whether pencil lines cross there.
     pub is_crossing: bool,
-}
-
-/// The place of a point in a student's plan.
-#[derive(Clone, Copy, Debug)]
-pub struct PlacedPoint {
-    /// From the printed pole, in mm, y up.
-    pub at: [f64; 2],
-    /// Radius that holds it with 95 %, in mm; `None` where a hand has put it.
-    pub band: Option<f64>,
 }
 
 /// What the place of a point in a photograph tells.

@@ -1,14 +1,10 @@
 //! The report in the figure's language: in parts, and as text from them.
 
-use super::answer_key::AnswerKey;
-use super::checked::Checked;
-use super::explanation::{Explanation, Finding};
+use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
+use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
-use super::rows::FormNames;
-use super::shown::ShownNames;
-use super::verdict::{Judged, Verdict};
-use crate::construction::Teller;
-use crate::construction::shown_text;
+use super::names::Names;
+use crate::construction::{Teller, shown_text};
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -16,7 +12,7 @@ use serde::Serialize;
 /// The report for the student: verdicts in the order of the construction, then the mistakes that were probably made.
 #[must_use]
 pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
-    let parts = ReportText { checked, key, words, own: words.language, medium: Medium::Text }.parts();
+    let parts = ReportText::new(checked, key, words, Medium::Text).parts();
     let mut lines = vec![parts.counts];
     lines.extend(parts.accuracy);
     lines.push(String::new());
@@ -110,34 +106,25 @@ pub struct Cause {
 impl ReportParts {
     /// The parts with all texts but the names of boxes set by a function, as in HTML.
     #[must_use]
-    pub fn set(self, set: impl Fn(String) -> String) -> ReportParts {
-        let all = |texts: Vec<String>| texts.into_iter().map(&set).collect();
-        let cause = |Cause { done, caption, should, follows }| Cause {
-            done: set(done),
-            caption: caption.map(&set),
-            should: set(should),
-            follows: follows.map(&set),
-        };
-        let row = |ReportRow { name, cells }: ReportRow| ReportRow { name, cells: cells.map(&set) };
-        ReportParts {
-            counts: set(self.counts),
-            accuracy: all(self.accuracy),
-            columns: self.columns.map(&set),
-            rows: self.rows.into_iter().map(row).collect(),
-            senses: self.senses.map(&set),
-            heading: set(self.heading),
-            causes: self.causes.into_iter().map(cause).collect(),
-            sure: self.sure.map(&set),
-            further: all(self.further),
-            others: all(self.others),
+    pub fn set(mut self, set: impl Fn(String) -> String) -> ReportParts {
+        let cells = self.rows.iter_mut().flat_map(|row| &mut row.cells);
+        let causes = self.causes.iter_mut().flat_map(|Cause { done, caption, should, follows }| {
+            [done, should].into_iter().chain(caption).chain(follows)
+        });
+        let texts =
+            [&mut self.counts, &mut self.heading].into_iter().chain(&mut self.columns).chain(cells).chain(causes);
+        let texts = texts.chain(&mut self.accuracy).chain(&mut self.senses).chain(&mut self.sure);
+        for text in texts.chain(&mut self.further).chain(&mut self.others) {
+            *text = set(core::mem::take(text));
         }
+        self
     }
 }
 
 /// The parts of the report on checked values, in the wording's language, for a page or a figure.
 #[must_use]
 pub fn report_parts(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> ReportParts {
-    ReportText { checked, key, words, own: words.language, medium: Medium::Figure }.parts()
+    ReportText::new(checked, key, words, Medium::Figure).parts()
 }
 
 /// Writes the sentences about checked values.
@@ -147,13 +134,16 @@ struct ReportText<'a> {
     words: &'a Wording,
     own: &'static Language,
     medium: Medium,
+    names: Names<'a>,
 }
 
-impl ReportText<'_> {
+impl<'a> ReportText<'a> {
+    fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, words: &'a Wording, medium: Medium) -> ReportText<'a> {
+        ReportText { checked, key, words, own: words.language, medium, names: Names::new(key.solution) }
+    }
+
     fn parts(&self) -> ReportParts {
-        let form = FormNames::new(&self.key.solution.construction);
-        let row =
-            |value: &Judged| ReportRow { name: self.shown().in_form(&value.entry.row, &form), cells: self.row(value) };
+        let row = |value: &Judged| ReportRow { name: self.names.in_form(&value.entry.row), cells: self.row(value) };
         let diagnosis = &self.checked.diagnosis;
         let best = &diagnosis.best;
         let others: &[Explanation] = if self.has_nothing_to_explain() { &[] } else { &diagnosis.others };
@@ -162,7 +152,7 @@ impl ReportText<'_> {
             accuracy: self.accuracy(),
             columns: self.own.check_columns().map(str::to_owned),
             rows: self.checked.values.iter().map(row).collect(),
-            senses: (self.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned()),
+            senses: (self.checked.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned()),
             heading: self.heading(),
             causes: best.findings.iter().map(|finding| self.cause(finding)).collect(),
             sure: (!best.findings.is_empty()).then(|| self.sure(best)),
@@ -171,22 +161,14 @@ impl ReportText<'_> {
         }
     }
 
-    fn shown(&self) -> ShownNames<'_> {
-        ShownNames::of(self.key.solution)
-    }
-
     /// The sentence that counts the values that are right, within the tolerance, and off.
     fn counts(&self) -> String {
-        let count = |verdict| self.count(verdict).to_string();
+        let count = |verdict| self.checked.count(verdict).to_string();
         let [right, within, off] = [Verdict::Right, Verdict::WithinTolerance, Verdict::Off].map(count);
-        match self.count(Verdict::SenseMissing) {
+        match self.checked.count(Verdict::SenseMissing) {
             0 => self.own.check_counts(&right, &within, &off),
             missing => self.own.check_counts_and_senses(&right, &within, &missing.to_string(), &off),
         }
-    }
-
-    fn count(&self, verdict: Verdict) -> usize {
-        self.checked.values.iter().filter(|v| v.verdict == verdict).count()
     }
 
     fn number(&self, value: f64, digits: usize) -> String {
@@ -218,7 +200,7 @@ impl ReportText<'_> {
             Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
-            self.shown().quantity(&entry.asked),
+            self.names.shown(&entry.asked),
             self.number(entry.value, 7),
             format!("{} {unit}", self.number(expected, 7)),
             self.number(value.difference, 3),
@@ -245,10 +227,10 @@ impl ReportText<'_> {
             own = format!("{own} {}", self.own.check_slips(&number(found.percent)));
         }
         let size = found.mm / asked.mm;
-        if size > 1.0 && self.key.latitude > 1.0 {
+        if size > 1.0 && self.key.leniency > 1.0 {
             own = format!("{own} {}", self.own.check_wider(&mm, &degrees));
         }
-        let most = self.key.latitude.max(1.0);
+        let most = self.key.leniency.max(1.0);
         if size > 1.001 * most {
             let [mm, degrees] = [most * asked.mm, most * asked.degrees].map(tenth);
             own = format!("{own} {}", self.own.check_too_coarse(&mm, &degrees));
@@ -261,18 +243,15 @@ impl ReportText<'_> {
     fn heading(&self) -> String {
         let diagnosis = &self.checked.diagnosis;
         match (diagnosis.best.findings.len(), diagnosis.unexplained.first()) {
-            (0, _) if self.has_nothing_to_explain() && self.count(Verdict::SenseMissing) > 0 => {
+            (0, _) if self.has_nothing_to_explain() && self.checked.count(Verdict::SenseMissing) > 0 => {
                 self.own.check_nothing_off().to_owned()
             }
             (0, _) if self.has_nothing_to_explain() => self.own.check_nothing().to_owned(),
             (0, Some(&first)) => {
                 let entry = &self.checked.values[first].entry;
-                let (step, name) = (entry.step.to_string(), self.shown().quantity(&entry.asked));
-                if self.is_alone() {
-                    self.own.check_none_alone(&step, &name)
-                } else {
-                    self.own.check_none(&step, &name)
-                }
+                let (step, name) = (entry.step.to_string(), self.names.shown(&entry.asked));
+                let tell = if self.is_alone() { Language::check_none_alone } else { Language::check_none };
+                tell(self.own, &step, &name)
             }
             (0 | 1, _) => self.own.check_probably().to_owned(),
             _ => self.own.check_no_single().to_owned(),
@@ -282,13 +261,12 @@ impl ReportText<'_> {
     /// Whether one value alone is off and nothing explains it: the heading says all of it.
     fn is_alone(&self) -> bool {
         let diagnosis = &self.checked.diagnosis;
-        diagnosis.best.findings.is_empty() && diagnosis.unexplained.len() == 1 && self.count(Verdict::Off) == 1
+        diagnosis.best.findings.is_empty() && diagnosis.unexplained.len() == 1 && self.checked.count(Verdict::Off) == 1
     }
 
     fn has_nothing_to_explain(&self) -> bool {
         let diagnosis = &self.checked.diagnosis;
-        let none = diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty();
-        none && self.checked.is_passed()
+        diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty() && self.checked.is_passed()
     }
 
     /// What else explains the values, as far as it differs from the best explanation.
@@ -297,7 +275,7 @@ impl ReportText<'_> {
         let new = other.findings.iter().filter(|f| !best.iter().any(|g| g.candidate.told == f.candidate.told));
         let told: Vec<String> = new
             .map(|f| {
-                let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.shown().named(name));
+                let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.names.named(name));
                 format!("{}: {done}", self.step(f))
             })
             .collect();
@@ -329,7 +307,7 @@ impl ReportText<'_> {
     /// The sentences about a mistake.
     fn cause(&self, finding: &Finding) -> Cause {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = told_alone(candidate, &self.shown(), self.words);
+        let [done, should] = told_alone(candidate, &self.names, self.words);
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -350,7 +328,7 @@ impl ReportText<'_> {
 
     fn names(&self, values: &[usize]) -> String {
         let names: Vec<String> =
-            values.iter().map(|&i| self.shown().quantity(&self.checked.values[i].entry.asked)).collect();
+            values.iter().map(|&i| self.names.shown(&self.checked.values[i].entry.asked)).collect();
         names.join(", ")
     }
 }
@@ -359,8 +337,8 @@ impl ReportText<'_> {
 const SEEN: f64 = 0.05;
 
 /// At which step what was done, and what should have been, as two sentences.
-pub(super) fn told_alone(candidate: &Candidate, shown: &ShownNames<'_>, words: &Wording) -> [String; 2] {
-    let [done, should] = candidate.told.sentences_with(words, &|name| shown.named(name));
+pub(super) fn told_alone(candidate: &Candidate, names: &Names<'_>, words: &Wording) -> [String; 2] {
+    let [done, should] = candidate.told.sentences_with(words, &|name| names.named(name));
     let own = words.language;
     [format!("{}: {done}.", step(candidate, own)), format!("{}: {should}.", own.check_instead())]
 }

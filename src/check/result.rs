@@ -1,10 +1,8 @@
 //! The report as JSON.
 
-use super::answer_key::AnswerKey;
-use super::checked::{Accuracy, Checked};
-use super::explanation::{Explanation, Finding};
+use super::checked::{Accuracy, Checked, Explanation, Finding, Verdict};
 use super::marks::Awarded;
-use super::verdict::Verdict;
+use super::measured::AnswerKey;
 use crate::text::Untrusted;
 use crate::words::Wording;
 use schemars::JsonSchema;
@@ -110,9 +108,6 @@ fn is_false(flag: &bool) -> bool {
 /// The result as JSON shows it, sentences in the wording's language.
 #[must_use]
 pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<Untrusted>) -> CheckResult {
-    let names = |list: &[usize]| -> Vec<String> {
-        list.iter().map(|&i| checked.values[i].entry.asked.name().to_owned()).collect()
-    };
     let values = checked.values.iter().map(|value| {
         let entry = &value.entry;
         ValueResult {
@@ -142,8 +137,8 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
             step: candidate.step,
             done,
             should_be,
-            written: names(&finding.written),
-            follows: names(&finding.follows),
+            written: checked.names(&finding.written),
+            follows: checked.names(&finding.follows),
         }
     };
     let explanation = |explanation: &Explanation| ExplanationResult {
@@ -160,7 +155,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
         values: values.collect(),
         diagnosis: explanation(&diagnosis.best),
         others: diagnosis.others.iter().map(explanation).collect(),
-        unexplained: names(&diagnosis.unexplained),
+        unexplained: checked.names(&diagnosis.unexplained),
         accuracy: checked.accuracy,
         mirrored: mirrored.collect(),
         marks: None,

@@ -7,14 +7,11 @@
 //! row by row). A value that no error explains is left out of what later ones are compared with. Costs are −2 ln of
 //! likelihoods, for each value relative to the density of its rounding.
 
-use super::covariance::{Covariances, Groups, read};
-use super::datum::{Datum, Without};
+use super::covariance::{Covariances, Datum, Groups, Hand, read};
 use super::entry::Entry;
-use super::hand::Hand;
 use super::mistakes::{Candidate, Free};
-use super::model::{Changes, Edit, GROUPS, Model, TOGETHER};
-use super::walk::{Compared, Metric};
-use crate::construction::{Change, Disturbance, Tolerance};
+use super::model::{Changes, Model, TOGETHER, in_order};
+use crate::construction::{Change, Tolerance};
 use crate::quantity::{QuantityKind, Sense};
 use crate::sheet::Sheet;
 use std::borrow::Cow;
@@ -28,10 +25,6 @@ pub(super) struct Scorer<'a> {
     /// By datum: its cost if nothing explains it.
     pub without: Vec<Without>,
     pub tolerance: Tolerance,
-    /// By datum: its variance in a right drawing with errors at the tolerance.
-    pub quick: Vec<f64>,
-    /// The same by kind of errors.
-    kinds: [Vec<f64>; GROUPS],
     /// The covariances of a right drawing.
     nominal: Covariances,
     /// By datum: its value in a right drawing.
@@ -86,20 +79,9 @@ impl<'a> Scorer<'a> {
         let all = [(Changes::new(), (0..count).collect())];
         let nominal = Covariances::new(model, &tolerance, &data, &all, &[], groups.get());
         groups.get_or_init(|| nominal.groups.clone());
-        let by_hand = &nominal.groups[..TOGETHER];
         let mut right = vec![f64::NAN; count];
         read(model, &model.exact, &data, &all[0].1, &mut right);
-        Scorer {
-            models,
-            without: data.iter().map(Datum::without).collect(),
-            tolerance,
-            quick: (0..count).map(|i| by_hand.iter().map(|g| g[i * count + i]).sum()).collect(),
-            kinds: core::array::from_fn(|kind| (0..count).map(|i| nominal.groups[kind][i * count + i]).collect()),
-            nominal,
-            right,
-            entries,
-            data,
-        }
+        Scorer { models, without: data.iter().map(Without::of).collect(), tolerance, nominal, right, entries, data }
     }
 
     pub fn model(&self, set: &[&Candidate]) -> &'a Model {
@@ -109,35 +91,23 @@ impl<'a> Scorer<'a> {
 
     /// The changes that the candidates make. `without`: the candidate whose wrong numbers are not passed on, for the
     /// replay from which its own values are read.
-    pub fn changes<'c>(&self, set: &[&'c Candidate], without: Option<usize>) -> Changes<'c> {
-        let mut changes = Changes::new();
-        for (index, candidate) in set.iter().enumerate() {
-            for (operation, edit) in &candidate.edits {
-                let change = edit.change();
-                changes.push(Disturbance { operation: *operation, change });
-            }
-            if without == Some(index) {
-                continue;
-            }
-            for &(operation, number, value) in &candidate.goes_on {
-                let change = Change::Written(number, value);
-                changes.push(Disturbance { operation, change });
-            }
-        }
-        changes.sort_by_key(|c| c.operation);
-        changes
+    pub fn changes(&self, set: &[&Candidate], without: Option<usize>) -> Changes {
+        in_order(set.iter().enumerate().flat_map(|(index, candidate)| {
+            let passed_on = if without == Some(index) { &[] } else { candidate.passed_on.as_slice() };
+            candidate.edits.iter().chain(passed_on)
+        }))
     }
 
     /// The candidate that passes a datum's written value on to later operations.
     fn owner(&self, set: &[&Candidate], datum: usize) -> Option<usize> {
         let entry = self.data[datum].entry;
-        set.iter().position(|c| !c.goes_on.is_empty() && c.reinterpreted.iter().any(|s| s.entry == entry))
+        set.iter().position(|c| !c.passed_on.is_empty() && c.reinterpreted.iter().any(|s| s.entry == entry))
     }
 
     /// The replays that a set of candidates needs: the changes of each, and the data read from it.
-    pub fn variants<'c>(&self, set: &[&'c Candidate]) -> Vec<(Changes<'c>, Vec<usize>)> {
+    pub fn variants(&self, set: &[&Candidate]) -> Vec<(Changes, Vec<usize>)> {
         let all = 0..self.data.len();
-        if set.iter().all(|c| c.goes_on.is_empty()) {
+        if set.iter().all(|c| c.passed_on.is_empty()) {
             return vec![(self.changes(set, None), all.collect())];
         }
         let owners: Vec<Option<usize>> = all.clone().map(|d| self.owner(set, d)).collect();
@@ -171,22 +141,32 @@ impl<'a> Scorer<'a> {
         Cow::Owned(Covariances::new(self.model(set), &self.tolerance, &self.data, &variants, &free, None))
     }
 
-    /// By datum: the value meant if the candidates' mistakes were made; `None` where the written value tells nothing
-    /// about it.
-    pub fn meant(&self, set: &[&Candidate]) -> Vec<Option<Datum>> {
-        let mut meant: Vec<Option<Datum>> = self.data.iter().copied().map(Some).collect();
+    /// By datum: the value meant if the candidates' mistakes were made.
+    pub fn meant(&self, set: &[&Candidate]) -> Vec<Datum> {
+        let mut meant = self.data.clone();
         for reinterpreted in set.iter().flat_map(|c| &c.reinterpreted) {
-            let found = self.data.iter().position(|d| d.entry == reinterpreted.entry);
-            if let Some(datum) = found {
-                meant[datum] = reinterpreted.read(&self.data[datum]);
+            if let Some(datum) = meant.iter_mut().find(|datum| datum.entry == reinterpreted.entry) {
+                datum.value = reinterpreted.value;
+                datum.rounding = reinterpreted.rounding.max(f64::MIN_POSITIVE);
             }
         }
         meant
     }
 
+    /// The variances of a value in a right drawing by kind of errors, at the tolerance.
+    fn variances(&self, datum: usize) -> impl Iterator<Item = f64> {
+        let diagonal = datum * (self.data.len() + 1);
+        self.nominal.groups.iter().map(move |group| group[diagonal])
+    }
+
+    /// The variance of a value in a right drawing by hand with errors at the tolerance.
+    pub fn variance(&self, datum: usize) -> f64 {
+        self.variances(datum).take(TOGETHER).sum()
+    }
+
     /// The standard deviation of a value in a right drawing by a hand, its rounding left out.
     pub fn spread(&self, datum: usize, hand: &Hand) -> f64 {
-        let parts = self.kinds.iter().zip(hand.errors).map(|(kind, size)| size * size * kind[datum]);
+        let parts = self.variances(datum).zip(hand.errors).map(|(variance, size)| size * size * variance);
         parts.sum::<f64>().sqrt()
     }
 
@@ -212,7 +192,7 @@ impl<'a> Scorer<'a> {
     }
 
     /// How well values fit a prediction at a first look, by the likeliest of these metrics.
-    pub fn look(&self, metrics: &[Metric], meant: &[Option<Datum>], predicted: &[f64]) -> f64 {
+    pub fn look(&self, metrics: &[Metric], meant: &[Datum], predicted: &[f64]) -> f64 {
         if predicted.iter().any(|p| !p.is_finite()) {
             return f64::INFINITY;
         }
@@ -230,14 +210,187 @@ impl<'a> Scorer<'a> {
 
     /// The amounts of a set's edits that were fitted to the values.
     fn free(set: &[&Candidate]) -> Vec<(Free, f64)> {
-        let of = |candidate: &Candidate| -> Vec<(Free, f64)> {
-            let edits = candidate.edits.iter().rev().zip(candidate.free.iter().rev());
-            let amounts = edits.filter_map(|((_, edit), free)| match edit {
-                Edit::Error(_, amount) | Edit::Becomes(_, amount) => Some((*free, *amount)),
-                _ => None,
-            });
-            amounts.collect()
-        };
-        set.iter().flat_map(|candidate| of(candidate)).collect()
+        let fitted = set.iter().flat_map(|candidate| candidate.free.iter().zip(&candidate.edits));
+        let amounts = fitted.filter_map(|(free, edit)| match edit.change {
+            Change::Error(_, amount) | Change::Written(_, amount) => Some((*free, amount)),
+            _ => None,
+        });
+        amounts.collect()
+    }
+}
+
+/// A sum of costs, −2 ln of likelihoods: of a normal deviate its square over its variance, plus the logarithm of the
+/// variance.
+#[derive(Clone, Copy, Debug)]
+struct Cost {
+    sum: f64,
+    /// The product of variances whose logarithm is not in the sum yet: one logarithm of many is the quickest.
+    product: f64,
+}
+
+impl Cost {
+    pub const ZERO: Cost = Cost { sum: 0.0, product: 1.0 };
+
+    /// Adds the cost of a deviate, or that of an unexplained value where it is less; whether it is the deviate's.
+    /// `square` is in variances of the deviate, `variance` in variances of the value's rounding.
+    pub fn add_deviate(&mut self, square: f64, variance: f64, without: &Without) -> bool {
+        let is_near = square <= UNEXPLAINED && variance <= without.widest;
+        if !is_near && square + libm::log(variance) > without.cost {
+            self.sum += without.cost;
+            return false;
+        }
+        self.sum += square;
+        self.product *= variance;
+        if !(1e-200..1e200).contains(&self.product) {
+            self.sum += libm::log(self.product);
+            self.product = 1.0;
+        }
+        true
+    }
+
+    pub fn total(self) -> f64 {
+        self.sum + libm::log(self.product)
+    }
+}
+
+/// The cost of an unexplained value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Without {
+    pub cost: f64,
+    /// The square of the range in which the value could lie, over the variance of its rounding.
+    widest: f64,
+}
+
+/// Cost of an unexplained value beyond that of the range in which it could lie: one value of some hundred is so.
+const UNEXPLAINED: f64 = 11.0;
+
+impl Without {
+    /// The cost of a value if nothing explains it.
+    pub fn of(datum: &Datum) -> Without {
+        let cost = 2.0 * libm::log(datum.span) - libm::log(datum.variance());
+        Without { cost: cost + UNEXPLAINED, widest: libm::exp(cost) }
+    }
+}
+
+/// What a walk compares: the values meant, and those that a construction predicts.
+#[derive(Clone, Copy)]
+pub(super) struct Compared<'a> {
+    /// By datum: the value meant.
+    pub meant: &'a [Datum],
+    pub predicted: &'a [f64],
+    /// By datum: its cost if nothing explains it.
+    pub without: &'a [Without],
+}
+
+/// A walk through the values. A value that no error explains is left out of what later ones are compared with.
+pub(super) struct Walk {
+    /// The covariance of the values; behind the walk, that of later values given the earlier ones.
+    matrix: Vec<f64>,
+    /// By value: the part of its rounding's variance that stays with it.
+    own: Vec<f64>,
+    /// By value: its expected error given the earlier values.
+    means: Vec<f64>,
+    /// By value: whether it is unexplained.
+    pub outside: Vec<bool>,
+}
+
+impl Walk {
+    pub fn new(count: usize) -> Walk {
+        Walk {
+            matrix: vec![0.0; count * count],
+            own: vec![1.0; count],
+            means: vec![0.0; count],
+            outside: vec![false; count],
+        }
+    }
+
+    /// The cost of all values for a hand.
+    pub fn run(&mut self, covariances: &Covariances, hand: &Hand, compared: Compared<'_>) -> f64 {
+        covariances.sum(hand, &mut self.matrix, &mut self.own);
+        let count = compared.meant.len();
+        self.means.fill(0.0);
+        self.outside.fill(false);
+        let mut cost = Cost::ZERO;
+        for (index, datum) in compared.meant.iter().enumerate() {
+            let rounding = datum.variance();
+            let variance = remaining(self.matrix[index * count + index], self.own[index] * rounding);
+            let off = datum.off(compared.predicted[index], self.means[index]) - self.means[index];
+            if !cost.add_deviate(off * off / variance, variance / rounding, &compared.without[index]) {
+                self.outside[index] = true;
+                continue;
+            }
+            // The later values given this one.
+            eliminate(&mut self.matrix, index, count, variance, |other, part| self.means[other] += part * off);
+        }
+        cost.total()
+    }
+}
+
+/// The variance of a value given earlier ones. Roundings are independent of each other, so at least a quarter of the own
+/// rounding's variance always remains.
+fn remaining(others: f64, own: f64) -> f64 {
+    (others + own).max(0.25 * own)
+}
+
+/// Gaussian elimination of a row of a covariance of `count` values: behind it, the covariance of later values given this one.
+/// Tells of each of them which part of this value's deviation it is expected to have, unless none.
+fn eliminate(matrix: &mut [f64], index: usize, count: usize, variance: f64, mut expect: impl FnMut(usize, f64)) {
+    let (passed, later) = matrix.split_at_mut((index + 1) * count);
+    let row = &passed[index * count..];
+    for (other, below) in (index + 1..count).zip(later.chunks_exact_mut(count)) {
+        let part = row[other] / variance;
+        if part != 0.0 {
+            expect(other, part);
+            for (entry, pivot) in below[other..].iter_mut().zip(&row[other..]) {
+                *entry -= part * pivot;
+            }
+        }
+    }
+}
+
+/// The factors of a covariance, for quick comparisons of many predictions with the same values. An unexplained value is
+/// taken to be what the earlier ones let expect.
+pub(super) struct Metric {
+    /// By row: the parts of earlier values' deviations that a value is expected to have.
+    lower: Vec<f64>,
+    /// By value: its variance given the earlier ones.
+    variances: Vec<f64>,
+    /// By value: that variance without its own rounding's.
+    drawn: Vec<f64>,
+}
+
+impl Metric {
+    pub fn new(covariances: &Covariances, hand: &Hand, data: &[Datum]) -> Metric {
+        let count = data.len();
+        let mut metric = Metric { lower: vec![0.0; count * count], variances: Vec::new(), drawn: Vec::new() };
+        let (mut matrix, mut own) = (vec![0.0; count * count], vec![1.0; count]);
+        covariances.sum(hand, &mut matrix, &mut own);
+        for (index, datum) in data.iter().enumerate() {
+            let own = own[index] * datum.variance();
+            let drawn = matrix[index * count + index].max(0.0);
+            let variance = remaining(drawn, own);
+            metric.variances.push(variance);
+            metric.drawn.push(variance - own.min(variance));
+            eliminate(&mut matrix, index, count, variance, |other, part| metric.lower[other * count + index] = part);
+        }
+        metric
+    }
+
+    /// The cost of the values at a first look. `grown`: how many times as large as usual a value's errors are.
+    pub fn look(&self, compared: Compared<'_>, grown: impl Fn(usize) -> f64, deviations: &mut Vec<f64>) -> f64 {
+        let count = compared.meant.len();
+        let mut cost = Cost::ZERO;
+        deviations.clear();
+        for (index, datum) in compared.meant.iter().enumerate() {
+            let row = &self.lower[index * count..index * count + index];
+            let mean: f64 = row.iter().zip(deviations.iter()).map(|(part, deviation)| part * deviation).sum();
+            let off = datum.off(compared.predicted[index], mean) - mean;
+            let grown = grown(index);
+            let variance = self.variances[index] + (grown * grown - 1.0) * self.drawn[index];
+            let without = &compared.without[index];
+            let is_inside = cost.add_deviate(off * off / variance, variance / datum.variance(), without);
+            deviations.push(if is_inside { off } else { 0.0 });
+        }
+        cost.total()
     }
 }

@@ -1,14 +1,13 @@
 //! Searches for the mistakes that explain all values, right and wrong ones: one mistake first, then more together.
 
-use super::answer_key::AnswerKey;
+use super::covariance::Hand;
 use super::entry::Entry;
 use super::fit::Fit;
-use super::hand::Hand;
+use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake, Told};
 use super::model::Model;
-use super::score::Scorer;
+use super::score::{Metric, Scorer};
 use super::settle::Settling;
-use super::walk::Metric;
 use crate::cores::on_all_cores;
 use crate::position::poses;
 use crate::sheet::Scales;
@@ -17,7 +16,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Explanations of one level with mistakes of the catalogue that are compared completely: the best at a first look.
 const COMPARED: usize = 20;
 
-/// The same with amounts that were fitted to the values.
+/// Explanations of one level with amounts fitted to the values that are compared completely.
 const SETTLED: usize = 8;
 
 /// Places of the likeliest fitted amounts at which more mistakes of the catalogue are compared, and how many.
@@ -43,6 +42,7 @@ const FITTED: f64 = 7.0;
 const CLEARLY: f64 = 6.0;
 
 /// An explanation that was compared completely.
+#[derive(Clone)]
 pub(super) struct Tried {
     /// Indices of its candidates in the pool.
     pub set: Vec<usize>,
@@ -65,15 +65,9 @@ struct Child<'a> {
     cost: f64,
     before: &'a [usize],
     hand: Hand,
-    new: New,
-}
-
-/// A further mistake.
-enum New {
-    /// A candidate of the pool.
-    Listed(usize),
-    /// The candidate with amounts that were fitted to the values.
-    Fitted(usize, Box<Candidate>),
+    /// The further mistake: a candidate of the pool, and what it is with amounts that were fitted to the values.
+    index: usize,
+    fitted: Option<Candidate>,
 }
 
 /// The constructions of the other assembly modes.
@@ -151,7 +145,7 @@ impl<'a> Search<'a> {
         let mut tried: Vec<Tried> = Vec::new();
         for depth in 0..=depth {
             let best_before = tried.first().map_or(f64::INFINITY, |t: &Tried| t.cost);
-            tried.extend(beam.iter().map(|t| Tried { set: t.set.clone(), fit: t.fit.clone(), cost: t.cost }));
+            tried.extend(beam.iter().cloned());
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
             let best = &tried[0];
             let is_last = depth > 0 && (best.cost > best_before - MARGIN || is_explained(best));
@@ -173,13 +167,11 @@ impl<'a> Search<'a> {
         let mut chosen: Vec<(Vec<usize>, Hand)> = Vec::new();
         let mut fitted: Vec<(Candidate, f64)> = Vec::new();
         for child in self.children(beam, off) {
-            let index = match child.new {
-                New::Listed(index) => index,
-                New::Fitted(template, candidate) => {
-                    fitted.push((*candidate, self.costs[template]));
-                    self.pool.len() + fitted.len() - 1
-                }
-            };
+            let mut index = child.index;
+            if let Some(candidate) = child.fitted {
+                fitted.push((candidate, self.costs[index]));
+                index = self.pool.len() + fitted.len() - 1;
+            }
             let mut set = child.before.to_vec();
             set.push(index);
             set.sort_unstable();
@@ -209,11 +201,14 @@ impl<'a> Search<'a> {
             let parent = self.parent(tried, off);
             let found = on_all_cores(&self.listed, |&index| self.further(&parent, index));
             let own = self.cost(&tried.set);
-            children.extend(found.into_iter().flatten().map(|(cost, new)| Child {
+            let found =
+                self.listed.iter().zip(found).flat_map(|(&index, found)| found.into_iter().map(move |f| (index, f)));
+            children.extend(found.map(|(index, (cost, fitted))| Child {
                 cost: cost + own,
                 before: &tried.set,
                 hand: tried.fit.hand,
-                new,
+                index,
+                fitted,
             }));
         }
         children.retain(|child| child.cost.is_finite());
@@ -225,19 +220,15 @@ impl<'a> Search<'a> {
     /// what of the catalogue is done at the same operation as the first of these: where lines hardly cross, a first look
     /// shows only fitted amounts.
     fn chosen<'t>(&self, children: Vec<Child<'t>>) -> Vec<Child<'t>> {
-        let fitted = children.iter().filter_map(|child| match &child.new {
-            New::Fitted(_, candidate) => Some(candidate.as_ref()),
-            New::Listed(_) => None,
-        });
-        let places: Vec<usize> =
-            fitted.take(PLACES).flat_map(|candidate| candidate.operations().collect::<Vec<_>>()).collect();
+        let fitted = children.iter().filter_map(|child| child.fitted.as_ref());
+        let places: Vec<usize> = fitted.take(PLACES).flat_map(Candidate::operations).collect();
         let (mut listed, mut settled, mut beside) = (COMPARED, SETTLED, BESIDE);
         let mut take = |child: &Child<'t>| {
-            let left = match &child.new {
-                New::Fitted(..) => &mut settled,
-                New::Listed(_) if listed > 0 => &mut listed,
-                New::Listed(index) if self.pool[*index].operations().any(|o| places.contains(&o)) => &mut beside,
-                New::Listed(_) => return false,
+            let left = match child.fitted {
+                Some(_) => &mut settled,
+                None if listed > 0 => &mut listed,
+                None if self.pool[child.index].operations().any(|o| places.contains(&o)) => &mut beside,
+                None => return false,
             };
             let is_taken = *left > 0;
             *left = left.saturating_sub(1);
@@ -259,8 +250,9 @@ impl<'a> Search<'a> {
         Parent { tried, set, wanted: wanted.collect(), metrics }
     }
 
-    /// The further mistakes at a candidate's place that concern a wanted value, each with its cost.
-    fn further(&self, parent: &Parent<'_>, index: usize) -> Vec<(f64, New)> {
+    /// The further mistakes at a candidate's place that concern a wanted value, each with its cost and, if it has amounts
+    /// to be fitted, as it is with these.
+    fn further(&self, parent: &Parent<'_>, index: usize) -> Vec<(f64, Option<Candidate>)> {
         let candidate = &self.pool[index];
         let is_wanted = self.changed[index].iter().any(|&datum| parent.wanted.get(datum).is_some_and(|wanted| *wanted));
         if !is_wanted || !self.go_together(&parent.tried.set, index) {
@@ -274,10 +266,10 @@ impl<'a> Search<'a> {
             look + self.costs[index] + FURTHER + FITTED * candidate.free.len() as f64
         };
         if candidate.free.is_empty() {
-            return vec![(look(candidate), New::Listed(index))];
+            return vec![(look(candidate), None)];
         }
         let settled = Settling::new(self.scorer, &parent.set, &parent.tried.fit, candidate).settled().into_iter();
-        settled.map(|fitted| (look(&fitted), New::Fitted(index, Box::new(fitted)))).collect()
+        settled.map(|fitted| (look(&fitted), Some(fitted))).collect()
     }
 
     /// Whether a candidate can be combined with a set: two edits of one operation, or two meanings of one value,
@@ -288,7 +280,7 @@ impl<'a> Search<'a> {
             let old = &self.pool[index];
             let operations = old.operations().all(|a| new.operations().all(|b| a != b));
             let values = old.reinterpreted.iter().all(|a| new.reinterpreted.iter().all(|b| a.entry != b.entry));
-            let is_slip = |c: &Candidate| c.edits.is_empty() && c.goes_on.is_empty() && c.free.is_empty();
+            let is_slip = |c: &Candidate| c.edits.is_empty() && c.passed_on.is_empty() && c.free.is_empty();
             let positions = old.mode == 0 && new.mode == 0
                 || new.mode != old.mode && old.mode * new.mode == 0
                     // One of them only writes otherwise.

@@ -3,6 +3,7 @@
 use super::fit::Fit;
 use super::mistakes::{Amount, Blank, Candidate, tell};
 use super::score::Scorer;
+use crate::construction::Disturbance;
 
 /// Angles that are tried first, in degrees apart.
 const GRID: f64 = 15.0;
@@ -69,9 +70,10 @@ impl<'a> Settling<'a> {
 
     /// The mistake with these amounts.
     fn with(&self, amounts: &[f64]) -> Candidate {
-        let mut candidate = self.template.clone();
-        candidate.edits = candidate.free.iter().zip(amounts).map(|(free, &amount)| free.edit(amount)).collect();
-        candidate
+        let amounts = self.template.free.iter().zip(amounts);
+        let edits =
+            amounts.map(|(free, &amount)| Disturbance { operation: free.operation, change: free.change(amount) });
+        Candidate { edits: edits.collect(), ..self.template.clone() }
     }
 
     fn predicted(&self, amounts: &[f64]) -> Vec<f64> {

@@ -1,26 +1,22 @@
 //! Drawings with mistakes made on purpose: for tests of the check, and for exercises in finding mistakes.
 
-use super::answer_key::AnswerKey;
-use super::entry::entries;
-use super::error::CheckError;
+use super::entry::{Entry, entries};
+use super::measured::{AnswerKey, CheckError, Given, Measured, ON_PAPER};
 use super::mistakes::{Candidate, Mistake, Site};
-use super::model::Model;
+use super::model::{Model, in_order};
+use super::names::{Names, form_names};
 use super::report::told_alone;
-use super::rows::form_names;
-use super::sheet::{Given, Measured};
-use super::shown::ShownNames;
-use crate::construction::{Change, Disturbance};
+use super::search::other_modes;
+use crate::construction::{Change, Disturbance, Tolerance};
 use crate::quantity::QuantityKind;
-use crate::sheet::Scales;
 use crate::words::Wording;
 
 /// A simulated student who draws a scene and fills in the whole form.
 pub struct Student<'a> {
     key: &'a AnswerKey<'a>,
     models: Vec<Model>,
-    mu: Scales,
     names: Vec<String>,
-    entries: Vec<super::entry::Entry>,
+    entries: Vec<Entry>,
 }
 
 impl<'a> Student<'a> {
@@ -34,10 +30,9 @@ impl<'a> Student<'a> {
         let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
         let entries = entries(&form, key)?;
-        let model = Model::new(key, key.solution, mu, &entries)?;
-        let mut models = vec![model];
-        models.extend(super::search::other_modes(key, mu, &entries));
-        Ok(Student { key, models, mu, names, entries })
+        let mut models = vec![Model::new(key, key.solution, mu, &entries)?];
+        models.extend(other_modes(key, mu, &entries));
+        Ok(Student { key, models, names, entries })
     }
 
     /// All places where a mistake of drawing, measuring or computing can be made; none for slips of writing, which need
@@ -55,34 +50,28 @@ impl<'a> Student<'a> {
     /// digits. With a wrong scale among the mistakes lengths are written as values, not in millimetres.
     ///
     /// `hand` are the limits of errors in millimetres and degrees; `noise` gives numbers between −1 and 1, by which
-    /// each error's limit is multiplied. `goes_on` are wrong values that later operations use, each with its index in
+    /// each error's limit is multiplied. `passed_on` are wrong values that later operations use, each with its index in
     /// the form.
     pub fn draw(
         &self,
         mistakes: &[&Candidate],
         hand: [f64; 2],
         noise: &mut dyn FnMut() -> f64,
-        goes_on: &[(usize, f64)],
+        passed_on: &[(usize, f64)],
     ) -> Measured {
         let mode = mistakes.iter().map(|c| c.mode).max().unwrap_or(0);
         let model = &self.models[mode];
-        let mut all: Vec<Disturbance<'_>> = Vec::new();
-        for (operation, edit) in mistakes.iter().flat_map(|c| &c.edits) {
-            let change = edit.change();
-            all.push(Disturbance { operation: *operation, change });
-        }
-        let limits = crate::construction::Tolerance { mm: hand[0], degrees: hand[1] };
+        let mut all: Vec<Disturbance> = mistakes.iter().flat_map(|c| &c.edits).cloned().collect();
+        let limits = Tolerance { mm: hand[0], degrees: hand[1] };
         for (operation, which, limit, _) in model.errors(&limits) {
-            let change = Change::Error(which, limit * noise());
-            all.push(Disturbance { operation, change });
+            all.push(Disturbance { operation, change: Change::Error(which, limit * noise()) });
         }
-        for &(entry, value) in goes_on {
+        for &(entry, value) in passed_on {
             if let Ok(reading) = model.readings[entry]
                 && let Some(operation) = model.makers[reading.number.0]
             {
                 let value = libm::copysign(value, model.exact.number(reading.number));
-                let change = Change::Written(reading.number, value);
-                all.push(Disturbance { operation, change });
+                all.push(Disturbance { operation, change: Change::Written(reading.number, value) });
             }
         }
         all.sort_by_key(|d| d.operation);
@@ -101,13 +90,13 @@ impl<'a> Student<'a> {
                 _ => (four_digits(value, cuts_off), false),
             };
             value.is_finite().then(|| Given {
-                name: format!("{}{}", entry.asked.name(), if on_paper { "/mu" } else { "" }),
+                name: format!("{}{}", entry.asked.name(), if on_paper { ON_PAPER } else { "" }),
                 text: signed(text, is_unsigned),
                 unit: None,
                 place: entry.asked.name().to_owned(),
             })
         });
-        Measured { mu: self.mu, values: values.collect(), ..Measured::default() }
+        Measured { mu: self.key.scales, values: values.collect(), ..Measured::default() }
     }
 
     /// The values of the form, in its order, of a drawing without errors of the hand but with this mistake; `None` for a
@@ -115,10 +104,7 @@ impl<'a> Student<'a> {
     #[must_use]
     pub fn exact(&self, mistake: Option<&Candidate>) -> Vec<Option<f64>> {
         let model = &self.models[mistake.map_or(0, |candidate| candidate.mode)];
-        let edits = mistake.iter().flat_map(|candidate| &candidate.edits);
-        let mut changes: Vec<Disturbance<'_>> =
-            edits.map(|(operation, edit)| Disturbance { operation: *operation, change: edit.change() }).collect();
-        changes.sort_by_key(|change| change.operation);
+        let changes = in_order(mistake.iter().flat_map(|candidate| &candidate.edits));
         let read = model.read(&model.replay(&changes)).into_iter().zip(&model.readings);
         read.map(|(value, reading)| {
             let reading = reading.ok()?;
@@ -143,7 +129,7 @@ impl<'a> Student<'a> {
     /// What the check says of a mistake: at which step what was done, and what should have been.
     #[must_use]
     pub fn told(&self, mistake: &Candidate, words: &Wording) -> [String; 2] {
-        told_alone(mistake, &ShownNames::of(self.key.solution), words)
+        told_alone(mistake, &Names::new(self.key.solution), words)
     }
 
     /// The names of the form's quantities.
@@ -156,7 +142,7 @@ impl<'a> Student<'a> {
     /// one number the first counts.
     #[must_use]
     pub fn place(&self, given: &Given) -> Option<(usize, bool)> {
-        let name = given.name.trim_end_matches("/mu");
+        let name = given.name.trim_end_matches(ON_PAPER);
         let place = self.entries.iter().position(|e| e.asked.name() == name)?;
         let readings = &self.models[0].readings;
         let number = readings[place].ok()?.number;
@@ -174,7 +160,7 @@ impl<'a> Student<'a> {
     /// The factor from a written number to the value in the scene's units.
     #[must_use]
     pub fn factor(&self, given: &Given) -> Option<f64> {
-        let form = Measured { mu: self.mu, values: vec![given.clone()], ..Measured::default() };
+        let form = Measured { mu: self.key.scales, values: vec![given.clone()], ..Measured::default() };
         Some(entries(&form, self.key).ok()?.first()?.factor)
     }
 }

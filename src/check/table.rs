@@ -1,15 +1,14 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
-use super::error::CheckError;
-use super::sheet::{Given, Measured, PointsOf, Positive, WIDEST};
+use super::measured::{CheckError, Given, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, cell, shown};
 
 impl Measured {
     /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
     /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in
-    /// millimetres; a fourth cell how far it may be from there. Cells are separated by commas, semicolons or tabs; numbers may have decimal commas. Lines that are
-    /// wrong are among its `faults`.
+    /// millimetres; a fourth cell how far it may be from there. Cells are separated by commas, semicolons or tabs; numbers
+    /// may have decimal commas. Lines that are wrong are among its `faults`.
     ///
     /// # Errors
     /// The text is no table.
@@ -48,7 +47,12 @@ impl Measured {
             if at.iter().any(|c| !c.is_empty()) {
                 let [x, y] = at;
                 let band = (!fourth.is_empty()).then(|| radius(&with_point(fourth))).transpose()?;
-                self.add_place(kind, point, [coordinate(&x)?, coordinate(&y)?], band);
+                let at = [coordinate(&x)?, coordinate(&y)?];
+                let plan = self.points.iter().position(|p| p.kind == kind).unwrap_or_else(|| {
+                    self.points.push(PointsOf::new(kind));
+                    self.points.len() - 1
+                });
+                self.points[plan].put(point, at, band);
             }
             return Ok(());
         }
@@ -60,19 +64,10 @@ impl Measured {
         self.line(name, value, third, place)
     }
 
-    /// Adds the place of a plan point on paper, in millimetres, with its radius.
-    fn add_place(&mut self, kind: Sheet, point: &str, at: [f64; 2], band: Option<f64>) {
-        let plan = self.points.iter().position(|p| p.kind == kind).unwrap_or_else(|| {
-            self.points.push(PointsOf::new(kind));
-            self.points.len() - 1
-        });
-        self.points[plan].put(point, at, band);
-    }
-
     fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
         let value = with_point(written);
         if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.scale_key() == name) {
-            self.mu[sheet] = Some(number(name, &value)?);
+            self.mu[sheet] = Some(scale(name, &value)?);
             return Ok(());
         }
         match name {
@@ -80,8 +75,9 @@ impl Measured {
             "exercise" => self.exercise = Some(written.into()),
             "positive" => {
                 let hint = "write `clockwise` or `counter-clockwise`";
+                let sense = [Positive::CounterClockwise, Positive::Clockwise].into_iter().find(|p| p.as_str() == value);
                 let wrong = || CheckError::about(&value, "is no sense of rotation", hint);
-                self.positive = Some(Positive::from_word(&value).ok_or_else(wrong)?);
+                self.positive = Some(sense.ok_or_else(wrong)?);
             }
             "in" => {
                 self.in_mm = match value.as_str() {
@@ -121,11 +117,11 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
             .map(|[name, digits, unit]| format!("{},{},{}", quoted(name), cell(digits), blank_or_quoted(&cell(unit)))),
     );
     for plan in &measured.points {
-        let line = |(name, at, band): (&str, [f64; 2], Option<f64>)| {
-            let numbers: String = at.iter().chain(&band).map(|x| format!(",{x}")).collect();
+        let line = |(name, PlacedPoint { at, band }): (&String, &PlacedPoint)| {
+            let numbers: String = at.iter().chain(band).map(|x| format!(",{x}")).collect();
             quoted(&format!("{}:{name}", plan.kind.as_str())) + &numbers
         };
-        lines.extend(plan.all().map(line));
+        lines.extend(plan.places.iter().map(line));
     }
     lines.join("\n") + "\n"
 }
@@ -157,16 +153,14 @@ pub(super) fn with_point(text: &str) -> String {
 }
 
 fn coordinate(text: &str) -> Result<f64, CheckError> {
-    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
-    number.ok_or_else(|| {
+    finite(text).ok_or_else(|| {
         CheckError::about(text, "is no coordinate", "write x and y in millimetres of paper, as velocity:b,114,-2.7")
     })
 }
 
 /// How far a point may be from its place.
 fn radius(text: &str) -> Result<f64, CheckError> {
-    let number = text.parse().ok().filter(|x: &f64| (0.0..=WIDEST).contains(x));
-    number.ok_or_else(|| {
+    finite(text).filter(|x| (0.0..=WIDEST).contains(x)).ok_or_else(|| {
         CheckError::about(
             text,
             "is no radius",
@@ -190,12 +184,15 @@ fn rejoined(cells: &[&str]) -> Vec<String> {
     joined
 }
 
-fn number(name: &str, text: &str) -> Result<f64, CheckError> {
-    let number = text.parse().ok().filter(|x: &f64| x.is_finite());
-    number.ok_or_else(|| {
+fn scale(name: &str, text: &str) -> Result<f64, CheckError> {
+    finite(text).ok_or_else(|| {
         CheckError::new(
             format!("{name} is `{}`, which is no number", shown(text)),
             "write units of the scene per millimetre of paper, as 2 or 0.5",
         )
     })
+}
+
+fn finite(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|x: &f64| x.is_finite())
 }

@@ -7,7 +7,7 @@ use super::options::{Hand, Words};
 use super::output::FileSet;
 use super::pieces::caught;
 use super::solve::{Mode, show_warnings, solve};
-use crate::check::{self, AnswerKey, ClassColumns, EmptyForm, Feedback, MarkScheme, Marks, Measured, Prepared};
+use crate::check::{self, AnswerKey, ClassColumns, Feedback, MarkScheme, Marks, Measured, Prepared, WrittenForm};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
@@ -297,7 +297,7 @@ impl Check {
     }
 
     fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
-        let form = EmptyForm { solution, scales: solution.scales(), exercise: None };
+        let form = WrittenForm::empty(solution, solution.scales(), None);
         let text = match self.template.unwrap_or(TemplateFormat::Json) {
             TemplateFormat::Json => form.json(),
             TemplateFormat::Csv => form.csv(),

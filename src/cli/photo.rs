@@ -4,7 +4,7 @@ use super::files;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use super::pieces::caught;
-use crate::check::{AnswerKey, FilledForm, Measured, PencilledPlan, PointVerdict, Proposal, aligned, proposed};
+use crate::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, WrittenForm, aligned, proposed};
 use crate::construction::Solution;
 use crate::drawing::markers::SheetCode;
 use crate::drawing::{Drawing, SeenPoint, over_photo};
@@ -130,7 +130,7 @@ impl PhotoResult {
             }
         }
         let form = folder.join(format!("{name}.json"));
-        files.add(&form, FilledForm { measured: &self.measured, key }.json().as_bytes())?;
+        files.add(&form, WrittenForm::filled(key.solution, &self.measured).json().as_bytes())?;
         Ok(form)
     }
 

@@ -231,7 +231,7 @@ impl Construction {
     /// Carries out all operations with `disturbances`, which are sorted by operation; without any the values are those
     /// of the plans.
     #[must_use]
-    pub fn run(&self, scales: PerSheet<f64>, disturbances: &[Disturbance<'_>]) -> Values {
+    pub fn run(&self, scales: PerSheet<f64>, disturbances: &[Disturbance]) -> Values {
         let mut values = Values::default();
         values.resize(self.counts());
         values.carry_out(&self.operations, 0, scales, disturbances);

@@ -5,6 +5,7 @@ use super::operation::{Along, ErrorUnit, LineId, MeasuredAs, Operation, Operatio
 use crate::geometry::{Ball, Number, Pair, Vector, degrees_of, turn_of_degrees};
 use crate::sheet::PerSheet;
 use smallvec::SmallVec;
+use std::sync::Arc;
 
 /// Limits of the errors of a careful hand; within the limits every error is equally likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,29 +30,29 @@ impl Default for Tolerance {
 
 /// An error or a mistake in an operation.
 #[derive(Clone, Debug)]
-pub struct Disturbance<'a> {
+pub struct Disturbance {
     /// The index of the operation.
     pub operation: usize,
     /// The error or mistake.
-    pub change: Change<'a>,
+    pub change: Change,
 }
 
 /// An error or a mistake in an operation.
 #[derive(Clone, Debug)]
-pub enum Change<'a> {
+pub enum Change {
     /// An error of the hand: index among the operation's [`errors`](OperationKind::errors), and its size in millimetres of paper
     /// or degrees.
     Error(usize, f64),
     /// A mistake: the action carried out in place of the right one. It must make the same results and use none that are
     /// made later.
-    Instead(&'a OperationKind),
+    Instead(Arc<OperationKind>),
     /// A number that the operation makes is multiplied by a factor.
     Times(NumberId, f64),
     /// A number that the operation makes is replaced by this value in later operations.
     Written(NumberId, f64),
     /// A line that the operation draws is displaced to its left by a product of numbers made before, in units of the
     /// sheet.
-    Aside(LineId, &'a Product),
+    Aside(LineId, Product),
 }
 
 /// A number type in which a construction can be carried out.
@@ -120,7 +121,7 @@ impl Values {
         operations: &[Operation],
         first: usize,
         scales: PerSheet<f64>,
-        disturbances: &[Disturbance<'_>],
+        disturbances: &[Disturbance],
     ) {
         let mut waiting = disturbances.iter().peekable();
         for (index, operation) in operations.iter().enumerate().skip(first) {
@@ -130,7 +131,7 @@ impl Values {
                 continue;
             }
             let (mut kind, mut errors) = (&operation.kind, [0.0; 2]);
-            let mut afterwards: SmallVec<[&Change<'_>; 2]> = SmallVec::new();
+            let mut afterwards: SmallVec<[&Change; 2]> = SmallVec::new();
             while let Some(next) = waiting.next_if(|d| d.operation == index) {
                 match &next.change {
                     Change::Error(which, size) => errors[*which] += size,

@@ -2,7 +2,7 @@
 
 use super::judge::Exercise;
 use super::sheets::{key_rows, key_sentences};
-use crate::check::{BANDS, EmptyForm};
+use crate::check::{BANDS, WrittenForm};
 use crate::drawing::{Drawing, key_sheet};
 use crate::scene::schema_of;
 use crate::sheet::Scales;
@@ -97,8 +97,8 @@ impl Exercise {
 
     /// The empty form of the exercise with that name.
     #[must_use]
-    pub fn form<'a>(&'a self, name: &'a str) -> EmptyForm<'a> {
-        EmptyForm { solution: &self.solution, scales: self.scales, exercise: Some(name) }
+    pub fn form(&self, name: &str) -> WrittenForm<'_> {
+        WrittenForm::empty(&self.solution, self.scales, Some(name))
     }
 }
 

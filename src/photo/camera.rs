@@ -111,14 +111,18 @@ impl Camera {
         heights.iter().fold(0.0, |most, height| most.max(height.abs()))
     }
 
-    /// The middle of the picture, in half diagonals.
-    fn usual_axis(&self) -> [f64; 2] {
-        self.usual.map(|x| x / self.reach)
+    /// For each of its numbers the cameras in which it alone is larger and smaller by `step`.
+    fn beside(&self, step: f64) -> [[Camera; 2]; UNKNOWNS] {
+        std::array::from_fn(|i| {
+            [step, -step].map(|step| self.changed(&std::array::from_fn(|j| if i == j { step } else { 0.0 })))
+        })
     }
 }
 
 type Square = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
 type Column = SVector<f64, UNKNOWNS>;
+/// How a place changes with each of the numbers.
+type Slopes = SMatrix<f64, 2, UNKNOWNS>;
 
 /// A corner of a marker: its place on the sheet, the way from the marker's middle out to it, and where it is in the picture.
 #[derive(Clone, Copy, Debug)]
@@ -220,16 +224,13 @@ fn start(plane: &Homography, [w, h]: [f64; 2], [width, height]: [f64; 2], focal:
 
 /// How far a camera is from what is supposed, in standard deviations.
 fn supposed(camera: &Camera) -> Column {
-    let [x, y] = [camera.axis.x, camera.axis.y].map(|x| x / camera.reach);
-    // The middle of the picture.
-    let [u, v] = camera.usual_axis();
+    let off_axis = [0, 1].map(|i| camera.axis[i] / camera.reach - camera.usual[i] / camera.reach);
+    let focal = libm::log(camera.focal / (FOCAL * camera.reach));
+    let (distortion, bend) = (camera.distortion, camera.bend);
     let mut off = Column::zeros();
-    off[0] = libm::log(camera.focal / (FOCAL * camera.reach));
-    (off[1], off[2]) = (x - u, y - v);
-    (off[3], off[4]) = (camera.distortion[0], camera.distortion[1]);
-    (off[11], off[12], off[13]) = (camera.bend[0], camera.bend[1], camera.bend[2]);
-    off[14] = camera.spread;
-    Column::from_fn(|i, _| off[i] / BEFORE[i])
+    off.as_mut_slice()[..5].copy_from_slice(&[focal, off_axis[0], off_axis[1], distortion[0], distortion[1]]);
+    off.as_mut_slice()[11..].copy_from_slice(&[bend[0], bend[1], bend[2], camera.spread]);
+    off.component_div(&Column::from(BEFORE))
 }
 
 impl Sight {
@@ -245,12 +246,7 @@ impl Sight {
 /// Sum of the squares of all residuals in standard deviations, those far off less, and the equations for a step.
 fn equations(camera: &Camera, sights: &[Sight]) -> (f64, Square, Column) {
     const STEP: f64 = 1e-6;
-    let changed: Vec<(Camera, Camera)> = (0..UNKNOWNS)
-        .map(|i| {
-            let by = |step: f64| camera.changed(&std::array::from_fn(|j| if i == j { step } else { 0.0 }));
-            (by(STEP), by(-STEP))
-        })
-        .collect();
+    let changed = camera.beside(STEP);
     let off = supposed(camera);
     let mut cost = off.norm_squared();
     let mut matrix = Square::from_diagonal(&Column::from_fn(|i, _| BEFORE[i].powi(-2)));
@@ -262,14 +258,10 @@ fn equations(camera: &Camera, sights: &[Sight]) -> (f64, Square, Column) {
         let weight = if size > FAR { FAR / size } else { 1.0 };
         cost += if size > FAR { FAR * (2.0 * size - FAR) } else { size * size };
         let slopes =
-            changed.iter().map(|(up, down)| (sight.expected(up) - sight.expected(down)) / (2.0 * STEP * deviation));
-        let slopes: Vec<Vector> = slopes.collect();
-        for i in 0..UNKNOWNS {
-            right[i] += weight * slopes[i].dot(&residual);
-            for j in 0..UNKNOWNS {
-                matrix[(i, j)] += weight * slopes[i].dot(&slopes[j]);
-            }
-        }
+            changed.each_ref().map(|[up, down]| (sight.expected(up) - sight.expected(down)) / (2.0 * STEP * deviation));
+        let slopes = Slopes::from_columns(&slopes);
+        matrix += slopes.tr_mul(&slopes) * weight;
+        right += slopes.tr_mul(&residual) * weight;
     }
     (cost, matrix, right)
 }
@@ -351,18 +343,8 @@ impl Fitted {
     pub(super) fn covariance(&self, paper: Point) -> Option<Matrix2<f64>> {
         const STEP: f64 = 1e-6;
         let back = self.camera.slope(paper).try_inverse()?;
-        let mut sum = Matrix2::zeros();
-        let slopes: Vec<Vector> = (0..UNKNOWNS)
-            .map(|i| {
-                let by = |step: f64| self.camera.changed(&std::array::from_fn(|j| if i == j { step } else { 0.0 }));
-                back * (by(STEP).pixel(paper) - by(-STEP).pixel(paper)) / (2.0 * STEP)
-            })
-            .collect();
-        for i in 0..UNKNOWNS {
-            for j in 0..UNKNOWNS {
-                sum += slopes[i] * slopes[j].transpose() * self.covariance[(i, j)];
-            }
-        }
-        Some(sum)
+        let slope = |[up, down]: [Camera; 2]| back * (up.pixel(paper) - down.pixel(paper)) / (2.0 * STEP);
+        let slopes = Slopes::from_columns(&self.camera.beside(STEP).map(slope));
+        Some(slopes * self.covariance * slopes.transpose())
     }
 }

@@ -11,22 +11,6 @@ const VERSIONS: std::ops::RangeInclusive<usize> = 1..=8;
 /// Least share of the modules of the three finder patterns that are as they must be.
 const LIKE: f64 = 0.8;
 
-/// The modules of a code.
-struct Modules {
-    size: usize,
-    dark: Vec<bool>,
-}
-
-impl BitGrid for Modules {
-    fn size(&self) -> usize {
-        self.size
-    }
-
-    fn bit(&self, y: usize, x: usize) -> bool {
-        self.dark[y * self.size + x]
-    }
-}
-
 /// Farthest that a corner of the code is looked for from where the markers let expect it, in parts of the code's side: a corner of paper
 /// may stand up.
 const ASIDE: f64 = 0.16;
@@ -39,31 +23,29 @@ pub(super) fn code(
     expected: impl FnOnce() -> Vec<SheetCode>,
 ) -> Option<SheetCode> {
     let sizes = || VERSIONS.map(|version| 17 + 4 * version);
-    let seen: Vec<Seen> = sizes().map(|size| Seen::new(picture, &pixel, size)).collect();
-    let read = |all: &mut dyn Iterator<Item = Modules>| SheetCode::read(&first_text(all)?);
-    let plain = read(&mut seen.iter().map(Seen::plain));
-    if plain.is_some() {
-        return plain;
-    }
-    let equalized = |seen: &[Seen]| -> Vec<Equalized> {
+    let read = |all: &[Modules]| SheetCode::read(&first_text(all)?);
+    let plain = |seen: &[Seen]| -> Vec<Modules> { seen.iter().map(Seen::plain).collect() };
+    let equalized = |seen: &[Seen]| -> Vec<Modules> {
         seen.iter().flat_map(|seen| SMALL.iter().filter_map(|small| seen.equalized(*small))).collect()
     };
+    let seen: Vec<Seen> = sizes().map(|size| Seen::new(picture, &pixel, size)).collect();
+    if let Some(code) = read(&plain(&seen)) {
+        return Some(code);
+    }
     let mut all = equalized(&seen);
-    let sharper = read(&mut all.iter().map(Equalized::modules));
-    if sharper.is_some() {
-        return sharper;
+    if let Some(code) = read(&all) {
+        return Some(code);
     }
     let aligned: Vec<Seen> = sizes().map(|size| Seen::new(picture, &aligned(picture, &pixel, size), size)).collect();
     let further = equalized(&aligned);
-    let modules = further.iter().map(Equalized::modules).chain(aligned.iter().map(Seen::plain));
-    let moved = read(&mut modules.collect::<Vec<_>>().into_iter());
+    let moved: Vec<Modules> = further.iter().cloned().chain(plain(&aligned)).collect();
     all.extend(further);
-    moved.or_else(|| likest(&all, &expected()).cloned())
+    read(&moved).or_else(|| likest(&all, &expected()).cloned())
 }
 
 /// The text of the first code that can be read, the likeliest size first.
-fn first_text(all: &mut dyn Iterator<Item = Modules>) -> Option<String> {
-    let mut tries: Vec<(f64, Modules)> = all.map(|modules| (modules.likeness(), modules)).collect();
+fn first_text(all: &[Modules]) -> Option<String> {
+    let mut tries: Vec<(f64, &Modules)> = all.iter().map(|modules| (modules.likeness(), modules)).collect();
     tries.retain(|(likeness, _)| *likeness >= LIKE);
     tries.sort_by(|a, b| b.0.total_cmp(&a.0));
     tries.into_iter().find_map(|(_, modules)| Grid::new(modules).decode().ok()).map(|(_, text)| text)
@@ -75,7 +57,7 @@ const CORRELATED: f64 = 0.4;
 const CLEARLY: f64 = 0.15;
 
 /// The expected code that is clearly most like what is seen.
-fn likest<'a>(all: &[Equalized], expected: &'a [SheetCode]) -> Option<&'a SheetCode> {
+fn likest<'a>(all: &[Modules], expected: &'a [SheetCode]) -> Option<&'a SheetCode> {
     let rated = expected.iter().filter_map(|code| {
         let modules = code.modules()?;
         let of_size = all.iter().filter(|seen| seen.size == modules.len());
@@ -88,7 +70,8 @@ fn likest<'a>(all: &[Equalized], expected: &'a [SheetCode]) -> Option<&'a SheetC
     (most > CORRELATED && most > second + CLEARLY).then_some(code)
 }
 
-/// The same places, moved so that the three finder patterns and the alignment pattern of a code of that size are where they are seen.
+/// Where the places of a code of that size are in the picture, moved so that its three finder patterns and its alignment
+/// pattern are where they are seen.
 fn aligned<'a>(
     picture: &'a Picture,
     pixel: &'a impl Fn(f64, f64) -> Point,
@@ -144,7 +127,7 @@ fn aligned<'a>(
 
 /// Weights of the rings of a finder pattern, from its middle out: dark ones are negative.
 const FINDER: [f64; 4] = [-0.2, -0.8, 2.0, -1.0];
-/// The same of an alignment pattern.
+/// Weights of the rings of an alignment pattern.
 const ALIGNMENT: [f64; 3] = [-0.5, 1.0, -0.5];
 
 /// Half modules in a row round the middle of a module from which it is told whether it is dark.
@@ -205,14 +188,12 @@ impl Seen {
 
     /// The modules that are darker than half way between the darkest and the lightest around.
     fn plain(&self) -> Modules {
-        let mean = |x, y| self.at(x, y, 0, 0) + self.at(x, y, 1, 0) + self.at(x, y, 0, 1) + self.at(x, y, 1, 1);
-        self.modules(|x, y| mean(x, y) < 0.0)
+        self.modules(|x, y| self.at(x, y, 0, 0) + self.at(x, y, 1, 0) + self.at(x, y, 0, 1) + self.at(x, y, 1, 1))
     }
 
-    fn modules(&self, is_dark: impl Fn(i64, i64) -> bool) -> Modules {
+    fn modules(&self, light: impl Fn(i64, i64) -> f64) -> Modules {
         let size = self.size as i64;
-        let dark = (0..size * size).map(|i| is_dark(i % size, i / size)).collect();
-        Modules { size: self.size, dark }
+        Modules { size: self.size, light: (0..size * size).map(|i| light(i % size, i / size)).collect() }
     }
 
     /// The brightness round a module, from which it is told whether it is dark.
@@ -223,7 +204,7 @@ impl Seen {
 
     /// The modules after blur is taken back: by the sum of weighted brightness round a module that is right, with least squares, for
     /// the modules that are the same in all codes, and then for all as they were told apart (a decision-directed equalizer: Lucky 1966).
-    fn equalized(&self, small: f64) -> Option<Equalized> {
+    fn equalized(&self, small: f64) -> Option<Modules> {
         let size = self.size as i64;
         let same = known(self.size);
         let mut weights = self.weights(same.iter().copied(), small)?;
@@ -232,8 +213,7 @@ impl Seen {
             let told = told.map(|(x, y)| (x, y, self.round(x, y).dot(&weights) < 0.0));
             weights = self.weights(told.chain(same.iter().copied()), small)?;
         }
-        let light = (0..size * size).map(|i| self.round(i % size, i / size).dot(&weights)).collect();
-        Some(Equalized { size: self.size, light })
+        Some(self.modules(|x, y| self.round(x, y).dot(&weights)))
     }
 
     /// The weights by which the brightness round modules tells best whether they are dark.
@@ -253,25 +233,28 @@ impl Seen {
     }
 }
 
-/// Modules after blur is taken back: light ones are positive.
-struct Equalized {
+/// The modules of a code by how light they are: dark ones are negative.
+#[derive(Clone)]
+struct Modules {
     size: usize,
     light: Vec<f64>,
 }
 
-impl Equalized {
-    fn modules(&self) -> Modules {
-        Modules { size: self.size, dark: self.light.iter().map(|light| *light < 0.0).collect() }
+impl BitGrid for &Modules {
+    fn size(&self) -> usize {
+        self.size
     }
 
+    fn bit(&self, y: usize, x: usize) -> bool {
+        self.light[y * self.size + x] < 0.0
+    }
+}
+
+impl Modules {
     /// Correlation with a code, over the modules that are not the same in all codes.
     fn correlation(&self, code: &[Vec<bool>]) -> f64 {
-        let same = known(self.size);
         let mut is_same = vec![false; self.light.len()];
-        let size = self.size as i64;
-        for (x, y, _) in same.into_iter().filter(|(x, y, _)| (0..size).contains(x) && (0..size).contains(y)) {
-            is_same[(y * size + x) as usize] = true;
-        }
+        self.known().for_each(|(module, _)| is_same[module] = true);
         let own = self.light.iter().zip(code.iter().flatten()).zip(&is_same).filter(|(_, same)| !**same);
         let pairs: Vec<(f64, f64)> =
             own.map(|((light, dark), _)| (light.clamp(-2.0, 2.0), if *dark { -1.0 } else { 1.0 })).collect();
@@ -281,6 +264,20 @@ impl Equalized {
         let covariance = mean(&|p| (p.0 - a) * (p.1 - b));
         let spread = mean(&|p| (p.0 - a).powi(2)) * mean(&|p| (p.1 - b).powi(2));
         covariance / spread.sqrt().max(f64::MIN_POSITIVE)
+    }
+
+    /// Share of the modules that are the same in all codes which are as they must be.
+    fn likeness(&self) -> f64 {
+        let right = self.known().filter(|(module, is_dark)| (self.light[*module] < 0.0) == *is_dark).count();
+        right as f64 / self.known().count().max(1) as f64
+    }
+
+    /// The modules that are the same in all codes of this size, and whether they are dark.
+    fn known(&self) -> impl Iterator<Item = (usize, bool)> {
+        let size = self.size as i64;
+        let inside =
+            known(self.size).into_iter().filter(move |(x, y, _)| (0..size).contains(x) && (0..size).contains(y));
+        inside.map(move |(x, y, is_dark)| ((y * size + x) as usize, is_dark))
     }
 }
 
@@ -312,18 +309,4 @@ fn known(size: usize) -> Vec<(i64, i64, bool)> {
         }
     }
     all
-}
-
-impl Modules {
-    /// Share of the modules that are the same in all codes which are as they must be.
-    fn likeness(&self) -> f64 {
-        let size = self.size as i64;
-        let inside = |x: i64, y: i64| (0..size).contains(&x) && (0..size).contains(&y);
-        let (mut right, mut all) = (0_u32, 0_u32);
-        for (x, y, is_dark) in known(self.size).into_iter().filter(|(x, y, _)| inside(*x, *y)) {
-            all += 1;
-            right += u32::from(self.dark[(y * size + x) as usize] == is_dark);
-        }
-        f64::from(right) / f64::from(all.max(1))
-    }
 }

@@ -118,19 +118,39 @@ fn crossing(picture: &Picture, on: Point, inwards: Vector) -> Option<(Point, f64
         .then(|| (place(middle), width * REACH / SAMPLES as f64))
 }
 
-/// The straight line with least squares across.
+/// The edge along places on it.
 fn line(points: &[Point]) -> Option<Edge> {
     let n = points.len() as f64;
-    let mean = Point::from(points.iter().map(|p| p.coords).sum::<Vector>() / n);
-    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    for point in points {
-        let d = point - mean;
-        (xx, xy, yy) = (xx + d.x * d.x, xy + d.x * d.y, yy + d.y * d.y);
-    }
-    let angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);
-    let along = Vector::new(libm::cos(angle), libm::sin(angle));
-    let across: f64 = points.iter().map(|p| cross(along, p - mean).powi(2)).sum();
+    let Line { on, along, across, size } = Line::through(points.iter().map(|point| (*point, 1.0)));
     let spread = (across / (n - 2.0).max(1.0)).sqrt();
     // At the ends of a line its place is half as sure as in the middle.
-    (xx + yy > 0.0).then_some(Edge { on: mean, along, deviation: 2.0 * spread / n.sqrt(), blur: 0.0 })
+    (size > 0.0).then_some(Edge { on, along, deviation: 2.0 * spread / n.sqrt(), blur: 0.0 })
+}
+
+/// A straight line with least squares across.
+pub(super) struct Line {
+    /// The mean of the places, and the direction of length one.
+    pub on: Point,
+    pub along: Vector,
+    /// The weighted sum of the squares of distances from it.
+    pub across: f64,
+    /// That of the distances from the mean.
+    size: f64,
+}
+
+impl Line {
+    /// The line through places with their weights.
+    pub(super) fn through(points: impl Iterator<Item = (Point, f64)> + Clone) -> Line {
+        let total: f64 = points.clone().map(|(_, weight)| weight).sum();
+        let on = Point::from(points.clone().map(|(point, weight)| point.coords * weight).sum::<Vector>() / total);
+        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        for (point, weight) in points.clone() {
+            let d = point - on;
+            (xx, xy, yy) = (xx + weight * d.x * d.x, xy + weight * d.x * d.y, yy + weight * d.y * d.y);
+        }
+        let angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);
+        let along = Vector::new(libm::cos(angle), libm::sin(angle));
+        let across = points.map(|(point, weight)| weight * cross(along, point - on).powi(2)).sum();
+        Line { on, along, across, size: xx + yy }
+    }
 }

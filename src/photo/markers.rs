@@ -5,7 +5,7 @@ use super::squares::squares;
 use crate::drawing::markers::{CELLS, CODES, INNER, places};
 use crate::geometry::Point;
 use crate::scene::{Page, PageSize};
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 /// Longer side of the picture in which markers are looked for, in pixels; their edges are found in the whole one.
 const WORKING: usize = 1700;
@@ -18,14 +18,11 @@ const CONTRAST: f64 = 18.0;
 /// How far a corner may be from where the others let expect it, in sides of its marker.
 const APART: f64 = 0.9;
 
-const PAGES: [Page; 6] = [
-    Page { size: PageSize::A4, landscape: true },
-    Page { size: PageSize::A4, landscape: false },
-    Page { size: PageSize::A3, landscape: true },
-    Page { size: PageSize::A3, landscape: false },
-    Page { size: PageSize::Letter, landscape: true },
-    Page { size: PageSize::Letter, landscape: false },
-];
+/// The pages on which sheets are printed.
+fn pages() -> impl Iterator<Item = Page> {
+    let sizes = [PageSize::A4, PageSize::A3, PageSize::Letter].into_iter();
+    sizes.flat_map(|size| [true, false].map(|landscape| Page { size, landscape }))
+}
 
 /// The corners of a marker on its page, in mm, clockwise from the upper left one.
 pub(super) fn corners(page: Page, number: usize) -> [Point; 4] {
@@ -159,7 +156,7 @@ fn read(picture: &Picture, square: &[Point; 4]) -> Option<Marker> {
 
 /// The largest set of markers that can stand on one sheet, for every page on which it can; at least [`LEAST`] markers.
 pub(super) fn sheets(markers: &[Marker]) -> Vec<Seen> {
-    let mut all: Vec<Seen> = PAGES.iter().filter_map(|page| largest(markers, *page)).collect();
+    let mut all: Vec<Seen> = pages().filter_map(|page| largest(markers, page)).collect();
     let most = all.iter().map(|seen| seen.markers.len()).max().unwrap_or(0);
     all.retain(|seen| seen.markers.len() == most);
     all
@@ -230,18 +227,15 @@ impl Homography {
             return None;
         }
         let (from, to) = (scaling(pairs.iter().map(|pair| pair.0))?, scaling(pairs.iter().map(|pair| pair.1))?);
-        let mut normal = DMatrix::<f64>::zeros(9, 9);
+        let mut normal = SMatrix::<f64, 9, 9>::zeros();
         for (a, b) in pairs {
             let (a, b) = (Homography(from).at(*a), Homography(to).at(*b));
             for row in [
                 [a.x, a.y, 1.0, 0.0, 0.0, 0.0, -b.x * a.x, -b.x * a.y, -b.x],
                 [0.0, 0.0, 0.0, a.x, a.y, 1.0, -b.y * a.x, -b.y * a.y, -b.y],
             ] {
-                for i in 0..9 {
-                    for j in 0..9 {
-                        normal[(i, j)] += row[i] * row[j];
-                    }
-                }
+                let row = SVector::from(row);
+                normal += row * row.transpose();
             }
         }
         let eigen = normal.symmetric_eigen();

@@ -17,13 +17,11 @@ mod camera;
 mod code;
 mod edges;
 mod markers;
-mod paper;
 mod picture;
 mod sheet;
 mod squares;
 mod strokes;
 
-pub use paper::Paper;
-pub use picture::Picture;
+pub use picture::{Paper, Picture};
 pub use sheet::{PhotoSheet, Refusal, read};
 pub use strokes::{Crossing, Stroke, crossing};

@@ -3,8 +3,7 @@
 use super::camera::{Camera, Fitted, fitted};
 use super::code;
 use super::markers::{self, Seen};
-use super::paper::Paper;
-use super::picture::Picture;
+use super::picture::{Paper, Picture};
 use super::strokes::{Stroke, strokes};
 use crate::drawing::markers::{SheetCode, code_place};
 use crate::geometry::Point;

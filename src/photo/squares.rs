@@ -2,6 +2,8 @@
 
 use super::picture::Picture;
 use crate::geometry::{Point, cross};
+use indexmap::IndexMap;
+use petgraph::unionfind::UnionFind;
 
 /// Share of the mean brightness around it below which a pixel is dark.
 const DARK: [u64; 2] = [74, 88];
@@ -18,14 +20,15 @@ const CORNERS: usize = 40;
 pub(super) fn squares(picture: &Picture, pass: usize) -> Vec<[Point; 4]> {
     let (width, height) = (picture.width(), picture.height());
     let radius = (width.max(height) / AROUND[pass]).max(4);
-    let mut parts = Parts::default();
     let sums = sums(picture);
-    let mut before: Vec<Run> = Vec::new();
+    let mut runs: Vec<Run> = Vec::new();
+    let mut touching: Vec<[usize; 2]> = Vec::new();
+    let mut before = 0..0;
     for y in 0..height {
         let (y0, y1) = (y.saturating_sub(radius), (y + radius + 1).min(height));
         let (above, below) = (&sums[y0 * (width + 1)..], &sums[y1 * (width + 1)..]);
         let row = picture.row(y);
-        let mut runs: Vec<Run> = Vec::new();
+        let begin = runs.len();
         let mut open: Option<usize> = None;
         for (x, &pixel) in row.iter().enumerate() {
             let (x0, x1) = (x.saturating_sub(radius), (x + radius + 1).min(width));
@@ -35,32 +38,26 @@ pub(super) fn squares(picture: &Picture, pass: usize) -> Vec<[Point; 4]> {
             match (is_dark, open) {
                 (true, None) => open = Some(x),
                 (false, Some(from)) => {
-                    runs.push(Run { from, to: x, part: usize::MAX });
+                    runs.push(Run { y, from, to: x });
                     open = None;
                 }
                 _ => {}
             }
         }
-        runs.extend(open.map(|from| Run { from, to: width, part: usize::MAX }));
+        runs.extend(open.map(|from| Run { y, from, to: width }));
         // Runs that touch one of the row above belong to its part, be it by a corner: frames that stand on edge are thin.
-        let mut first = 0;
-        for run in &mut runs {
-            while first < before.len() && before[first].to < run.from {
+        let mut first = before.start;
+        for run in begin..runs.len() {
+            while first < before.end && runs[first].to < runs[run].from {
                 first += 1;
             }
-            for other in before[first..].iter().take_while(|other| other.from <= run.to) {
-                run.part =
-                    if run.part == usize::MAX { parts.root(other.part) } else { parts.join(run.part, other.part) };
-            }
-            if run.part == usize::MAX {
-                run.part = parts.begin();
-            }
-            parts.add(run.part, y, run);
+            let touched = (first..before.end).take_while(|&other| runs[other].from <= runs[run].to);
+            touching.extend(touched.map(|other| [run, other]));
         }
-        before = runs;
+        before = begin..runs.len();
     }
     let most = width.max(height) / 4;
-    parts.finished().into_iter().filter_map(|part| part.corners(most)).collect()
+    parts(&runs, &touching).iter().filter_map(|part| part.corners(most)).collect()
 }
 
 /// Sums of all pixels above and to the left, with a first row and column of zeros. They wrap: only differences count.
@@ -80,13 +77,13 @@ fn sums(picture: &Picture) -> Vec<u32> {
 
 /// Dark pixels side by side in one row.
 struct Run {
+    y: usize,
     from: usize,
     to: usize,
-    part: usize,
 }
 
 /// Dark pixels that hang together: the ends of their runs, by row, and their number.
-#[derive(Clone, Default)]
+#[derive(Default)]
 struct Part {
     /// By row from `top`: the leftmost pixel and the one after the rightmost.
     ends: Vec<[u32; 2]>,
@@ -94,74 +91,24 @@ struct Part {
     count: usize,
 }
 
-/// Parts under way; those that were joined name their successor.
-#[derive(Default)]
-struct Parts {
-    all: Vec<Part>,
-    joined: Vec<usize>,
-}
-
-impl Parts {
-    fn begin(&mut self) -> usize {
-        self.all.push(Part::default());
-        self.joined.push(self.joined.len());
-        self.joined.len() - 1
+/// The parts that runs make, given row by row, of which some touch.
+fn parts(runs: &[Run], touching: &[[usize; 2]]) -> Vec<Part> {
+    let mut joined = UnionFind::new(runs.len());
+    for &[one, other] in touching {
+        joined.union(one, other);
     }
-
-    fn root(&mut self, mut part: usize) -> usize {
-        while self.joined[part] != part {
-            self.joined[part] = self.joined[self.joined[part]];
-            part = self.joined[part];
-        }
-        part
-    }
-
-    /// Joins two parts; the larger one stays.
-    fn join(&mut self, one: usize, other: usize) -> usize {
-        let (one, other) = (self.root(one), self.root(other));
-        if one == other {
-            return one;
-        }
-        let (stays, goes) =
-            if self.all[one].ends.len() >= self.all[other].ends.len() { (one, other) } else { (other, one) };
-        let gone = std::mem::take(&mut self.all[goes]);
-        self.joined[goes] = stays;
-        for (row, ends) in gone.ends.iter().enumerate() {
-            self.all[stays].add(gone.top + row, *ends);
-        }
-        self.all[stays].count += gone.count;
-        stays
-    }
-
-    fn add(&mut self, part: usize, y: usize, run: &Run) {
-        let root = self.root(part);
-        let part = &mut self.all[root];
-        part.add(y, [run.from as u32, run.to as u32]);
+    let mut parts: IndexMap<usize, Part> = IndexMap::new();
+    for (run, label) in runs.iter().zip(joined.into_labeling()) {
+        let part = parts.entry(label).or_insert_with(|| Part { top: run.y, ..Part::default() });
+        part.ends.resize(run.y + 1 - part.top, [u32::MAX, 0]);
+        let ends = &mut part.ends[run.y - part.top];
+        *ends = [ends[0].min(run.from as u32), ends[1].max(run.to as u32)];
         part.count += run.to - run.from;
     }
-
-    fn finished(self) -> Vec<Part> {
-        let is_root = |index: &usize| self.joined[*index] == *index;
-        (0..self.all.len()).filter(is_root).map(|index| self.all[index].clone()).collect()
-    }
+    parts.into_values().collect()
 }
 
 impl Part {
-    fn add(&mut self, y: usize, [from, to]: [u32; 2]) {
-        if self.ends.is_empty() {
-            self.top = y;
-        }
-        while y < self.top {
-            self.ends.insert(0, [u32::MAX, 0]);
-            self.top -= 1;
-        }
-        while self.ends.len() <= y - self.top {
-            self.ends.push([u32::MAX, 0]);
-        }
-        let ends = &mut self.ends[y - self.top];
-        *ends = [ends[0].min(from), ends[1].max(to)];
-    }
-
     /// The four corners, if there are four and the part is as large and as full as a marker.
     fn corners(&self, most: usize) -> Option<[Point; 4]> {
         let height = self.ends.len();

@@ -1,6 +1,7 @@
 //! Straight pencil lines on paper, and where they cross.
 
-use super::paper::Paper;
+use super::edges::Line;
+use super::picture::Paper;
 use crate::geometry::{Point, Vector, cross};
 
 /// Standard deviation of the smoothing with which lines are looked for, in mm: near that of a pencil line.
@@ -136,9 +137,10 @@ fn ridges(paper: &Paper) -> Ridges {
     Ridges { strength, direction }
 }
 
-/// Places that belong to one line, weighted.
+/// Places that belong to one line, weighted by how strongly it shows there: their mean, the direction of the line, its ends
+/// from the mean, and the standard deviation across.
 #[derive(Clone, Debug)]
-struct Part {
+struct Segment {
     points: Vec<(Point, f64)>,
     mean: Point,
     along: Vector,
@@ -148,7 +150,7 @@ struct Part {
 }
 
 /// Grows lines from the strongest places, through neighbours of their direction (Grompone von Gioi et al. 2010).
-fn grown(paper: &Paper, ridges: &Ridges) -> Vec<Part> {
+fn grown(paper: &Paper, ridges: &Ridges) -> Vec<Segment> {
     let [width, height] = paper.size;
     let mut order: Vec<usize> = (0..width * height).filter(|i| ridges.strength[*i] > BEGIN).collect();
     order.sort_by(|a, b| ridges.strength[*b].total_cmp(&ridges.strength[*a]).then(a.cmp(b)));
@@ -200,14 +202,14 @@ fn grown(paper: &Paper, ridges: &Ridges) -> Vec<Part> {
             let place = Point::new(paper.corner[0] + x * paper.step, paper.corner[1] + y * paper.step);
             (place, f64::from(ridges.strength[*index]))
         };
-        let mut part = Part::of(region.iter().map(at).collect());
+        let mut part = Segment::of(region.iter().map(at).collect());
         if part.across > WIDE {
             // Lines that run together at a small angle: one of them is that through the first place; the others are found from theirs.
             let own = one_line(&region, &at, first);
             region.iter().for_each(|index| is_used[*index] = false);
             is_used[seed] = true;
             own.iter().for_each(|index| is_used[*index] = true);
-            part = Part::of(own.iter().map(at).collect());
+            part = Segment::of(own.iter().map(at).collect());
         }
         if part.across < WIDE && part.to - part.from > 0.8 && part.to - part.from > 3.0 * part.across {
             parts.push(part);
@@ -227,7 +229,7 @@ fn one_line(region: &[usize], at: &impl Fn(&usize) -> (Point, f64), direction: f
             cross(line.1, off).abs() < WIDE && off.norm() < reach
         };
         own = region.iter().filter(is_near).copied().collect();
-        let part = Part::of(own.iter().map(at).collect());
+        let part = Segment::of(own.iter().map(at).collect());
         if part.to - part.from > 1.0 {
             line.1 = part.along;
             line.0 = part.mean + part.along * part.along.dot(&(line.0 - part.mean));
@@ -236,32 +238,24 @@ fn one_line(region: &[usize], at: &impl Fn(&usize) -> (Point, f64), direction: f
     own
 }
 
-impl Part {
-    fn of(points: Vec<(Point, f64)>) -> Part {
-        let total: f64 = points.iter().map(|(_, w)| w).sum();
-        let mean = Point::from(points.iter().map(|(p, w)| p.coords * *w).sum::<Vector>() / total);
-        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-        for (point, weight) in &points {
-            let d = point - mean;
-            (xx, xy, yy) = (xx + weight * d.x * d.x, xy + weight * d.x * d.y, yy + weight * d.y * d.y);
+impl Segment {
+    fn of(points: Vec<(Point, f64)>) -> Segment {
+        let Line { on: mean, along, across, .. } = Line::through(points.iter().copied());
+        let total: f64 = points.iter().map(|(_, weight)| weight).sum();
+        let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (point, _) in &points {
+            let place = along.dot(&(point - mean));
+            (from, to) = (from.min(place), to.max(place));
         }
-        let angle = 0.5 * libm::atan2(2.0 * xy, xx - yy);
-        let along = Vector::new(libm::cos(angle), libm::sin(angle));
-        let (mut from, mut to, mut across) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
-        for (point, weight) in &points {
-            let d = point - mean;
-            (from, to) = (from.min(along.dot(&d)), to.max(along.dot(&d)));
-            across += weight * cross(along, d).powi(2);
-        }
-        Part { points, mean, along, from, to, across: (across / total).sqrt() }
+        Segment { points, mean, along, from, to, across: (across / total).sqrt() }
     }
 
     fn ends(&self) -> [Point; 2] {
         [self.mean + self.along * self.from, self.mean + self.along * self.to]
     }
 
-    /// Whether another part goes on with this line.
-    fn goes_on(&self, other: &Part) -> bool {
+    /// Whether another segment lies on the same line, near enough to be a part of it.
+    fn continues(&self, other: &Segment) -> bool {
         let (long, short) = if self.to - self.from >= other.to - other.from { (self, other) } else { (other, self) };
         let sine = cross(long.along, short.along).abs();
         let length = short.to - short.from;
@@ -336,17 +330,17 @@ impl Part {
 }
 
 /// Joins parts of one line that others interrupt.
-fn joined(parts: &mut Vec<Part>) {
+fn joined(parts: &mut Vec<Segment>) {
     parts.sort_by(|a, b| (b.to - b.from).total_cmp(&(a.to - a.from)));
     let mut i = 0;
     while i < parts.len() {
         let mut is_changed = false;
         let mut j = i + 1;
         while j < parts.len() {
-            if parts[i].goes_on(&parts[j]) {
+            if parts[i].continues(&parts[j]) {
                 let other = parts.remove(j);
                 let points = std::mem::take(&mut parts[i].points);
-                parts[i] = Part::of(points.into_iter().chain(other.points).collect());
+                parts[i] = Segment::of(points.into_iter().chain(other.points).collect());
                 is_changed = true;
             } else {
                 j += 1;

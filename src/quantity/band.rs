@@ -170,7 +170,7 @@ impl Hand<'_> {
                     let change = Change::Error(which, if is_positive { size } else { -size });
                     Disturbance { operation, change }
                 });
-                let all: Vec<Disturbance<'_>> = all.collect();
+                let all: Vec<Disturbance> = all.collect();
                 values.carry_out(&self.construction.operations, 0, self.scales, &all);
             }
             for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {

@@ -49,7 +49,7 @@ fn a_blunt_pencil_is_no_mistake_unless_the_teacher_says_so() {
         let checked = check(&measured, &key).expect("values that are understood");
         assert_eq!(told(&checked), [], "{seed}");
         failed += usize::from(!checked.is_passed());
-        let strict = AnswerKey { latitude: 1.0, ..key };
+        let strict = AnswerKey { leniency: 1.0, ..key };
         strictly_failed += usize::from(!check(&measured, &strict).expect("the same values").is_passed());
     }
     assert!(failed <= 1 && strictly_failed >= 3, "{failed} and {strictly_failed} of 12");

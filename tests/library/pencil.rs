@@ -203,7 +203,7 @@ fn honest_drawings_keep_to_the_bands() {
             .collect();
         let mut off = vec![Vec::with_capacity(DRAWINGS); readings.len()];
         for _ in 0..DRAWINGS {
-            let disturbances: Vec<Disturbance<'_>> = errors
+            let disturbances: Vec<Disturbance> = errors
                 .iter()
                 .map(|&(operation, which, error)| {
                     let size = error.limit(&tolerance) * random.within(1.0);
@@ -254,7 +254,7 @@ fn a_vector_laid_off_backwards_propagates() {
     if let OperationKind::LayOff { along, .. } = &mut backwards {
         *along = along.turned(2);
     }
-    let mistake = Disturbance { operation, change: Change::Instead(&backwards) };
+    let mistake = Disturbance { operation, change: Change::Instead(backwards.into()) };
     let right = drawn.run(scales, &[]);
     let wrong = drawn.run(scales, &[mistake]);
     for (name, sign) in
@@ -282,7 +282,7 @@ fn a_forgotten_coriolis_part_propagates() {
     if let OperationKind::Compute { sum, .. } = &mut forgotten {
         sum.retain(|p| !coriolis(p));
     }
-    let mistake = Disturbance { operation, change: Change::Instead(&forgotten) };
+    let mistake = Disturbance { operation, change: Change::Instead(forgotten.into()) };
     let alpha = sheets.number("alpha(3)");
     let [right, wrong] = [vec![], vec![mistake]].map(|m| drawn.run(scales, &m).number(alpha));
     let Solution { mechanism, pose, motion, .. } = &sheets.solution;

@@ -76,7 +76,9 @@ fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
             let turned = [30.0 + cos * x - sin * y, 50.0 + sin * x + cos * y];
             (name.to_owned(), turned)
         });
-        PointsOf { places: places.into_iter().collect(), ..PointsOf::new(plan.sheet) }
+        let mut points = PointsOf::new(plan.sheet);
+        places.into_iter().for_each(|(name, at)| points.put(name, at, None));
+        points
     });
     Measured { mu: scales, points: points.collect(), ..Measured::default() }
 }

@@ -1,6 +1,6 @@
 //! A scene taken through all stages.
 
-use kinegon::check::{AnswerKey, LATITUDE};
+use kinegon::check::{AnswerKey, LENIENCY};
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Drawing, HeldLayout, Steps};
 use kinegon::{Error, Scene, Solution, solve};
@@ -12,7 +12,7 @@ pub fn solved(text: &str) -> Result<Solution, Error> {
 
 /// What a student's values are held against; so many mistakes at once are looked for.
 pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
-    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), latitude: LATITUDE, depth }
+    AnswerKey { solution, scales: solution.scales(), tolerance: Tolerance::default(), leniency: LENIENCY, depth }
 }
 
 /// The stepwise figures of positions on one stage, that of the position of an index.

@@ -51,7 +51,7 @@ macro_rules! catalogue {
                 diameter_throughout(length)
             }
             /// All products of a crank with half its radius.
-            HalfTheRadius "half-the-radius" 2.0 crank::half_the_radius { half_the_radius(length) }
+            HalfTheRadius "half-the-radius" 2.0 lengths::half_the_radius { half_the_radius(length) }
             /// A normal part from an absolute velocity, or from that of another link.
             NormalFromAbsolute "normal-from-absolute" 3.0 vectors::from_absolute {
                 normal_from_absolute(from, to, rate, length, velocity)
@@ -66,28 +66,28 @@ macro_rules! catalogue {
                 tangential_where_none(from, to, rate, length)
             }
             /// The Coriolis part forgotten.
-            CoriolisForgotten "coriolis-forgotten" 6.0 coriolis::forgotten {
+            CoriolisForgotten "coriolis-forgotten" 6.0 vectors::coriolis_forgotten {
                 coriolis_forgotten(from, to, rate, velocity)
             }
             /// The Coriolis part without its 2.
-            CoriolisWithoutTwo "coriolis-without-2" 4.0 coriolis::without_two {
+            CoriolisWithoutTwo "coriolis-without-2" 4.0 vectors::coriolis_without_two {
                 coriolis_without_two(from, to, rate, velocity)
             }
             /// The Coriolis part turned the wrong way.
-            CoriolisTurned "coriolis-turned" 5.0 coriolis::turned { coriolis_turned(from, to, rate, velocity) }
+            CoriolisTurned "coriolis-turned" 5.0 vectors::coriolis_turned { coriolis_turned(from, to, rate, velocity) }
             /// The Coriolis part laid off along the guide.
-            CoriolisAlong "coriolis-along-guide" 2.0 coriolis::along { coriolis_along(from, to, rate, velocity) }
+            CoriolisAlong "coriolis-along-guide" 2.0 vectors::coriolis_along { coriolis_along(from, to, rate, velocity) }
             /// The Coriolis part with another velocity than the sliding one.
-            CoriolisVelocity "coriolis-wrong-velocity" 3.0 coriolis::of_wrong_velocity {
+            CoriolisVelocity "coriolis-wrong-velocity" 3.0 vectors::coriolis_of_wrong_velocity {
                 coriolis_velocity(from, to, rate, velocity, wrong)
                 coriolis_velocity_and_omega(from, to, rate, velocity, wrong, omega)
             }
             /// A Coriolis part where nothing slides.
-            CoriolisWhereNone "coriolis-where-none" 2.0 coriolis::where_none {
+            CoriolisWhereNone "coriolis-where-none" 2.0 vectors::coriolis_where_none {
                 coriolis_where_none(from, to, rate, length)
             }
             /// A Coriolis part at a guide that is at rest.
-            CoriolisAtRest "coriolis-at-rest" 2.0 coriolis::at_rest { coriolis_at_rest(from, to, rate, velocity) }
+            CoriolisAtRest "coriolis-at-rest" 2.0 vectors::coriolis_at_rest { coriolis_at_rest(from, to, rate, velocity) }
             /// The image of a link mirrored.
             MirroredImage "mirrored-image" 3.0 images::mirrored {
                 /// `other` is the image that fixes the side.
@@ -151,9 +151,9 @@ macro_rules! catalogue {
                 scale_forgotten(segment, scale)
             }
             /// The other assembly mode.
-            OtherMode "other-mode" 4.0 position::other_mode { other_mode() }
+            OtherMode "other-mode" 4.0 lengths::other_mode { other_mode() }
             /// The mechanism drawn at another angle of its crank.
-            CrankAngle "crank-angle" 3.0 position::crank_angle { crank_angle(link, wrong, right) }
+            CrankAngle "crank-angle" 3.0 lengths::crank_angle { crank_angle(link, wrong, right) }
             /// Two numbers swapped.
             Swapped "swapped" 3.0 copying::swapped { swapped(first, second) }
             /// Digits transposed.

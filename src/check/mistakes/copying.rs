@@ -1,10 +1,10 @@
 //! Slips of writing: they change the written value, and what follows from it where later operations use the written
 //! value.
 
-use super::candidate::{Candidate, Reinterpretation};
-use super::site::Site;
+use super::site::{Candidate, Reinterpretation, Site};
 use super::told::{Blank, Told, tell};
 use crate::check::entry::Entry;
+use crate::construction::{Change, Disturbance};
 
 /// The candidates for values written otherwise than meant: one where later operations use the written values, if any
 /// do, and one where they do not.
@@ -12,41 +12,29 @@ fn misread(site: &Site<'_>, told: Told, meant: Vec<Reinterpretation>) -> Vec<Can
     let Some(first) = meant.first().map(|s| s.entry) else {
         return Vec::new();
     };
-    let mut goes_on = Vec::new();
-    for one in &meant {
+    let passed_on = meant.iter().filter_map(|one| {
         let entry = &site.entries[one.entry];
-        let Ok(reading) = site.model.readings[one.entry] else {
-            continue;
-        };
+        let reading = site.model.readings[one.entry].ok()?;
         let number = reading.number;
-        if site.model.used[number.0]
-            && let Some(operation) = site.model.makers[number.0]
-        {
-            let exact = site.model.exact.number(number);
-            let is_unsigned = reading.is_size() || entry.is_magnitude;
-            let value = if is_unsigned { libm::copysign(entry.value, exact) } else { entry.value };
-            goes_on.push((operation, number, value));
-        }
-    }
+        let operation = site.model.makers[number.0].filter(|_| site.model.used[number.0])?;
+        let is_unsigned = reading.is_size() || entry.is_magnitude;
+        let value = if is_unsigned { libm::copysign(entry.value, site.exact(number)) } else { entry.value };
+        Some(Disturbance { operation, change: Change::Written(number, value) })
+    });
+    let passed_on: Vec<Disturbance> = passed_on.collect();
     let only_written = Candidate { reinterpreted: meant, ..Candidate::at(told, site.entries[first].step) };
     let mut found = Vec::new();
     // Several entries may name one number; its use later is counted once.
-    if !goes_on.is_empty() && is_first_name(site, &only_written.reinterpreted) {
-        found.push(Candidate { goes_on, ..only_written.clone() });
+    let reads = |entry: usize| site.model.readings[entry].ok().map(|r| r.number);
+    if !passed_on.is_empty() && (0..first).all(|earlier| reads(earlier) != reads(first)) {
+        found.push(Candidate { passed_on, ..only_written.clone() });
     }
     found.push(only_written);
     found
 }
 
-/// Whether no earlier entry reads the same number as the first of these.
-fn is_first_name(site: &Site<'_>, meant: &[Reinterpretation]) -> bool {
-    let reads = |entry: usize| site.model.readings[entry].ok().map(|r| r.number);
-    let first = meant.first().map(|s| s.entry).unwrap_or(0);
-    (0..first).all(|earlier| reads(earlier) != reads(first))
-}
-
 fn meant_as(entry: usize, value: f64, rounding: f64) -> Reinterpretation {
-    Reinterpretation { entry, value: Some(value), rounding }
+    Reinterpretation { entry, value, rounding }
 }
 
 fn named(entry: &Entry) -> Blank {

@@ -1,11 +1,11 @@
 //! Mistakes with the images of links: on the wrong side of another image, divided in the wrong ratio.
 
-use super::candidate::Candidate;
-use super::site::Site;
+use super::site::{Candidate, Site, instead};
 use super::told::{Blank, Told, tell};
-use crate::check::model::Edit;
-use crate::construction::{Action, Along, LineId, NumberId, OperationKind, OperationRole, PlaceId, RayOf, Reference};
-use crate::geometry::Vector;
+use crate::construction::{
+    Action, Along, Disturbance, LineId, NumberId, OperationKind, OperationRole, PlaceId, RayOf, Reference,
+};
+use crate::geometry::{Vector, unit};
 use crate::sheet::Sheet;
 
 pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
@@ -21,10 +21,10 @@ pub(super) fn mirrored(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn wrong_ratio(site: &Site<'_>) -> Vec<Candidate> {
     let divided = site.operations().filter_map(|(index, operation)| match operation.kind {
         OperationKind::Divide { place, ends, like: [first, second, point] } => {
-            let divided = |like, ends: [PlaceId; 2], tell: OfImages| {
-                let edit = Edit::Instead(OperationKind::Divide { place, ends, like });
+            let divided = |like, ends: [PlaceId; 2], tell: fn(Blank, Blank, Blank) -> Told| {
                 let [from, to] = ends.map(|end| site.place(end));
-                site.candidate(tell(from, to, site.place(place)), index, edit)
+                let told = tell(from, to, site.place(place));
+                site.candidate(told, instead(index, OperationKind::Divide { place, ends, like }))
             };
             // The inverse ratio from either end: the point is taken for the other end.
             Some([
@@ -43,9 +43,6 @@ pub(super) fn wrong_ratio(site: &Site<'_>) -> Vec<Candidate> {
     }
     found
 }
-
-/// Tells of an image and two others.
-type OfImages = fn(Blank, Blank, Blank) -> Told;
 
 /// A ray for the image of a further point of a link: its operation, where it starts, its line, the link's arm.
 struct ArmRay {
@@ -74,28 +71,28 @@ struct Shape {
     mirrored: bool,
 }
 
+/// The places that a line joins; `None` for other lines.
+fn joined_by(site: &Site<'_>, line: LineId) -> Option<[PlaceId; 2]> {
+    match site.drawing_of(line)?.1.kind {
+        OperationKind::Join { from, towards, .. } => Some([from, towards]),
+        _ => None,
+    }
+}
+
 fn triangles(site: &Site<'_>) -> Vec<Triangle> {
-    let joined = |ends: [PlaceId; 2]| {
-        site.operations().find_map(|(_, operation)| match operation.kind {
-            OperationKind::Join { line, from, towards } if [from, towards] == ends => Some(line),
-            _ => None,
-        })
-    };
-    // The side of the link of which the base is the image joins the points at which the arms begin.
-    let start = |ray: &ArmRay| {
-        site.operations().find_map(|(_, operation)| match operation.kind {
-            OperationKind::Join { line, from, .. } if line == ray.arm => Some(from),
-            _ => None,
-        })
+    let joining = |ends: [PlaceId; 2]| {
+        let mut lines = site.operations().filter_map(|(_, operation)| operation.kind.line());
+        lines.find(|&line| joined_by(site, line) == Some(ends))
     };
     let crossed = site.operations().filter_map(|(_, operation)| {
         let (OperationRole::Image, &OperationKind::Cross { place, lines }) = (operation.role, &operation.kind) else {
             return None;
         };
         let [Some(first), Some(second)] = lines.map(|line| arm_ray(site, line)) else { return None };
-        let base = joined([first.through, second.through])?;
-        let (a, b) = start(&first).zip(start(&second))?;
-        let side = joined([a, b])?;
+        let base = joining([first.through, second.through])?;
+        // The side of the link of which the base is the image joins the points at which the arms begin.
+        let [a, b] = [&first, &second].map(|ray| joined_by(site, ray.arm));
+        let side = joining([a?[0], b?[0]])?;
         Some(Triangle { rays: [first, second], place, base, side })
     });
     crossed.collect()
@@ -103,13 +100,13 @@ fn triangles(site: &Site<'_>) -> Vec<Triangle> {
 
 impl Triangle {
     fn drawn(&self, site: &Site<'_>, shape: Shape) -> Candidate {
-        let edit = |own: usize| {
+        let edit = |own: usize| -> Disturbance {
             let (ray, other) = (&self.rays[own], &self.rays[1 - own]);
             // Exchanged, the angle at one end is that at the other, seen in a mirror.
             let arm = if shape.exchanged { other.arm } else { ray.arm };
             let angle = if shape.exchanged == shape.mirrored { [self.side, arm] } else { [arm, self.side] };
             let along = Along::angle(self.base, angle);
-            (ray.index, Edit::Instead(OperationKind::Draw { line: ray.line, through: ray.through, along }))
+            instead(ray.index, OperationKind::Draw { line: ray.line, through: ray.through, along })
         };
         let [from, to] = [&self.rays[0], &self.rays[1]].map(|ray| site.place(ray.through));
         let point = site.place(self.place);
@@ -118,8 +115,7 @@ impl Triangle {
             Shape { mirrored: true, .. } => tell::distances_exchanged_and_mirrored(from, to, point),
             Shape { mirrored: false, .. } => tell::distances_exchanged(from, to, point),
         };
-        let (index, own) = edit(0);
-        let mut candidate = site.candidate(told, index, own);
+        let mut candidate = site.candidate(told, edit(0));
         candidate.edits.push(edit(1));
         candidate
     }
@@ -127,7 +123,7 @@ impl Triangle {
 
 /// The ray of a line, if it leads to the image of a further point of a link.
 fn arm_ray(site: &Site<'_>, line: LineId) -> Option<ArmRay> {
-    let (index, operation) = site.operations().find(|(_, operation)| operation.kind.line() == Some(line))?;
+    let (index, operation) = site.drawing_of(line)?;
     match (site.key.solution.construction.step(operation.step?)?, &operation.kind) {
         (Action::Ray(ray), &OperationKind::Draw { through, along, .. }) if matches!(ray.of, RayOf::Arm { .. }) => {
             let arm = match along.reference {
@@ -151,13 +147,12 @@ fn beyond(site: &Site<'_>) -> Vec<Candidate> {
         let OperationKind::Divide { place, ends, like } = operation.kind else { continue };
         let [first, second, point] = like.map(|point| site.model.exact.place(point));
         let ratio = (point - first).dot(&(second - first)) / (second - first).norm_squared();
-        let [start, end] = ends.map(|end| site.model.exact.place(end));
-        let (near, far, part) = if ratio < 0.5 { (0, 1, ratio) } else { (1, 0, 1.0 - ratio) };
-        let at = [start, end][near] - ([start, end][far] - [start, end][near]) * part;
+        let ([near, far], part) = if ratio < 0.5 { (ends, ratio) } else { ([ends[1], ends[0]], 1.0 - ratio) };
         if part < -LEAST_ARM {
-            let edit = Edit::Instead(OperationKind::Plot { place, at });
-            let told = tell::beyond_end(site.place(ends[near]), site.place(place), site.place(ends[far]));
-            found.push(site.candidate(told, index, edit));
+            let [start, end] = [near, far].map(|end| site.model.exact.place(end));
+            let told = tell::beyond_end(site.place(near), site.place(place), site.place(far));
+            let edit = instead(index, OperationKind::Plot { place, at: start - (end - start) * part });
+            found.push(site.candidate(told, edit));
         }
     }
     found
@@ -166,28 +161,19 @@ fn beyond(site: &Site<'_>) -> Vec<Candidate> {
 /// The image of a link with three points mirrored: one of its sides laid off on the wrong side of another.
 fn mirrored_vectors(site: &Site<'_>) -> Vec<Candidate> {
     // Vectors of the plans that are normal to lines of the mechanism: operation, ends, size, direction of the line.
-    let mut laid: Vec<(usize, [PlaceId; 2], NumberId, Vector)> = Vec::new();
-    for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet != Sheet::Scheme) {
-        let OperationKind::LayOff {
+    let laid = site.operations().filter_map(|(index, operation)| match operation.kind {
+        OperationKind::LayOff {
             place,
             from,
             size,
             along: Along { reference: Reference::Line(line), quarter_turns: 1 },
-        } = operation.kind
-        else {
-            continue;
-        };
-        let joined = site.operations().find_map(|(_, other)| match other.kind {
-            OperationKind::Join { line: own, from, towards } if own == line => Some([from, towards]),
-            _ => None,
-        });
-        let Some([a, b]) = joined.map(|ends| ends.map(|end| site.model.exact.place(end))) else { continue };
-        if !site.place_name(place).is_empty()
-            && let Some(along) = crate::geometry::unit(b - a)
-        {
-            laid.push((index, [from, place], size, along));
+        } if operation.sheet != Sheet::Scheme && !site.place_name(place).is_empty() => {
+            let [a, b] = joined_by(site, line)?.map(|end| site.model.exact.place(end));
+            Some((index, [from, place], size, unit(b - a)?))
         }
-    }
+        _ => None,
+    });
+    let laid: Vec<(usize, [PlaceId; 2], NumberId, Vector)> = laid.collect();
     let mut found = Vec::new();
     for &(index, [from, place], size, along) in &laid {
         let before = laid.iter().take_while(|(other, ..)| *other < index);
@@ -196,11 +182,10 @@ fn mirrored_vectors(site: &Site<'_>) -> Vec<Candidate> {
             if site.place_name(from_other) != site.place_name(from) || !is_same_sheet {
                 continue;
             }
-            let mirrored = axis * (2.0 * along.dot(&axis)) - along;
-            let edit =
-                Edit::Instead(OperationKind::LayOff { place, from, size, along: Along::given(mirrored).turned(1) });
+            let mirrored = Along::given(axis * (2.0 * along.dot(&axis)) - along).turned(1);
             let told = tell::mirrored_image(site.place(from), site.place(place), site.place(place_other));
-            found.push(site.candidate(told, index, edit));
+            let edit = instead(index, OperationKind::LayOff { place, from, size, along: mirrored });
+            found.push(site.candidate(told, edit));
         }
     }
     found

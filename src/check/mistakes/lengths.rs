@@ -1,27 +1,16 @@
-//! Mistakes with lengths and segments: the wrong one measured or taken.
+//! Mistakes with lengths and segments, the wrong one measured or taken; with a crank, whose length and angle the scene
+//! gives; and the whole mechanism drawn in another assembly mode.
 
-use super::candidate::Candidate;
-use super::site::Site;
+use super::site::{Candidate, Laid, Site, instead, times};
 use super::told::{Blank, Told, tell};
-use crate::check::model::Edit;
-use crate::construction::{Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, PlaceId};
+use crate::construction::{
+    Along, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product, ProductKind,
+    Reference,
+};
+use crate::geometry::turn_of_degrees;
+use crate::mechanism::{BodyId, Role};
+use crate::position::{Pose, pose};
 use crate::sheet::Sheet;
-
-/// The candidate, with the right sign of the number measured: people take the sign from the sheets, not from the
-/// measurement.
-pub(super) fn with_same_sense(
-    site: &Site<'_>,
-    mut candidate: Candidate,
-    operation: usize,
-    number: NumberId,
-) -> Candidate {
-    let change = candidate.edits[0].1.change();
-    let values = site.model.replay(&[Disturbance { operation, change }]);
-    if values.number(number) * site.model.exact.number(number) < 0.0 {
-        candidate.edits.push((operation, Edit::Times(number, -1.0)));
-    }
-    candidate
-}
 
 /// The operations that measure a length: index, sheet, number, ends.
 fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, NumberId, [PlaceId; 2])> {
@@ -33,14 +22,28 @@ fn measures<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, Sheet, Numbe
     })
 }
 
+/// A number measured between other places or along an axis, with its right sign: people take the sign from the sheets, not
+/// from the measurement.
+fn measured(
+    site: &Site<'_>,
+    told: Told,
+    operation: usize,
+    (number, [from, to], how): (NumberId, [PlaceId; 2], MeasuredAs),
+) -> Candidate {
+    let mut candidate = site.candidate(told, instead(operation, OperationKind::Measure { number, from, to, how }));
+    if site.model.replay(&candidate.edits).number(number) * site.exact(number) < 0.0 {
+        candidate.edits.push(times(operation, number, -1.0));
+    }
+    candidate
+}
+
 pub(super) fn component(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (index, _, number, [from, to]) in measures(site) {
+    for (index, _, number, ends) in measures(site) {
         for (how, axis) in [(MeasuredAs::X, Blank::Horizontal), (MeasuredAs::Y, Blank::Vertical)] {
-            let edit = Edit::Instead(OperationKind::Measure { number, from, to, how });
-            let told = tell::component(site.quantity(number), axis, site.place(from), site.place(to));
-            let candidate = site.candidate(told, index, edit);
-            found.push(with_same_sense(site, candidate, index, number));
+            let [from, to] = ends.map(|end| site.place(end));
+            let told = tell::component(site.quantity(number), axis, from, to);
+            found.push(measured(site, told, index, (number, ends, how)));
         }
     }
     found
@@ -64,10 +67,9 @@ fn ends_elsewhere(
             if [from, to].contains(&other) {
                 continue;
             }
-            for [from, to] in [[other, to], [from, other]] {
-                let edit = Edit::Instead(OperationKind::Measure { number, from, to, how: MeasuredAs::Size });
-                let candidate = site.candidate(told(number, site.place(from), site.place(to)), index, edit);
-                found.push(with_same_sense(site, candidate, index, number));
+            for ends in [[other, to], [from, other]] {
+                let [from, to] = ends.map(|end| site.place(end));
+                found.push(measured(site, told(number, from, to), index, (number, ends, MeasuredAs::Size)));
             }
         }
     }
@@ -95,7 +97,7 @@ pub(super) fn lengths<'s>(site: &'s Site<'_>) -> Vec<Length<'s>> {
     let used = numbers.filter_map(|(number, kind)| match kind {
         NumberKind::Length(ends) => {
             let names = ends.map(|end| solution.construction.end_name(&solution.mechanism, end));
-            Some(Length { number: Some(number), exact: site.model.exact.number(number).abs(), names })
+            Some(Length { number: Some(number), exact: site.exact(number).abs(), names })
         }
         _ => None,
     });
@@ -131,9 +133,8 @@ impl<'s> Length<'s> {
         let number = self.number.filter(|&number| site.is_given(number))?;
         let first = self.uses(site).next()?;
         let maker = site.model.makers[number.0]?;
-        let mut candidate = site.candidate(told, maker, Edit::Times(number, factor));
-        candidate.step = site.model.steps[first];
-        Some(candidate)
+        let step = site.model.steps[first];
+        Some(Candidate { step, ..site.candidate(told, times(maker, number, factor)) })
     }
 
     /// The operations that use it.
@@ -153,18 +154,14 @@ pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = ends_elsewhere(site, told, |sheet| sheet == Sheet::Scheme);
     let lengths = lengths(site);
     let used = || lengths.iter().filter_map(|length| Some((length, length.number?)));
-    for (operation, number, sum, _) in site.sums() {
-        for (at, product) in sum.iter().enumerate() {
-            let Some((right, own)) = used().find(|(_, own)| product.of.last() == Some(own)) else {
-                continue;
-            };
-            for (wrong, ratio) in right.mistakable(&lengths) {
-                let mut sum = sum.to_vec();
-                sum[at] = product.times(ratio);
-                let edit = Edit::Instead(OperationKind::Compute { number, sum });
-                let [from, to] = wrong.names.map(Blank::from);
-                found.push(site.candidate(told(own, from, to), operation, edit));
-            }
+    for term in site.all_terms() {
+        let product = term.product();
+        let Some((right, own)) = used().find(|(_, own)| product.of.last() == Some(own)) else {
+            continue;
+        };
+        for (wrong, ratio) in right.mistakable(&lengths) {
+            let [from, to] = wrong.names.map(Blank::from);
+            found.push(term.candidate(site, told(own, from, to), Some(product.times(ratio))));
         }
     }
     for (right, own) in used().filter(|(length, _)| length.uses(site).count() > 1) {
@@ -175,4 +172,131 @@ pub(super) fn wrong_length(site: &Site<'_>) -> Vec<Candidate> {
         }
     }
     found
+}
+
+/// Whether a product is of a given rate with an arm of its link.
+fn is_of_arm(site: &Site<'_>, product: &Product) -> bool {
+    matches!(product.kind, ProductKind::Turning | ProductKind::Normal) && site.is_of_crank(product)
+}
+
+/// A crank's length taken `factor` times as long in all its products.
+fn of_other_length(site: &Site<'_>, tell: fn(Blank) -> Told, factor: f64) -> Vec<Candidate> {
+    let products = site.all_terms().map(|term| term.product()).filter(|product| is_of_arm(site, product));
+    let arms: Vec<NumberId> = products.filter_map(|product| product.of.last().copied()).collect();
+    let all = lengths(site).into_iter().filter_map(|length| {
+        let number = length.number.filter(|number| arms.contains(number))?;
+        length.throughout(site, tell(site.symbol(number)), factor)
+    });
+    all.collect()
+}
+
+/// The crank's diameter, or a slider-crank's stroke, in all products.
+pub(super) fn diameter_throughout(site: &Site<'_>) -> Vec<Candidate> {
+    of_other_length(site, tell::diameter_throughout, 2.0)
+}
+
+pub(super) fn half_the_radius(site: &Site<'_>) -> Vec<Candidate> {
+    of_other_length(site, tell::half_the_radius, 0.5)
+}
+
+/// Angles by which a protractor is commonly misread, in degrees.
+const MISREAD: [f64; 8] = [10.0, -10.0, 20.0, -20.0, 30.0, -30.0, 90.0, -90.0];
+
+/// The vectors of a crank's point in both plans, all turned by one angle.
+pub(super) fn crank_turned(site: &Site<'_>) -> Vec<Candidate> {
+    let vectors = site.vectors().into_iter();
+    let of_crank: Vec<Laid<'_>> =
+        vectors.filter(|vector| vector.sum.iter().any(|product| is_of_arm(site, product))).collect();
+    let mut found = Vec::new();
+    for (place, first) in of_crank.iter().enumerate() {
+        // From the first of one point's vectors on.
+        let same = |vector: &&Laid<'_>| vector.ends[1] == first.ends[1];
+        if of_crank[..place].iter().any(|vector| same(&vector)) {
+            continue;
+        }
+        let all: Vec<&Laid<'_>> = of_crank.iter().filter(same).collect();
+        if all.len() < 2 {
+            continue;
+        }
+        for degrees in MISREAD {
+            let edit = |vector: &&Laid<'_>| {
+                let sense = site.exact(vector.size).signum();
+                let direction = turn_of_degrees(degrees).transform_vector(&(vector.direction(site) * sense));
+                vector.turned(Along::given(direction))
+            };
+            let [from, to] = first.blanks();
+            let told = tell::turned_vectors(from, to, Blank::Number(degrees.abs().to_string()));
+            let step = site.model.steps[first.operation];
+            found.push(Candidate { edits: all.iter().map(edit).collect(), ..Candidate::at(told, step) });
+        }
+    }
+    found
+}
+
+/// The whole drawing made in another assembly mode.
+pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
+    (1..=site.other_modes).map(|mode| Candidate { mode, ..Candidate::at(tell::other_mode(), 0) }).collect()
+}
+
+/// A crank drawn at another angle than the given one, in degrees from +x, as a protractor is commonly misread: from its
+/// other end, clockwise, from the vertical, by one of its long marks.
+fn misread(angle: f64) -> Vec<f64> {
+    let all = [180.0 - angle, -angle, 90.0 - angle, angle + 10.0, angle - 10.0, angle + 20.0, angle - 20.0];
+    // From −180° to 180°.
+    let within = |degrees: f64| degrees - 360.0 * libm::round(degrees / 360.0);
+    let apart = |a: f64, b: f64| within(a - b).abs() > 1.0;
+    let mut found: Vec<f64> = Vec::new();
+    for wrong in all.map(within) {
+        if apart(wrong, angle) && found.iter().all(|&other| apart(wrong, other)) {
+            found.push(wrong);
+        }
+    }
+    found
+}
+
+/// The mechanism drawn with a crank at a wrong angle.
+pub(super) fn crank_angle(site: &Site<'_>) -> Vec<Candidate> {
+    let solution = site.key.solution;
+    // Groups without a construction take long to assemble and are not drawn.
+    if solution.construction.agreement.iter().any(Option::is_none) || solution.mechanism.placing.is_some() {
+        return Vec::new();
+    }
+    let mut found = Vec::new();
+    for crank in 0..solution.mechanism.bodies.len() {
+        let Role::Driver { angle: Some(right), .. } = solution.mechanism.body(BodyId(crank)).role else { continue };
+        for wrong in misread(right) {
+            let mut mechanism = solution.mechanism.clone();
+            if let Role::Driver { angle, .. } = &mut mechanism.bodies[crank].role {
+                *angle = Some(wrong);
+            }
+            let Ok(pose) = pose(&mechanism, &solution.scene.near) else { continue };
+            let link = solution.mechanism.body(BodyId(crank)).name.as_str().into();
+            let [was, is] = [wrong, right].map(|angle| Blank::Number(format!("{angle:.0}")));
+            let told = tell::crank_angle(link, was, is);
+            found.push(Candidate { edits: in_pose(site, &pose), ..Candidate::at(told, 0) });
+        }
+    }
+    found
+}
+
+/// The joints plotted, and the guides drawn, in another pose.
+fn in_pose(site: &Site<'_>, pose: &Pose) -> Vec<Disturbance> {
+    let origin = site.model.construction.origin;
+    let plotted = site.operations().filter_map(|(index, operation)| {
+        let kind = match (operation.role, &operation.kind) {
+            (OperationRole::Joint(point), &OperationKind::Plot { place, .. }) => {
+                OperationKind::Plot { place, at: pose.point(point) - origin }
+            }
+            (OperationRole::Guide(slider), &OperationKind::Draw { line, through, along }) => match along.reference {
+                Reference::Given(_) => {
+                    let given = Along::given(pose.guide(slider));
+                    OperationKind::Draw { line, through, along: Along { quarter_turns: along.quarter_turns, ..given } }
+                }
+                _ => return None,
+            },
+            _ => return None,
+        };
+        Some(instead(index, kind))
+    });
+    plotted.collect()
 }

@@ -2,14 +2,10 @@
 //! it could be made, with the edits it makes there; a replay shows what follows from them. Its sentences stand in the
 //! languages' files, `words/*.txt`, each pair under the key that the row names with `.done` and `.should` behind it.
 
-mod candidate;
 mod catalogue;
 mod copying;
-mod coriolis;
-mod crank;
 mod images;
 mod lengths;
-mod position;
 mod rates;
 mod rays;
 mod site;
@@ -17,10 +13,9 @@ mod told;
 mod unknown;
 mod vectors;
 
-pub use candidate::Candidate;
-pub(super) use candidate::{Amount, Free};
 use catalogue::catalogue;
-pub(super) use site::Site;
+pub use site::Candidate;
+pub(super) use site::{Amount, Free, Site};
 pub(super) use told::tell;
 pub use told::{Blank, Mistake, Told};
 

@@ -1,13 +1,11 @@
 //! Mistakes with rates and scales.
 
-use super::candidate::{Candidate, Reinterpretation};
 use super::lengths::{Length, lengths};
-use super::site::{Laid, Site};
+use super::site::{Candidate, Reinterpretation, Site, Term, times};
 use super::told::{Blank, Mistake, Told, tell};
-use super::vectors::{OfTerm, Term, terms};
+use super::vectors::OfTerm;
 use crate::check::entry::Entry;
-use crate::check::model::Edit;
-use crate::construction::{NumberId, NumberKind, OperationKind, ProductKind, Rate};
+use crate::construction::{Change, Disturbance, NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{QuantityKind, What};
 use crate::scene::{LengthUnit, TimeUnit};
 use crate::sheet::Sheet;
@@ -23,15 +21,12 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
     })
 }
 
-/// A rate taken with the wrong sense: gone on with so, or only written so.
+/// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     let taken = rates(site).filter_map(|(operation, number, _)| {
-        let edit = Edit::Times(number, -1.0);
-        let mut candidate = site.candidate(tell::wrong_sense(site.symbol(number)), operation, edit);
+        let mut candidate = site.candidate(tell::wrong_sense(site.symbol(number)), times(operation, number, -1.0));
         if site.is_given(number) {
-            let use_of = |vector: &Laid<'_>| vector.sum.iter().any(|product| product.of.contains(&number));
-            let vectors = site.vectors();
-            let first = vectors.iter().find(|vector| use_of(vector))?;
+            let first = site.all_terms().find(|term| term.product().of.contains(&number))?.vector;
             candidate.step = site.model.steps[first.operation];
             let [from, to] = first.blanks();
             candidate.told = tell::wrong_sense_given(site.symbol(number), from, to);
@@ -57,7 +52,7 @@ pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
         is_turning(entry.asked.what()) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
     let all: Vec<usize> = signed.map(|(index, _)| index).collect();
-    // With one rate this is only a wrong sense.
+    // Of a single rate this is `wrong_sense`.
     match all.len() {
         0 | 1 => Vec::new(),
         _ => vec![only_written(site, tell::senses_reversed(), &all, -1.0)],
@@ -68,8 +63,7 @@ pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
 fn only_written(site: &Site<'_>, told: Told, entries: &[usize], factor: f64) -> Candidate {
     let meant = entries.iter().map(|&entry| {
         let written = &site.entries[entry];
-        let (value, rounding) = (Some(written.value * factor), written.rounding * factor.abs());
-        Reinterpretation { entry, value, rounding }
+        Reinterpretation { entry, value: written.value * factor, rounding: written.rounding * factor.abs() }
     });
     let step = entries.first().map_or(0, |&entry| site.entries[entry].step);
     Candidate { reinterpreted: meant.collect(), ..Candidate::at(told, step) }
@@ -111,7 +105,7 @@ fn divided<'s>(site: &'s Site<'_>, all: &[Length<'s>]) -> Vec<Divided<'s>> {
 /// ω or α found with another length: the rate alone, or the normal part with that length, too.
 fn from_wrong_length(site: &Site<'_>, tell: OfTerm, is_omega: bool) -> Vec<Candidate> {
     let lengths = lengths(site);
-    let normals = terms(site, ProductKind::Normal);
+    let normals = site.terms(ProductKind::Normal);
     let mut found = Vec::new();
     for Divided { operation, rate, length, .. } in
         divided(site, &lengths).into_iter().filter(|divided| divided.is_omega == is_omega)
@@ -121,7 +115,7 @@ fn from_wrong_length(site: &Site<'_>, tell: OfTerm, is_omega: bool) -> Vec<Candi
             let [from, to] = wrong.names.map(Blank::from);
             let (rate_symbol, length) = (site.symbol(rate), site.symbol(own_length));
             let told = tell(rate_symbol.clone(), from.clone(), to.clone(), length.clone());
-            let alone = site.candidate(told, operation, Edit::Times(rate, 1.0 / ratio));
+            let alone = site.candidate(told, times(operation, rate, 1.0 / ratio));
             let own = |term: &&Term<'_>| {
                 let product = term.product();
                 product.of.first() == Some(&rate) && product.of.last() == Some(&own_length)
@@ -155,9 +149,8 @@ pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     for Divided { operation, rate, length, .. } in divided(site, &lengths(site)) {
         for divisor in &divisors {
-            let edit = Edit::Times(rate, length.exact / divisor);
             let told = tell::not_divided_by_length(site.symbol(rate), site.symbol_or_none(length.number.as_ref()));
-            found.push(site.candidate(told, operation, edit));
+            found.push(site.candidate(told, times(operation, rate, length.exact / divisor)));
         }
     }
     found
@@ -170,10 +163,10 @@ fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor:
     for (operation, number, rate) in rates(site) {
         if matches!(rate, Rate::Omega(_)) || also_alpha && matches!(rate, Rate::Alpha(_)) {
             for factor in [factor, 1.0 / factor] {
-                let edit = Edit::Times(number, factor);
                 let told = tell(site.symbol(number));
                 let taken = site.is_given(number).then(|| taken_as(site, told.mistake, number, factor)).flatten();
-                found.push(site.candidate(taken.unwrap_or_else(|| told.clone()), operation, edit));
+                let edit = times(operation, number, factor);
+                found.push(site.candidate(taken.unwrap_or_else(|| told.clone()), edit));
                 found.extend(in_normal_part(site, told, number, factor));
             }
         }
@@ -196,11 +189,9 @@ fn in_normal_part(site: &Site<'_>, told: Told, rate: NumberId, factor: f64) -> O
     if factor < 1.0 {
         return None;
     }
-    let normals = terms(site, ProductKind::Normal);
-    let own = |term: &&Term<'_>| !site.is_given(rate) && term.product().of.first() == Some(&rate);
-    let term = normals.iter().find(own)?;
-    let (operation, edit) = term.instead(Some(term.product().times(factor * factor)));
-    Some(site.candidate(told, operation, edit))
+    let own = |term: &Term<'_>| !site.is_given(rate) && term.product().of.first() == Some(&rate);
+    let term = site.terms(ProductKind::Normal).into_iter().find(own)?;
+    Some(term.candidate(site, told, Some(term.product().times(factor * factor))))
 }
 
 /// What is told of a given rate taken in another unit; `None` where somebody must have converted it to a unit that was
@@ -214,7 +205,7 @@ fn taken_as(site: &Site<'_>, mistake: Mistake, rate: NumberId, factor: f64) -> O
         Mistake::RevolutionsPerSecond => ("rev/s", 0.5 / core::f64::consts::PI),
         _ => ("deg/s", 180.0 / core::f64::consts::PI),
     };
-    let exact = site.model.exact.number(rate).abs();
+    let exact = site.exact(rate).abs();
     // A scene may give revolutions per minute: then these are the round number.
     let is_round = |x: f64| (x * 1000.0 - libm::round(x * 1000.0)).abs() < 1e-6;
     let is_other = other == "rpm" && is_round(exact * in_other) && !is_round(exact);
@@ -277,12 +268,12 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
                 let together = all.get_or_insert_with(|| Candidate::at(told(Blank::AllSegments), one.step));
                 together.edits.extend(one.edits.iter().cloned());
                 together.reinterpreted.extend(one.reinterpreted.iter().copied());
-                together.goes_on.extend(one.goes_on.iter().copied());
-                if !(one.edits.is_empty() && one.goes_on.is_empty()) {
+                together.passed_on.extend(one.passed_on.iter().cloned());
+                if one.changes().next().is_some() {
                     found.push(one);
                 }
             }
-            found.extend(all.filter(|all| all.edits.len() + all.goes_on.len() > 1));
+            found.extend(all.filter(|all| all.changes().count() > 1));
         }
     }
     found
@@ -290,17 +281,17 @@ pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
 
 /// One segment converted to a value with another scale, `ratio` times the right one.
 fn at_wrong_scale(site: &Site<'_>, told: Told, operation: usize, number: NumberId, ratio: f64) -> Candidate {
-    let mut candidate = site.candidate(told, operation, Edit::Times(number, ratio));
+    let mut candidate = site.candidate(told, times(operation, number, ratio));
     // A value written in millimetres is right; the wrong scale shows only in what follows from it.
     let entries = site.entries.iter().enumerate();
     let mut on_paper = entries.filter(|(_, entry)| entry.asked.name() == site.number_name(number) && entry.on_paper);
     if let Some((index, entry)) = on_paper.next() {
         candidate.edits.clear();
-        let (value, rounding) = (Some(entry.value), entry.rounding);
+        let Entry { value, rounding, .. } = *entry;
         candidate.reinterpreted.push(Reinterpretation { entry: index, value, rounding });
         if site.model.used[number.0] {
-            let exact = site.model.exact.number(number);
-            candidate.goes_on.push((operation, number, libm::copysign(entry.value, exact) * ratio));
+            let change = Change::Written(number, libm::copysign(value, site.exact(number)) * ratio);
+            candidate.passed_on.push(Disturbance { operation, change });
         }
     }
     candidate

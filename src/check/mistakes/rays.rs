@@ -1,10 +1,8 @@
-//! Mistakes with lines: rays, cut lines, special points, the whole position.
+//! Mistakes with lines: rays, cut lines, special points.
 
-use super::candidate::Candidate;
-use super::site::Site;
+use super::site::{Candidate, Site, instead, times};
 use super::told::{Blank, Told, tell};
-use crate::check::model::Edit;
-use crate::construction::{Action, Disturbance, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole};
+use crate::construction::{Action, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole};
 use crate::sheet::Sheet;
 
 /// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
@@ -20,8 +18,7 @@ fn turn(site: &Site<'_>, told: Told, index: usize) -> Option<Candidate> {
     let OperationKind::Draw { line, through, along } = site.operation(index).kind else {
         return None;
     };
-    let edit = Edit::Instead(OperationKind::Draw { line, through, along: along.turned(1) });
-    Some(site.candidate(told, index, edit))
+    Some(site.candidate(told, instead(index, OperationKind::Draw { line, through, along: along.turned(1) })))
 }
 
 /// Rays turned by 90°, one of them or both that cross at an image. Along the link a segment shows no sense of its rate,
@@ -68,7 +65,7 @@ impl TurnedRay {
         let mut both = vec![self.candidate.clone()];
         if let Some((operation, rate)) = self.rate {
             let mut other = self.candidate.clone();
-            other.edits.push((operation, Edit::Times(rate, -1.0)));
+            other.edits.push(times(operation, rate, -1.0));
             both.push(other);
         }
         both
@@ -77,10 +74,7 @@ impl TurnedRay {
 
 /// The rate that the segment along a ray gives by itself: the operation that solves for it, and its number.
 fn rate_along(site: &Site<'_>, line: LineId) -> Option<(usize, NumberId)> {
-    let segment = site.operations().find_map(|(_, operation)| match operation.kind {
-        OperationKind::Measure { number, how: MeasuredAs::Along(along), .. } if along == line => Some(number),
-        _ => None,
-    })?;
+    let (_, segment, _) = site.measuring_along(line)?;
     site.operations().find_map(|(index, operation)| {
         let OperationKind::Solve { unknowns, equations } = &operation.kind else { return None };
         let mut alone = equations.iter().filter(|e| e.right.iter().any(|p| p.of.as_slice() == [segment]));
@@ -112,32 +106,24 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
         else {
             continue;
         };
-        let measured = site.operations().find_map(|(measure, operation)| match operation.kind {
-            OperationKind::Measure { number, to, how: MeasuredAs::Along(own), .. } if own == line => {
-                Some((measure, number, to))
-            }
-            _ => None,
-        });
         for wrong in site.model.places_before(operation.sheet, index) {
             if wrong == through {
                 continue;
             }
-            let edit = Edit::Instead(OperationKind::Draw { line, through: wrong, along });
             let told = tell::ray_from_wrong_point(to.into(), site.place(wrong), from.into());
-            let candidate = site.candidate(told, index, edit);
-            let Some((measure, number, end)) = measured else {
+            let candidate = site.candidate(told, instead(index, OperationKind::Draw { line, through: wrong, along }));
+            let Some((measure, number, end)) = site.measuring_along(line) else {
                 found.push(candidate);
                 continue;
             };
-            let drawn = site.model.replay(&[Disturbance { operation: index, change: candidate.edits[0].1.change() }]);
+            let drawn = site.model.replay(&candidate.edits);
             for start in [through, wrong] {
                 // The sense is seen from the ray, also where the segment does not lie along it.
                 let kind = OperationKind::Measure { number, from: start, to: end, how: MeasuredAs::Size };
                 let (_, direction) = drawn.line(line);
                 let sense = (drawn.place(end) - drawn.place(start)).dot(&direction).signum();
                 let mut candidate = candidate.clone();
-                candidate.edits.push((measure, Edit::Instead(kind)));
-                candidate.edits.push((measure, Edit::Times(number, sense)));
+                candidate.edits.extend([instead(measure, kind), times(measure, number, sense)]);
                 found.push(candidate);
             }
         }
@@ -160,9 +146,9 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
             for &wrong in drawn.iter().filter(|line| !lines.contains(line)) {
                 let mut taken = lines;
                 taken[side] = wrong;
-                let edit = Edit::Instead(OperationKind::Cross { place, lines: taken });
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
-                found.push(site.candidate(tell::wrong_lines(name.into(), wrong, right), index, edit));
+                let edit = instead(index, OperationKind::Cross { place, lines: taken });
+                found.push(site.candidate(tell::wrong_lines(name.into(), wrong, right), edit));
             }
         }
     }
@@ -171,8 +157,7 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
 
 /// A line of the scheme: its role, or two of its points.
 fn line_name(site: &Site<'_>, line: LineId) -> Blank {
-    let drawn = site.operations().find(|(_, operation)| operation.kind.line() == Some(line));
-    match drawn.map(|(_, operation)| (operation.role, &operation.kind)) {
+    match site.drawing_of(line).map(|(_, operation)| (operation.role, &operation.kind)) {
         Some((_, OperationKind::Join { from, towards, .. })) => {
             Blank::LineThrough(format!("{}{}", site.place_name(*from), site.place_name(*towards)))
         }

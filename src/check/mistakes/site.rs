@@ -1,11 +1,127 @@
-use super::candidate::Candidate;
-use super::told::{Blank, Told};
-use crate::check::answer_key::AnswerKey;
+//! What mistakes are made from: the construction in which they are looked for, with its vectors and the products in their
+//! sizes; and what a mistake at one place of it changes.
+
+use super::told::{Blank, Mistake, Told};
 use crate::check::entry::Entry;
-use crate::check::model::{Edit, Model};
-use crate::construction::{Along, NumberId, NumberKind, Operation, OperationKind, PlaceId, Product, ProductKind};
+use crate::check::measured::AnswerKey;
+use crate::check::model::Model;
+use crate::construction::{
+    Along, Change, Disturbance, LineId, MeasuredAs, NumberId, NumberKind, Operation, OperationKind, PlaceId, Product,
+    ProductKind, Rate,
+};
 use crate::geometry::{Vector, unit};
 use crate::sheet::Sheet;
+use std::sync::Arc;
+
+/// A mistake at one place of a construction.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// The mistake, and what is told of it: candidates with the same sentences are one to a person.
+    pub told: Told,
+    /// The number of the step at which it was made.
+    pub step: usize,
+    /// What it changes in operations.
+    pub(in crate::check) edits: Vec<Disturbance>,
+    /// The written values that it makes to be read otherwise.
+    pub(in crate::check) reinterpreted: Vec<Reinterpretation>,
+    /// Wrong numbers that later operations use.
+    pub(in crate::check) passed_on: Vec<Disturbance>,
+    /// What of it is not known beforehand but fitted to the values; the edits at these places have the fitted amounts.
+    pub(in crate::check) free: Vec<Free>,
+    /// The assembly mode that is replayed: 0 for the right one, then the others.
+    pub(in crate::check) mode: usize,
+}
+
+impl Candidate {
+    /// A mistake at a step, without anything that it changes.
+    pub(super) fn at(told: Told, step: usize) -> Candidate {
+        Candidate {
+            told,
+            step,
+            edits: Vec::new(),
+            reinterpreted: Vec::new(),
+            passed_on: Vec::new(),
+            free: Vec::new(),
+            mode: 0,
+        }
+    }
+
+    /// Which mistake.
+    #[must_use]
+    pub fn mistake(&self) -> Mistake {
+        self.told.mistake
+    }
+
+    /// All that it changes in a replay.
+    pub(in crate::check) fn changes(&self) -> impl Iterator<Item = &Disturbance> {
+        self.edits.iter().chain(&self.passed_on)
+    }
+
+    /// The operations that it changes.
+    pub(in crate::check) fn operations(&self) -> impl Iterator<Item = usize> {
+        self.edits.iter().map(|edit| edit.operation).chain(self.free.iter().map(|free| free.operation))
+    }
+
+    /// What it does in place of an operation.
+    pub(in crate::check) fn instead_of(&self, operation: usize) -> Option<&OperationKind> {
+        self.edits.iter().find_map(|edit| match &edit.change {
+            Change::Instead(kind) if edit.operation == operation => Some(&**kind),
+            _ => None,
+        })
+    }
+}
+
+/// An operation replaced by another one.
+pub(super) fn instead(operation: usize, kind: OperationKind) -> Disturbance {
+    Disturbance { operation, change: Change::Instead(Arc::new(kind)) }
+}
+
+/// A number of an operation multiplied by a factor.
+pub(super) fn times(operation: usize, number: NumberId, factor: f64) -> Disturbance {
+    Disturbance { operation, change: Change::Times(number, factor) }
+}
+
+/// An amount by which an operation is wrong and which is not known beforehand.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) struct Free {
+    /// The operation.
+    pub operation: usize,
+    /// What of it is wrong.
+    pub what: Amount,
+    /// Whether it is an angle in degrees.
+    pub is_angle: bool,
+    /// Standard deviation of the amounts that occur: mm, degrees, or the unit of the number.
+    pub range: f64,
+}
+
+/// What is wrong by a free amount.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) enum Amount {
+    /// An elementary error of the operation, by its index.
+    Error(usize),
+    /// A number that the operation makes.
+    Number(NumberId),
+}
+
+impl Free {
+    /// The change of a replay in which the amount is this one.
+    pub fn change(&self, amount: f64) -> Change {
+        match self.what {
+            Amount::Error(which) => Change::Error(which, amount),
+            Amount::Number(number) => Change::Written(number, amount),
+        }
+    }
+}
+
+/// The value that is meant by a written one, if a mistake was made.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::check) struct Reinterpretation {
+    pub entry: usize,
+    /// The value meant.
+    pub value: f64,
+    /// Half a unit of its last digit.
+    pub rounding: f64,
+}
 
 /// A construction in which mistakes are looked for.
 pub(in crate::check) struct Site<'a> {
@@ -25,8 +141,15 @@ impl Site<'_> {
         &self.model.construction.operations[index]
     }
 
-    pub fn candidate(&self, told: Told, operation: usize, edit: Edit) -> Candidate {
-        Candidate { edits: vec![(operation, edit)], ..Candidate::at(told, self.model.steps[operation]) }
+    /// A mistake that changes one operation, at the step of that operation.
+    pub fn candidate(&self, told: Told, edit: Disturbance) -> Candidate {
+        let step = self.model.steps[edit.operation];
+        Candidate { edits: vec![edit], ..Candidate::at(told, step) }
+    }
+
+    /// A number in a drawing without errors.
+    pub fn exact(&self, number: NumberId) -> f64 {
+        self.model.exact.number(number)
     }
 
     pub fn number_name(&self, number: NumberId) -> &str {
@@ -61,10 +184,25 @@ impl Site<'_> {
         self.model.place_name(place)
     }
 
+    /// The operation that draws a line.
+    pub fn drawing_of(&self, line: LineId) -> Option<(usize, &Operation)> {
+        self.operations().find(|(_, operation)| operation.kind.line() == Some(line))
+    }
+
+    /// The operation that measures a segment along a line, with the number it makes and the end of the segment.
+    pub fn measuring_along(&self, line: LineId) -> Option<(usize, NumberId, PlaceId)> {
+        self.operations().find_map(|(index, operation)| match operation.kind {
+            OperationKind::Measure { number, to, how: MeasuredAs::Along(along), .. } if along == line => {
+                Some((index, number, to))
+            }
+            _ => None,
+        })
+    }
+
     /// The plan points at the ends of a vector that is laid off: of one that only leads on to another, or away from
     /// one, the ends of both together, as of a part of the crank's acceleration. `None` for a vector that is laid off
     /// only to be read.
-    pub fn vector_ends(&self, from: PlaceId, place: PlaceId) -> Option<[&str; 2]> {
+    fn vector_ends(&self, from: PlaceId, place: PlaceId) -> Option<[&str; 2]> {
         let laid = || {
             self.operations().filter_map(|(_, operation)| match operation.kind {
                 OperationKind::LayOff { place, from, .. } => Some((from, place)),
@@ -82,7 +220,7 @@ impl Site<'_> {
     }
 
     /// The vectors that are laid off in the plans.
-    pub fn vectors(&self) -> Vec<Laid<'_>> {
+    pub(super) fn vectors(&self) -> Vec<Laid<'_>> {
         let laid = self.operations().filter_map(|(index, operation)| match operation.kind {
             OperationKind::LayOff { place, from, size, along } => {
                 let ends = self.vector_ends(from, place)?;
@@ -98,11 +236,15 @@ impl Site<'_> {
         laid.collect()
     }
 
-    /// The sums from which vectors' sizes are computed: the operation, the number it makes, the sum, the names of the
-    /// vector's ends.
-    pub fn sums(&self) -> Vec<(usize, NumberId, &[Product], [&str; 2])> {
-        let computed = self.vectors().into_iter().filter(|vector| !vector.sum.is_empty());
-        computed.map(|vector| (vector.maker, vector.size, vector.sum, vector.ends)).collect()
+    /// The products in the sizes of vectors.
+    pub(super) fn all_terms(&self) -> impl Iterator<Item = Term<'_>> {
+        let vectors = self.vectors().into_iter();
+        vectors.flat_map(|vector| (0..vector.sum.len()).map(move |at| Term { vector, at }))
+    }
+
+    /// The products of a kind in the sizes of vectors.
+    pub(super) fn terms(&self, kind: ProductKind) -> Vec<Term<'_>> {
+        self.all_terms().filter(|term| term.product().kind == kind).collect()
     }
 
     /// Whether a rate is given by the scene, as a crank's.
@@ -111,16 +253,29 @@ impl Site<'_> {
         maker.is_some_and(|maker| matches!(self.operation(maker).kind, OperationKind::Take { .. }))
     }
 
+    /// Whether the first factor of a product is a given rate.
+    pub fn is_of_crank(&self, product: &Product) -> bool {
+        product.of.first().is_some_and(|&rate| self.is_given(rate))
+    }
+
     /// Numbers of the construction whose operation is done before this one, with their kinds.
     pub fn numbers_before(&self, operation: usize) -> impl Iterator<Item = (NumberId, &NumberKind)> {
         let numbers = (0..self.model.makers.len()).map(NumberId);
         let made = numbers.filter(move |n| self.model.makers[n.0].is_some_and(|maker| maker < operation));
         made.map(|number| (number, self.number_kind(number)))
     }
+
+    /// The angular velocities among these numbers.
+    pub fn omegas_before(&self, operation: usize) -> impl Iterator<Item = NumberId> {
+        let omegas =
+            self.numbers_before(operation).filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))));
+        omegas.map(|(number, _)| number)
+    }
 }
 
 /// A vector that is laid off in a plan.
-pub(in crate::check) struct Laid<'s> {
+#[derive(Clone, Copy)]
+pub(super) struct Laid<'s> {
     /// The operation that lays it off.
     pub operation: usize,
     pub sheet: Sheet,
@@ -150,14 +305,50 @@ impl Laid<'_> {
     }
 
     /// The vector laid off in another direction.
-    pub fn turned(&self, along: Along) -> Edit {
+    pub fn turned(&self, along: Along) -> Disturbance {
         let &Laid { place, from, size, .. } = self;
-        Edit::Instead(OperationKind::LayOff { place, from, size, along })
+        instead(self.operation, OperationKind::LayOff { place, from, size, along })
     }
 
     /// Its direction on a drawing without errors, that of a negative size reversed.
     pub fn direction(&self, site: &Site<'_>) -> Vector {
         let (place, from) = (site.model.exact.place(self.place), site.model.exact.place(self.from));
         unit(place - from).unwrap_or_default()
+    }
+}
+
+/// A product in the sum that gives a vector's size.
+#[derive(Clone, Copy)]
+pub(super) struct Term<'s> {
+    pub vector: Laid<'s>,
+    /// Its place in the sum.
+    pub at: usize,
+}
+
+impl<'s> Term<'s> {
+    pub fn product(&self) -> &'s Product {
+        &self.vector.sum[self.at]
+    }
+
+    /// The sum with this product in place of the term, or without it.
+    pub fn instead(&self, product: Option<Product>) -> Disturbance {
+        let mut sum = self.vector.sum.to_vec();
+        match product {
+            Some(changed) => sum[self.at] = changed,
+            None => drop(sum.remove(self.at)),
+        }
+        instead(self.vector.maker, OperationKind::Compute { number: self.vector.size, sum })
+    }
+
+    /// The names of the vector's ends and of the first and the last factor.
+    pub fn blanks(&self, site: &Site<'_>) -> [Blank; 4] {
+        let [from, to] = self.vector.blanks();
+        let [first, last] = [self.product().of.first(), self.product().of.last()];
+        [from, to, site.symbol_or_none(first), site.symbol_or_none(last)]
+    }
+
+    /// A candidate that takes this product in place of the term.
+    pub fn candidate(&self, site: &Site<'_>, told: Told, product: Option<Product>) -> Candidate {
+        site.candidate(told, self.instead(product))
     }
 }

@@ -1,7 +1,7 @@
-//! What is wrong by an amount that no mistake of the catalogue gives, at any place of the construction, and gone on with.
+//! What is wrong by an amount that no mistake of the catalogue gives, at any place of the construction, and is used in what
+//! follows.
 
-use super::candidate::{Amount, Candidate, Free};
-use super::site::Site;
+use super::site::{Amount, Candidate, Free, Site};
 use super::told::{Blank, tell};
 use crate::construction::{NumberId, Operation, OperationKind};
 use crate::sheet::{PerSheet, Sheet};
@@ -64,7 +64,7 @@ fn amounts(site: &Site<'_>, operation: &Operation) -> SmallVec<[SmallVec<[Amount
 
 /// The range of a number that is wrong: its own size, or a part of the largest of its sheet where it is small.
 fn number_range(site: &Site<'_>, number: NumberId) -> f64 {
-    let exact = |n: usize| site.model.exact.number(NumberId(n)).abs();
+    let exact = |n: usize| site.exact(NumberId(n)).abs();
     let kind = core::mem::discriminant(site.number_kind(number));
     let sheet = |n: usize| site.model.makers[n].map(|maker| site.operation(maker).sheet);
     let same = (0..site.model.makers.len())

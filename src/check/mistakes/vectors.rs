@@ -1,107 +1,50 @@
-//! Mistakes with vectors that are laid off: a wrong sense, a wrong size, a part forgotten or added.
+//! Mistakes with vectors that are laid off: a wrong sense, a wrong size, a part forgotten or added; those with Coriolis
+//! accelerations among them.
 
-use super::candidate::Candidate;
-use super::site::{Laid, Site};
+use super::site::{Candidate, Laid, Site, Term, instead, times};
 use super::told::{Blank, Told, tell};
-use crate::check::model::Edit;
 use crate::construction::{
-    Along, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Rate, image_name,
+    Action, Along, Change, Disturbance, NumberId, NumberKind, OperationKind, PlaceId, Product, ProductKind, Rate,
+    RayOf, image_name,
 };
 use crate::geometry::quarter_turn;
+use crate::mechanism::{GROUND, SliderId};
 use crate::sheet::Sheet;
 
 /// The reversed vectors that have no name of their own: a normal part alone is laid off outward, a Coriolis
 /// acceleration alone is turned the wrong way, and the velocity of a crank has the wrong sense of its ω.
 pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     let vectors = site.vectors().into_iter().filter(|vector| {
-        let of_crank = || vector.sum.iter().all(|product| product.of.first().is_some_and(|&rate| site.is_given(rate)));
+        let of_crank = || vector.sum.iter().all(|product| site.is_of_crank(product));
         let is_crank = vector.is_only(ProductKind::Turning) && vector.sheet == Sheet::Velocity && of_crank();
         !(vector.is_only(ProductKind::Normal) || vector.is_only(ProductKind::Coriolis) || is_crank)
     });
     let laid = vectors.map(|vector| {
-        let edit = vector.turned(vector.along.turned(2));
         let [start, end] = vector.ends;
         let mut arrows = site.key.solution.construction.sheets[vector.sheet].arrows();
         let laid = arrows.find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
         let [from, to] = laid.map_or([start, end], |arrow| arrow.ends()).map(Blank::from);
-        site.candidate(tell::reversed_vector(from, to), vector.operation, edit)
+        site.candidate(tell::reversed_vector(from, to), vector.turned(vector.along.turned(2)))
     });
     laid.collect()
-}
-
-/// A product in the sum that gives a vector's size.
-pub(super) struct Term<'s> {
-    /// The operation that computes the sum.
-    operation: usize,
-    number: NumberId,
-    sum: &'s [Product],
-    /// Its place in the sum.
-    at: usize,
-    /// The names of the vector's ends.
-    ends: [&'s str; 2],
-}
-
-impl<'s> Term<'s> {
-    /// The operation that computes the sum.
-    pub fn operation(&self) -> usize {
-        self.operation
-    }
-
-    pub fn product(&self) -> &'s Product {
-        &self.sum[self.at]
-    }
-
-    /// The sum with this product in place of the term, or without it.
-    pub fn instead(&self, product: Option<Product>) -> (usize, Edit) {
-        let mut sum = self.sum.to_vec();
-        match product {
-            Some(changed) => sum[self.at] = changed,
-            None => drop(sum.remove(self.at)),
-        }
-        (self.operation, Edit::Instead(OperationKind::Compute { number: self.number, sum }))
-    }
-
-    /// The names of the vector's ends and of the first and the last factor.
-    pub fn blanks(&self, site: &Site<'_>) -> [Blank; 4] {
-        let [from, to] = self.ends.map(Blank::from);
-        let [first, last] = [self.product().of.first(), self.product().of.last()];
-        [from, to, site.symbol_or_none(first), site.symbol_or_none(last)]
-    }
-
-    /// A candidate that takes this product in place of the term.
-    pub fn candidate(&self, site: &Site<'_>, told: Told, product: Option<Product>) -> Candidate {
-        let (operation, edit) = self.instead(product);
-        site.candidate(told, operation, edit)
-    }
-
-    /// The same, told by the names of the vector's ends and of the first and the last factor.
-    fn changed(&self, site: &Site<'_>, tell: OfTerm, change: &impl Fn(&Product) -> Option<Product>) -> Candidate {
-        let [from, to, first, last] = self.blanks(site);
-        self.candidate(site, tell(from, to, first, last), change(self.product()))
-    }
 }
 
 /// Tells of a vector from one point to another with two of its factors, as ω and the length of a normal part.
 pub(super) type OfTerm = fn(Blank, Blank, Blank, Blank) -> Told;
 
-/// The products of a kind in the sizes of vectors.
-pub(super) fn terms<'s>(site: &'s Site<'_>, kind: ProductKind) -> Vec<Term<'s>> {
-    let sums = site.sums().into_iter();
-    let all = sums.flat_map(move |(operation, number, sum, ends)| {
-        (0..sum.len()).map(move |at| Term { operation, number, sum, at, ends })
-    });
-    all.filter(|term| term.product().kind == kind).collect()
-}
-
 /// One candidate for each product of a kind; `change` gives the product that replaces it, or `None` where it is left
 /// out.
-pub(super) fn products(
+fn products(
     site: &Site<'_>,
     tell: OfTerm,
     kind: ProductKind,
     change: impl Fn(&Product) -> Option<Product>,
 ) -> Vec<Candidate> {
-    terms(site, kind).iter().map(|term| term.changed(site, tell, &change)).collect()
+    let changed = |term: Term<'_>| {
+        let [from, to, first, last] = term.blanks(site);
+        term.candidate(site, tell(from, to, first, last), change(term.product()))
+    };
+    site.terms(kind).into_iter().map(changed).collect()
 }
 
 /// Normal parts one by one, and as a habit, which `tell_all` tells: those of all links that are solved for, and with
@@ -113,13 +56,11 @@ fn normals(
     also_crank: bool,
     change: impl Fn(&Product) -> Option<Product>,
 ) -> Vec<Candidate> {
-    let terms = terms(site, ProductKind::Normal);
-    let mut found: Vec<Candidate> = terms.iter().map(|term| term.changed(site, tell, &change)).collect();
-    let of_crank = |term: &&Term<'_>| term.product().of.first().is_some_and(|&omega| site.is_given(omega));
-    let links: Vec<&Term<'_>> = terms.iter().filter(|term| !of_crank(term)).collect();
+    let mut found = products(site, tell, ProductKind::Normal, &change);
+    let all = site.terms(ProductKind::Normal);
+    let links: Vec<Term<'_>> = all.iter().filter(|term| !site.is_of_crank(term.product())).copied().collect();
     found.extend(all_of(site, tell_all, &links, &change));
-    if also_crank && links.len() < terms.len() {
-        let all: Vec<&Term<'_>> = terms.iter().collect();
+    if also_crank && links.len() < all.len() {
         found.extend(all_of(site, tell_all, &all, &change));
     }
     found
@@ -129,31 +70,27 @@ fn normals(
 fn all_of(
     site: &Site<'_>,
     tell: fn(Blank) -> Told,
-    terms: &[&Term<'_>],
+    terms: &[Term<'_>],
     change: &impl Fn(&Product) -> Option<Product>,
 ) -> Option<Candidate> {
     let [first, _, ..] = terms else { return None };
-    let mut edits: Vec<(usize, Edit)> = Vec::new();
+    let mut edits: Vec<Disturbance> = Vec::new();
     let mut names: Vec<String> = Vec::new();
-    for term in terms {
-        names.push(format!("{} – {}", term.ends[0], term.ends[1]));
-        if edits.iter().any(|(operation, _)| *operation == term.operation) {
+    for Term { vector, .. } in terms {
+        names.push(vector.ends.join(" – "));
+        if edits.iter().any(|edit| edit.operation == vector.maker) {
             continue;
         }
-        let own = |at: usize| terms.iter().any(|t| (t.operation, t.at) == (term.operation, at));
-        let sum = term.sum.iter().enumerate().filter_map(|(at, product)| match own(at) {
+        let is_changed = |at: usize| terms.iter().any(|t| (t.vector.maker, t.at) == (vector.maker, at));
+        let sum = vector.sum.iter().enumerate().filter_map(|(at, product)| match is_changed(at) {
             true => change(product),
             false => Some(product.clone()),
         });
-        let kind = OperationKind::Compute { number: term.number, sum: sum.collect() };
-        edits.push((term.operation, Edit::Instead(kind)));
+        edits.push(instead(vector.maker, OperationKind::Compute { number: vector.size, sum: sum.collect() }));
     }
     names.dedup();
-    let (operation, edit) = edits.remove(0);
-    let mut candidate = site.candidate(tell(Blank::Words(names.join(", "))), operation, edit);
-    candidate.edits.extend(edits);
-    candidate.step = site.model.steps[first.operation];
-    Some(candidate)
+    let step = site.model.steps[first.vector.maker];
+    Some(Candidate { edits, ..Candidate::at(tell(Blank::Words(names.join(", "))), step) })
 }
 
 pub(super) fn outward(site: &Site<'_>) -> Vec<Candidate> {
@@ -163,8 +100,7 @@ pub(super) fn outward(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn not_squared(site: &Site<'_>) -> Vec<Candidate> {
     normals(site, tell::omega_not_squared, tell::omegas_not_squared, true, |p| {
         // The normal part still points inward.
-        let omega = site.model.exact.number(p.of[0]);
-        Some(Product::new(p.kind, p.factor * omega.signum(), &p.of[1..]))
+        Some(Product::new(p.kind, p.factor * site.exact(p.of[0]).signum(), &p.of[1..]))
     })
 }
 
@@ -172,23 +108,23 @@ pub(super) fn normal_forgotten(site: &Site<'_>) -> Vec<Candidate> {
     normals(site, tell::normal_forgotten, tell::normals_forgotten, false, |_| None)
 }
 
-/// The normal part alone with the diameter. (Throughout: `crank::diameter`.)
+/// The normal part alone with the diameter. (Throughout: `lengths::diameter_throughout`.)
 pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = products(site, tell::diameter, ProductKind::Normal, |p| Some(p.times(2.0)));
-    found.extend(super::crank::diameter(site));
+    found.extend(super::lengths::diameter_throughout(site));
     found
 }
 
 /// v²/L with an absolute velocity, or with the relative velocity of another link, in place of that of the link's ends.
 pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     let solution = site.key.solution;
-    let exact = |number: NumberId| site.model.exact.number(number);
+    let exact = |number: NumberId| site.exact(number);
     let told = |term: &Term<'_>, velocity: &str| {
         let [from, to, rate, length] = term.blanks(site);
         tell::normal_from_absolute(from, to, rate, length, velocity.into())
     };
     let mut found = Vec::new();
-    for term in terms(site, ProductKind::Normal) {
+    for term in site.terms(ProductKind::Normal) {
         let product = term.product();
         let (omega, Some(&length)) = (product.of[0], product.of.last()) else { continue };
         let right = (exact(omega) * exact(length)).abs();
@@ -204,7 +140,7 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
         };
         let images = &solution.construction.sheets[Sheet::Velocity].points;
         let absolute = images.get(&end).map(|point| point.vector.norm());
-        let segments = velocities(site, term.operation);
+        let segments = velocities(site, term.vector.maker);
         let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(exact(*number).abs(), velocity));
         if let Some(velocity) = absolute.filter(|v| is_other(*v) && !is_there(*v)) {
             let size = Product::new(product.kind, factor * velocity * velocity, &[]);
@@ -224,9 +160,9 @@ fn differ(a: f64, b: f64) -> bool {
 }
 
 /// The velocities that are laid off or measured before an operation, each size once, with the ends of their segments.
-pub(super) fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, String)> {
+fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, String)> {
     let mut found: Vec<(NumberId, String)> = Vec::new();
-    let exact = |number: NumberId| site.model.exact.number(number).abs();
+    let exact = |number: NumberId| site.exact(number).abs();
     let vectors = site.vectors().into_iter().filter(|v| v.sheet == Sheet::Velocity && v.operation < before);
     let laid = vectors.map(|vector| (vector.size, vector.ends.join(" – ")));
     let measured = site.numbers_before(before).filter_map(|(number, kind)| match kind {
@@ -244,17 +180,16 @@ pub(super) fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, Strin
 /// The ω of another link in a normal part, or in a Coriolis acceleration.
 pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for term in terms(site, ProductKind::Normal).into_iter().chain(terms(site, ProductKind::Coriolis)) {
+    for term in site.terms(ProductKind::Normal).into_iter().chain(site.terms(ProductKind::Coriolis)) {
         let product = term.product();
         let right = product.of[0];
         // Nobody takes another ω for the crank's.
         if site.is_given(right) && product.kind == ProductKind::Normal {
             continue;
         }
-        let exact = |number: NumberId| site.model.exact.number(number);
-        for (wrong, kind) in site.numbers_before(term.operation) {
-            let is_omega = matches!(kind, NumberKind::Rate(Rate::Omega(_)));
-            if !is_omega || wrong == right || (exact(wrong) - exact(right)).abs() < 1e-9 * exact(right).abs() {
+        let exact = site.exact(right);
+        for wrong in site.omegas_before(term.vector.maker) {
+            if wrong == right || (site.exact(wrong) - exact).abs() < 1e-9 * exact.abs() {
                 continue;
             }
             let mut product = product.clone();
@@ -277,10 +212,7 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
         if !(is_part && is_named && vector.sheet == Sheet::Acceleration) {
             continue;
         }
-        let pole = site.operations().find_map(|(_, operation)| match operation.kind {
-            OperationKind::Pole { place, .. } if operation.sheet == vector.sheet => Some(place),
-            _ => None,
-        });
+        let pole = site.model.construction.place(vector.sheet, vector.sheet.pole());
         let (before, after) = (at.checked_sub(1).map(|before| &vectors[before]), vectors.get(at + 1));
         let beside = [before.map(|v| v.from), before.map(|v| v.place), after.map(|v| v.from)];
         let mut starts: Vec<PlaceId> = Vec::new();
@@ -298,15 +230,14 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
 /// A vector laid off from another place; its size is read from there.
 fn laid_off_from(site: &Site<'_>, vector: &Laid<'_>, start: PlaceId) -> Candidate {
     let &Laid { place, from, size, along, .. } = vector;
-    let edit = Edit::Instead(OperationKind::LayOff { place, from: start, size, along });
     let told = tell::vector_from_wrong_point(site.place(place), site.place(start), site.place(from));
-    let mut candidate = site.candidate(told, vector.operation, edit);
+    let edit = instead(vector.operation, OperationKind::LayOff { place, from: start, size, along });
+    let mut candidate = site.candidate(told, edit);
     for (index, operation) in site.operations() {
         if let OperationKind::Measure { number, from: own, to, how } = operation.kind
             && (own, to) == (from, place)
         {
-            let kind = OperationKind::Measure { number, from: start, to, how };
-            candidate.edits.push((index, Edit::Instead(kind)));
+            candidate.edits.push(instead(index, OperationKind::Measure { number, from: start, to, how }));
         }
     }
     candidate
@@ -314,16 +245,22 @@ fn laid_off_from(site: &Site<'_>, vector: &Laid<'_>, start: PlaceId) -> Candidat
 
 /// A vector laid off across its direction: the crank's velocity along the crank, a normal part across its link.
 pub(super) fn turned(site: &Site<'_>) -> Vec<Candidate> {
-    let mut found = Vec::new();
-    for vector in site.vectors().iter().filter(|vector| !vector.is_only(ProductKind::Coriolis)) {
-        for quarter_turns in [1, 3] {
-            let edit = vector.turned(vector.along.turned(quarter_turns));
-            let [from, to] = vector.blanks();
-            found.push(site.candidate(tell::turned_vector(from, to), vector.operation, edit));
-        }
-    }
-    found.extend(super::crank::turned(site));
+    let told = |vector: &Laid<'_>| {
+        let [from, to] = vector.blanks();
+        tell::turned_vector(from, to)
+    };
+    let mut found = across(site, told, |vector| !vector.is_only(ProductKind::Coriolis));
+    found.extend(super::lengths::crank_turned(site));
     found
+}
+
+/// Vectors of a kind laid off across their directions, either way.
+fn across(site: &Site<'_>, told: impl Fn(&Laid<'_>) -> Told, is_meant: fn(&Laid<'_>) -> bool) -> Vec<Candidate> {
+    let vectors = site.vectors().into_iter().filter(is_meant);
+    let turned = vectors.flat_map(|vector| {
+        [1, 3].map(|quarters| site.candidate(told(&vector), vector.turned(vector.along.turned(quarters))))
+    });
+    turned.collect()
 }
 
 /// A tangential part ω r laid off besides the normal part of a crank that turns evenly, either way.
@@ -340,22 +277,109 @@ pub(super) fn tangential_where_none(site: &Site<'_>) -> Vec<Candidate> {
         if !is_even(*omega) {
             continue;
         }
-        let [omega_value, length_value] = [*omega, *length].map(|number| site.model.exact.number(number).abs());
+        let [omega_value, length_value] = [*omega, *length].map(|number| site.exact(number).abs());
         let direction = vector.direction(site);
         let normal = direction * (omega_value * omega_value * length_value);
         for side in [1.0, -1.0] {
             let whole = normal + quarter_turn(direction) * (side * omega_value * length_value);
             let size = whole.norm() / normal.norm();
-            let towards = whole / whole.norm() * site.model.exact.number(vector.size).signum();
+            let towards = whole / whole.norm() * site.exact(vector.size).signum();
             if !size.is_finite() {
                 continue;
             }
             let [from, to] = vector.blanks();
             let told = tell::tangential_where_none(from, to, site.symbol(*omega), site.symbol(*length));
-            let edit = vector.turned(Along::given(towards));
-            let mut candidate = site.candidate(told, vector.operation, edit);
-            candidate.edits.insert(0, (vector.maker, Edit::Times(vector.size, size)));
-            found.push(candidate);
+            let edits = vec![times(vector.maker, vector.size, size), vector.turned(Along::given(towards))];
+            found.push(Candidate { edits, ..Candidate::at(told, site.model.steps[vector.operation]) });
+        }
+    }
+    found
+}
+
+pub(super) fn coriolis_forgotten(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, tell::coriolis_forgotten, ProductKind::Coriolis, |_| None)
+}
+
+pub(super) fn coriolis_without_two(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, tell::coriolis_without_two, ProductKind::Coriolis, |p| Some(p.times(0.5)))
+}
+
+pub(super) fn coriolis_turned(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, tell::coriolis_turned, ProductKind::Coriolis, |p| Some(p.times(-1.0)))
+}
+
+/// A Coriolis part 2 ω v added to a link between pins, with v = ω L: it lies along the normal part ω² L and makes it
+/// three times as large.
+pub(super) fn coriolis_where_none(site: &Site<'_>) -> Vec<Candidate> {
+    products(site, tell::coriolis_where_none, ProductKind::Normal, |p| Some(p.times(3.0)))
+}
+
+/// A Coriolis acceleration laid off along its guide.
+pub(super) fn coriolis_along(site: &Site<'_>) -> Vec<Candidate> {
+    let told = |vector: &Laid<'_>| {
+        let [from, to] = vector.blanks();
+        let [rate, velocity] = [0, 1].map(|factor| site.symbol_or_none(vector.sum[0].of.get(factor)));
+        tell::coriolis_along(from, to, rate, velocity)
+    };
+    across(site, told, |vector| vector.is_only(ProductKind::Coriolis))
+}
+
+/// The size with another velocity in place of the sliding one, as the absolute one.
+pub(super) fn coriolis_of_wrong_velocity(site: &Site<'_>) -> Vec<Candidate> {
+    let mut found = Vec::new();
+    for term in site.terms(ProductKind::Coriolis) {
+        let product = term.product();
+        let [omega, right] = product.of.as_slice() else { continue };
+        let exact = site.exact(*right);
+        for (wrong, name) in velocities(site, term.vector.maker) {
+            if (site.exact(wrong).abs() - exact.abs()).abs() <= 1e-6 * exact.abs() {
+                continue;
+            }
+            // The direction is that of the sliding velocity all the same.
+            let factor = product.factor * (site.exact(wrong) * exact).signum();
+            let size = Product::new(product.kind, factor, &[*omega, wrong]);
+            let [from, to, rate, velocity] = term.blanks(site);
+            let told = tell::coriolis_velocity(from, to, rate, velocity, name.as_str().into());
+            found.push(term.candidate(site, told, Some(size)));
+            // With a crank's ω besides, as of somebody who takes the pin's motion for that in the slot.
+            let cranks = site.omegas_before(term.vector.maker).filter(|&crank| site.is_given(crank));
+            for crank in cranks.filter(|crank| crank != omega) {
+                let size = Product::new(product.kind, factor, &[crank, wrong]);
+                let [from, to, rate, velocity] = term.blanks(site);
+                let (wrong, omega) = (name.as_str().into(), site.symbol(crank));
+                let told = tell::coriolis_velocity_and_omega(from, to, rate, velocity, wrong, omega);
+                found.push(term.candidate(site, told, Some(size)));
+            }
+        }
+    }
+    found
+}
+
+/// A Coriolis acceleration 2 ω v of the slider laid off at a guide that is at rest, before its ray: either way across
+/// the guide, with any ω.
+pub(super) fn coriolis_at_rest(site: &Site<'_>) -> Vec<Candidate> {
+    let construction = &site.key.solution.construction;
+    let mut found = Vec::new();
+    for (index, operation) in site.operations().filter(|(_, operation)| operation.sheet == Sheet::Acceleration) {
+        let OperationKind::Draw { line, .. } = operation.kind else { continue };
+        let Some(Action::Ray(ray)) = operation.step.and_then(|step| construction.step(step)) else { continue };
+        let RayOf::Leg(special, side) = ray.of else { continue };
+        let cut = &construction.special(special).cuts[side];
+        let at_rest = |slider: &SliderId| site.key.solution.mechanism.slider(*slider).on == GROUND;
+        let Some(slider) = cut.guide().filter(|slider| cut.leg.base == GROUND && at_rest(slider)) else { continue };
+        let mut slides = site.numbers_before(index);
+        let Some((velocity, _)) = slides.find(|(_, kind)| **kind == NumberKind::Rate(Rate::SlideVelocity(slider)))
+        else {
+            continue;
+        };
+        for omega in site.omegas_before(index) {
+            for factor in [2.0, -2.0] {
+                let [from, to] = [ray.through.as_str(), &ray.to].map(Blank::from);
+                let told = tell::coriolis_at_rest(from, to, site.symbol(omega), site.symbol(velocity));
+                let size = Product::new(ProductKind::Coriolis, factor, &[omega, velocity]);
+                let edit = Disturbance { operation: index, change: Change::Aside(line, size) };
+                found.push(site.candidate(told, edit));
+            }
         }
     }
     found

@@ -3,17 +3,14 @@
 //! The construction is carried out once more, as the student did: where pencil lines are that an operation would have drawn, its result is where they are, and later
 //! operations go on from there. So errors of the hand do not add up, and a mistake shows as lines that only it leads to.
 
-mod lines;
 mod track;
 
-use super::answer_key::AnswerKey;
 use super::checked::BANDS;
 use super::entry::entries;
-use super::error::CheckError;
+use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
-use super::sheet::{Measured, PointsOf};
 use crate::sheet::Sheet;
 use track::{Track, Tracker};
 
@@ -48,8 +45,6 @@ pub struct Proposal {
 pub struct Proposals {
     /// All points of the plans, in the order of the construction.
     pub points: Vec<Proposal>,
-    /// The mistakes with which the lines agree; none where they agree with the right plans.
-    pub mistakes: Vec<Candidate>,
 }
 
 impl Proposals {
@@ -98,26 +93,27 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
     let model = Model::new(key, key.solution, mu, &[])?;
     let tracker = Tracker::new(&model, plans);
     let site = Site { model: &model, key, entries: &[], other_modes: 0 };
-    let candidates: Vec<Candidate> = site.candidates().into_iter().filter(is_drawn).collect();
-    let mut all: Vec<(f64, Vec<&Candidate>, Track)> = vec![rated(&tracker, Vec::new())];
+    let right = Tried::new(&tracker, None);
+    let (without, is_open) = (right.worth, right.track.missing > 0.0);
+    let mut all = vec![right];
     // Where the right plans leave nothing open no mistake is looked for.
-    if all[0].2.missing > 0.0 {
-        all.extend(candidates.iter().map(|candidate| rated(&tracker, vec![candidate])));
-        all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    if is_open {
+        let candidates = site.candidates().into_iter().filter(is_drawn);
+        all.extend(candidates.map(|candidate| Tried::new(&tracker, Some(&candidate))));
+        all.sort_by(|a, b| b.worth.total_cmp(&a.worth));
     }
     // A mistake that leaves much unexplained is none, and one that explains little more than none.
-    let without = all.iter().find(|tried| tried.1.is_empty()).map_or(f64::NEG_INFINITY, |tried| tried.0);
-    all.retain(|(worth, mistakes, track)| {
-        mistakes.is_empty() || (track.missing <= MISSING * track.agreeing && *worth > without + CLEARLY)
+    all.retain(|Tried { worth, has_mistake, track }| {
+        !has_mistake || (track.missing <= MISSING * track.agreeing && *worth > without + CLEARLY)
     });
-    let best = all[0].0;
-    let rivals: Vec<&(f64, Vec<&Candidate>, Track)> = all.iter().take_while(|tried| tried.0 > best - RIVAL).collect();
+    let best = all[0].worth;
+    let rivals: Vec<&Track> =
+        all.iter().take_while(|tried| tried.worth > best - RIVAL).map(|tried| &tried.track).collect();
     for point in &mut points {
         point.found = agreed(&rivals, &model, plans, point);
     }
     leave_coincident(&mut points);
-    let mistakes = all[0].1.iter().map(|candidate| (*candidate).clone()).collect();
-    Ok(Proposals { points, mistakes })
+    Ok(Proposals { points })
 }
 
 /// Whether a mistake shows in what is drawn, by an amount that is known.
@@ -125,27 +121,30 @@ fn is_drawn(candidate: &Candidate) -> bool {
     !candidate.edits.is_empty() && candidate.free.is_empty() && candidate.mode == 0
 }
 
-/// An explanation with what speaks for it.
-fn rated<'c>(tracker: &Tracker<'_>, mistakes: Vec<&'c Candidate>) -> (f64, Vec<&'c Candidate>, Track) {
-    let track = tracker.follow(&mistakes);
-    let worth = track.agreeing - track.missing - MISTAKE * mistakes.len() as f64;
-    (worth, mistakes, track)
+/// The construction as it is, or with a mistake, carried out along the lines, with what speaks for that.
+struct Tried {
+    worth: f64,
+    has_mistake: bool,
+    track: Track,
 }
 
-/// Where all explanations that come into question have a point: `None` where they disagree, or the best one has not found it.
-fn agreed(
-    rivals: &[&(f64, Vec<&Candidate>, Track)],
-    model: &Model,
-    plans: &[PencilledPlan<'_>],
-    point: &Proposal,
-) -> Option<Found> {
+impl Tried {
+    fn new(tracker: &Tracker<'_>, mistake: Option<&Candidate>) -> Tried {
+        let (track, has_mistake) = (tracker.follow(mistake), mistake.is_some());
+        let worth = track.agreeing - track.missing - if has_mistake { MISTAKE } else { 0.0 };
+        Tried { worth, has_mistake, track }
+    }
+}
+
+/// Where all explanations that come into question have a point: `None` where they disagree, or the best one has not found
+/// it.
+fn agreed(rivals: &[&Track], model: &Model, plans: &[PencilledPlan<'_>], point: &Proposal) -> Option<Found> {
     let sheet = point.kind;
     let place = model.construction.place(sheet, model.construction.plan_name(sheet, &point.name))?;
     let plan = plans.iter().find(|plan| plan.kind == point.kind)?;
-    let spot = rivals.first()?.2.spot(place)?;
-    let others = rivals[1..].iter().filter_map(|rival| rival.2.spot(place));
-    let is_disputed = others.into_iter().any(|other| (other.at - spot.at).norm() > APART);
-    if is_disputed {
+    let spot = rivals.first()?.spot(place)?;
+    let mut others = rivals[1..].iter().filter_map(|rival| rival.spot(place));
+    if others.any(|other| (other.at - spot.at).norm() > APART) {
         return None;
     }
     let at = [spot.at.x, spot.at.y];

@@ -4,15 +4,12 @@
 #[doc(hidden)] // for tests
 pub mod sheets;
 
-use super::answer_key::AnswerKey;
-use super::checked::Checked;
-use super::error::CheckError;
+use super::checked::{Checked, Verdict};
+use super::measured::{AnswerKey, CheckError, Measured};
 use super::mistakes::{Candidate, Mistake};
 use super::model::Model;
 use super::report::{ReportParts, report_parts};
 use super::search::other_modes;
-use super::sheet::Measured;
-use super::verdict::Verdict;
 use crate::construction::{Action, Rate};
 use crate::drawing::{Overlay, OwnValue, WrongStep};
 use crate::quantity::{QuantityRequest, What};
@@ -97,11 +94,7 @@ fn said(parts: &ReportParts, checked: &Checked, turns: &[(Sheet, f64)], words: &
     for &(sheet, degrees) in turns {
         if degrees.abs() > TURNED {
             let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
-            let plan = match sheet {
-                Sheet::Acceleration => words.language.acceleration_plan(),
-                _ => words.language.velocity_plan(),
-            };
-            said.push(words.language.check_turned(&plan.to_lowercase(), &degrees));
+            said.push(words.language.check_turned(&words.language.sheet(sheet).to_lowercase(), &degrees));
         }
     }
     said.into_iter().map(|sentence| sentence.replace(" -", " −")).collect()

@@ -1,12 +1,11 @@
 //! The student's sheets as they were probably drawn: the places that are wrong, and the lines that lead there.
 
-use super::super::answer_key::AnswerKey;
+use super::super::checked::Judged;
+use super::super::measured::{AnswerKey, Measured, PlacedPoint};
 use super::super::mistakes::Candidate;
-use super::super::model::{Changes, Edit, Model};
+use super::super::model::{Model, in_order};
 use super::super::report::significant;
-use super::super::sheet::Measured;
-use super::super::verdict::Judged;
-use crate::construction::{Change, Disturbance, LineId, MeasuredAs, OperationKind, PlaceId, Values};
+use crate::construction::{LineId, MeasuredAs, OperationKind, PlaceId, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
 use crate::sheet::Sheet;
@@ -26,8 +25,8 @@ pub(super) struct Sheets<'a> {
     right: &'a Model,
     own: &'a Model,
     values: Values,
-    /// The operations that mistakes replaced, with what was done instead.
-    instead: Vec<(usize, &'a OperationKind)>,
+    /// The mistakes that were made.
+    found: &'a [&'a Candidate],
     /// Places of given plan points, by sheet and name.
     given: IndexMap<(Sheet, String), Vector>,
     words: &'a Wording,
@@ -40,31 +39,15 @@ impl<'a> Sheets<'a> {
         key: &'a AnswerKey<'a>,
         right: &'a Model,
         own: &'a Model,
-        found: &[&'a Candidate],
+        found: &'a [&'a Candidate],
         words: &'a Wording,
     ) -> Self {
-        let mut changes = Changes::new();
-        let mut instead = Vec::new();
-        for candidate in found {
-            for (operation, edit) in &candidate.edits {
-                let change = edit.change();
-                changes.push(Disturbance { operation: *operation, change });
-                if let Edit::Instead(kind) = edit {
-                    instead.push((*operation, kind));
-                }
-            }
-            for &(operation, number, value) in &candidate.goes_on {
-                let change = Change::Written(number, value);
-                changes.push(Disturbance { operation, change });
-            }
-        }
-        changes.sort_by_key(|c| c.operation);
         Self {
-            values: own.replay(&changes),
+            values: own.replay(&in_order(found.iter().flat_map(|candidate| candidate.changes()))),
             key,
             right,
             own,
-            instead,
+            found,
             given: IndexMap::new(),
             words,
             points: Vec::new(),
@@ -76,7 +59,7 @@ impl<'a> Sheets<'a> {
     pub(super) fn finish(mut self) -> (Vec<OwnPoint>, Vec<OwnLine>) {
         for ((sheet, name), place) in core::mem::take(&mut self.given) {
             let apart = self.right_place(sheet, &name).map_or(0.0, |right| (right - place).norm());
-            let is_named = apart > NAMED * self.per_mm(sheet);
+            let is_named = apart > NAMED * self.own.scales[sheet];
             self.point(sheet, &name, place, is_named);
         }
         (self.points, self.lines)
@@ -91,9 +74,9 @@ impl<'a> Sheets<'a> {
             let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet]) else {
                 continue;
             };
-            let origin = Vector::from(points.places[pole]);
-            let from_pole = |place: &[f64; 2]| (Vector::from(*place) - origin) * mu;
-            let pair = |(name, place): (&String, &[f64; 2])| {
+            let origin = Vector::from(points.places[pole].at);
+            let from_pole = |place: &PlacedPoint| (Vector::from(place.at) - origin) * mu;
+            let pair = |(name, place): (&String, &PlacedPoint)| {
                 let construction = &self.own.construction;
                 let id = construction.place(sheet, construction.plan_name(sheet, name))?;
                 Some((from_pole(place), self.values.place(id)))
@@ -116,7 +99,7 @@ impl<'a> Sheets<'a> {
     pub(super) fn draw_operations(&mut self) {
         for index in 0..self.own.construction.operations.len() {
             let sheet = self.own.construction.operations[index].sheet;
-            let is_changed = self.instead.iter().any(|(operation, _)| *operation == index);
+            let is_changed = self.found.iter().any(|candidate| candidate.instead_of(index).is_some());
             match *self.done(index) {
                 OperationKind::Plot { place, .. } | OperationKind::Divide { place, .. }
                     if self.is_elsewhere(sheet, place) =>
@@ -127,8 +110,7 @@ impl<'a> Sheets<'a> {
                     let end = self.leads_to(place);
                     if self.is_elsewhere(sheet, end) {
                         self.mark(sheet, place);
-                        let ends = [from, place].map(|p| self.at(sheet, p));
-                        self.line(sheet, end, ends, OwnKind::Vector, None);
+                        self.line(sheet, end, [from, place].map(|p| self.at(sheet, p)), OwnKind::Vector, None);
                     }
                 }
                 OperationKind::Cross { place, ref lines } if self.is_elsewhere(sheet, place) => {
@@ -153,8 +135,7 @@ impl<'a> Sheets<'a> {
             let count = if places.len() > 2 { places.len() } else { 1 };
             for (&a, &b) in places.iter().zip(next).take(count) {
                 if [a, b].into_iter().any(|p| self.is_elsewhere(Sheet::Scheme, p)) {
-                    let ends = [a, b].map(|p| self.at(Sheet::Scheme, p));
-                    self.line(Sheet::Scheme, b, ends, OwnKind::Line, None);
+                    self.line(Sheet::Scheme, b, [a, b].map(|p| self.at(Sheet::Scheme, p)), OwnKind::Line, None);
                 }
             }
         }
@@ -184,17 +165,8 @@ impl<'a> Sheets<'a> {
         let (start, end) = (self.at(sheet, from), self.at(sheet, to));
         if let Some(along) = unit(end - start) {
             let ends = [start, start + along * value.entry.value.abs()];
-            let label = self.with_unit(sheet, value.entry.value);
-            self.line(
-                sheet,
-                to,
-                ends,
-                match sheet {
-                    Sheet::Scheme => OwnKind::Line,
-                    _ => OwnKind::Vector,
-                },
-                Some(label),
-            );
+            let kind = if sheet == Sheet::Scheme { OwnKind::Line } else { OwnKind::Vector };
+            self.line(sheet, to, ends, kind, Some(self.with_unit(sheet, value.entry.value)));
         }
     }
 
@@ -206,8 +178,7 @@ impl<'a> Sheets<'a> {
             MeasuredAs::Y => Vector::new(start.x, end.y),
             _ => end,
         };
-        let label = self.with_unit(sheet, value);
-        self.line(sheet, to, [start, foot], OwnKind::Line, Some(label));
+        self.line(sheet, to, [start, foot], OwnKind::Line, Some(self.with_unit(sheet, value)));
         self.line(sheet, to, [foot, end], OwnKind::Helper, None);
     }
 
@@ -215,12 +186,11 @@ impl<'a> Sheets<'a> {
     fn crossing(&mut self, sheet: Sheet, place: PlaceId, lines: &[LineId; 2]) {
         let at = self.at(sheet, place);
         let meets = at.norm().is_finite();
-        let pole = self.pole(sheet);
+        let pole = self.own.construction.place(sheet, sheet.pole()).filter(|_| sheet.is_plan());
         if meets {
             self.mark(sheet, place);
             if let Some(pole) = pole {
-                let ends = [self.at(sheet, pole), at];
-                self.line(sheet, place, ends, OwnKind::Vector, None);
+                self.line(sheet, place, [self.at(sheet, pole), at], OwnKind::Vector, None);
             }
         }
         for line in lines {
@@ -231,11 +201,9 @@ impl<'a> Sheets<'a> {
             }
             let apart = |p: &Vector| (p - at).norm();
             let nearest = starts.into_iter().map(|s| self.at(sheet, s)).min_by(|a, b| apart(a).total_cmp(&apart(b)));
-            let Some(start) = nearest else {
-                continue;
-            };
+            let Some(start) = nearest else { continue };
             let (_, along) = self.values.line(*line);
-            let half = along * (LONG * self.per_mm(sheet));
+            let half = along * (LONG * self.own.scales[sheet]);
             let ends = if meets { [start, at] } else { [start - half, start + half] };
             self.line(sheet, place, ends, OwnKind::Line, None);
         }
@@ -243,38 +211,24 @@ impl<'a> Sheets<'a> {
 
     /// Places through which a line was drawn.
     fn starts(&self, line: LineId) -> Vec<PlaceId> {
-        let starts = (0..self.own.construction.operations.len()).find_map(|index| match self.done(index) {
-            OperationKind::Draw { line: drawn, through, .. } if *drawn == line => Some(vec![*through]),
-            OperationKind::Join { line: drawn, from, towards } if *drawn == line => Some(vec![*from, *towards]),
-            _ => None,
-        });
-        starts.unwrap_or_default()
+        let mut done = (0..self.own.construction.operations.len()).map(|index| self.done(index));
+        match done.find(|kind| kind.line() == Some(line)) {
+            Some(OperationKind::Draw { through, .. }) => vec![*through],
+            Some(OperationKind::Join { from, towards, .. }) => vec![*from, *towards],
+            _ => Vec::new(),
+        }
     }
 
     /// What the student did at an operation.
     fn done(&self, index: usize) -> &'a OperationKind {
-        let changed = self.instead.iter().find(|(operation, _)| *operation == index);
-        changed.map_or(&self.own.construction.operations[index].kind, |(_, kind)| kind)
-    }
-
-    /// The pole of a plan; the scheme has none.
-    fn pole(&self, sheet: Sheet) -> Option<PlaceId> {
-        let mut operations = self.own.construction.operations.iter().filter(|a| a.sheet == sheet);
-        operations.find_map(|operation| match operation.kind {
-            OperationKind::Pole { place, .. } if sheet != Sheet::Scheme => Some(place),
-            _ => None,
-        })
-    }
-
-    fn per_mm(&self, sheet: Sheet) -> f64 {
-        self.own.scales[sheet]
+        let changed = self.found.iter().find_map(|candidate| candidate.instead_of(index));
+        changed.unwrap_or(&self.own.construction.operations[index].kind)
     }
 
     /// The magnitude of a value with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
-        let kind = sheet.drawn();
         let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
-        format!("{value} {}", kind.unit(self.key.solution.scene.units))
+        format!("{value} {}", sheet.drawn().unit(self.key.solution.scene.units))
     }
 
     /// The names of a place.
@@ -285,12 +239,8 @@ impl<'a> Sheets<'a> {
 
     /// The name that the figure has for a place: the first that its plan shows.
     fn name(&self, sheet: Sheet, place: PlaceId) -> Option<&'a str> {
-        let construction = &self.key.solution.construction;
-        let plan = construction.plan_on(sheet);
-        let is_shown = |name: &&str| match plan {
-            Some(plan) => plan.points.contains_key(*name),
-            None => !name.is_empty(),
-        };
+        let plan = self.key.solution.construction.plan_on(sheet);
+        let is_shown = |name: &&str| plan.map_or(!name.is_empty(), |plan| plan.points.contains_key(*name));
         self.names(sheet, place).find(is_shown)
     }
 
@@ -309,12 +259,12 @@ impl<'a> Sheets<'a> {
 
     /// Whether a place is visibly elsewhere than it should be, or at infinity.
     fn is_elsewhere(&self, sheet: Sheet, place: PlaceId) -> bool {
-        let Some(name) = self.name(sheet, place) else {
-            return false;
-        };
-        let apart = self.right_place(sheet, name).map(|right| (self.at(sheet, place) - right).norm());
-        // A crossing of parallel lines is NaN.
-        apart.is_some_and(|apart| apart.is_nan() || apart > SEEN * self.per_mm(sheet))
+        let right = self.name(sheet, place).and_then(|name| self.right_place(sheet, name));
+        right.is_some_and(|right| {
+            let apart = (self.at(sheet, place) - right).norm();
+            // A crossing of parallel lines is NaN.
+            apart.is_nan() || apart > SEEN * self.own.scales[sheet]
+        })
     }
 
     /// The named point to which a vector leads: its end, or that of the vectors laid off from there.

@@ -1,7 +1,7 @@
 //! How finely values are written, what moves together, and by how much a student's sheet is turned.
 
 mod precision {
-    use kinegon::check::precision::{Precision, most_digits, whole_rounding};
+    use kinegon::check::written::{Precision, most_digits, whole_rounding};
 
     #[test]
     fn zeros_that_a_file_has_dropped_count() {
@@ -44,7 +44,7 @@ mod precision {
 }
 
 mod together {
-    use kinegon::check::together::ways_together;
+    use kinegon::check::model::ways_together;
 
     /// Where no joint is plotted nothing moves together.
     #[test]

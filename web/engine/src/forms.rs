@@ -2,7 +2,7 @@ use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::Sheet;
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, EmptyForm, FilledForm, FormBox, Measured, form_boxes, further_boxes, plan_points};
+use kinegon::check::{AnswerKey, FormBox, Measured, WrittenForm, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
 use kinegon::quantity::Head;
 use schemars::JsonSchema;
@@ -101,7 +101,7 @@ impl Desk {
             rows.extend(further.into_iter().map(row(false)));
         }
         let scales = solution.scales();
-        let empty = EmptyForm { solution, scales, exercise: None };
+        let empty = WrittenForm::empty(solution, scales, None);
         let point = |(name, label)| PlanPoint { name, label: html_text(&label) };
         let points = Sheet::PLANS.into_iter().zip(plan_points(solution));
         Ok(Form {
@@ -119,13 +119,13 @@ impl Desk {
         let fault = measured.faults.first().cloned();
         fault.map_or(Ok(()), |fault| Err(Refused::from(fault)))?;
         let solution = self.solution(text)?;
-        Ok(FilledForm { measured: &measured, key: &usual_key(solution) }.json())
+        Ok(WrittenForm::filled(solution, &measured).json())
     }
 
     /// A form as a table.
     pub fn write_form(&mut self, text: &str, form: &str) -> Result<String, Refused> {
         let measured = measured(form)?;
         let solution = self.solution(text)?;
-        Ok(FilledForm { measured: &measured, key: &usual_key(solution) }.csv())
+        Ok(WrittenForm::filled(solution, &measured).csv())
     }
 }

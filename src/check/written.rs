@@ -1,0 +1,179 @@
+//! Values as they are written in a form's cells: numbers, how finely people write them, and the units beside them.
+
+use super::measured::{CheckError, Given};
+use crate::scene::{LengthUnit, TimeUnit, Units};
+use crate::sheet::{QuantityKind, Sheet};
+use crate::text::shown;
+
+/// The decimals and the significant digits to which somebody writes values of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Precision {
+    /// Digits after the decimal point.
+    pub decimals: i32,
+    /// Significant digits: all from the first that is not zero.
+    pub digits: i32,
+}
+
+impl Precision {
+    /// The precision of written numbers of one kind. Files drop zeros at the end, so the longest numbers show it; but a
+    /// single number with more decimals than all others does not count: its point may have slipped.
+    pub fn of<'t>(texts: impl Iterator<Item = &'t str>) -> Precision {
+        let plain = texts.filter(|t| !t.is_empty() && !t.contains(['e', 'E']));
+        let (mut decimals, digits): (Vec<i32>, Vec<i32>) = plain.map(counts).unzip();
+        decimals.sort_unstable_by(|a, b| b.cmp(a));
+        let common = usize::from(decimals.len() > 2);
+        Precision {
+            decimals: decimals.get(common).copied().unwrap_or(0),
+            digits: digits.into_iter().max().unwrap_or(0),
+        }
+    }
+
+    /// Half a unit of the last digit of a number written to this precision, dropped zeros included.
+    pub fn rounding(self, text: &str) -> f64 {
+        let unit = |decimals: i32| 0.5 * libm::exp10(-f64::from(decimals));
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, ""));
+        if let Ok(exponent) = exponent.parse::<i32>() {
+            return unit(counts(mantissa).0 - exponent);
+        }
+        let value: f64 = text.parse().unwrap_or(0.0);
+        let mut usual = unit(self.decimals);
+        if value != 0.0 {
+            let first = libm::floor(libm::log10(value.abs())) as i32;
+            usual = usual.max(unit(self.digits - 1 - first));
+        }
+        usual.min(unit(counts(text).0))
+    }
+}
+
+/// Most significant digits that a short whole number is taken to have.
+const WHOLE: i32 = 3;
+
+/// Half a unit of the last digit of a whole number with fewer digits than others of its form have, which are at most
+/// `digits`: `3` beside `8.36` is 3.00 of which the zeros were dropped, not any number from 2.5 to 3.5. Infinite for
+/// numbers that say their digits.
+pub fn whole_rounding(text: &str, digits: i32) -> f64 {
+    let value: f64 = text.parse().unwrap_or(0.0);
+    if text.contains(['.', 'e', 'E']) || value == 0.0 {
+        return f64::INFINITY;
+    }
+    let first = libm::floor(libm::log10(value.abs())) as i32;
+    0.5 * libm::exp10(f64::from(first + 1 - digits.min(WHOLE)))
+}
+
+/// The most significant digits that any of these numbers has.
+pub fn most_digits<'t>(texts: impl Iterator<Item = &'t str>) -> i32 {
+    texts.filter(|text| !text.contains(['e', 'E'])).map(|text| counts(text).1).max().unwrap_or(0)
+}
+
+/// Decimals and significant digits of a number as it is written.
+fn counts(text: &str) -> (i32, i32) {
+    let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());
+    let digits = text.chars().filter(char::is_ascii_digit).skip_while(|c| *c == '0').count();
+    (decimals as i32, digits as i32)
+}
+
+/// The number in a form's cell, its precision as it stands alone, and half a unit of its last digit.
+pub(super) fn number(text: &str) -> Result<(f64, Precision, f64), CheckError> {
+    let precision = Precision::of(core::iter::once(text));
+    let rounding = precision.rounding(text);
+    // Rust reads the words NaN and infinity as numbers too.
+    let has_digits = text.contains(|c: char| c.is_ascii_digit());
+    let number = if has_digits { text.parse::<f64>().ok() } else { None };
+    let number = number.ok_or_else(|| {
+        let hint = "write digits with a decimal point, as 61.5; leave blank what you have not measured";
+        CheckError::about(text, "is no number", hint)
+    })?;
+    if !(number.is_finite() && number.abs() <= 1e100) {
+        return Err(CheckError::about(text, "is too large", "is a digit or an exponent wrong?"));
+    }
+    Ok((number, precision, rounding))
+}
+
+/// The factor from a written number to the scene's units, and the factor if the unit beside it were left out. `paper`: the
+/// sheet on which it was measured in millimetres, if it was, with the scale that the form has for it.
+pub(super) fn factors(
+    given: &Given,
+    name: &str,
+    kind: QuantityKind,
+    paper: Option<(Sheet, Option<f64>)>,
+    units: Units,
+) -> Result<(f64, f64), CheckError> {
+    let Some((sheet, scale)) = paper else {
+        let factor = given.unit.as_ref().map_or(Ok(1.0), |unit| factor(unit, kind, units))?;
+        return Ok((factor, 1.0));
+    };
+    let scale = scale.ok_or_else(|| {
+        let mu = sheet.scale_key();
+        let hint = format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name());
+        CheckError::about(name, &format!("is in millimetres of paper, but your scale {mu} is missing"), hint)
+    })?;
+    match &given.unit {
+        // Beside millimetres of paper no unit may stand but mm.
+        Some(unit) if unit.trim() != "mm" => {
+            let says = format!("is in millimetres of paper, but `{}` stands beside it", shown(unit));
+            Err(CheckError::about(name, &says, "leave the unit out, or the `/mu`"))
+        }
+        _ => Ok((scale, scale)),
+    }
+}
+
+/// The factor from the unit `text` to the scene's unit of quantities of this kind.
+fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckError> {
+    let compact: String = text.chars().filter(|c| !c.is_whitespace()).collect();
+    let compact = compact.replace("^2", "²").replace("**2", "²");
+    let (above, below) = match compact.split_once('/') {
+        Some((above, below)) => (above, Some(below)),
+        None => (compact.as_str(), None),
+    };
+    let length = || {
+        let unit = LengthUnit::ALL.into_iter().find(|unit| unit.as_str() == above)?;
+        Some(unit.metres() / units.length.metres())
+    };
+    let turn = || match above {
+        "rad" | "1" => Some(1.0),
+        "deg" | "°" => Some(1.0_f64.to_radians()),
+        "rev" => Some(core::f64::consts::TAU),
+        _ => None,
+    };
+    let seconds_of = |symbol: &str| TimeUnit::ALL.into_iter().find(|unit| unit.as_str() == symbol).map(seconds);
+    let own = seconds(units.time);
+    let per_time = |above: f64| Some(above * own / seconds_of(below?)?);
+    let per_time_squared = |above: f64| {
+        let time = seconds_of(below?.strip_suffix('²')?)?;
+        Some(above * own * own / (time * time))
+    };
+    let found = match (kind, compact.as_str()) {
+        (QuantityKind::Angle, "°" | "deg") => Some(1.0),
+        (QuantityKind::Angle, "rad") => Some(1.0_f64.to_degrees()),
+        (QuantityKind::Angle, _) => None,
+        (QuantityKind::AngularVelocity, "rpm" | "r.p.m.") => Some(core::f64::consts::TAU * own / 60.0),
+        (QuantityKind::AngularVelocity, _) => turn().and_then(per_time),
+        (QuantityKind::AngularAcceleration, _) => turn().and_then(per_time_squared),
+        (QuantityKind::Length | QuantityKind::Position, _) => length().filter(|_| below.is_none()),
+        (QuantityKind::Velocity, _) => length().and_then(per_time),
+        (QuantityKind::Acceleration, _) => length().and_then(per_time_squared),
+    };
+    found.ok_or_else(|| {
+        let hint = format!("write `{}`, or leave the unit out", kind.unit(units));
+        CheckError::about(text, &format!("is no unit of {}", said(kind)), hint)
+    })
+}
+
+fn seconds(unit: TimeUnit) -> f64 {
+    match unit {
+        TimeUnit::S => 1.0,
+        TimeUnit::Min => 60.0,
+    }
+}
+
+fn said(kind: QuantityKind) -> &'static str {
+    match kind {
+        QuantityKind::Angle => "an angle",
+        QuantityKind::AngularVelocity => "an angular velocity",
+        QuantityKind::AngularAcceleration => "an angular acceleration",
+        QuantityKind::Position => "a position",
+        QuantityKind::Length => "a length",
+        QuantityKind::Velocity => "a velocity",
+        QuantityKind::Acceleration => "an acceleration",
+    }
+}
