@@ -116,6 +116,8 @@ pub const KEYS: By<u64> = By(1, 2, 16);
 
 // Photographs.
 
+/// Black edges in each view of the camera, and pages of different fineness.
+pub const EDGES: By<(usize, usize)> = By((2, 1), (4, 2), (4, 2));
 /// Sheets of each kind, and pixels of the longer edge.
 pub const PLACES: By<(u64, usize)> = By((1, 1600), (1, 1600), (130, 4032));
 /// The share of places that lie within their bands.
@@ -139,6 +141,11 @@ pub const BROKEN_BYTES: By<usize> = By(6, 6, 400);
 
 /// Series of random gestures.
 pub const GESTURES: By<u64> = By(1, 1, 20);
+
+// Other programs.
+
+/// Every so many-th figure is given to LaTeX alone.
+pub const TYPESET: By<usize> = By(4, 1, 1);
 
 /// Cases by number on all cores: what each core has seen, in no order that means anything.
 pub fn on_all_cores<T: Default + Send>(count: u64, case: impl Fn(u64, &mut T) + Sync) -> Vec<T> {
