@@ -5,6 +5,7 @@
 //! The students of `tests/support/students` draw random exercises of all kinds.
 
 use kinegon::exercise::Exercises;
+use support::files;
 use support::students::hand::SKILLS;
 use support::students::judge::Class;
 use support::students::script::kinds;
@@ -16,8 +17,7 @@ const EXERCISES: usize = 4;
 
 fn starting(kind: &str) -> String {
     let folder = if kind.starts_with("figure") { "examples" } else { "templates" };
-    let path = format!("{}/{folder}/{kind}.json", env!("CARGO_MANIFEST_DIR"));
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+    files::read(&format!("{folder}/{kind}.json"))
 }
 
 fn tasks() -> Vec<Task> {

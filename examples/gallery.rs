@@ -16,7 +16,7 @@ use kinegon::{PerSheet, Sheet};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
-use std::path::{Path, PathBuf};
+use support::files as repository;
 
 /// Kinds of `kinegon new` in its order, their scenes, and what each teaches.
 const KINDS: [(&str, &str, &str); 19] = [
@@ -279,7 +279,7 @@ fn wide() -> Page {
 
 /// The scene of a file, with what is asked of its figure, solved.
 fn solution(path: &str, asked: impl Fn(&mut Figure)) -> Result<Solution, Box<dyn Error>> {
-    let mut scene = Scene::read(&fs::read_to_string(root().join(path))?)?;
+    let mut scene = Scene::read(&fs::read_to_string(repository::path(path))?)?;
     asked(&mut scene.figure);
     Ok(kinegon::solve(&scene)?)
 }
@@ -314,7 +314,7 @@ fn paths_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Erro
 /// What is probably elsewhere in the drawing from which the values of a form were read, over the right figure; scales as in the command.
 fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
     let mut solution = solution(path, |_| ())?;
-    let measured = Measured::read_json(&fs::read_to_string(root().join(form))?)?;
+    let measured = Measured::read_json(&fs::read_to_string(repository::path(form))?)?;
     let own = {
         // As deep as the program looks.
         let (scales, tolerance) = (solution.scales(), Tolerance::default());
@@ -327,7 +327,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
 }
 
 fn exercise(path: &str, seed: u64) -> Result<Drawing, Box<dyn Error>> {
-    let text = fs::read_to_string(root().join(path))?;
+    let text = fs::read_to_string(repository::path(path))?;
     let solution = solution(path, |_| ())?;
     let mut exercises = Exercises::new(&text, &solution.scene.figure, None, &solution.construction, seed)?;
     Ok(exercises.next()?.sheets("").swap_remove(0))
@@ -390,13 +390,9 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
     Ok(pictures)
 }
 
-fn root() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-}
-
 fn main() -> Result<(), Box<dyn Error>> {
     for (path, text) in files()? {
-        let path: &Path = &root().join(path);
+        let path = repository::path(&path);
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder)?;
         }

@@ -8,7 +8,7 @@ use kinegon::drawing::Drawing;
 use kinegon::format::{self, Text};
 use std::error::Error;
 use std::fs;
-use std::path::Path;
+use support::files;
 use support::speed_vs_error::document;
 use support::speed_vs_error::lengths::Lengths;
 use support::speed_vs_error::survey::{Survey, times};
@@ -18,22 +18,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     let times = times();
     let machine = machine();
     print!("{}", document::table(&survey, &times));
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let out = root.join("out");
+    let out = files::path("out");
     fs::create_dir_all(&out)?;
     let drawing = picture::picture(&survey, &times);
     // The guide's pictures lie beside its pages.
     // Running text in another font would overlap: letters are outlines there.
     let outlined = |drawing: &Drawing| format::svg_with(drawing, Text::Outlines);
-    fs::write(root.join("docs/accuracy.svg"), outlined(&drawing))?;
+    fs::write(files::path("docs/accuracy.svg"), outlined(&drawing))?;
     fs::write(out.join("speed-vs-error.svg"), outlined(&drawing))?;
-    #[cfg(feature = "png")]
     fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
-    fs::write(root.join("docs/accuracy-condition.svg"), outlined(&condition::picture(&survey, &lengths)))?;
+    fs::write(files::path("docs/accuracy-condition.svg"), outlined(&condition::picture(&survey, &lengths)))?;
     let numbers = document::numbers(&survey, &times, &machine);
     fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
     let page = document::accuracy(&survey) + &document::from_lengths(&lengths) + &document::speed(&times, &machine);
-    fs::write(root.join("docs/accuracy.md"), page)?;
+    fs::write(files::path("docs/accuracy.md"), page)?;
     Ok(())
 }
 

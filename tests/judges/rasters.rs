@@ -11,6 +11,8 @@ use resvg::usvg::{Options, Tree};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
+use support::browser::Browser;
+use support::program::scratch;
 use support::stages::solved;
 use support::{files, tools};
 
@@ -193,7 +195,8 @@ fn librsvg_draws_the_same() {
 /// Chromium sets a line of 200 mm up to 0.4 mm shorter; so captions and headings have two pixels more.
 #[test]
 fn chromium_draws_the_same() {
-    let Some(program) = tools::find("chromium") else {
+    let folder = scratch("chromium-draws");
+    let Some(mut browser) = Browser::start(&folder, [800, 600]) else {
         return;
     };
     for scene in SCENES {
@@ -203,19 +206,12 @@ fn chromium_draws_the_same() {
         let is_first = scene == SCENES[0];
         for (drawing, distance) in is_first.then_some((whole, 3)).into_iter().chain([(labels, 1)]) {
             let svg = drawing.svg();
-            let (mut command, folder) = with_fonts(&program, "chromium");
-            std::fs::write(folder.join("figure.svg"), &svg).expect("the test's folder can be written");
-            let pixels = |mm: f64| (mm * 96.0 / 25.4).ceil();
-            command
-                .args("--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking".split(' '))
-                .args("--disable-component-update --disable-sync --hide-scrollbars --disable-lcd-text".split(' '))
-                .args("--font-render-hinting=none --force-color-profile=srgb --screenshot=figure.png".split(' '))
-                .arg(format!("--force-device-scale-factor={}", DPI / 96.0))
-                .arg(format!("--window-size={},{}", pixels(drawing.width), pixels(drawing.height)))
-                .arg(format!("--user-data-dir={}", folder.join("profile").display()))
-                .arg(format!("file://{}", folder.join("figure.svg").display()));
-            done(command);
-            assert_alike(scene, &Picture::of(&svg), &folder.join("figure.png"), distance);
+            let [file, picture] = ["figure.svg", "figure.png"].map(|name| folder.join(name));
+            std::fs::write(&file, &svg).expect("the test's folder can be written");
+            browser.screen([drawing.width, drawing.height].map(|mm| (mm * 96.0 / 25.4).ceil() as u32), DPI / 96.0);
+            browser.open(&file, "location.href !== 'about:blank' && document.readyState === 'complete'");
+            std::fs::write(&picture, browser.shot()).expect("the test's folder can be written");
+            assert_alike(scene, &Picture::of(&svg), &picture, distance);
         }
     }
 }

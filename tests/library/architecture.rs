@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use support::files;
 
 /// The folders of `src` in the order in which values flow; each may use itself and those before it.
 const ORDER: [&str; 20] = [
@@ -42,7 +43,7 @@ const FORBIDDEN: [&str; 10] = [
 ];
 
 fn source_folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+    files::path("src")
 }
 
 /// Every Rust file under `folder`, sorted.

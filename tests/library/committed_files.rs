@@ -159,7 +159,6 @@ fn the_gallery_is_current_and_complete() {
     }
 }
 
-#[cfg(feature = "png")]
 #[test]
 fn pictures_are_redrawn_within_one_level_per_channel() {
     fn pixels(bytes: &[u8]) -> (u32, u32, Vec<u8>) {

@@ -5,7 +5,7 @@ use kinegon::cycle::{Curve, Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, Shape, curves};
 use kinegon::scene::Scene;
 use std::f64::consts::PI;
-use std::path::Path as FilePath;
+use support::files;
 use support::stages::solved;
 
 /// Most bytes of a figure's SVG file.
@@ -30,7 +30,7 @@ fn drawn(scene: &str, range: Option<[f64; 2]>, want: &str) -> Drawing {
 }
 
 fn file(name: &str) -> String {
-    let path = FilePath::new(env!("CARGO_MANIFEST_DIR")).join(name);
+    let path = files::path(name);
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
@@ -402,7 +402,7 @@ fn wishes(scene: &str) -> Vec<String> {
 
 #[test]
 fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
-    let folder = FilePath::new(env!("CARGO_MANIFEST_DIR")).join("templates");
+    let folder = files::path("templates");
     let files = std::fs::read_dir(folder).expect("the folder is there");
     let mut names: Vec<String> = files
         .map(|entry| entry.expect("listed").file_name().to_string_lossy().into_owned())

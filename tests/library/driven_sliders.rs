@@ -9,9 +9,10 @@ use kinegon::construction::{Action, Plan, VectorPart, image_name};
 use kinegon::format::ResultFile;
 use kinegon::geometry::{Vector, cross, direction_of_degrees};
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use support::comparison::{Comparison, decimal, entries};
 use support::exact::exceeds;
+use support::files;
 use support::stages::solved;
 
 /// Errors allowed, in units of the condition number of the velocity equations.
@@ -30,7 +31,7 @@ struct Case {
 }
 
 fn cases() -> Vec<Case> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/driven_sliders");
+    let folder = files::path("tests/driven_sliders");
     let read = |path: PathBuf| -> Value {
         let text = std::fs::read_to_string(&path).expect("a case can be read");
         serde_json::from_str(&text).expect("a case is JSON")

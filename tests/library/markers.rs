@@ -190,7 +190,6 @@ fn svg_has_markers_at_their_places() {
     }
 }
 
-#[cfg(feature = "png")]
 #[test]
 fn rasters_have_cells_and_a_legible_code() {
     for (page, style) in [("a4", StyleName::Paper), ("letter-portrait", StyleName::Board), ("a3", StyleName::Print)] {
@@ -224,7 +223,6 @@ fn rasters_have_cells_and_a_legible_code() {
     }
 }
 
-#[cfg(feature = "pdf")]
 #[test]
 fn pdf_has_markers_at_their_places() {
     let drawing = sheet("a4-portrait", StyleName::Paper);

@@ -11,7 +11,8 @@ use support::photographs::{Tally, by_lot, decoded, given, panels, photographed, 
 use support::random::Random;
 use support::students::hand::SKILLS;
 use support::survey::{
-    ANY_PIXELS, OTHER_THINGS, PLACES, PROPOSED, TAPPED_LESS, UNEVEN, WITHIN_BANDS, WRONGLY_PROPOSED, on_all_cores,
+    ANY_PIXELS, OTHER_THINGS, PLACE_KINDS, PLACES, PROPOSED, TAPPED_LESS, UNEVEN, WITHIN_BANDS, WRONGLY_PROPOSED,
+    on_all_cores,
 };
 
 /// What photographs of one kind come to.
@@ -96,7 +97,7 @@ fn allowed(kind: Kind) -> Option<[f64; 2]> {
 fn places_on_paper_are_found() {
     let (count, edge) = PLACES.now();
     let mut all = Found::default();
-    for kind in KINDS {
+    for kind in KINDS.into_iter().step_by(PLACE_KINDS.now()) {
         let mut own = Found::default();
         for seen in on_all_cores(count, |number, seen| photograph(kind, number + 1, edge, seen)) {
             own.join(seen);

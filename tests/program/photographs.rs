@@ -2,30 +2,52 @@
 
 use std::path::{Path, PathBuf};
 use std::process::Output;
+use std::sync::OnceLock;
 use support::camera::chance::Kind;
 use support::camera::drawn::drawn;
 use support::files;
-use support::photographs::{Given, by_lot, given, panels, photographed};
+use support::photographs::{by_lot, given, panels, photographed};
 use support::program::{kinegon, scratch, stderr};
 use support::random::Random;
 use support::students::hand::SKILLS;
 use support::survey::BROKEN_BYTES;
 
-/// The folder of an exercise, its scene and photographs of its plans.
-fn photographs(name: &str, number: u64) -> (PathBuf, PathBuf, Vec<PathBuf>, Given) {
-    let folder = scratch(name);
-    let given = given(number).expect("an exercise");
-    let scene = folder.join("scene.json");
-    std::fs::write(&scene, given.task.text()).expect("it is written");
-    let mut photos = Vec::new();
-    for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
-        let drawing = drawn(&given.task, None, SKILLS[1], number, &panels(&sheet.0));
-        let path = folder.join(format!("Ana-{}.jpg", sheet.0.number));
-        std::fs::write(&path, photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, number, 1600)).jpeg)
-            .expect("it is written");
-        photos.push(path);
-    }
-    (folder, scene, photos, given)
+/// The exercise whose plans are photographed.
+const NUMBER: u64 = 8;
+
+/// An exercise and photographs of its plans, by the names of their files.
+struct Taken {
+    kind: &'static str,
+    scene: String,
+    photos: Vec<(String, Vec<u8>)>,
+}
+
+/// The photographs are taken once for all tests: it takes seconds.
+fn taken() -> &'static Taken {
+    static TAKEN: OnceLock<Taken> = OnceLock::new();
+    TAKEN.get_or_init(|| {
+        let given = given(NUMBER).expect("an exercise");
+        let of_plans = given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty());
+        let photos = of_plans.map(|sheet| {
+            let drawing = drawn(&given.task, None, SKILLS[1], NUMBER, &panels(&sheet.0));
+            let shot = photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, NUMBER, 1600));
+            (format!("Ana-{}.jpg", sheet.0.number), shot.jpeg)
+        });
+        Taken { kind: given.task.kind, scene: given.task.text().to_owned(), photos: photos.collect() }
+    })
+}
+
+/// A folder with the scene of an exercise and photographs of its plans.
+fn photographs(name: &str) -> (PathBuf, PathBuf, Vec<PathBuf>) {
+    let (folder, taken) = (scratch(name), taken());
+    let write = |name: &str, bytes: &[u8]| {
+        let path = folder.join(name);
+        std::fs::write(&path, bytes).expect("it is written");
+        path
+    };
+    let scene = write("scene.json", taken.scene.as_bytes());
+    let photos = taken.photos.iter().map(|(name, bytes)| write(name, bytes)).collect();
+    (folder, scene, photos)
 }
 
 fn check(scene: &Path, more: &[&str]) -> Output {
@@ -38,7 +60,7 @@ fn stdout(output: &Output) -> String {
 
 #[test]
 fn a_photograph_gives_pictures_and_a_form() {
-    let (folder, scene, photos, given) = photographs("photo-form", 8);
+    let (folder, scene, photos) = photographs("photo-form");
     let out = folder.join("out");
     let out_text = out.to_str().expect("a path").to_owned();
     let mut arguments: Vec<&str> = photos.iter().map(|photo| photo.to_str().expect("a path")).collect();
@@ -46,7 +68,7 @@ fn a_photograph_gives_pictures_and_a_form() {
     let output = check(&scene, &arguments);
     assert!(matches!(output.status.code(), Some(0 | 1)), "{}", stderr(&output));
     let text = stdout(&output);
-    assert!(text.contains(&given.task.kind.to_uppercase()), "{text}");
+    assert!(text.contains(&taken().kind.to_uppercase()), "{text}");
     assert!(text.contains("right") && text.contains("p c"), "{text}");
     let form = out.join("Ana.json");
     assert!(stderr(&output).contains("--accept"), "{}", stderr(&output));
@@ -73,7 +95,7 @@ fn a_photograph_gives_pictures_and_a_form() {
 
 #[test]
 fn a_folder_of_photographs_is_a_class() {
-    let (folder, scene, photos, _) = photographs("photo-class", 8);
+    let (folder, scene, photos) = photographs("photo-class");
     let class = folder.join("photos");
     std::fs::create_dir_all(class.join("Bo")).expect("a folder");
     for photo in &photos {
@@ -99,7 +121,7 @@ fn a_folder_of_photographs_is_a_class() {
 
 #[test]
 fn files_that_are_no_pictures_get_one_message() {
-    let (folder, scene, photos, _) = photographs("photo-hostile", 8);
+    let (folder, scene, photos) = photographs("photo-hostile");
     let good = std::fs::read(&photos[0]).expect("a picture");
     let mut random = Random(5);
     let mut files: Vec<(String, Vec<u8>)> = vec![

@@ -21,6 +21,7 @@ use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
 use std::io::Cursor;
+use std::sync::{Mutex, PoisonError};
 
 /// A grey, upright picture from a file's bytes.
 pub fn decoded(bytes: &[u8]) -> Picture {
@@ -72,8 +73,20 @@ pub fn by_lot(sheet: &(SheetCode, String), kind: Kind, number: u64, edge: usize)
 /// A photograph of a sheet with a drawing on it: the file and the truth.
 pub fn photographed(sheet: &(SheetCode, String), drawing: &Drawing, picture: &Photograph) -> Shot {
     let per_mm = if picture.size[0].max(picture.size[1]) > 2000 { 24 } else { 12 };
-    let page = Page::draw(&sheet.1, sheet.0.page.size_mm(), per_mm, &Default::default());
+    let page = blank(sheet, per_mm);
     picture.take(Some(&page.printed(&drawing.strokes, picture.seed)))
+}
+
+/// The sheet as it comes from the printer: the last one is kept, for it is often photographed again.
+fn blank((code, svg): &(SheetCode, String), per_mm: usize) -> Page {
+    static LAST: Mutex<Option<(String, usize, Page)>> = Mutex::new(None);
+    let last = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, _, page)) = last().as_ref().filter(|(last, fine, _)| last == svg && *fine == per_mm) {
+        return page.clone();
+    }
+    let page = Page::draw(svg, code.page.size_mm(), per_mm, &Default::default());
+    *last() = Some((svg.clone(), per_mm, page.clone()));
+    page
 }
 
 /// What proposals for a student's plans come to.

@@ -116,8 +116,12 @@ pub const KEYS: By<u64> = By(1, 2, 16);
 
 // Photographs.
 
+/// Black edges in each view of the camera, and pages of different fineness.
+pub const EDGES: By<(usize, usize)> = By((2, 1), (4, 2), (4, 2));
 /// Sheets of each kind, and pixels of the longer edge.
 pub const PLACES: By<(u64, usize)> = By((1, 1600), (1, 1600), (130, 4032));
+/// Every so many-th kind of photograph: from flat sheets to hard ones.
+pub const PLACE_KINDS: By<usize> = By(2, 1, 1);
 /// The share of places that lie within their bands.
 pub const WITHIN_BANDS: By<f64> = By(0.9, 0.9, 0.95);
 /// Uneven and blurred sheets.
@@ -133,12 +137,17 @@ pub const WRONGLY_PROPOSED: By<f64> = By(0.03, 0.03, 0.01);
 /// By how much fewer sheets with a mistake are told of all than from the typed form.
 pub const TAPPED_LESS: By<f64> = By(0.2, 0.2, 0.05);
 /// Photographs with broken bytes.
-pub const BROKEN_BYTES: By<usize> = By(6, 6, 400);
+pub const BROKEN_BYTES: By<usize> = By(3, 6, 400);
 
 // The page.
 
 /// Series of random gestures.
 pub const GESTURES: By<u64> = By(1, 1, 20);
+
+// Other programs.
+
+/// Every so many-th figure is given to LaTeX alone.
+pub const TYPESET: By<usize> = By(4, 1, 1);
 
 /// Cases by number on all cores: what each core has seen, in no order that means anything.
 pub fn on_all_cores<T: Default + Send>(count: u64, case: impl Fn(u64, &mut T) + Sync) -> Vec<T> {

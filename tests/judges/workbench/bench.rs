@@ -68,7 +68,7 @@ impl Bench {
         let folder = scratch(&format!("workbench-{name}"));
         let file = folder.join("kinegon.html");
         std::fs::write(&file, page(scene)?).expect("the test's folder can be written");
-        let browser = Browser::start(&folder.join("profile"), [1280, 800])?;
+        let browser = Browser::start(&folder, [1280, 800])?;
         Some(Bench { browser, folder, page: file })
     }
 

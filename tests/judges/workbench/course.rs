@@ -62,7 +62,7 @@ fn fill(browser: &mut Browser, values: &serde_json::Map<String, Value>) {
 fn a_course_hears_the_score() {
     let folder = scratch("workbench-course");
     let Some(files) = site(&folder) else { return };
-    let Some(mut browser) = Browser::start(&folder.join("profile"), [1280, 800]) else { return };
+    let Some(mut browser) = Browser::start(&folder, [1280, 800]) else { return };
     browser.visit(files, "system.html", READY);
     let exercise = browser
         .text("JSON.parse(document.querySelector('iframe').contentDocument.querySelector('iframe').contentWindow.kinegon.history.now.value.form).exercise");
@@ -102,7 +102,7 @@ fn a_course_hears_the_score() {
 fn without_a_course_there_is_an_exercise_all_the_same() {
     let folder = scratch("workbench-no-course");
     let Some(files) = site(&folder) else { return };
-    let Some(mut browser) = Browser::start(&folder.join("profile"), [1280, 800]) else { return };
+    let Some(mut browser) = Browser::start(&folder, [1280, 800]) else { return };
     let frame = "document.querySelector('iframe')";
     browser.visit(files, "index.html", &format!("{frame}?.contentDocument?.documentElement?.dataset.ready === 'yes'"));
     assert_eq!(browser.value(&format!("{frame}.contentWindow.kinegon.app.student.value")), true);

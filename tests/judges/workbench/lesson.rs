@@ -144,7 +144,7 @@ fn it_is_seen_from_the_last_row() {
     bench.picture("full-screen");
     bench.press("Escape");
     bench.until("!document.body.classList.contains('presenting')");
-    bench.screen([1920, 1080]);
+    bench.screen([1920, 1080], 1.0);
     bench.settle();
     bench.picture("projector");
     assert_eq!(bench.value("document.documentElement.scrollWidth <= 1920"), true);

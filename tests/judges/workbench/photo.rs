@@ -7,6 +7,7 @@ use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use resvg::usvg::Options;
 use serde_json::{Value, json};
 use std::path::PathBuf;
+use std::sync::OnceLock;
 use support::camera::Photograph;
 use support::camera::chance::Kind;
 use support::camera::drawn::{Drawing, Panel, drawn};
@@ -26,14 +27,20 @@ const ARROW: f64 = 0.8;
 
 /// A photograph of a student's drawing sheet, and the truth about it.
 struct Taken {
-    file: PathBuf,
+    jpeg: Vec<u8>,
     code: SheetCode,
     drawing: Drawing,
     photograph: Photograph,
 }
 
+/// The photograph of a four-bar linkage's plans, taken once for all tests.
+fn four_bar() -> &'static Taken {
+    static TAKEN: OnceLock<Taken> = OnceLock::new();
+    TAKEN.get_or_init(|| taken("four-bar", "FOUR-BAR", EDGE))
+}
+
 /// Photographs the sheet on which somebody has drawn the plans of a starting scene without errors.
-fn taken(bench: &Bench, kind: &'static str, name: &str) -> Taken {
+fn taken(kind: &'static str, name: &str, edge: usize) -> Taken {
     let text = files::read(&format!("templates/{kind}.json"));
     let task = Task::new(kind, &text).expect("a scene");
     let sheets = task.solution.drawing_sheets(name);
@@ -48,16 +55,14 @@ fn taken(bench: &Bench, kind: &'static str, name: &str) -> Taken {
     options.fontdb_mut().load_font_data(ITALIC.to_vec());
     let page = Page::draw(&sheet.svg(), size, 24, &options).printed(&drawing.strokes, 1);
     // The first picture in which the sheet lies as it is read.
-    let pictures = (1..).map(|seed| Photograph::random(seed, Kind::Flat, size).with_edge(EDGE));
+    let pictures = (1..).map(|seed| Photograph::random(seed, Kind::Flat, size).with_edge(edge));
     let is_upright = |picture: &Photograph| {
         let truth = picture.truth();
         let [a, b] = [[0.0, 0.0], [size[0], 0.0]].map(|mm| truth.pixel(mm));
         b[0] - a[0] > 3.0 * (b[1] - a[1]).abs()
     };
     let photograph = pictures.into_iter().find(is_upright).expect("there is one");
-    let file = bench.folder().join(format!("{name}.jpg"));
-    std::fs::write(&file, photograph.take(Some(&page)).jpeg).expect("the test's folder can be written");
-    Taken { file, code, drawing, photograph }
+    Taken { jpeg: photograph.take(Some(&page)).jpeg, code, drawing, photograph }
 }
 
 fn is_of_plans(code: Option<&SheetCode>) -> bool {
@@ -65,6 +70,13 @@ fn is_of_plans(code: Option<&SheetCode>) -> bool {
 }
 
 impl Taken {
+    /// Puts the photograph into the test's folder.
+    fn file(&self, bench: &Bench) -> PathBuf {
+        let file = bench.folder().join("photograph.jpg");
+        std::fs::write(&file, &self.jpeg).expect("the test's folder can be written");
+        file
+    }
+
     /// Where a point of a plan is: on the screen, and in mm from the pole with y up.
     fn place(&self, bench: &mut Bench, plan: usize, name: &str) -> ([f64; 2], [f64; 2]) {
         let mm = self.drawing.place(plan, name).unwrap_or_else(|| panic!("no {name}"));
@@ -110,9 +122,10 @@ fn distance(a: [f64; 2], b: &Value) -> f64 {
 fn points_of_a_photograph_are_checked() {
     let Some(mut bench) = Bench::of("photo", &files::read("templates/four-bar.json")) else { return };
     bench.panel("check");
-    let taken = taken(&bench, "four-bar", "FOUR-BAR");
+    let taken = four_bar();
+    let file = taken.file(&bench);
     let begin = bench.number("performance.now()");
-    show(&mut bench, &taken.file);
+    show(&mut bench, &file);
     println!("the right plan lies over it after {:.0} ms", bench.number("performance.now()") - begin);
     assert!(said(&mut bench).contains("point b of the velocity plan"), "{}", said(&mut bench));
     // The right plan lies where the honest student has drawn.
@@ -183,8 +196,9 @@ fn a_photograph_fills_a_telephone() {
     bench.load("");
     bench.put(&files::read("templates/four-bar.json"));
     bench.panel("check");
-    let taken = taken(&bench, "four-bar", "FOUR-BAR");
-    show(&mut bench, &taken.file);
+    let taken = four_bar();
+    let file = taken.file(&bench);
+    show(&mut bench, &file);
     let filled = "(() => { const r = document.querySelector('#photo').getBoundingClientRect(); return [r.x, r.y, r.width, r.height]; })()";
     assert_eq!(bench.value(filled), json!([0, 0, 390, 844]));
     // A finger that stays sees the place magnified, and the place goes to the crossing when it is lifted.
@@ -238,8 +252,9 @@ fn pictures_of_no_use_say_what_to_do() {
     assert!(says.contains("markers") && says.contains("all eight black squares"), "{says}");
     bench.picture("photo-refused");
     // The sheet of another scene.
-    let other = taken(&bench, "four-bar", "FOUR-BAR-7-2");
-    show(&mut bench, &other.file);
+    let other = taken("four-bar", "FOUR-BAR-7-2", EDGE / 2);
+    let file = other.file(&bench);
+    show(&mut bench, &file);
     let says = said(&mut bench);
     assert!(says.contains("FOUR-BAR-7-2") && says.contains("not of this scene"), "{says}");
     assert_eq!(bench.value("document.querySelector('#photo .right')"), Value::Null);

@@ -139,7 +139,6 @@ fn rows_are_positions() {
         let width = table.header().len();
         let numbers = table.rows(0..count);
         assert_eq!(numbers.len(), count * width);
-        #[cfg(feature = "parallel")]
         assert_eq!(table.rows_on_all_cores(0..count), numbers);
         let pieces: Vec<_> = (0..count).step_by(704).flat_map(|k| table.rows(k..(k + 704).min(count))).collect();
         assert_eq!(pieces, numbers);

@@ -14,9 +14,9 @@ impl Browser {
         self.call("Emulation.setTouchEmulationEnabled", json!({ "enabled": true, "maxTouchPoints": 5 }));
     }
 
-    /// Shows the page on a screen of that many pixels.
-    pub fn screen(&mut self, [width, height]: [u32; 2]) {
-        let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
+    /// Shows the page on a screen of that many pixels of a page's, each of so many of the screen's.
+    pub fn screen(&mut self, [width, height]: [u32; 2], scale: f64) {
+        let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": scale, "mobile": false });
         self.call("Emulation.setDeviceMetricsOverride", metrics);
     }
 
@@ -32,10 +32,15 @@ impl Browser {
         if std::env::var_os("KINEGON_PICTURES").is_none() {
             return;
         }
-        let shot = self.call("Page.captureScreenshot", json!({ "format": "png" }));
         let folder = files::built().with_file_name("pictures");
         std::fs::create_dir_all(&folder).expect("the test's folder can be written");
-        std::fs::write(folder.join(format!("{name}.png")), bytes(&shot["data"])).expect("written");
+        std::fs::write(folder.join(format!("{name}.png")), self.shot()).expect("written");
+    }
+
+    /// What is seen of the page, as PNG.
+    pub fn shot(&mut self) -> Vec<u8> {
+        let shot = self.call("Page.captureScreenshot", json!({ "format": "png" }));
+        bytes(&shot["data"])
     }
 
     /// The page on paper, as PDF, in the size that it asks for itself.
@@ -51,7 +56,8 @@ impl Browser {
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("the test's folder can be written");
         let session = std::mem::take(&mut self.session);
-        self.call("Browser.setDownloadBehavior", json!({ "behavior": "allow", "downloadPath": folder }));
+        let behavior = json!({ "behavior": "allow", "downloadPath": folder, "browserContextId": self.context });
+        self.call("Browser.setDownloadBehavior", behavior);
         self.session = session;
         act(self);
         wait("a saved file", || {

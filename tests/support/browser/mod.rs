@@ -4,12 +4,14 @@
 mod hands;
 mod looks;
 
+use super::{files, program, tools};
 use base64::Engine as _;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::net::TcpStream;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use tungstenite::stream::MaybeTlsStream;
 use tungstenite::{Message, WebSocket};
@@ -20,9 +22,71 @@ const SERVED: &str = "https://site.test/";
 /// How long anything may take.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// A browser with one page.
+/// The Chromium of all tests of a run: it takes a second to start.
+struct Chromium {
+    /// Where it is spoken to.
+    address: String,
+    /// A shell that ends it when nobody holds the other end of its stdin any more: so it does not outlive the tests, whatever
+    /// becomes of them.
+    _shell: Child,
+}
+
+/// What the shell does.
+const UNTIL_STDIN_ENDS: &str = "\"$@\" & read -r _; kill $!";
+
+/// The one Chromium; `None`, with a word on stderr, where none is installed.
+fn chromium() -> Option<&'static Chromium> {
+    static CHROMIUM: OnceLock<Option<Chromium>> = OnceLock::new();
+    CHROMIUM.get_or_init(Chromium::start).as_ref()
+}
+
+impl Chromium {
+    fn start() -> Option<Chromium> {
+        let program = tools::find("chromium")?;
+        let folder = program::scratch("chromium");
+        // Beside those of the machine it finds the bundled fonts by their names.
+        let fonts = folder.join("fonts.conf");
+        let text = format!(
+            "<?xml version=\"1.0\"?><!DOCTYPE fontconfig SYSTEM \"fonts.dtd\"><fontconfig><include ignore_missing=\"yes\">\
+             /etc/fonts/fonts.conf</include><dir>{}</dir></fontconfig>",
+            files::path("src/drawing/fonts").display()
+        );
+        std::fs::write(&fonts, text).expect("the tests' folder can be written");
+        let shell = Command::new("sh")
+            .args(["-c", UNTIL_STDIN_ENDS, "sh"])
+            .arg(program)
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--mute-audio"])
+            .args(["--disable-quic", "--no-first-run", "--hide-scrollbars"])
+            .args(["--disable-background-networking", "--disable-sync"])
+            .args(["--disable-component-update", "--remote-debugging-port=0"])
+            // Pages of several tests are open, and none may wait for being the one in front.
+            .args(["--disable-background-timer-throttling", "--disable-renderer-backgrounding"])
+            .arg("--disable-backgrounding-occluded-windows")
+            // Letters as they are compared with those of other programs.
+            .args(["--disable-lcd-text", "--font-render-hinting=none", "--force-color-profile=srgb"])
+            .arg("--host-resolver-rules=MAP * ~NOTFOUND")
+            .arg(format!("--user-data-dir={}", folder.join("profile").display()))
+            .arg("about:blank")
+            .env("FONTCONFIG_FILE", fonts)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("there is a shell");
+        let port = folder.join("profile/DevToolsActivePort");
+        let address = wait("the browser", || {
+            let text = std::fs::read_to_string(&port).ok()?;
+            let (port, path) = text.trim().split_once('\n')?;
+            Some(format!("ws://127.0.0.1:{port}{path}"))
+        });
+        Some(Chromium { address, _shell: shell })
+    }
+}
+
+/// A browser with one page, and with a memory of its own.
 pub struct Browser {
-    process: Child,
+    /// What it remembers goes with it.
+    context: String,
     socket: WebSocket<MaybeTlsStream<TcpStream>>,
     session: String,
     last: u64,
@@ -37,35 +101,12 @@ pub struct Browser {
 }
 
 impl Browser {
-    /// A browser with an empty page of that many pixels, without a network; `None`, with a word on stderr, where no
-    /// Chromium is installed.
+    /// A browser with an empty page of that many pixels, without a network, and with a folder for what it saves; `None`, with a
+    /// word on stderr, where no Chromium is installed.
     pub fn start(folder: &Path, [width, height]: [u32; 2]) -> Option<Browser> {
-        let process = Command::new("chromium")
-            .args(["--headless", "--no-sandbox", "--disable-gpu", "--mute-audio"])
-            .args(["--disable-quic", "--no-first-run", "--hide-scrollbars"])
-            .args(["--disable-background-networking", "--disable-sync"])
-            .args(["--disable-component-update", "--remote-debugging-port=0"])
-            .arg("--host-resolver-rules=MAP * ~NOTFOUND")
-            .arg(format!("--window-size={width},{height}"))
-            .arg(format!("--user-data-dir={}", folder.display()))
-            .arg("about:blank")
-            .stdin(Stdio::null())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn();
-        let Ok(process) = process else {
-            eprintln!("SKIPPED: there is no `chromium` on this machine to try the page in");
-            return None;
-        };
-        let port = folder.join("DevToolsActivePort");
-        let address = wait("the browser", || {
-            let text = std::fs::read_to_string(&port).ok()?;
-            let (port, path) = text.trim().split_once('\n')?;
-            Some(format!("ws://127.0.0.1:{port}{path}"))
-        });
-        let (socket, _) = tungstenite::connect(address).expect("the browser answers");
+        let (socket, _) = tungstenite::connect(&chromium()?.address).expect("the browser answers");
         let mut browser = Browser {
-            process,
+            context: String::new(),
             socket,
             session: String::new(),
             last: 0,
@@ -74,12 +115,16 @@ impl Browser {
             requests: Vec::new(),
             served: BTreeMap::new(),
         };
-        let target = wait("a page", || {
-            let targets = browser.call("Target.getTargets", json!({}));
-            let mut targets = targets["targetInfos"].as_array()?.iter();
-            let page = targets.find(|t| t["type"] == "page")?;
-            Some(page["targetId"].clone())
+        let context = browser.call("Target.createBrowserContext", json!({ "disposeOnDetach": true }));
+        browser.context = context["browserContextId"].as_str().expect("a memory of its own").to_owned();
+        let page = json!({
+            "url": "about:blank",
+            "browserContextId": browser.context,
+            "newWindow": true,
+            "width": width,
+            "height": height,
         });
+        let target = browser.call("Target.createTarget", page)["targetId"].clone();
         let attach = json!({ "targetId": target, "flatten": true });
         let attached = browser.call("Target.attachToTarget", attach);
         browser.session = attached["sessionId"].as_str().expect("a session").to_owned();
@@ -91,8 +136,8 @@ impl Browser {
         browser.call("Target.setAutoAttach", workers);
         let offline = json!({ "offline": true, "latency": 0, "downloadThroughput": -1, "uploadThroughput": -1 });
         browser.call("Network.emulateNetworkConditions", offline);
-        let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
-        browser.call("Emulation.setDeviceMetricsOverride", size);
+        browser.call("Emulation.setFocusEmulationEnabled", json!({ "enabled": true }));
+        browser.screen([width, height], 1.0);
         Some(browser)
     }
 
@@ -224,12 +269,10 @@ impl Browser {
 impl Drop for Browser {
     fn drop(&mut self) {
         if std::thread::panicking() {
-            let of = self.folder.parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy().into_owned();
+            let of = self.folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
             eprintln!("requests: {:?}\nmessages: {:#?}", self.requests, self.console);
             self.picture(&format!("failed-{of}"));
         }
-        let _ = self.process.kill();
-        let _ = self.process.wait();
     }
 }
 
