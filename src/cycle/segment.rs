@@ -1,6 +1,6 @@
 use super::Path;
-use crate::geometry::{Lanes, Number, Pair, Row, UNIT_ROUNDOFF, Vector, quarter_turn};
-use crate::kernel::{Block, Kernel, Single, Unknown, portions, unit, vector};
+use crate::geometry::{Lanes, Number, Pair, Row, UNIT_ROUNDOFF, Vector, portions, quarter_turn};
+use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
 
 /// A position on the path, with its rates for a unit rate of the drive.
 #[derive(Clone, Debug)]

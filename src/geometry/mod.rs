@@ -15,7 +15,7 @@ mod system;
 pub use angle::{degrees_of, direction_of_degrees, turn_of_degrees};
 pub use ball::Ball;
 pub use exact::{RADIANS_PER_SECOND, RADIANS_PER_TURN};
-pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row};
+pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row, portions};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
 pub use random::Random;

@@ -1,10 +1,10 @@
-use super::action::{Action, Closing, Placing, Unknown};
+use super::action::{Action, Closing, InputKind, Placing, Unknown};
 use super::columns::{correct_columns, turn_columns};
-use super::compile::InputKind;
 use super::solve::{determinant, solve};
 use super::{Block, Kernel, Single};
-use crate::geometry::{Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, quarters_of};
-use std::ops::Range;
+use crate::geometry::{
+    Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, portions, quarters_of,
+};
 
 /// Most Newton steps for one group from a near start.
 const STEPS: usize = 12;
@@ -159,13 +159,6 @@ impl Kernel {
         let closings = groups.filter_map(|group| self.closing(group));
         closings.map(|c| determinant(block, c, 0)).collect()
     }
-}
-
-/// Indices of the portions of a row that `lanes` computes together.
-#[inline(always)]
-#[must_use]
-pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
-    0..R::LEN / L::COUNT
 }
 
 #[inline(always)]

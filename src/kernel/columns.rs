@@ -1,7 +1,6 @@
 use super::action::{Chain, Closing, Tied, TiedClass};
-use super::close::portions;
 use super::{Block, vector};
-use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
+use crate::geometry::{Lanes, MANY, Pair, Row, Vector, portions};
 use std::f64::consts::TAU;
 
 /// Rotates the vectors of all loops' members and guides into the fixed frame, and computes the gaps of loops and ties.

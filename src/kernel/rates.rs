@@ -1,9 +1,7 @@
-use super::action::{Action, Chain, Closing, Placing, Unknown};
-use super::close::portions;
-use super::compile::InputKind;
+use super::action::{Action, Chain, Closing, InputKind, Placing, Unknown};
 use super::solve::solve;
 use super::{Block, Kernel};
-use crate::geometry::{Lanes, MANY, Number, Pair, Row};
+use crate::geometry::{Lanes, MANY, Number, Pair, Row, portions};
 use std::marker::PhantomData;
 
 impl Kernel {

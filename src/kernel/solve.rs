@@ -1,8 +1,7 @@
 use super::action::{Closing, ReducedColumns};
 use super::block::System;
-use super::close::portions;
 use super::{Block, vector};
-use crate::geometry::{Lanes, LinearSystem, Pair, Reduced, Row};
+use crate::geometry::{Lanes, LinearSystem, Pair, Reduced, Row, portions};
 use nalgebra::DMatrix;
 
 /// Solves a group's equations for the block's right sides; factors them first if `FACTOR`, else uses the factors from
