@@ -1,6 +1,6 @@
 use super::start::{stands, start};
 use super::{CycleError, Position};
-use crate::geometry::{OneByOne, Pair, UNIT_ROUNDOFF};
+use crate::geometry::{Pair, UNIT_ROUNDOFF};
 use crate::kernel::{InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -64,7 +64,7 @@ impl<'a> Mover<'a> {
         let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
         let mut block = start(&kernel, mechanism, pose);
         let drives: Vec<f64> = kernel.inputs.iter().map(|input| stands(input, pose)).collect();
-        let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
+        let closed = kernel.assemble(&mut block, 0.0).closed;
         let determinants = kernel.determinants(&block);
         if let Some(group) = determinants.iter().position(|[_, sharpness]| !closed || *sharpness < 1e-18) {
             let names = mechanism.drive_names();
@@ -144,7 +144,7 @@ impl<'a> Mover<'a> {
                 };
                 last = whole / f64::from(pieces);
                 let now = if piece == pieces { *value } else { from + part * whole };
-                self.kernel.set_input(OneByOne, &mut self.block, drive, &[now]);
+                self.kernel.set_input(&mut self.block, drive, &[now]);
             }
             if !self.step(last) {
                 self.go_back();
@@ -159,7 +159,7 @@ impl<'a> Mover<'a> {
     #[inline]
     fn step(&mut self, change: f64) -> bool {
         self.carry_on(change);
-        let found = self.kernel.assemble(OneByOne, &mut self.block, self.sure);
+        let found = self.kernel.assemble(&mut self.block, self.sure);
         if !(found.closed && found.first <= OFF) {
             return false;
         }
@@ -168,7 +168,7 @@ impl<'a> Mover<'a> {
         if is_on_branch && self.has_changed() {
             // Equations less sharp than they were want a smaller last correction.
             self.refresh();
-            let closed = self.kernel.assemble(OneByOne, &mut self.block, self.sure).closed;
+            let closed = self.kernel.assemble(&mut self.block, self.sure).closed;
             self.rates();
             return closed;
         }
@@ -221,7 +221,7 @@ impl<'a> Mover<'a> {
 
     #[inline]
     fn rates(&mut self) {
-        self.kernel.rates(OneByOne, &mut self.block);
+        self.kernel.rates(&mut self.block);
     }
 
     /// By group: the determinant before over that now.
@@ -260,12 +260,12 @@ impl<'a> Mover<'a> {
     #[cold]
     fn go_back(&mut self) {
         for (input, value) in self.drives.iter().enumerate() {
-            self.kernel.set_input(OneByOne, &mut self.block, input, &[*value]);
+            self.kernel.set_input(&mut self.block, input, &[*value]);
         }
         self.block.turns.copy_from_slice(&self.turns);
         self.block.slides.copy_from_slice(&self.slides);
         self.time = 0.0;
-        self.kernel.assemble(OneByOne, &mut self.block, 0.0);
+        self.kernel.assemble(&mut self.block, 0.0);
         self.rates();
         self.refresh();
     }

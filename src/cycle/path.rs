@@ -5,7 +5,7 @@ use super::trace::{Traced, fastest, trace};
 use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
 use crate::Problem;
-use crate::geometry::{Lanes, Many, OneByOne, Row, span};
+use crate::geometry::{Lanes, Many, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{Mechanism, Role};
 use crate::position::Pose;
@@ -70,7 +70,7 @@ impl<'a> Path<'a> {
             kernel.inputs.iter().zip(ratios).map(|(i, ratio)| [stands(i, pose), ratio]).collect();
         let origin = inputs[drive.input][0];
         let mut block = start(&kernel, &mechanism, pose);
-        let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
+        let closed = kernel.assemble(&mut block, 0.0).closed;
         let path = Path {
             mechanism,
             inputs,
@@ -111,13 +111,15 @@ impl<'a> Path<'a> {
     #[inline(always)]
     pub(super) fn set_inputs<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, values: &R) {
         for (index, [start, ratio]) in self.inputs.iter().enumerate() {
-            let mut own = *values;
-            if index != self.drive.input {
-                for value in own.as_mut() {
-                    *value = (*value - self.origin) * ratio + start;
-                }
+            if index == self.drive.input {
+                self.kernel.set_input_in(lanes, block, index, values);
+                continue;
             }
-            self.kernel.set_input(lanes, block, index, &own);
+            let mut own = *values;
+            for value in own.as_mut() {
+                *value = (*value - self.origin) * ratio + start;
+            }
+            self.kernel.set_input_in(lanes, block, index, &own);
         }
     }
 
@@ -152,7 +154,7 @@ impl<'a> Path<'a> {
             };
             self.kernel.set_rates(block, index, rate, 0.0);
         }
-        self.kernel.rates(OneByOne, block);
+        self.kernel.rates(block);
     }
 
     /// Follows the branch over the range from one value of the drive to another, as far as it can be reached; with
@@ -383,14 +385,14 @@ impl<'a> Path<'a> {
     /// A walker, [`MANY`](crate::geometry::MANY) positions at a time.
     #[must_use]
     pub fn many_walker(&self) -> Walker<'_, Many> {
-        Walker::new(self, &self.kernel)
+        Walker::many(self, &self.kernel)
     }
 
     /// As [`Self::many_walker`], for angles, slides and their rates only: places and motions of points are left out,
     /// but for the joints between groups.
     #[must_use]
     pub fn many_walker_without_places(&self) -> Walker<'_, Many> {
-        Walker::new(self, &self.bare)
+        Walker::many(self, &self.bare)
     }
 
     /// One position of a block.

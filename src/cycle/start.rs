@@ -1,4 +1,4 @@
-use crate::geometry::{OneByOne, Turn, degrees_of};
+use crate::geometry::{Turn, degrees_of};
 use crate::kernel::{Block, Input, InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -7,7 +7,7 @@ use crate::position::Pose;
 pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
     let mut block = Block::new(kernel);
     for (index, input) in kernel.inputs.iter().enumerate() {
-        kernel.set_input(OneByOne, &mut block, index, &[stands(input, pose)]);
+        kernel.set_input(&mut block, index, &[stands(input, pose)]);
     }
     for unknown in kernel.unknowns.iter().flatten() {
         match *unknown {

@@ -1,6 +1,6 @@
 use super::start::{ratios, stands, start};
 use super::{CycleError, Drive, Position};
-use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
+use crate::geometry::{MANY, Many, Row};
 use crate::kernel::{Block, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -187,9 +187,9 @@ impl<'a> Variants<'a> {
         let mut single = Single::new(kernel);
         copy(&self.blocks[index / MANY], index % MANY, &mut single, 0);
         for (input, value) in self.drives[index].iter().enumerate() {
-            kernel.set_input(OneByOne, &mut single, input, &[*value]);
+            kernel.set_input(&mut single, input, &[*value]);
         }
-        kernel.assemble(OneByOne, &mut single, SURE).closed
+        kernel.assemble(&mut single, SURE).closed
     }
 
     /// Moves those mechanisms of a block that are marked as closed to the values of their drives; whether all loops
@@ -202,14 +202,18 @@ impl<'a> Variants<'a> {
             for lane in 0..MANY {
                 values[lane] = self.drives[(first + lane).min(count - 1)][input];
             }
-            kernel.set_input(OneByOne, block, input, &values);
+            kernel.set_input(block, input, &values);
         }
         for lane in 0..MANY {
             if !self.closed[(first + lane).min(count - 1)] {
                 self.left.give_back(lane, lane, block);
             }
         }
-        dispatch!(self.registers, simd => positions_and_rates(Registers(simd), kernel, block))
+        let is_closed = kernel.assemble_many(self.registers, block, SURE).closed;
+        if is_closed {
+            kernel.rates_many(self.registers, block);
+        }
+        is_closed
     }
 
     /// The position of a mechanism, with its rates; `None` if it did not close at the values of its drives.
@@ -352,14 +356,4 @@ fn copy<A: Row, B: Row>(from: &Block<A>, here: usize, to: &mut Block<B>, there: 
     for (to, from) in to.slides.iter_mut().zip(&from.slides) {
         to[there] = from[here];
     }
-}
-
-/// Positions and rates of a block; whether its loops have closed.
-#[inline(always)]
-fn positions_and_rates<L: Lanes>(lanes: L, kernel: &Kernel, block: &mut Block<Many>) -> bool {
-    let found = kernel.assemble(lanes, block, SURE);
-    if found.closed {
-        kernel.rates(lanes, block);
-    }
-    found.closed
 }

@@ -108,12 +108,13 @@ pub(super) struct Closing {
     pub chains: Vec<Chain>,
     pub ties: Vec<Tied>,
     pub unknowns: Vec<Unknown>,
-    /// The columns of the reduced equations, if they reduce; the unknowns are then in the order shared, shared, own,
-    /// own.
-    pub reduced: Option<ReducedColumns>,
+    /// The reduced equations, if they reduce; the unknowns are then in the order shared, shared, own, own.
+    pub reduced: Option<Reducing>,
     /// The largest component of a member's vector with all sliders at zero: the group's size for slides. Not zero, even
     /// where all of a loop belongs to one class and its vector vanishes.
     pub size: f64,
+    /// By unknown: what makes a correction a part of one, 1 of an angle in radians and 1 / size of a slide.
+    pub scales: Vec<f64>,
 }
 
 /// A loop as a sum of vectors.
@@ -124,8 +125,6 @@ pub(super) struct Chain {
     pub members: Vec<Member>,
     /// The sliders in the loop.
     pub rails: Vec<Rail>,
-    /// Its first column. Those of the members stand first, then those of the rails, in the same order as these.
-    pub first: usize,
     /// Whether it has a member whose rotation is known, or a driven slider.
     pub has_known: bool,
     /// By unknown: its column; [`ZERO`] where the loop does not contain it.
@@ -188,41 +187,39 @@ pub(super) struct Rail {
 /// The zero column, of unknowns that a loop does not contain.
 pub(super) const ZERO: usize = 0;
 
-/// Indices of the columns of [`Reduced`](crate::geometry::Reduced).
+/// Equations of one loop, or of two, that [`Reduced`](crate::geometry::Reduced) solves: its columns, and which of them
+/// change their length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ReducedColumns {
-    /// Columns s, t of one loop's unknowns.
-    One([usize; 2]),
-    Two {
-        /// By loop: column h of its own unknown, s and t of the shared ones.
-        columns: [[usize; 3]; 2],
-        /// By loop: whether a slider changes the length of h.
-        varies: [bool; 2],
-    },
+pub(super) struct Reducible<const LOOPS: usize> {
+    /// By loop: column h of its own unknown, s and t of the shared ones; of a single loop s, s, t.
+    pub columns: [[usize; 3]; LOOPS],
+    /// By loop: whether a slider changes the length of h.
+    pub varies: [bool; LOOPS],
 }
 
-impl ReducedColumns {
-    pub fn new(reduction: Reduction, chains: &[Chain]) -> Option<ReducedColumns> {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reducing {
+    One(Reducible<1>),
+    Two(Reducible<2>),
+}
+
+impl Reducing {
+    pub fn new(reduction: Reduction, chains: &[Chain]) -> Option<Reducing> {
         match (reduction, chains) {
-            (Reduction::OneLoop, [chain]) => Some(ReducedColumns::One([chain.columns[0], chain.columns[1]])),
+            (Reduction::OneLoop, [chain]) => {
+                let [s, t] = [chain.columns[0], chain.columns[1]];
+                Some(Reducing::One(Reducible { columns: [[s, s, t]], varies: [false] }))
+            }
             (Reduction::TwoLoops { .. }, [first, second]) => {
                 let [h, g] = [first.columns[2], second.columns[3]];
                 let varies = |chain: &Chain, own| chain.rails.iter().any(|r| r.arm == own);
-                Some(ReducedColumns::Two {
+                Some(Reducing::Two(Reducible {
                     columns: [[h, first.columns[0], first.columns[1]], [g, second.columns[0], second.columns[1]]],
                     varies: [varies(first, h), varies(second, g)],
-                })
+                }))
             }
             _ => None,
         }
-    }
-}
-
-impl Chain {
-    /// The columns of the loop's members, and those of its rails.
-    #[inline(always)]
-    pub fn own<'a, T>(&self, columns: &'a [T]) -> (&'a [T], &'a [T]) {
-        columns[self.first..].split_at(self.members.len())
     }
 }
 
@@ -252,7 +249,7 @@ impl Action {
                     chain.members.iter_mut().for_each(|m| m.local = none);
                     chain.rails.iter_mut().for_each(|r| r.direction = none);
                 }
-                copy.size = 0.0;
+                (copy.size, copy.scales) = (0.0, Vec::new());
                 Action::Close(copy)
             }
         }

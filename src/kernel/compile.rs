@@ -1,6 +1,6 @@
 use super::action::{
-    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, ReducedColumns, Seat, Tied, TiedClass,
-    Unknown, ZERO,
+    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Tied, TiedClass, Unknown,
+    ZERO,
 };
 use super::classes::classes;
 use crate::geometry::{Point, Turn, Vector};
@@ -245,15 +245,18 @@ impl<'a> Compiler<'a> {
             .iter()
             .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).angular.as_ref()?, &unknowns));
         let ties = ties.collect();
-        let mut closing = Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0 };
+        let mut closing =
+            Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0, scales: Vec::new() };
         for chain in &group.loops {
             self.compile_loop(chain, &mut closing);
         }
         let members = closing.chains.iter().flat_map(|c| &c.members);
         let components = members.flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
         closing.size = components.fold(f64::MIN_POSITIVE, f64::max);
+        let scale = |unknown: &Unknown| if let Unknown::Slide(_) = unknown { 1.0 / closing.size } else { 1.0 };
+        closing.scales = closing.unknowns.iter().map(scale).collect();
         let reduction = equations.reduction;
-        closing.reduced = reduction.and_then(|r| ReducedColumns::new(r, &closing.chains));
+        closing.reduced = reduction.and_then(|r| Reducing::new(r, &closing.chains));
         closing
     }
 
@@ -302,7 +305,6 @@ impl<'a> Compiler<'a> {
         // loop's end.
         let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
         members.retain(|m| m.local != Vector::zeros() || slides(m));
-        let first = self.kernel.columns;
         for member in &mut members {
             member.column = self.kernel.columns;
             self.kernel.columns += 1;
@@ -326,7 +328,7 @@ impl<'a> Compiler<'a> {
         };
         let columns = closing.unknowns.iter().map(column).collect();
         let has_known = members.iter().any(|m| m.spin.is_none()) || rails.iter().any(|r| r.slide.is_none());
-        closing.chains.push(Chain { ends, members, rails, first, has_known, columns });
+        closing.chains.push(Chain { ends, members, rails, has_known, columns });
     }
 
     /// Continues the walk over the driven sliders of a compound link to its body `to`.
