@@ -5,19 +5,19 @@
 //! A→B→E = A→G→F→E      B + BE u(θ2) = G + GF u(θ4 + γ) + FE u(θ5)
 //! ```
 
-const AB: f64 = 100.0;
-const BE: f64 = 500.0;
-const GD: f64 = 300.0;
-const GF: f64 = 150.0;
+pub const AB: f64 = 100.0;
+pub const BE: f64 = 500.0;
+pub const GD: f64 = 300.0;
+pub const GF: f64 = 150.0;
 const DF: f64 = 180.0;
-const FE: f64 = 300.0;
-const G: Pair = [275.0, 0.0];
+pub const FE: f64 = 300.0;
+pub const G: [f64; 2] = [275.0, 0.0];
 
 /// Angular velocity of the crank, rad/s.
-const OMEGA: f64 = -1.0;
+pub const OMEGA: f64 = -1.0;
 
 /// The largest correction, in radians or parts of BE, after which a Newton step leaves rounding alone.
-const SURE: f64 = 3e-9;
+pub const SURE: f64 = 3e-9;
 
 type Pair = [f64; 2];
 
@@ -35,7 +35,7 @@ pub struct ByHand {
     /// α of links 2, 4, 5 and the block's acceleration along its guide.
     pub seconds: [f64; 4],
     /// Cosine and sine of the angle from GD to GF.
-    gamma: Pair,
+    pub gamma: [f64; 2],
 }
 
 /// The equations of a position: unit vectors, and the inverse of the matrix of ω2 and ω4.

@@ -1,6 +1,8 @@
-//! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run.
+//! Times of the stages: `cargo bench`. Times differ between machines; quote ratios of one run, as they stand at the end.
 
 mod by_hand;
+mod by_hand_together;
+mod ratios;
 
 use by_hand::ByHand;
 use divan::{Bencher, black_box};
@@ -21,6 +23,10 @@ const FIGURE_2: &str = include_str!("../../examples/figure-2.json");
 
 fn main() {
     divan::main();
+    // Only where all benches run.
+    if std::env::args().skip(1).all(|argument| argument == "--bench") {
+        ratios::print();
+    }
 }
 
 fn text(which: &str) -> &'static str {

@@ -1,6 +1,5 @@
 use super::segment::Node;
 use super::{Path, Position};
-use crate::geometry::OneByOne;
 use crate::kernel::Unknown;
 use crate::mechanism::PointId;
 use crate::quantity::State;
@@ -64,7 +63,7 @@ fn across<'a>(path: &Path<'a>, above: bool) -> Option<(Path<'a>, f64)> {
             Unknown::Slide(slider) => block.slides[slider][0] = 2.0 * limit.slides[slider][0] - block.slides[slider][0],
         }
     }
-    if !path.kernel.assemble(OneByOne, &mut block, 0.0).closed {
+    if !path.kernel.assemble(&mut block, 0.0).closed {
         return None;
     }
     path.unit_rates(&mut block);

@@ -2,7 +2,7 @@ use super::drive::{in_radians, stands};
 use super::position::regular_start;
 use super::segment::rates;
 use super::{CycleError, Position};
-use crate::geometry::{OneByOne, Pair, UNIT_ROUNDOFF};
+use crate::geometry::{Pair, UNIT_ROUNDOFF};
 use crate::kernel::{InputKind, Kernel, Single, Unknown};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -142,7 +142,7 @@ impl<'a> Mover<'a> {
                 };
                 last = whole / f64::from(pieces);
                 let now = if piece == pieces { *value } else { from + part * whole };
-                self.kernel.set_input(OneByOne, &mut self.block, drive, &[now]);
+                self.kernel.set_input(&mut self.block, drive, &[now]);
             }
             if !self.step(last) {
                 self.go_back();
@@ -157,7 +157,7 @@ impl<'a> Mover<'a> {
     #[inline]
     fn step(&mut self, change: f64) -> bool {
         self.carry_on(change);
-        let found = self.kernel.assemble(OneByOne, &mut self.block, self.sure);
+        let found = self.kernel.assemble(&mut self.block, self.sure);
         if !(found.closed && found.first <= OFF) {
             return false;
         }
@@ -166,7 +166,7 @@ impl<'a> Mover<'a> {
         if is_on_branch && self.has_changed() {
             // Nearer to a singular position the last correction must be smaller.
             self.refresh();
-            let closed = self.kernel.assemble(OneByOne, &mut self.block, self.sure).closed;
+            let closed = self.kernel.assemble(&mut self.block, self.sure).closed;
             self.rates();
             return closed;
         }
@@ -212,7 +212,7 @@ impl<'a> Mover<'a> {
 
     #[inline]
     fn rates(&mut self) {
-        self.kernel.rates(OneByOne, &mut self.block);
+        self.kernel.rates(&mut self.block);
     }
 
     /// By group: the determinant before over that now.
@@ -251,12 +251,12 @@ impl<'a> Mover<'a> {
     #[cold]
     fn go_back(&mut self) {
         for (input, value) in self.drives.iter().enumerate() {
-            self.kernel.set_input(OneByOne, &mut self.block, input, &[*value]);
+            self.kernel.set_input(&mut self.block, input, &[*value]);
         }
         self.block.turns.copy_from_slice(&self.turns);
         self.block.slides.copy_from_slice(&self.slides);
         self.time = 0.0;
-        self.kernel.assemble(OneByOne, &mut self.block, 0.0);
+        self.kernel.assemble(&mut self.block, 0.0);
         self.rates();
         self.refresh();
     }

@@ -5,7 +5,7 @@ use super::segment::{Node, Segment};
 use super::trace::{fastest, trace};
 use super::walker::BLANK;
 use super::{CycleError, Drive, Event, Happening, Position, Walker};
-use crate::geometry::{Lanes, Many, OneByOne, Row, span};
+use crate::geometry::{Lanes, Many, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
@@ -97,13 +97,15 @@ impl<'a> Path<'a> {
     #[inline(always)]
     pub(super) fn set_inputs<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, values: &R) {
         for (index, [start, ratio]) in self.inputs.iter().enumerate() {
-            let mut own = *values;
-            if index != self.drive.input {
-                for value in own.as_mut() {
-                    *value = (*value - self.origin) * ratio + start;
-                }
+            if index == self.drive.input {
+                self.kernel.set_input_in(lanes, block, index, values);
+                continue;
             }
-            self.kernel.set_input(lanes, block, index, &own);
+            let mut own = *values;
+            for value in own.as_mut() {
+                *value = (*value - self.origin) * ratio + start;
+            }
+            self.kernel.set_input_in(lanes, block, index, &own);
         }
     }
 
@@ -134,7 +136,7 @@ impl<'a> Path<'a> {
         for (index, [_, ratio]) in self.inputs.iter().enumerate() {
             self.kernel.set_rates(block, index, in_radians(self.kernel.inputs[index].kind, *ratio), 0.0);
         }
-        self.kernel.rates(OneByOne, block);
+        self.kernel.rates(block);
     }
 
     /// A path of the same drives through another position, not followed to either side yet.
@@ -302,14 +304,14 @@ impl<'a> Path<'a> {
     /// A walker, [`MANY`](crate::geometry::MANY) positions at a time.
     #[must_use]
     pub fn many_walker(&self) -> Walker<'_, Many> {
-        Walker::new(self, &self.kernel)
+        Walker::many(self, &self.kernel)
     }
 
     /// As [`Self::many_walker`], for angles, slides and their rates only: places and motions of points are left out,
     /// but for the joints between groups.
     #[must_use]
     pub fn many_walker_without_places(&self) -> Walker<'_, Many> {
-        Walker::new(self, &self.bare)
+        Walker::many(self, &self.bare)
     }
 
     /// One position of a block.

@@ -1,7 +1,7 @@
 use super::CycleError;
 use super::drive::stands;
 use crate::construction::{Construction, Extent, construct};
-use crate::geometry::{OneByOne, Point, Row, Turn, Vector, quarter_turn};
+use crate::geometry::{Point, Row, Turn, Vector, quarter_turn};
 use crate::kernel::{Block, Kernel, Single, Unknown, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::motion::motion;
@@ -101,7 +101,7 @@ impl<R: Row> State for Position<'_, R> {
 pub(super) fn start(kernel: &Kernel, mechanism: &Mechanism, pose: &Pose) -> Single {
     let mut block = Block::new(kernel);
     for (index, input) in kernel.inputs.iter().enumerate() {
-        kernel.set_input(OneByOne, &mut block, index, &[stands(input, pose)]);
+        kernel.set_input(&mut block, index, &[stands(input, pose)]);
     }
     for unknown in kernel.unknowns.iter().flatten() {
         match *unknown {
@@ -131,7 +131,7 @@ pub(super) fn regular_start(
     at: impl FnOnce() -> String,
 ) -> Result<Single, CycleError> {
     let mut block = start(kernel, mechanism, pose);
-    let closed = kernel.assemble(OneByOne, &mut block, 0.0).closed;
+    let closed = kernel.assemble(&mut block, 0.0).closed;
     let mut determinants = kernel.determinants(&block).into_iter();
     match determinants.position(|[_, squared_ratio]| !closed || squared_ratio < SINGULAR) {
         Some(group) => Err(CycleError::Singular { links: mechanism.groups[group].link_names(mechanism), at: at() }),

@@ -1,6 +1,6 @@
 use super::Path;
-use crate::geometry::{Lanes, Number, Pair, Row, UNIT_ROUNDOFF, Vector, quarter_turn};
-use crate::kernel::{Block, Kernel, Single, Unknown, portions, unit, vector};
+use crate::geometry::{Lanes, MANY, Number, Pair, Row, UNIT_ROUNDOFF, Vector, portions, quarter_turn};
+use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
 
 /// A position on the path, with its rates for a unit rate of the drive.
 #[derive(Clone, Debug)]
@@ -138,10 +138,14 @@ impl Segment {
     #[inline(always)]
     pub fn predict<L: Lanes, R: Row>(&self, lanes: L, drive: &R, block: &mut Block<R>) {
         let (from, scale) = (lanes.splat(self.from), lanes.splat(1.0 / (self.to - self.from)));
+        let mut along = [from; MANY];
+        for k in portions::<L, R>() {
+            along[k] = (lanes.load(drive, k) - from) * scale;
+        }
         for (class, [cosine, sine]) in &self.turns {
             let turns = &mut block.turns[*class];
             for k in portions::<L, R>() {
-                let x = (lanes.load(drive, k) - from) * scale;
+                let x = along[k];
                 let direction = Pair { x: value(cosine, x), y: value(sine, x) };
                 // The interpolated direction is nearly of length 1; this makes it so.
                 lanes.store_pair(turns, k, unit(direction));
@@ -150,8 +154,7 @@ impl Segment {
         for (slider, curve) in &self.slides {
             let slides = &mut block.slides[*slider];
             for k in portions::<L, R>() {
-                let x = (lanes.load(drive, k) - from) * scale;
-                lanes.store(slides, k, value(curve, x));
+                lanes.store(slides, k, value(curve, along[k]));
             }
         }
     }

@@ -120,7 +120,7 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
             Unknown::Slide(slider) => block.slides[slider][0] += by,
         }
     }
-    let found = path.kernel.assemble(OneByOne, &mut block, 0.0);
+    let found = path.kernel.assemble(&mut block, 0.0);
     if !found.closed || found.first > OFF {
         return None;
     }
@@ -135,7 +135,7 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
     let mut block = node.block.clone();
     path.set_inputs(OneByOne, &mut block, &[middle]);
     segment.predict(OneByOne, &[middle], &mut block);
-    let met = path.kernel.assemble(OneByOne, &mut block, 0.0);
+    let met = path.kernel.assemble(&mut block, 0.0);
     let short = step.abs() / path.unit();
     (met.closed && met.doubt <= allowed(short)).then_some((node, met))
 }
@@ -259,7 +259,7 @@ fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(No
         let mut block = near.block.clone();
         path.set_inputs(OneByOne, &mut block, &[value]);
         segment.predict(OneByOne, &[value], &mut block);
-        let found = path.kernel.assemble(OneByOne, &mut block, 0.0);
+        let found = path.kernel.assemble(&mut block, 0.0);
         (found.closed && found.first <= LEAP_OFF).then(|| Node::new(path, value, block))
     };
     let mut node = land(zero + width, &segment)?;

@@ -1,7 +1,7 @@
 use super::drive::{in_radians, ratios, stands};
 use super::position::start;
 use super::{CycleError, Drive, Position};
-use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
+use crate::geometry::{MANY, Many, Row};
 use crate::kernel::{Block, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -190,9 +190,9 @@ impl<'a> Variants<'a> {
         let block = &self.blocks[index / MANY];
         copy((&block.turns, &block.slides), index % MANY, &mut single, 0);
         for (input, value) in self.drives[index].iter().enumerate() {
-            kernel.set_input(OneByOne, &mut single, input, &[*value]);
+            kernel.set_input(&mut single, input, &[*value]);
         }
-        kernel.assemble(OneByOne, &mut single, SURE).closed
+        kernel.assemble(&mut single, SURE).closed
     }
 
     /// Moves those mechanisms of a block that are marked as closed to the values of their drives; whether all loops
@@ -205,14 +205,18 @@ impl<'a> Variants<'a> {
             for lane in 0..MANY {
                 values[lane] = self.drives[(first + lane).min(count - 1)][input];
             }
-            kernel.set_input(OneByOne, block, input, &values);
+            kernel.set_input(block, input, &values);
         }
         for lane in 0..MANY {
             if !self.closed[(first + lane).min(count - 1)] {
                 self.left.give_back(lane, lane, block);
             }
         }
-        dispatch!(self.registers, simd => positions_and_rates(Registers(simd), kernel, block))
+        let is_closed = kernel.assemble_many(self.registers, block, SURE).closed;
+        if is_closed {
+            kernel.rates_many(self.registers, block);
+        }
+        is_closed
     }
 
     /// The position of a mechanism, with its rates; `None` if it did not close at the values of its drives.
@@ -348,14 +352,4 @@ fn copy<A: Row, B: Row>((turns, slides): (&[[A; 2]], &[A]), here: usize, to: &mu
     for (to, from) in to.slides.iter_mut().zip(slides) {
         to[there] = from[here];
     }
-}
-
-/// Positions and rates of a block; whether its loops have closed.
-#[inline(always)]
-fn positions_and_rates<L: Lanes>(lanes: L, kernel: &Kernel, block: &mut Block<Many>) -> bool {
-    let found = kernel.assemble(lanes, block, SURE);
-    if found.closed {
-        kernel.rates(lanes, block);
-    }
-    found.closed
 }

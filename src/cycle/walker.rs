@@ -1,6 +1,6 @@
 use super::{Path, Position};
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
-use crate::kernel::{Block, Kernel, Single};
+use crate::kernel::{Block, Correction, Kernel, Single};
 use fearless_simd::{Level, dispatch};
 
 /// Distance from a change point within which there are no results, in turns: the rounding error of accelerations is
@@ -34,17 +34,24 @@ impl<'a, R: Row> Walker<'a, R> {
         found.is_some()
     }
 
-    /// Assembles the mechanism at these values of the drive; `false` if they do not all lie on the segment found, one
-    /// is next to a change point, or a loop does not close.
+    /// Predicts the mechanism's position at these values of the drive; `false` if they do not all lie on the segment
+    /// found, or one is next to a change point.
     #[inline(always)]
-    fn assemble<L: Lanes>(&mut self, lanes: L, values: &R) -> bool {
+    fn predict<L: Lanes>(&mut self, lanes: L, values: &R) -> bool {
         let segment = &self.path.segments[self.segment];
         if !segment.holds_all(lanes, values) || self.is_blank(values) {
             return false;
         }
         self.path.set_inputs(lanes, &mut self.block, values);
         segment.predict(lanes, values, &mut self.block);
-        let found = self.kernel.assemble(lanes, &mut self.block, segment.sure);
+        true
+    }
+
+    /// Closes predicted positions by `assemble`, which gets what correction is sure; `false` if a loop does not close.
+    #[inline(always)]
+    fn close(&mut self, assemble: impl FnOnce(&Kernel, &mut Block<R>, f64) -> Correction) -> bool {
+        let segment = &self.path.segments[self.segment];
+        let found = assemble(self.kernel, &mut self.block, segment.sure);
         if found.closed && segment.delicate {
             self.kernel.refine(&mut self.block);
         }
@@ -59,13 +66,11 @@ impl<'a, R: Row> Walker<'a, R> {
         self.path.changes.iter().any(|change| near(change.at))
     }
 
-    #[inline(always)]
-    fn scene_rates<L: Lanes>(&mut self, lanes: L) {
+    #[inline]
+    fn set_scene_rates(&mut self) {
         for (index, input) in self.kernel.inputs.iter().enumerate() {
-            let block = &mut self.block;
-            self.kernel.set_rates(block, index, input.rate, input.second);
+            self.kernel.set_rates(&mut self.block, index, input.rate, input.second);
         }
-        self.kernel.rates(lanes, &mut self.block);
     }
 }
 
@@ -75,7 +80,7 @@ impl Walker<'_> {
     /// point.
     #[inline]
     pub fn positions(&mut self, value: &[f64; 1]) -> Option<&mut Single> {
-        let found = self.seek(value[0]) && self.assemble(OneByOne, value);
+        let found = self.seek(value[0]) && self.predict(OneByOne, value) && self.close(Kernel::assemble);
         found.then_some(&mut self.block)
     }
 
@@ -89,7 +94,8 @@ impl Walker<'_> {
     /// The rates at the position computed last, for the drives running as the scene says.
     #[inline]
     pub fn rates(&mut self) -> &Single {
-        self.scene_rates(OneByOne);
+        self.set_scene_rates();
+        self.kernel.rates(&mut self.block);
         &self.block
     }
 
@@ -120,7 +126,14 @@ impl Walker<'_> {
 ///
 /// Last digits may differ from those of one position at a time: products are added with one rounding where the
 /// processor can.
-impl Walker<'_, Many> {
+impl<'a> Walker<'a, Many> {
+    /// With the drives' rates as the scene says, which stay.
+    pub(super) fn many(path: &'a Path<'a>, kernel: &'a Kernel) -> Self {
+        let mut walker = Self::new(path, kernel);
+        walker.set_scene_rates();
+        walker
+    }
+
     /// Positions at the first of these values of the drive: as many as lie on one segment of the path, at most
     /// [`MANY`]; returns their number and block.
     ///
@@ -128,24 +141,24 @@ impl Walker<'_, Many> {
     /// singular or next to a change point: then ask one by one.
     #[inline]
     pub fn positions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
-        self.compute(values, Task::Positions)
+        self.compute(values, false)
     }
 
     /// As [`Self::positions`], with the rates for the drives running as the scene says.
     #[inline]
     pub fn motions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
-        self.compute(values, Task::Motions)
+        self.compute(values, true)
     }
 
     /// The rates at the positions computed last, for the drives running as the scene says.
     #[inline]
     pub fn rates(&mut self) -> &Block<Many> {
-        self.dispatch(&Many::splat(0.0), Task::Rates);
+        self.kernel.rates_many(self.registers, &mut self.block);
         &self.block
     }
 
     #[inline]
-    fn compute(&mut self, values: &[f64], task: Task) -> (usize, Option<&Block<Many>>) {
+    fn compute(&mut self, values: &[f64], with_rates: bool) -> (usize, Option<&Block<Many>>) {
         let Some(first) = values.first() else {
             return (0, None);
         };
@@ -156,7 +169,7 @@ impl Walker<'_, Many> {
         let segment = &self.path.segments[self.segment];
         let full = values.first_chunk::<MANY>();
         if let Some(full) = full.filter(|v| segment.holds(v[MANY - 1]))
-            && self.dispatch(&Many(*full), task)
+            && self.computed(&Many(*full), with_rates)
         {
             return (MANY, Some(&self.block));
         }
@@ -171,29 +184,18 @@ impl Walker<'_, Many> {
         }
         let last = row.0[count - 1];
         row.0[count..].fill(last);
-        let found = self.dispatch(&row, task);
+        let found = self.computed(&row, with_rates);
         (count, found.then_some(&self.block))
     }
 
     #[inline]
-    fn dispatch(&mut self, values: &Many, task: Task) -> bool {
-        dispatch!(self.registers, simd => self.together(Registers(simd), values, task))
-    }
-
-    #[inline(always)]
-    fn together<L: Lanes>(&mut self, lanes: L, values: &Many, task: Task) -> bool {
-        let found = task == Task::Rates || self.assemble(lanes, values);
-        if found && task != Task::Positions {
-            self.scene_rates(lanes);
+    fn computed(&mut self, values: &Many, with_rates: bool) -> bool {
+        let registers = self.registers;
+        let found = dispatch!(registers, simd => self.predict(Registers(simd), values))
+            && self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure));
+        if found && with_rates {
+            self.rates();
         }
         found
     }
-}
-
-/// What a walker computes for a row of values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Task {
-    Positions,
-    Rates,
-    Motions,
 }

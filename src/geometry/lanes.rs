@@ -1,7 +1,7 @@
 use super::{Number, Pair};
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 use std::fmt::Debug;
-use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
+use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Range, Sub};
 
 /// Positions computed side by side: enough that the choice of each operation costs little per position, few enough that
 /// all numbers stay in the first-level cache.
@@ -107,6 +107,13 @@ pub trait Lanes: Copy {
         self.store(&mut rows[0], k, pair.x);
         self.store(&mut rows[1], k, pair.y);
     }
+}
+
+/// Indices of the portions of a row that `lanes` computes together.
+#[inline(always)]
+#[must_use]
+pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
+    0..R::LEN / L::COUNT
 }
 
 /// Number by number, without SIMD.

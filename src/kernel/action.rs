@@ -1,5 +1,76 @@
-use crate::geometry::{Vector, quarter_turn};
-use crate::mechanism::Reduction;
+use crate::geometry::{Point, Turn, Vector, quarter_turn};
+use crate::mechanism::{BodyId, Reduction};
+use std::collections::BTreeSet;
+
+/// A mechanism compiled for many positions.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// By body: its class and its first point.
+    pub seats: Vec<Seat>,
+    /// The drives, in the order of [`Mechanism::drive_names`](crate::mechanism::Mechanism::drive_names).
+    pub inputs: Vec<Input>,
+    /// By group: its unknowns.
+    pub unknowns: Vec<Vec<Unknown>>,
+    pub(super) classes: usize,
+    pub(super) sliders: usize,
+    /// The largest numbers of loops and of ties of a group.
+    pub(super) loops: usize,
+    pub(super) ties: usize,
+    /// Number of slots: of points, then of places of bodies without points.
+    pub(super) slots: usize,
+    /// Number of columns of loop equations; the first is zero.
+    pub(super) columns: usize,
+    pub(super) placings: usize,
+    /// Origin of the places in a block, a point of the ground: coordinates far from the fixed frame's origin would lose
+    /// digits.
+    pub origin: Vector,
+    pub(super) fixed: Vec<(usize, Point)>,
+    pub(super) actions: Vec<Action>,
+}
+
+/// A body's class, its rotation in it, and the body's first point.
+#[derive(Clone, Copy, Debug)]
+pub struct Seat {
+    /// Its class.
+    pub class: usize,
+    /// Rotation of the body's frame relative to the class.
+    pub turn: Turn,
+    /// The slot of the body's first point.
+    pub slot: usize,
+    /// That point in the body's frame.
+    pub local: Point,
+}
+
+/// A drive, whose value a scene or a sweep sets.
+#[derive(Clone, Debug)]
+pub struct Input {
+    /// The driven body; of a slider the sliding link.
+    pub body: BodyId,
+    /// Whether it is an angle or a slide.
+    pub kind: InputKind,
+    /// The scene's angle in degrees, or position along the guide; none where another link's angle is given in its
+    /// place.
+    pub value: Option<f64>,
+    /// The scene's angular velocity in rad per unit of time, or velocity along the guide.
+    pub rate: f64,
+    /// The scene's angular acceleration in rad, or acceleration along the guide.
+    pub second: f64,
+}
+
+/// The coordinate that a drive sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum InputKind {
+    /// The angle of a class.
+    Turning {
+        /// The class.
+        class: usize,
+    },
+    /// A slider along its guide.
+    Sliding {
+        /// The slider.
+        slider: usize,
+    },
+}
 
 /// An unknown of a group's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,12 +108,13 @@ pub(super) struct Closing {
     pub chains: Vec<Chain>,
     pub ties: Vec<Tied>,
     pub unknowns: Vec<Unknown>,
-    /// The columns of the reduced equations, if they reduce; the unknowns are then in the order shared, shared, own,
-    /// own.
-    pub reduced: Option<ReducedColumns>,
+    /// The reduced equations, if they reduce; the unknowns are then in the order shared, shared, own, own.
+    pub reduced: Option<Reducing>,
     /// The largest component of a member's vector with all sliders at zero: the group's size for slides. Not zero, even
     /// where all of a loop belongs to one class and its vector vanishes.
     pub size: f64,
+    /// By unknown: what makes a correction a part of one, 1 of an angle in radians and 1 / size of a slide.
+    pub scales: Vec<f64>,
 }
 
 /// A loop as a sum of vectors.
@@ -53,8 +125,6 @@ pub(super) struct Chain {
     pub members: Vec<Member>,
     /// The sliders in the loop.
     pub rails: Vec<Rail>,
-    /// Its first column. Those of the members stand first, then those of the rails, in the same order as these.
-    pub first: usize,
     /// Whether it has a member whose rotation is known, or a driven slider.
     pub has_known: bool,
     /// By unknown: its column; [`ZERO`] where the loop does not contain it.
@@ -117,41 +187,39 @@ pub(super) struct Rail {
 /// The zero column, of unknowns that a loop does not contain.
 pub(super) const ZERO: usize = 0;
 
-/// Indices of the columns of [`Reduced`](crate::geometry::Reduced).
+/// Equations of one loop, or of two, that [`Reduced`](crate::geometry::Reduced) solves: its columns, and which of them
+/// change their length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ReducedColumns {
-    /// Columns s, t of one loop's unknowns.
-    One([usize; 2]),
-    Two {
-        /// By loop: column h of its own unknown, s and t of the shared ones.
-        columns: [[usize; 3]; 2],
-        /// By loop: whether a slider changes the length of h.
-        varies: [bool; 2],
-    },
+pub(super) struct Reducible<const LOOPS: usize> {
+    /// By loop: column h of its own unknown, s and t of the shared ones; of a single loop s, s, t.
+    pub columns: [[usize; 3]; LOOPS],
+    /// By loop: whether a slider changes the length of h.
+    pub varies: [bool; LOOPS],
 }
 
-impl ReducedColumns {
-    pub fn new(reduction: Reduction, chains: &[Chain]) -> Option<ReducedColumns> {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reducing {
+    One(Reducible<1>),
+    Two(Reducible<2>),
+}
+
+impl Reducing {
+    pub fn new(reduction: Reduction, chains: &[Chain]) -> Option<Reducing> {
         match (reduction, chains) {
-            (Reduction::OneLoop, [chain]) => Some(ReducedColumns::One([chain.columns[0], chain.columns[1]])),
+            (Reduction::OneLoop, [chain]) => {
+                let [s, t] = [chain.columns[0], chain.columns[1]];
+                Some(Reducing::One(Reducible { columns: [[s, s, t]], varies: [false] }))
+            }
             (Reduction::TwoLoops { .. }, [first, second]) => {
                 let [h, g] = [first.columns[2], second.columns[3]];
                 let varies = |chain: &Chain, own| chain.rails.iter().any(|r| r.arm == own);
-                Some(ReducedColumns::Two {
+                Some(Reducing::Two(Reducible {
                     columns: [[h, first.columns[0], first.columns[1]], [g, second.columns[0], second.columns[1]]],
                     varies: [varies(first, h), varies(second, g)],
-                })
+                }))
             }
             _ => None,
         }
-    }
-}
-
-impl Chain {
-    /// The columns of the loop's members, and those of its rails.
-    #[inline(always)]
-    pub fn own<'a, T>(&self, columns: &'a [T]) -> (&'a [T], &'a [T]) {
-        columns[self.first..].split_at(self.members.len())
     }
 }
 
@@ -181,9 +249,46 @@ impl Action {
                     chain.members.iter_mut().for_each(|m| m.local = none);
                     chain.rails.iter_mut().for_each(|r| r.direction = none);
                 }
-                copy.size = 0.0;
+                (copy.size, copy.scales) = (0.0, Vec::new());
                 Action::Close(copy)
             }
         }
+    }
+}
+
+impl Kernel {
+    /// Whether `other` has the same actions in the same order, with any lengths.
+    #[must_use]
+    pub fn is_like(&self, other: &Kernel) -> bool {
+        let slots = |k: &Kernel| k.fixed.iter().map(|f| f.0).collect::<Vec<_>>();
+        let without_lengths = |k: &Kernel| k.actions.iter().map(Action::without_lengths).collect::<Vec<_>>();
+        slots(self) == slots(other) && without_lengths(self) == without_lengths(other)
+    }
+
+    /// A kernel without the points that are no end of a loop: for angles, slides and their rates only.
+    #[must_use]
+    pub fn without_places(&self) -> Kernel {
+        let mut wanted = BTreeSet::new();
+        let mut kept: Vec<Action> = Vec::new();
+        for action in self.actions.iter().rev() {
+            match action {
+                Action::Close(closing) => {
+                    wanted.extend(closing.chains.iter().filter_map(|c| c.ends).flatten());
+                }
+                Action::Place(placing) if wanted.contains(&placing.to) => {
+                    wanted.insert(placing.from);
+                }
+                Action::Place(_) => continue,
+            }
+            kept.push(action.clone());
+        }
+        kept.reverse();
+        Kernel { actions: kept, ..self.clone() }
+    }
+
+    /// A body's class and first point.
+    #[must_use]
+    pub fn seat(&self, body: BodyId) -> &Seat {
+        &self.seats[body.0]
     }
 }

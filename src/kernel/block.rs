@@ -1,5 +1,5 @@
 use super::Kernel;
-use super::action::{Action, Closing, Placing, ReducedColumns};
+use super::action::{Action, Closing, Placing, Reducible, Reducing};
 use crate::geometry::{LinearSystem, Point, Row, Turn, Vector};
 
 /// Positions and rates of mechanisms of one kind, side by side: a row of numbers for each quantity.
@@ -151,7 +151,7 @@ impl<R: Row> System<R> {
 
 /// Squares of the columns of the two loops' own unknowns with all sliders at zero; 1 for other groups.
 fn own_squares(closing: &Closing) -> [f64; 2] {
-    let Some(ReducedColumns::Two { columns, .. }) = closing.reduced else {
+    let Some(Reducing::Two(Reducible { columns, .. })) = closing.reduced else {
         return [1.0; 2];
     };
     columns.map(|[own, ..]| {

@@ -1,10 +1,11 @@
-use super::action::{Action, Closing, Placing, Unknown};
+use super::action::{Action, Closing, InputKind, Placing, Unknown};
 use super::columns::{correct_columns, turn_columns};
-use super::compile::InputKind;
 use super::solve::{determinant, solve};
 use super::{Block, Kernel, Single};
-use crate::geometry::{Lanes, MANY, NEAR, Number, OneByOne, Pair, Row, UNIT_ROUNDOFF, direction_near, quarters_of};
-use std::ops::Range;
+use crate::geometry::{
+    Lanes, Many, NEAR, Number, OneByOne, Pair, Registers, Row, UNIT_ROUNDOFF, direction_near, portions, quarters_of,
+};
+use fearless_simd::{Level, dispatch};
 
 /// Most Newton steps for one group from a near start.
 const STEPS: usize = 12;
@@ -30,9 +31,14 @@ pub struct Correction {
 }
 
 impl Kernel {
-    /// Sets a drive to angles in degrees, or to positions along the guide.
+    /// Sets a drive to angles in degrees, or to positions along the guide, number by number.
+    pub fn set_input<R: Row>(&self, block: &mut Block<R>, input: usize, values: &R) {
+        self.set_input_in(OneByOne, block, input, values);
+    }
+
+    /// As [`Self::set_input`], in these lanes.
     #[inline(always)]
-    pub fn set_input<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, input: usize, values: &R) {
+    pub fn set_input_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, input: usize, values: &R) {
         match self.inputs[input].kind {
             InputKind::Turning { class } => {
                 let turns = &mut block.turns[class];
@@ -61,8 +67,21 @@ impl Kernel {
     /// allows. The start must be near: where a first correction exceeds half a radian or half the group's size, or
     /// corrections do not decrease, the loops count as not closed. After a correction of at most `sure`, in radians or
     /// parts of a group's size, no further step is made; with zero, what a step leaves is estimated each time.
+    ///
+    /// A function of its own, as those for many: the compiler would repeat what is in it wherever it is called.
+    #[inline(never)]
+    pub fn assemble(&self, block: &mut Single, sure: f64) -> Correction {
+        self.assemble_in(OneByOne, block, sure)
+    }
+
+    /// As [`Self::assemble`], for many positions in the widest registers of the processor.
+    #[inline(never)]
+    pub fn assemble_many(&self, registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
+        dispatch!(registers, simd => self.assemble_in(Registers(simd), block, sure))
+    }
+
     #[inline(always)]
-    pub fn assemble<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
+    fn assemble_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
         let mut worst = Correction { first: 0.0, last: 0.0, closed: true, doubt: 0.0 };
         for action in &self.actions {
             match action {
@@ -96,7 +115,7 @@ impl Kernel {
             largest(&mut block.sides[..closing.chains.len()].iter().flatten()),
             largest(&mut block.tie_sides[..closing.ties.len()].iter()),
         ];
-        solve::<_, _, true>(OneByOne, block, closing);
+        solve(OneByOne, block, closing);
         let steps = &block.solution[..closing.unknowns.len()];
         if !steps.iter().flatten().all(|x| x.is_finite()) {
             return [f64::INFINITY; 2];
@@ -161,13 +180,6 @@ impl Kernel {
     }
 }
 
-/// Indices of the portions of a row that `lanes` computes together.
-#[inline(always)]
-#[must_use]
-pub fn portions<L: Lanes, R: Row>() -> Range<usize> {
-    0..R::LEN / L::COUNT
-}
-
 #[inline(always)]
 pub(super) fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let turn = &block.turns[placing.class];
@@ -204,8 +216,7 @@ fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, su
     let mut start: Option<[f64; 2]> = None;
     for _ in 0..STEPS {
         turn_columns(lanes, block, closing);
-        solve::<_, _, true>(lanes, block, closing);
-        let longest = longest_correction(lanes, block, closing);
+        let longest = solve(lanes, block, closing);
         if longest <= sure {
             correct(lanes, block, closing, Size::Tiny);
             correct_columns(lanes, block, closing);
@@ -238,35 +249,9 @@ fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, su
     Correction { first: f64::INFINITY, last: f64::INFINITY, closed: false, doubt: f64::INFINITY }
 }
 
-/// The largest norm of a position's correction, as a vector of angles in radians and slides in parts of the group's
-/// size: an upper bound of its components. NaN if one is NaN.
-#[inline(always)]
-fn longest_correction<L: Lanes, R: Row>(lanes: L, block: &Block<R>, closing: &Closing) -> f64 {
-    let zero = lanes.splat(0.0);
-    let mut squares = [zero; MANY];
-    for (unknown, steps) in closing.unknowns.iter().zip(&block.solution) {
-        let scale = lanes.splat(match unknown {
-            Unknown::Spin(_) => 1.0,
-            Unknown::Slide(_) => 1.0 / closing.size,
-        });
-        for k in portions::<L, R>() {
-            let step = lanes.load(steps, k) * scale;
-            squares[k] = squares[k].plus_product(step, step);
-        }
-    }
-    let (mut sum, mut longest) = (zero, zero);
-    for k in portions::<L, R>() {
-        sum = sum + squares[k];
-        longest = longest.larger(squares[k]);
-    }
-    if lanes.sum(sum).is_nan() {
-        return f64::NAN;
-    }
-    lanes.largest(longest).sqrt()
-}
-
 /// The largest component of a correction in the block, in radians or parts of the group's largest vector.
-#[inline(always)]
+#[cold]
+#[inline(never)]
 fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     let largest = |largest: f64, row: &R| row.as_ref().iter().fold(largest, |l, x| larger_or_nan(l, x.abs()));
     let (mut turns, mut slides): (f64, f64) = (0.0, 0.0);
@@ -289,6 +274,8 @@ fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
 }
 
 /// The smallest squared sharpness of a group's equations over all positions.
+#[cold]
+#[inline(never)]
 fn least_squared_sharpness<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     let sharpness = (0..R::LEN).map(|position| determinant(block, closing, position)[1]);
     sharpness.fold(1.0, |least, s| if s < least { s } else { least })

@@ -1,23 +1,20 @@
 use super::action::{Chain, Closing, Tied, TiedClass};
-use super::close::portions;
 use super::{Block, vector};
-use crate::geometry::{Lanes, MANY, Pair, Row, Vector};
+use crate::geometry::{Lanes, MANY, Pair, Row, Vector, portions};
 use std::f64::consts::TAU;
 
 /// Rotates the vectors of all loops' members and guides into the fixed frame, and computes the gaps of loops and ties.
 /// A loop's gap is the vector from its start to its end point less the sum of its members' vectors.
+///
+/// Vector by vector, each in all positions: these do not wait for one another.
 #[inline(always)]
 pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     let Block { turns, slides, points, columns, lengths, sides, .. } = block;
+    let zero = lanes.splat(0.0);
     for (chain, side) in closing.chains.iter().zip(sides) {
-        let mut gaps = chain.difference(lanes, points);
-        for rail in &chain.rails {
-            let (turn, local) = (&turns[rail.class], &lengths.columns[rail.column]);
-            let guide = &mut columns[rail.column];
-            for k in portions::<L, R>() {
-                let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
-                lanes.store_pair(guide, k, turned);
-            }
+        let mut gaps = [Pair { x: zero, y: zero }; MANY];
+        for k in portions::<L, R>() {
+            gaps[k] = chain.difference(lanes, k, points);
         }
         for member in &chain.members {
             let (turn, local) = (&turns[member.class], &lengths.columns[member.column]);
@@ -26,19 +23,20 @@ pub(super) fn turn_columns<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, clo
                 let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
                 lanes.store_pair(column, k, turned);
                 // A column is the member's vector turned by +90°.
-                gaps[k].x = gaps[k].x - turned.y;
-                gaps[k].y = gaps[k].y + turned.x;
+                gaps[k] = Pair { x: gaps[k].x - turned.y, y: gaps[k].y + turned.x };
             }
         }
         for rail in &chain.rails {
+            let (turn, local) = (&turns[rail.class], &lengths.columns[rail.column]);
             let ends = columns.get_disjoint_mut([rail.column, rail.arm]);
             let [guide, arm] = ends.expect("a guide belongs to a member");
-            let slides = &slides[rail.slider];
             for k in portions::<L, R>() {
-                let (guide, slide) = (lanes.pair(guide, k), lanes.load(slides, k));
-                let longer = lanes.pair(arm, k).plus_turned(guide, slide);
+                let turned = lanes.pair(turn, k).turn(lanes.pair(local, k));
+                let slide = lanes.load(&slides[rail.slider], k);
+                let longer = lanes.pair(arm, k).plus_turned(turned, slide);
+                lanes.store_pair(guide, k, turned);
                 lanes.store_pair(arm, k, longer);
-                gaps[k] = gaps[k].minus_scaled(guide, slide);
+                gaps[k] = gaps[k].minus_scaled(turned, slide);
             }
         }
         for k in portions::<L, R>() {
@@ -65,18 +63,13 @@ impl Tied {
 }
 
 impl Chain {
-    /// By portion: the value at a loop's end less that at its start; zero for a loop that closes on itself.
+    /// The value at the loop's end less that at its start, in one portion; zero for a loop that closes on itself.
     #[inline(always)]
-    pub(super) fn difference<L: Lanes, R: Row>(&self, lanes: L, values: &[[R; 2]]) -> [Pair<L::Number>; MANY] {
-        let zero = lanes.splat(0.0);
-        let mut differences = [Pair { x: zero, y: zero }; MANY];
-        if let Some([start, end]) = self.ends {
-            let (start, end) = (&values[start], &values[end]);
-            for k in portions::<L, R>() {
-                differences[k] = lanes.pair(end, k) - lanes.pair(start, k);
-            }
+    pub(super) fn difference<L: Lanes, R: Row>(&self, lanes: L, k: usize, values: &[[R; 2]]) -> Pair<L::Number> {
+        match self.ends {
+            Some([start, end]) => lanes.pair(&values[end], k) - lanes.pair(&values[start], k),
+            None => Pair { x: lanes.splat(0.0), y: lanes.splat(0.0) },
         }
-        differences
     }
 }
 

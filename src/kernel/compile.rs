@@ -1,4 +1,7 @@
-use super::action::{Action, Chain, Closing, Member, Placing, Rail, ReducedColumns, Tied, TiedClass, Unknown, ZERO};
+use super::action::{
+    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Tied, TiedClass, Unknown,
+    ZERO,
+};
 use super::classes::classes;
 use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
@@ -6,118 +9,12 @@ use crate::mechanism::{
     Slider, SliderId,
 };
 use crate::scene::GivenBy;
-use std::collections::BTreeSet;
-
-/// A mechanism compiled for many positions.
-#[derive(Clone, Debug)]
-pub struct Kernel {
-    /// By body: its class and its first point.
-    pub seats: Vec<Seat>,
-    /// The drives, in the order of [`Mechanism::drive_names`].
-    pub inputs: Vec<Input>,
-    /// By group: its unknowns.
-    pub unknowns: Vec<Vec<Unknown>>,
-    pub(super) classes: usize,
-    pub(super) sliders: usize,
-    /// The largest numbers of loops and of ties of a group.
-    pub(super) loops: usize,
-    pub(super) ties: usize,
-    /// Number of slots: of points, then of places of bodies without points.
-    pub(super) slots: usize,
-    /// Number of columns of loop equations; the first is zero.
-    pub(super) columns: usize,
-    pub(super) placings: usize,
-    /// Origin of the places in a block, a point of the ground: coordinates far from the fixed frame's origin would lose
-    /// digits.
-    pub origin: Vector,
-    pub(super) fixed: Vec<(usize, Point)>,
-    pub(super) actions: Vec<Action>,
-}
-
-/// A body's class, its rotation in it, and the body's first point.
-#[derive(Clone, Copy, Debug)]
-pub struct Seat {
-    /// Its class.
-    pub class: usize,
-    /// Rotation of the body's frame relative to the class.
-    pub turn: Turn,
-    /// The slot of the body's first point.
-    pub slot: usize,
-    /// That point in the body's frame.
-    pub local: Point,
-}
-
-/// A drive, whose value a scene or a sweep sets.
-#[derive(Clone, Debug)]
-pub struct Input {
-    /// The driven body; of a slider the sliding link.
-    pub body: BodyId,
-    /// Whether it is an angle or a slide.
-    pub kind: InputKind,
-    /// The scene's angle in degrees, or position along the guide; none where another link's angle is given in its
-    /// place.
-    pub value: Option<f64>,
-    /// The scene's angular velocity in rad per unit of time, or velocity along the guide.
-    pub rate: f64,
-    /// The scene's angular acceleration in rad, or acceleration along the guide.
-    pub second: f64,
-}
-
-/// The coordinate that a drive sets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum InputKind {
-    /// The angle of a class.
-    Turning {
-        /// The class.
-        class: usize,
-    },
-    /// A slider along its guide.
-    Sliding {
-        /// The slider.
-        slider: usize,
-    },
-}
 
 impl Kernel {
     /// The kernel of `mechanism`; `None` for a drawn configuration, which has one position only.
     #[must_use]
     pub fn new(mechanism: &Mechanism) -> Option<Kernel> {
         (mechanism.given_by == GivenBy::Lengths).then(|| Compiler::new(mechanism).run())
-    }
-
-    /// Whether `other` has the same actions in the same order, with any lengths.
-    #[must_use]
-    pub fn is_like(&self, other: &Kernel) -> bool {
-        let slots = |k: &Kernel| k.fixed.iter().map(|f| f.0).collect::<Vec<_>>();
-        let without_lengths = |k: &Kernel| k.actions.iter().map(Action::without_lengths).collect::<Vec<_>>();
-        slots(self) == slots(other) && without_lengths(self) == without_lengths(other)
-    }
-
-    /// A kernel without the points that are no end of a loop: for angles, slides and their rates only.
-    #[must_use]
-    pub fn without_places(&self) -> Kernel {
-        let mut wanted = BTreeSet::new();
-        let mut kept: Vec<Action> = Vec::new();
-        for action in self.actions.iter().rev() {
-            match action {
-                Action::Close(closing) => {
-                    wanted.extend(closing.chains.iter().filter_map(|c| c.ends).flatten());
-                }
-                Action::Place(placing) if wanted.contains(&placing.to) => {
-                    wanted.insert(placing.from);
-                }
-                Action::Place(_) => continue,
-            }
-            kept.push(action.clone());
-        }
-        kept.reverse();
-        Kernel { actions: kept, ..self.clone() }
-    }
-
-    /// A body's class and first point.
-    #[must_use]
-    pub fn seat(&self, body: BodyId) -> &Seat {
-        &self.seats[body.0]
     }
 }
 
@@ -348,15 +245,18 @@ impl<'a> Compiler<'a> {
             .iter()
             .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).angular.as_ref()?, &unknowns));
         let ties = ties.collect();
-        let mut closing = Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0 };
+        let mut closing =
+            Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0, scales: Vec::new() };
         for chain in &group.loops {
             self.compile_loop(chain, &mut closing);
         }
         let members = closing.chains.iter().flat_map(|c| &c.members);
         let components = members.flat_map(|m| [m.local.x.abs(), m.local.y.abs()]);
         closing.size = components.fold(f64::MIN_POSITIVE, f64::max);
+        let scale = |unknown: &Unknown| if let Unknown::Slide(_) = unknown { 1.0 / closing.size } else { 1.0 };
+        closing.scales = closing.unknowns.iter().map(scale).collect();
         let reduction = equations.reduction;
-        closing.reduced = reduction.and_then(|r| ReducedColumns::new(r, &closing.chains));
+        closing.reduced = reduction.and_then(|r| Reducing::new(r, &closing.chains));
         closing
     }
 
@@ -405,7 +305,6 @@ impl<'a> Compiler<'a> {
         // loop's end.
         let slides = |m: &Member| rails.iter().any(|r| r.class == m.class);
         members.retain(|m| m.local != Vector::zeros() || slides(m));
-        let first = self.kernel.columns;
         for member in &mut members {
             member.column = self.kernel.columns;
             self.kernel.columns += 1;
@@ -429,7 +328,7 @@ impl<'a> Compiler<'a> {
         };
         let columns = closing.unknowns.iter().map(column).collect();
         let has_known = members.iter().any(|m| m.spin.is_none()) || rails.iter().any(|r| r.slide.is_none());
-        closing.chains.push(Chain { ends, members, rails, first, has_known, columns });
+        closing.chains.push(Chain { ends, members, rails, has_known, columns });
     }
 
     /// Continues the walk over the driven sliders of a compound link to its body `to`.

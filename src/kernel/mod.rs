@@ -27,7 +27,6 @@ mod rates;
 mod refine;
 mod solve;
 
-pub use action::Unknown;
+pub use action::{Input, InputKind, Kernel, Seat, Unknown};
 pub use block::{Block, Single, vector};
-pub use close::{Correction, portions, unit};
-pub use compile::{Input, InputKind, Kernel, Seat};
+pub use close::{Correction, unit};

@@ -1,10 +1,8 @@
-use super::action::{Action, Chain, Closing, Placing, Unknown};
-use super::close::portions;
-use super::compile::InputKind;
-use super::solve::solve;
-use super::{Block, Kernel};
-use crate::geometry::{Lanes, MANY, Number, Pair, Row};
-use std::marker::PhantomData;
+use super::action::{Action, Chain, Closing, InputKind, Placing, Reducible, Reducing, Unknown};
+use super::solve::{factor, general_systems, solve_general};
+use super::{Block, Kernel, Single};
+use crate::geometry::{Lanes, Many, Number, OneByOne, Pair, Registers, Row, portions};
+use fearless_simd::{Level, dispatch};
 
 impl Kernel {
     /// Sets the rates of a drive: angular velocity and acceleration, in rad, or velocity and acceleration along the
@@ -19,8 +17,19 @@ impl Kernel {
     }
 
     /// Computes all velocities and accelerations at assembled positions, from the rates of the drives.
+    #[inline(never)]
+    pub fn rates(&self, block: &mut Single) {
+        self.rates_in(OneByOne, block);
+    }
+
+    /// As [`Self::rates`], for many positions in the widest registers of the processor.
+    #[inline(never)]
+    pub fn rates_many(&self, registers: Level, block: &mut Block<Many>) {
+        dispatch!(registers, simd => self.rates_in(Registers(simd), block));
+    }
+
     #[inline(always)]
-    pub fn rates<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>) {
+    fn rates_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>) {
         for action in &self.actions {
             match action {
                 Action::Place(placing) => point_rates(lanes, block, placing),
@@ -70,18 +79,88 @@ fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placi
 /// Solves a group's equations for its velocities, then for its accelerations.
 #[inline(always)]
 fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    velocity_sides(lanes, block, closing);
-    tie_sides(lanes, closing, &mut block.tie_sides, &block.omegas);
-    solve::<_, _, true>(lanes, block, closing);
+    match &closing.reduced {
+        Some(Reducing::One(equations)) => reduced_rates(lanes, block, closing, equations),
+        Some(Reducing::Two(equations)) => reduced_rates(lanes, block, closing, equations),
+        None => general_rates(lanes, block, closing),
+    }
+}
+
+/// Those of a group that reduces, each portion in registers.
+#[inline(always)]
+fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
+    lanes: L,
+    block: &mut Block<R>,
+    closing: &Closing,
+    equations: &Reducible<LOOPS>,
+) {
+    let Block { columns, systems, omegas, alphas, speeds, accelerations, .. } = block;
+    let chains: &[Chain; LOOPS] = closing.chains.first_chunk().expect("as many loops");
+    let zero = lanes.splat(0.0);
+    for k in portions::<L, R>() {
+        let (system, inverse) = factor(lanes, k, equations, columns, &mut systems[closing.group]);
+        let mut sides = [Pair { x: zero, y: zero }; LOOPS];
+        for index in 0..LOOPS {
+            sides[index] = chains[index].velocity_side(lanes, k, &block.point_velocities, columns, omegas, speeds);
+        }
+        let rates = system.solve(inverse, sides);
+        for index in 0..2 * LOOPS {
+            match closing.unknowns[index] {
+                Unknown::Spin(class) => lanes.store(&mut omegas[class], k, rates[index]),
+                Unknown::Slide(slider) => lanes.store(&mut speeds[slider], k, rates[index]),
+            }
+        }
+        for index in 0..LOOPS {
+            let difference = chains[index].difference(lanes, k, &block.point_accelerations);
+            sides[index] = chains[index].acceleration_side(
+                lanes,
+                k,
+                difference,
+                columns,
+                [omegas, alphas],
+                [speeds, accelerations],
+            );
+        }
+        let seconds = system.solve(inverse, sides);
+        for index in 0..2 * LOOPS {
+            match closing.unknowns[index] {
+                Unknown::Spin(class) => lanes.store(&mut alphas[class], k, seconds[index]),
+                Unknown::Slide(slider) => lanes.store(&mut accelerations[slider], k, seconds[index]),
+            }
+        }
+    }
+}
+
+/// Those of any other group.
+#[inline(always)]
+fn general_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+    let Block { columns, omegas, speeds, .. } = block;
+    for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
+        for k in portions::<L, R>() {
+            let side = chain.velocity_side(lanes, k, &block.point_velocities, columns, omegas, speeds);
+            lanes.store_pair(rows, k, side);
+        }
+    }
+    tie_sides(lanes, closing, &mut block.tie_sides, omegas);
+    block.systems[closing.group].general = general_systems(columns, closing);
+    solve_general(block, closing);
     for (unknown, rates) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Spin(class) => block.omegas[class] = *rates,
             Unknown::Slide(slider) => block.speeds[slider] = *rates,
         }
     }
-    acceleration_sides(lanes, block, closing);
-    tie_sides(lanes, closing, &mut block.tie_sides, &block.alphas);
-    solve::<_, _, false>(lanes, block, closing);
+    let Block { columns, omegas, alphas, speeds, accelerations, .. } = block;
+    for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
+        for k in portions::<L, R>() {
+            let difference = chain.difference(lanes, k, &block.point_accelerations);
+            let side =
+                chain.acceleration_side(lanes, k, difference, columns, [omegas, alphas], [speeds, accelerations]);
+            lanes.store_pair(rows, k, side);
+        }
+    }
+    tie_sides(lanes, closing, &mut block.tie_sides, alphas);
+    solve_general(block, closing);
     for (unknown, seconds) in closing.unknowns.iter().zip(&block.solution) {
         match *unknown {
             Unknown::Spin(class) => block.alphas[class] = *seconds,
@@ -90,37 +169,62 @@ fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closi
     }
 }
 
-/// v_end − v_start − Σ ω J r of the members whose rotation is known − Σ ṡ u of the known slides.
-#[inline(always)]
-fn velocity_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
-        let mut side = Side::new(lanes, chain, &block.point_velocities);
-        if chain.has_known {
-            side.subtract_known(chain, &block.columns, &block.omegas, &block.speeds);
+impl Chain {
+    /// v_end − v_start − Σ ω J r of the members whose rotation is known − Σ ṡ u of the known slides.
+    #[inline(always)]
+    fn velocity_side<L: Lanes, R: Row>(
+        &self,
+        lanes: L,
+        k: usize,
+        velocities: &[[R; 2]],
+        columns: &[[R; 2]],
+        omegas: &[R],
+        speeds: &[R],
+    ) -> Pair<L::Number> {
+        let mut side = self.difference(lanes, k, velocities);
+        if self.has_known {
+            for member in self.members.iter().filter(|m| m.spin.is_none()) {
+                let column = lanes.pair(&columns[member.column], k);
+                side = side.minus_scaled(column, lanes.load(&omegas[member.class], k));
+            }
+            for rail in self.rails.iter().filter(|r| r.slide.is_none()) {
+                let guide = lanes.pair(&columns[rail.column], k);
+                side = side.minus_scaled(guide, lanes.load(&speeds[rail.slider], k));
+            }
         }
-        side.store(rows);
+        side
     }
-}
 
-/// a_end − a_start + Σ ω² r − Σ 2 ω ṡ J u, and of known members and slides − Σ α J r − Σ s̈ u.
-#[inline(always)]
-fn acceleration_sides<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    for (chain, rows) in closing.chains.iter().zip(&mut block.sides) {
-        let mut side = Side::new(lanes, chain, &block.point_accelerations);
-        let (arms, guides) = chain.own(&block.columns);
-        for (member, arm) in chain.members.iter().zip(arms) {
-            side.add_normal(arm, &block.omegas[member.class]);
+    /// a_end − a_start + Σ ω² r − Σ 2 ω ṡ J u, and of known members and slides − Σ α J r − Σ s̈ u; the first difference
+    /// is given.
+    #[inline(always)]
+    fn acceleration_side<L: Lanes, R: Row>(
+        &self,
+        lanes: L,
+        k: usize,
+        difference: Pair<L::Number>,
+        columns: &[[R; 2]],
+        [omegas, alphas]: [&[R]; 2],
+        [speeds, accelerations]: [&[R]; 2],
+    ) -> Pair<L::Number> {
+        let mut side = difference;
+        for member in &self.members {
+            let (arm, omega) = (lanes.pair(&columns[member.column], k), lanes.load(&omegas[member.class], k));
+            // A column is J r, and r = −J (J r).
+            side = side.minus_turned(arm, omega * omega);
             if member.spin.is_none() {
-                side.subtract(arm, &block.alphas[member.class]);
+                side = side.minus_scaled(arm, lanes.load(&alphas[member.class], k));
             }
         }
-        for (rail, guide) in chain.rails.iter().zip(guides) {
-            side.subtract_coriolis(guide, &block.omegas[rail.class], &block.speeds[rail.slider]);
+        for rail in &self.rails {
+            let guide = lanes.pair(&columns[rail.column], k);
+            let (omega, speed) = (lanes.load(&omegas[rail.class], k), lanes.load(&speeds[rail.slider], k));
+            side = side.minus_turned(guide, omega * (speed + speed));
             if rail.slide.is_none() {
-                side.subtract(guide, &block.accelerations[rail.slider]);
+                side = side.minus_scaled(guide, lanes.load(&accelerations[rail.slider], k));
             }
         }
-        side.store(rows);
+        side
     }
 }
 
@@ -134,72 +238,6 @@ fn tie_sides<L: Lanes, R: Row>(lanes: L, closing: &Closing, sides: &mut [R], rat
                 sum.minus_product(lanes.splat(c.weight), lanes.load(&rates[c.class], k))
             });
             lanes.store(side, k, sum);
-        }
-    }
-}
-
-/// The right side of a loop's two equations, during summation.
-struct Side<L: Lanes, R> {
-    lanes: L,
-    sums: [Pair<L::Number>; MANY],
-    rows: PhantomData<R>,
-}
-
-impl<L: Lanes, R: Row> Side<L, R> {
-    /// The value at the loop's end less that at its start.
-    #[inline(always)]
-    fn new(lanes: L, chain: &Chain, values: &[[R; 2]]) -> Self {
-        Side { lanes, sums: chain.difference(lanes, values), rows: PhantomData }
-    }
-
-    /// − c x of a column c with the rates x.
-    #[inline(always)]
-    fn subtract(&mut self, column: &[R; 2], rates: &R) {
-        for k in portions::<L, R>() {
-            let column = self.lanes.pair(column, k);
-            self.sums[k] = self.sums[k].minus_scaled(column, self.lanes.load(rates, k));
-        }
-    }
-
-    /// − c x of the members whose rotation is known and of the known slides.
-    #[inline(always)]
-    fn subtract_known(&mut self, chain: &Chain, columns: &[[R; 2]], omegas: &[R], speeds: &[R]) {
-        let (arms, guides) = chain.own(columns);
-        for (member, arm) in chain.members.iter().zip(arms) {
-            if member.spin.is_none() {
-                self.subtract(arm, &omegas[member.class]);
-            }
-        }
-        for (rail, guide) in chain.rails.iter().zip(guides) {
-            if rail.slide.is_none() {
-                self.subtract(guide, &speeds[rail.slider]);
-            }
-        }
-    }
-
-    /// + ω² r; a column is J r, and r = −J (J r).
-    #[inline(always)]
-    fn add_normal(&mut self, column: &[R; 2], omegas: &R) {
-        for k in portions::<L, R>() {
-            let (column, omega) = (self.lanes.pair(column, k), self.lanes.load(omegas, k));
-            self.sums[k] = self.sums[k].minus_turned(column, omega * omega);
-        }
-    }
-
-    /// − 2 ω ṡ J u of a guide u.
-    #[inline(always)]
-    fn subtract_coriolis(&mut self, guide: &[R; 2], omegas: &R, speeds: &R) {
-        for k in portions::<L, R>() {
-            let (omega, speed) = (self.lanes.load(omegas, k), self.lanes.load(speeds, k));
-            let guide = self.lanes.pair(guide, k);
-            self.sums[k] = self.sums[k].minus_turned(guide, omega * (speed + speed));
-        }
-    }
-
-    #[inline(always)]
-    fn store(&self, rows: &mut [R; 2]) {
-        for k in portions::<L, R>() {
-            self.lanes.store_pair(rows, k, self.sums[k]);
         }
     }
 }

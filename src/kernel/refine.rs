@@ -34,7 +34,7 @@ impl Kernel {
                         continue;
                     }
                     set_gaps(block, closing, &places);
-                    solve::<_, _, true>(OneByOne, block, closing);
+                    solve(OneByOne, block, closing);
                     correct(OneByOne, block, closing, Size::Small);
                     turn_columns(OneByOne, block, closing);
                 }

@@ -1,75 +1,104 @@
-use super::action::{Closing, ReducedColumns};
+use super::action::{Closing, Reducible, Reducing};
 use super::block::System;
-use super::close::portions;
 use super::{Block, vector};
-use crate::geometry::{Lanes, LinearSystem, Pair, Reduced, Row};
+use crate::geometry::{Lanes, LinearSystem, Number, Pair, Reduced, Row, portions};
 use nalgebra::DMatrix;
 
-/// Solves a group's equations for the block's right sides; factors them first if `FACTOR`, else uses the factors from
-/// before.
+/// Factors a group's equations and solves them for the block's right sides. Returns the largest norm of a position's
+/// solution, as a vector of angles in radians and slides in parts of the group's size: an upper bound of its
+/// components. NaN if one is NaN.
 #[inline(always)]
-pub(super) fn solve<L: Lanes, R: Row, const FACTOR: bool>(lanes: L, block: &mut Block<R>, closing: &Closing) {
-    let Block { columns, systems, sides, tie_sides, solution, .. } = block;
-    let system = &mut systems[closing.group];
-    let Some(reduced) = closing.reduced else {
-        if FACTOR {
-            system.general = general_systems(columns, closing);
-        }
-        let (sides, tie_sides) = (&sides[..closing.chains.len()], &tie_sides[..closing.ties.len()]);
-        return solve_general(system, sides, tie_sides, solution);
-    };
-    let System { inverse_determinant, inverse_squares, .. } = system;
-    let one = lanes.splat(1.0);
-    match reduced {
-        ReducedColumns::One([s, t]) => {
-            let (s, t) = (&columns[s], &columns[t]);
-            let [x, y] = solution.first_chunk_mut().expect("room for two unknowns");
+pub(super) fn solve<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) -> f64 {
+    let (mut sum, mut longest) = (lanes.splat(0.0), lanes.splat(0.0));
+    match &closing.reduced {
+        Some(Reducing::One(equations)) => {
             for k in portions::<L, R>() {
-                let (s, t) = (lanes.pair(s, k), lanes.pair(t, k));
-                let system = Reduced::with_inverse_squares([[s, s, t]], [one]);
-                let inverse = if FACTOR { one / system.determinant() } else { lanes.load(inverse_determinant, k) };
-                if FACTOR {
-                    lanes.store(inverse_determinant, k, inverse);
-                }
-                let solved = system.solve(inverse, [lanes.pair(&sides[0], k)]);
-                lanes.store(x, k, solved[0]);
-                lanes.store(y, k, solved[1]);
+                let square = solve_portion(lanes, k, block, closing, equations);
+                sum = sum + square;
+                longest = longest.larger(square);
             }
         }
-        ReducedColumns::Two { columns: [[h, s, t], [g, u, v]], varies } => {
-            let (h, s, t) = (&columns[h], &columns[s], &columns[t]);
-            let (g, u, v) = (&columns[g], &columns[u], &columns[v]);
-            let sides: &[[R; 2]; 2] = sides.first_chunk().expect("room for two loops");
-            let [x, y, first, second] = solution.first_chunk_mut().expect("room for four");
+        Some(Reducing::Two(equations)) => {
             for k in portions::<L, R>() {
-                let (h, g) = (lanes.pair(h, k), lanes.pair(g, k));
-                if FACTOR && varies[0] {
-                    lanes.store(&mut inverse_squares[0], k, one / h.dot(h));
+                let square = solve_portion(lanes, k, block, closing, equations);
+                sum = sum + square;
+                longest = longest.larger(square);
+            }
+        }
+        None => {
+            block.systems[closing.group].general = general_systems(&block.columns, closing);
+            solve_general(block, closing);
+            for k in portions::<L, R>() {
+                let mut square = lanes.splat(0.0);
+                for (scale, steps) in closing.scales.iter().zip(&block.solution) {
+                    let step = lanes.load(steps, k) * lanes.splat(*scale);
+                    square = square.plus_product(step, step);
                 }
-                if FACTOR && varies[1] {
-                    lanes.store(&mut inverse_squares[1], k, one / g.dot(g));
-                }
-                let columns = [[h, lanes.pair(s, k), lanes.pair(t, k)], [g, lanes.pair(u, k), lanes.pair(v, k)]];
-                let squares = [lanes.load(&inverse_squares[0], k), lanes.load(&inverse_squares[1], k)];
-                let system = Reduced::with_inverse_squares(columns, squares);
-                let inverse = if FACTOR { one / system.determinant() } else { lanes.load(inverse_determinant, k) };
-                if FACTOR {
-                    lanes.store(inverse_determinant, k, inverse);
-                }
-                let sides = [lanes.pair(&sides[0], k), lanes.pair(&sides[1], k)];
-                let solved = system.solve(inverse, sides);
-                lanes.store(x, k, solved[0]);
-                lanes.store(y, k, solved[1]);
-                lanes.store(first, k, solved[2]);
-                lanes.store(second, k, solved[3]);
+                sum = sum + square;
+                longest = longest.larger(square);
             }
         }
     }
+    // A NaN may be lost in the largest number, but not in the sum.
+    if lanes.sum(sum).is_nan() { f64::NAN } else { lanes.largest(longest).sqrt() }
+}
+
+/// Solves reduced equations in one portion, in registers. Returns the squared norms.
+#[inline(always)]
+fn solve_portion<L: Lanes, R: Row, const LOOPS: usize>(
+    lanes: L,
+    k: usize,
+    block: &mut Block<R>,
+    closing: &Closing,
+    equations: &Reducible<LOOPS>,
+) -> L::Number {
+    let Block { columns, systems, sides, solution, .. } = block;
+    let (system, inverse) = factor(lanes, k, equations, columns, &mut systems[closing.group]);
+    let mut right = [lanes.pair(&sides[0], k); LOOPS];
+    for index in 1..LOOPS {
+        right[index] = lanes.pair(&sides[index], k);
+    }
+    let solved = system.solve(inverse, right);
+    let mut square = lanes.splat(0.0);
+    for index in 0..2 * LOOPS {
+        lanes.store(&mut solution[index], k, solved[index]);
+        let step = solved[index] * lanes.splat(closing.scales[index]);
+        square = square.plus_product(step, step);
+    }
+    square
+}
+
+/// The reduced equations in one portion, and the inverse of their determinant.
+#[inline(always)]
+pub(super) fn factor<L: Lanes, R: Row, const LOOPS: usize>(
+    lanes: L,
+    k: usize,
+    equations: &Reducible<LOOPS>,
+    columns: &[[R; 2]],
+    system: &mut System<R>,
+) -> (Reduced<LOOPS, L::Number>, L::Number) {
+    let one = lanes.splat(1.0);
+    let mut own = [[Pair { x: one, y: one }; 3]; LOOPS];
+    let mut squares = [one; LOOPS];
+    for index in 0..LOOPS {
+        let [h, s, t] = equations.columns[index];
+        own[index] = [lanes.pair(&columns[h], k), lanes.pair(&columns[s], k), lanes.pair(&columns[t], k)];
+        let row = &mut system.inverse_squares[index];
+        squares[index] = lanes.load(row, k);
+        if equations.varies[index] {
+            squares[index] = one / own[index][0].dot(own[index][0]);
+            lanes.store(row, k, squares[index]);
+        }
+    }
+    let reduced = Reduced::with_inverse_squares(own, squares);
+    let inverse = one / reduced.determinant();
+    lanes.store(&mut system.inverse_determinant, k, inverse);
+    (reduced, inverse)
 }
 
 /// The factored systems of a group that does not reduce, by position.
 #[inline(never)]
-fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<LinearSystem>> {
+pub(super) fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<LinearSystem>> {
     let (loops, unknowns) = (closing.chains.len(), closing.unknowns.len());
     let system = |position: usize| {
         let matrix = DMatrix::from_fn(2 * loops + closing.ties.len(), unknowns, |row, unknown| {
@@ -83,9 +112,12 @@ fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> Vec<Option<
     (0..R::LEN).map(system).collect()
 }
 
+/// Solves the factored equations of a group that does not reduce for the block's right sides.
 #[inline(never)]
-fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], tie_sides: &[R], solution: &mut [R]) {
-    for (position, system) in system.general.iter().enumerate() {
+pub(super) fn solve_general<R: Row>(block: &mut Block<R>, closing: &Closing) {
+    let Block { systems, sides, tie_sides, solution, .. } = block;
+    let (sides, tie_sides) = (&sides[..closing.chains.len()], &tie_sides[..closing.ties.len()]);
+    for (position, system) in systems[closing.group].general.iter().enumerate() {
         let side: Vec<f64> = sides.iter().flatten().chain(tie_sides).map(|row| row[position]).collect();
         let solved = system.as_ref().map(|system| system.solve(&side));
         for (unknown, row) in solution[..side.len()].iter_mut().enumerate() {
@@ -99,12 +131,12 @@ fn solve_general<R: Row>(system: &System<R>, sides: &[[R; 2]], tie_sides: &[R], 
 pub(super) fn determinant<R: Row>(block: &Block<R>, closing: &Closing, position: usize) -> [f64; 2] {
     let column = |index: usize| Pair::from(vector(&block.columns[index], position));
     match closing.reduced {
-        Some(ReducedColumns::One([s, t])) => {
-            let system = Reduced::new([[s, s, t].map(column)]);
+        Some(Reducing::One(equations)) => {
+            let system = Reduced::new(equations.columns.map(|c| c.map(column)));
             [system.determinant(), system.squared_hadamard_ratio()]
         }
-        Some(ReducedColumns::Two { columns, .. }) => {
-            let system = Reduced::new(columns.map(|c| c.map(column)));
+        Some(Reducing::Two(equations)) => {
+            let system = Reduced::new(equations.columns.map(|c| c.map(column)));
             [system.determinant(), system.squared_hadamard_ratio()]
         }
         None => {
