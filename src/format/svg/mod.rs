@@ -14,6 +14,9 @@ use marks::{Drawn, body, drawn, write_marks};
 use shapes::attribute;
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use svg::Node;
+use svg::node::Blob;
+use svg::node::element::Element;
 
 impl Drawing {
     /// The drawing as the text of an SVG file, with its texts as letters: [`svg_with`] has other forms.
@@ -28,7 +31,7 @@ impl Drawing {
 /// first and are set run by run at measured places, so that they look the same wherever that font is installed, and
 /// nearly so elsewhere. Marks whose numbers are not finite are left out.
 pub fn svg_with(drawing: &Drawing, text: Text) -> String {
-    document(drawing, text, &body(drawing, text), whole(drawing))
+    document(drawing, text, body(drawing, text), whole(drawing))
 }
 
 /// The panels of a drawing, without the title, tables and sentences around them, at the same scale: for pages that say these themselves. No mark
@@ -41,7 +44,7 @@ pub fn panels_svg(drawing: &Drawing, text: Text) -> String {
     let mut shown = drawing.clone();
     shown.marks.retain(|mark| boxes().any(|area| area.contains(mark.shape.drawn_box().center())));
     shown.marks.iter_mut().for_each(|mark| mark.id = None);
-    document(drawing, text, &body(&shown, text), area.inflate(WHITE, WHITE))
+    document(drawing, text, body(&shown, text), area.inflate(WHITE, WHITE))
 }
 
 /// White around panels that stand alone, in mm: their frames are as wide as elsewhere.
@@ -58,7 +61,7 @@ fn whole(drawing: &Drawing) -> Rect {
 ///
 /// With all groups shown the file looks like the finished figure.
 pub fn layered_svg(drawing: &Drawing, text: Text) -> String {
-    document(drawing, text, &groups(drawing, text), whole(drawing))
+    document(drawing, text, groups(drawing, text), whole(drawing))
 }
 
 /// The marks with a group for each pile of marks that come and go together, from the lowest to the highest; those that
@@ -100,32 +103,47 @@ fn groups(drawing: &Drawing, text: Text) -> String {
 const FONTS: &str = "Libertinus Serif, Cambria, Times New Roman, serif";
 
 /// A complete file around the marks, which shows that part of the sheet.
-fn document(drawing: &Drawing, text: Text, marks: &str, area: Rect) -> String {
+fn document(drawing: &Drawing, text: Text, marks: String, area: Rect) -> String {
     let [left, top, width, height] = [area.x0, area.y0, area.width(), area.height()].map(number);
-    let mut file = String::from("<svg fill=\"none\"");
+    let mut root = element(
+        "svg",
+        [
+            ("xmlns", "http://www.w3.org/2000/svg".into()),
+            ("width", format!("{width}mm")),
+            ("height", format!("{height}mm")),
+            ("viewBox", format!("{left} {top} {width} {height}")),
+            ("fill", "none".into()),
+            ("role", "img".into()),
+        ],
+    );
     if text == Text::Letters {
-        attribute(&mut file, "font-family", FONTS);
+        root.assign("font-family", FONTS);
+        root.assign("text-rendering", "geometricPrecision");
     }
-    attribute(&mut file, "height", &format!("{height}mm"));
-    attribute(&mut file, "role", "img");
-    if text == Text::Letters {
-        attribute(&mut file, "text-rendering", "geometricPrecision");
-    }
-    attribute(&mut file, "viewBox", &format!("{left} {top} {width} {height}"));
-    attribute(&mut file, "width", &format!("{width}mm"));
-    file.push_str(" xmlns=\"http://www.w3.org/2000/svg\">\n");
     if !drawing.title.is_blank() {
-        let _ = writeln!(file, "<title>{}</title>", drawing.title.for_xml());
+        root.append(Blob::new(format!("<title>{}</title>", drawing.title.for_xml())));
     }
     if !drawing.description.is_empty() {
-        let _ = writeln!(file, "<desc>{}</desc>", xml(&drawing.description));
+        root.append(Blob::new(format!("<desc>{}</desc>", xml(&drawing.description))));
     }
-    let background = drawing.style.background().to_string();
-    let paper = [("fill", background), ("height", height), ("width", width), ("x", left), ("y", top)];
-    file.push_str("<rect");
-    for (name, value) in paper.iter().filter(|(name, value)| !matches!((*name, value.as_str()), ("x" | "y", "0"))) {
-        attribute(&mut file, name, value);
+    let mut paper =
+        element("rect", [("width", width), ("height", height), ("fill", drawing.style.background().to_string())]);
+    for (name, place) in [("x", left), ("y", top)] {
+        if place != "0" {
+            paper.assign(name, place);
+        }
     }
-    let _ = write!(file, "/>\n{marks}\n</svg>\n");
+    root.append(paper);
+    root.append(Blob::new(marks));
+    let mut file = root.to_string();
+    file.push('\n');
     file
+}
+
+fn element<const N: usize>(name: &str, attributes: [(&str, String); N]) -> Element {
+    let mut element = Element::new(name);
+    for (name, value) in attributes {
+        element.assign(name, value);
+    }
+    element
 }
