@@ -155,7 +155,7 @@ impl Fields {
     /// The lines beside the title of a sheet, or else a sentence to stand below it.
     pub(super) fn new(context: &SheetContext<'_>) -> (Option<Fields>, Option<String>) {
         let text = context.words.language.exercise_name();
-        let (fields, title) = (RichText::plain(text), RichText::verbatim(&context.title()));
+        let (fields, title) = (RichText::plain(text), RichText::verbatim(context.title()));
         let dims = &context.surface.dims;
         let room = match dims.free.has_markers() {
             true => 0.5 * (dims.page[0] - dims.free.middle) - dims.free.edge,

@@ -104,10 +104,10 @@ fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
             sides[index] = chains[index].velocity_side(lanes, k, &block.point_velocities, columns, omegas, speeds);
         }
         let rates = system.solve(inverse, sides);
-        for index in 0..2 * LOOPS {
+        for (index, rate) in rates.into_iter().enumerate().take(2 * LOOPS) {
             match closing.unknowns[index] {
-                Unknown::Spin(class) => lanes.store(&mut omegas[class], k, rates[index]),
-                Unknown::Slide(slider) => lanes.store(&mut speeds[slider], k, rates[index]),
+                Unknown::Spin(class) => lanes.store(&mut omegas[class], k, rate),
+                Unknown::Slide(slider) => lanes.store(&mut speeds[slider], k, rate),
             }
         }
         for index in 0..LOOPS {
@@ -122,10 +122,10 @@ fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
             );
         }
         let seconds = system.solve(inverse, sides);
-        for index in 0..2 * LOOPS {
+        for (index, rate) in seconds.into_iter().enumerate().take(2 * LOOPS) {
             match closing.unknowns[index] {
-                Unknown::Spin(class) => lanes.store(&mut alphas[class], k, seconds[index]),
-                Unknown::Slide(slider) => lanes.store(&mut accelerations[slider], k, seconds[index]),
+                Unknown::Spin(class) => lanes.store(&mut alphas[class], k, rate),
+                Unknown::Slide(slider) => lanes.store(&mut accelerations[slider], k, rate),
             }
         }
     }
