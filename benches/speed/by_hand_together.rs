@@ -204,10 +204,7 @@ impl<S: Simd> Equations<S> {
 #[inline(always)]
 fn paper_in<S: Simd>(simd: S, start: &ByHand, degrees: &[f64], places: &mut [Paper]) {
     let all = |x: f64| f64x8::splat(simd, x);
-    let mut turns = [[all(0.0); 2]; 3];
-    for i in 0..3 {
-        turns[i] = [all(start.turns[i][0]), all(start.turns[i][1])];
-    }
+    let mut turns = start.turns.map(|turn| [all(turn[0]), all(turn[1])]);
     let mut slide = all(start.slide);
     let [mut rates, mut seconds] = [[all(0.0); 4]; 2];
     for i in 0..4 {
@@ -226,10 +223,10 @@ fn paper_in<S: Simd>(simd: S, start: &ByHand, degrees: &[f64], places: &mut [Pap
         let crank = direction(simd, degrees);
         let b = scaled(crank, AB);
         loop {
-            for i in 0..3 {
-                turns[i] = turned(turns[i], steps[i]);
+            for (turn, step) in turns.iter_mut().zip(steps) {
+                *turn = turned(*turn, step);
             }
-            slide = slide + steps[3];
+            slide += steps[3];
             let equations = Equations::new(simd, turns, slide, start.gamma);
             let Equations { u2, u4, u6, u5, s, .. } = equations;
             let from = [all(G[0]) - b[0], all(G[1]) - b[1]];
@@ -243,15 +240,15 @@ fn paper_in<S: Simd>(simd: S, start: &ByHand, degrees: &[f64], places: &mut [Pap
                 break;
             }
         }
-        for i in 0..3 {
-            turns[i] = turned(turns[i], steps[i]);
+        for (turn, step) in turns.iter_mut().zip(steps) {
+            *turn = turned(*turn, step);
         }
-        slide = slide + steps[3];
+        slide += steps[3];
         [rates, seconds] = Equations::new(simd, turns, slide, start.gamma).rates(b);
         let place = &mut places[group % count];
         store(&mut place.crank, crank);
-        for i in 0..3 {
-            store(&mut place.turns[i], turns[i]);
+        for (place, turn) in place.turns.iter_mut().zip(turns) {
+            store(place, turn);
         }
         slide.store_array(&mut place.slide);
         for i in 0..4 {

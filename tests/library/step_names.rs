@@ -73,7 +73,7 @@ fn wrong_names(solution: &Solution, all: &Drawing, step: usize) -> Vec<String> {
     let mut wrong = Vec::new();
     for (plan, panel) in construction.plans().zip(&drawing.panels[1..]) {
         let steps = construction.numbered_steps().filter(|one| one.plan.is_some_and(|of| of.sheet == plan.sheet));
-        let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(&one.action, plan.sheet.pole()));
+        let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(one.action, plan.sheet.pole()));
         let mut names: Vec<String> = so_far.filter(|name| !is_unnamed(plan, name)).map(|name| renamed(&name)).collect();
         names.sort();
         names.dedup();
