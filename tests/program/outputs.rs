@@ -270,7 +270,14 @@ fn stdout_and_devices_are_no_files() {
 fn files_are_on_the_disk_before_they_are_renamed() {
     let folder = inputs("outputs-order");
     let mut strace = Command::new("strace");
-    strace.args(["-f", "-o", "trace", "-e", "trace=openat,write,fsync,rename,close", env!("CARGO_BIN_EXE_kinegon")]);
+    strace.args([
+        "-f",
+        "-o",
+        "trace",
+        "-e",
+        "trace=openat,fcntl,write,fsync,rename,close",
+        env!("CARGO_BIN_EXE_kinegon"),
+    ]);
     let traced = strace.args(["draw", "scene.json", "-o", "out/"]).current_dir(&folder).output();
     if !traced.is_ok_and(|traced| traced.status.success()) {
         eprintln!("strace does not run here: the order of writing is not looked at");
@@ -284,6 +291,11 @@ fn files_are_on_the_disk_before_they_are_renamed() {
         let number = |from: &str| line.split_once(from).and_then(|(_, rest)| rest.split([',', ')', ' ']).next());
         if line.starts_with("openat") {
             open.insert(line.rsplit("= ").next().unwrap_or_default().to_owned(), quoted);
+        } else if let (true, Some(file)) =
+            (line.contains("F_DUPFD"), number("fcntl(").and_then(|number| open.get(number)))
+        {
+            // A file may be written through a second handle of it.
+            open.insert(line.rsplit("= ").next().unwrap_or_default().to_owned(), file.clone());
         } else if let Some(file) = number("write(").or(number("fsync(")).and_then(|number| open.get(number)) {
             events.push((line[..5].to_owned(), file.clone()));
         } else if line.starts_with("rename") {
