@@ -1,5 +1,5 @@
 //! In: a mechanism, its pose and its motion. Out: a [`Construction`]: the velocity and acceleration plans as the
-//! [`Operation`]s of ruler, pencil and calculator that draw them, and as the [`Step`]s that a teacher takes at the
+//! [`Operation`]s of ruler, pencil and calculator that draw them, and as the [`NumberedStep`]s that a teacher takes at the
 //! board. Each operation is carried out when it is written, with bounds of its rounding errors; so the construction is
 //! a second, independent computation of every rate, compared with the loop equations. The same operations can be
 //! repeated with a hand's errors or with mistakes ([`Values`]). Drawings, texts and checks read steps and values and
