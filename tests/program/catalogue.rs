@@ -1,5 +1,5 @@
-//! Sheets of five mechanisms drawn by an independent program, each with one mistake on purpose: the check names it.
-//! `tests/mistakes/sheets.json` has them, `made` says in words what was done there, `told` what the sentence must hold.
+//! Sheets of five mechanisms drawn by an independent program, each with one mistake on purpose: the check names it,
+//! in these words. `tests/mistakes/sheets.json` has them; `made` says what was done there, and somebody has read that `done` and `should_be` say it.
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -14,13 +14,15 @@ struct Sheet {
     made: String,
     /// The mistake's name in the catalogue.
     mistake: String,
-    /// What its sentence must hold: the place.
-    told: String,
+    /// What is told of it, in English.
+    done: String,
+    /// What should be, in English.
+    should_be: String,
     form: Value,
 }
 
-/// The mistakes of each explanation that fits best, or as well as that: their names and sentences.
-fn told(sheet: &Sheet) -> Vec<Vec<(String, String)>> {
+/// The mistakes of each explanation that fits best, or as well as that: their names, what was done and what should be.
+fn told(sheet: &Sheet) -> Vec<Vec<[String; 3]>> {
     let scene = files::path(&format!("tests/mistakes/{}.json", sheet.scene));
     let scene = scene.to_str().expect("its name is text");
     let output = with_scene(&["check", scene, "-", "--json"], sheet.form.to_string().as_bytes());
@@ -29,9 +31,8 @@ fn told(sheet: &Sheet) -> Vec<Vec<(String, String)>> {
     let others = result["others"].as_array().into_iter().flatten().filter(alike);
     let mistakes = |explanation: &Value| {
         let all = explanation["mistakes"].as_array().expect("a list");
-        all.iter()
-            .map(|m| [&m["mistake"], &m["done"]].map(|text| text.as_str().unwrap_or("").to_owned()).into())
-            .collect()
+        let parts = all.iter().map(|m| [&m["mistake"], &m["done"], &m["should_be"]]);
+        parts.map(|parts| parts.map(|text| text.as_str().unwrap_or("").to_owned())).collect()
     };
     core::iter::once(&result["diagnosis"]).chain(others).map(mistakes).collect()
 }
@@ -43,8 +44,8 @@ fn each_mistake_is_named_alone_and_at_its_place() {
     let mut wrong: Vec<String> = Vec::new();
     for sheet in &sheets {
         let told = told(sheet);
-        let is_it = |(name, done): &(String, String)| *name == sheet.mistake && done.contains(&sheet.told);
-        if !told.iter().any(|mistakes| mistakes.len() == 1 && mistakes.iter().all(is_it)) {
+        let expected = [&sheet.mistake, &sheet.done, &sheet.should_be].map(String::clone);
+        if !told.contains(&vec![expected]) {
             wrong.push(format!("{}, {}: {told:?}", sheet.scene, sheet.made));
         }
     }
