@@ -25,8 +25,10 @@ fn a_link_holds_the_scene() {
     // The button says how long it is.
     bench.panel("save");
     bench.press_named("#panel-save", "Copy the link");
-    let shown =
-        bench.text("[...document.querySelectorAll('#panel-save input')].find((e) => e.value.includes('#1=')).value");
+    // It is packed before it is shown.
+    let box_with_link = "[...document.querySelectorAll('#panel-save input')].find((e) => e.value.includes('#1='))";
+    bench.until(&format!("{box_with_link} !== undefined"));
+    let shown = bench.text(&format!("{box_with_link}.value"));
     let (_, own) = shown.split_once('#').expect("a link");
     bench.load(&format!("#{own}"));
     assert_eq!(bench.scene(), text);
