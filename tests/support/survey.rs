@@ -121,17 +121,17 @@ pub const EDGES: By<(usize, usize)> = By((2, 1), (4, 2), (4, 2));
 /// Sheets of each kind, and pixels of the longer edge.
 pub const PLACES: By<(u64, usize)> = By((1, 1600), (1, 1600), (130, 4032));
 /// Every so many-th kind of photograph: from flat sheets to hard ones.
-pub const PLACE_KINDS: By<usize> = By(2, 1, 1);
+pub const PLACE_KINDS: By<usize> = By(4, 1, 1);
 /// The share of places that lie within their bands.
 pub const WITHIN_BANDS: By<f64> = By(0.9, 0.9, 0.95);
 /// Uneven and blurred sheets.
-pub const UNEVEN: By<(u64, usize)> = By((4, 1200), (4, 1200), (100, 2400));
+pub const UNEVEN: By<(u64, usize)> = By((2, 1200), (4, 1200), (100, 2400));
 /// Pictures of other things.
 pub const OTHER_THINGS: By<u64> = By(3, 3, 200);
 /// Pictures of any pixels.
 pub const ANY_PIXELS: By<u64> = By(30, 30, 3000);
 /// Drawings of which points are proposed.
-pub const PROPOSED: By<(u64, usize)> = By((2, 1600), (4, 1600), (300, 2400));
+pub const PROPOSED: By<(u64, usize)> = By((1, 1600), (4, 1600), (300, 2400));
 /// The share of points that may be proposed elsewhere.
 pub const WRONGLY_PROPOSED: By<f64> = By(0.03, 0.03, 0.01);
 /// By how much fewer sheets with a mistake are told of all than from the typed form.
@@ -143,9 +143,15 @@ pub const BROKEN_BYTES: By<usize> = By(3, 6, 400);
 
 /// Series of random gestures.
 pub const GESTURES: By<u64> = By(1, 1, 20);
+/// Looks in which axe goes through all panels: light, dark, on a telephone.
+pub const LOOKS: By<usize> = By(1, 3, 3);
+/// Of a scene's text every so many-th beginning is typed.
+pub const BEGINNINGS: By<usize> = By(5, 1, 1);
 
 // Other programs.
 
+/// Figures of `rasters` that another program draws.
+pub const RASTERS: By<usize> = By(2, 5, 5);
 /// Every so many-th figure is given to LaTeX alone.
 pub const TYPESET: By<usize> = By(4, 1, 1);
 

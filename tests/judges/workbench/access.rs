@@ -1,7 +1,7 @@
 //! Nobody is kept out: what axe-core finds, in all panels, light and dark, on a screen and on a telephone.
 
 use super::bench::Bench;
-use support::files;
+use support::{files, survey};
 
 /// Rules of WCAG 2.2, levels A and AA, and best practice: all of them, that of colours alone, or all others.
 const RULES: [&str; 3] =
@@ -25,7 +25,8 @@ fn axe_finds_nothing() {
     bench.value(&axe);
     let mut found = Vec::new();
     // In the dark colours are others, on a telephone places.
-    for ((look, is_small), rules) in [("light", false), ("dark", false), ("light", true)].into_iter().zip(RULES) {
+    let looks = [("light", false), ("dark", false), ("light", true)].into_iter().zip(RULES);
+    for ((look, is_small), rules) in looks.take(survey::LOOKS.now()) {
         bench.media("", &[("prefers-color-scheme", look), ("prefers-reduced-motion", "reduce")]);
         if is_small {
             bench.telephone([360, 640]);
