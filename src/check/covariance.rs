@@ -4,6 +4,7 @@
 use super::mistakes::{Amount, Free};
 use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
 use crate::construction::{Change, NumberId, OperationKind, Tolerance, Values};
+use crate::geometry::with_turns;
 use crate::sheet::Sheet;
 
 /// A value of the form as it is compared with a prediction.
@@ -47,7 +48,7 @@ impl Datum {
 
     /// A difference of two such values; of angles the shorter way round.
     pub fn turned(&self, difference: f64) -> f64 {
-        if self.is_angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
+        if self.is_angle { with_turns(difference, 0.0) } else { difference }
     }
 }
 

@@ -11,6 +11,7 @@ use super::names::Names;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use crate::construction::Tolerance;
+use crate::geometry::with_turns;
 use crate::quantity::{Band, Unread};
 use crate::sheet::{PerSheet, QuantityKind, Scales};
 use std::collections::BTreeMap;
@@ -166,7 +167,7 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
         let [value, expected] = [entry.value, entry.expected].map(|x| if is_size { x.abs() } else { x });
         let mut difference = value - expected;
         if entry.asked.kind() == QuantityKind::Angle {
-            difference -= 360.0 * libm::round(difference / 360.0);
+            difference = with_turns(difference, 0.0);
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
         let is_given = *reading == Err(Unread::Given);

@@ -1,5 +1,5 @@
 use super::{CycleError, Path, Walker};
-use crate::geometry::Vector;
+use crate::geometry::{Vector, with_turns};
 use crate::quantity::{Quantity, QuantityKind, QuantityRequest};
 
 /// Distance from a change point, in parts of a turn, below which rates are interpolated from both sides: accelerations
@@ -146,7 +146,7 @@ impl<'a> Reading<'a> {
     /// An angle plus the whole turns that bring it closest to `near`; other quantities unchanged.
     fn closest(&self, value: f64, near: Option<f64>) -> f64 {
         match near {
-            Some(near) if self.turns => value + 360.0 * ((near - value) / 360.0).round(),
+            Some(near) if self.turns => with_turns(value, near),
             _ => value,
         }
     }

@@ -129,3 +129,9 @@ pub fn degrees_of(v: Vector) -> f64 {
     let degrees = libm::atan2(v.y, v.x).to_degrees();
     if degrees <= -180.0 { 180.0 } else { degrees }
 }
+
+/// An angle in degrees plus the whole turns that bring it nearest to `other`; nearest to zero it is the shorter way round.
+#[must_use]
+pub fn with_turns(degrees: f64, other: f64) -> f64 {
+    degrees + 360.0 * libm::round((other - degrees) / 360.0)
+}

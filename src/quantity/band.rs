@@ -3,6 +3,7 @@
 use super::name::{QuantityError, QuantityRequest, step_names};
 use super::reading::{Reading, Sense, Unread, read_by_hand};
 use crate::construction::{Change, Construction, Disturbance, Solution, Tolerance, Values};
+use crate::geometry::with_turns;
 use crate::sheet::{PerSheet, Scales};
 
 /// The value that a hand drawing gives for a quantity, and its scatter; in the quantity's unit.
@@ -210,6 +211,6 @@ impl Reading {
     #[must_use]
     pub fn difference(&self, values: &Values, signed: f64) -> f64 {
         let difference = values.number(self.number) - signed;
-        if self.sense == Sense::Angle { difference - 360.0 * libm::round(difference / 360.0) } else { difference }
+        if self.sense == Sense::Angle { with_turns(difference, 0.0) } else { difference }
     }
 }

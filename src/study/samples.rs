@@ -1,5 +1,7 @@
 //! What equally spaced values of one quantity tell: their mean, and where between them it is greatest. NaN stands where it has none.
 
+use crate::geometry::with_turns;
+
 /// Newton steps for the vertex of a quartic; the parabola's is near.
 const STEPS: usize = 4;
 
@@ -18,17 +20,12 @@ pub(super) fn unwrap(samples: &mut [f64]) {
     let mut last = f64::NAN;
     for sample in samples {
         if last.is_finite() {
-            *sample = near(*sample, last);
+            *sample = with_turns(*sample, last);
         }
         if sample.is_finite() {
             last = *sample;
         }
     }
-}
-
-/// The angle in degrees plus the whole turns that bring it nearest to another.
-pub(super) fn near(angle: f64, other: f64) -> f64 {
-    angle + 360.0 * ((other - angle) / 360.0).round()
 }
 
 /// Samples of a smooth quantity.

@@ -1,9 +1,9 @@
 //! Mechanisms followed side by side from position to position, as long as each surely stays on its branch.
 
-use super::samples::{Spaced, Spot, mean, near, unwrap};
+use super::samples::{Spaced, Spot, mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Drive, Kept, Position, Variants};
-use crate::geometry::Many;
+use crate::geometry::{Many, with_turns};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
 use crate::quantity::Quantity;
@@ -180,7 +180,7 @@ impl<'a> Walk<'a> {
             };
             let sample = self.samples[mechanism][quantity][spot.sample];
             let moved = read(wanted, self.variants.position(mechanism).as_ref());
-            let moved = if wanted.turns() { near(moved, sample) } else { moved };
+            let moved = if wanted.turns() { with_turns(moved, sample) } else { moved };
             let found = match sign * (moved - sample) > 0.0 {
                 true => [within(at(spot), range.ends()), moved],
                 false => [range.steps.value(spot.sample), sample],

@@ -7,7 +7,7 @@ use crate::construction::{
     Along, Disturbance, MeasuredAs, NumberId, NumberKind, OperationKind, OperationRole, PlaceId, Product, ProductKind,
     Reference,
 };
-use crate::geometry::turn_of_degrees;
+use crate::geometry::{turn_of_degrees, with_turns};
 use crate::mechanism::{BodyId, Role};
 use crate::position::{Pose, pose};
 use crate::sheet::Sheet;
@@ -243,7 +243,7 @@ pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
 fn misread(angle: f64) -> Vec<f64> {
     let all = [180.0 - angle, -angle, 90.0 - angle, angle + 10.0, angle - 10.0, angle + 20.0, angle - 20.0];
     // From −180° to 180°.
-    let within = |degrees: f64| degrees - 360.0 * libm::round(degrees / 360.0);
+    let within = |degrees: f64| with_turns(degrees, 0.0);
     let apart = |a: f64, b: f64| within(a - b).abs() > 1.0;
     let mut found: Vec<f64> = Vec::new();
     for wrong in all.map(within) {
