@@ -39,7 +39,12 @@ impl App {
             Some(output) if files::is_folder(output) => self.write(&output.join(NAME), &page),
             Some(output) => self.write(output, &page),
             None => {
-                let path = place()?;
+                let folders = etcetera::choose_base_strategy().map_err(|error| {
+                    let hint = format!("write it with -o {NAME}, and open that file in a browser");
+                    Failure::misuse(format!("there is no place for the page: {error}"), hint)
+                })?;
+                // Always the same place, as browsers keep what was last done on a page by its address.
+                let path = folders.cache_dir().join("kinegon").join(NAME);
                 self.write(&path, &page)?;
                 show(&path)
             }
@@ -62,17 +67,6 @@ impl App {
         }
         files::write(path, page.as_bytes())
     }
-}
-
-/// Where the page lies that is opened: always the same place, as browsers keep what was last done on it by its address.
-fn place() -> Result<PathBuf, Failure> {
-    let folders = etcetera::choose_base_strategy().map_err(|error| {
-        Failure::misuse(
-            format!("there is no place for the page: {error}"),
-            format!("write it with -o {NAME}, and open that file in a browser"),
-        )
-    })?;
-    Ok(folders.cache_dir().join("kinegon").join(NAME))
 }
 
 /// Opens a file in the person's browser.

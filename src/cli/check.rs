@@ -95,7 +95,9 @@ impl Check {
         }
         let solution = self.solved(&self.scene)?;
         let Some(path) = &self.measured else {
-            return self.print_template(&solution);
+            let form = WrittenForm::empty(&solution, solution.scales(), None);
+            let is_csv = matches!(self.template, Some(TemplateFormat::Csv));
+            return files::print(if is_csv { form.csv() } else { form.json() }.as_bytes());
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
         if path.is_dir() {
@@ -294,15 +296,6 @@ impl Check {
         let key = self.key(solution);
         let scheme = marks.map(|marks| marks.of(&key, name)).transpose()?;
         Ok(Subject { name, key: Prepared::new(&key), words: Wording::of(&solution.scene.figure), scheme })
-    }
-
-    fn print_template(&self, solution: &Solution) -> Result<(), Failure> {
-        let form = WrittenForm::empty(solution, solution.scales(), None);
-        let text = match self.template.unwrap_or(TemplateFormat::Json) {
-            TemplateFormat::Json => form.json(),
-            TemplateFormat::Csv => form.csv(),
-        };
-        files::print(text.as_bytes())
     }
 
     pub(super) fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {

@@ -2,7 +2,7 @@ use super::cycle::{refuse_nothing, split_names};
 use super::figures::{Figures, GivenStyle, Sheets, stem};
 use super::files;
 use super::message::{Failure, Source, note, refuse, warn};
-use super::options::{GivenScales, Markers, Paper, Words, one_of};
+use super::options::{Look, Markers, one_of};
 use super::output::FileSet;
 use super::solve::{Mode, show_warnings, solve};
 use crate::construction::{NumberedStep, Solution};
@@ -78,7 +78,7 @@ pub(super) struct Draw {
     #[arg(long, value_name = "UNIT", num_args = 0..=1, require_equals = true, default_missing_value = "own", value_parser = values())]
     values: Option<ValuesShown>,
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion.
-    #[arg(long, value_name = "PANEL", value_parser = one_of(Sheet::ALL, Sheet::as_str))]
+    #[arg(long, value_name = "PANEL", value_parser = one_of(&Sheet::ALL, Sheet::as_str))]
     focus: Option<Sheet>,
     // A page was once a film of so many positions of one drive; it now moves all drives to any position.
     #[arg(long, value_name = "N", hide = true)]
@@ -88,11 +88,7 @@ pub(super) struct Draw {
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
-    words: Words,
-    #[command(flatten)]
-    paper: Paper,
-    #[command(flatten)]
-    scales: GivenScales,
+    look: Look,
     #[command(flatten)]
     markers: Markers,
     #[command(flatten)]
@@ -134,7 +130,12 @@ impl Draw {
             if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
                 && (self.values.is_some() && steps.is_none() && !figure.worksheet)
             {
-                note_values(&figures.values_without_room(sheet));
+                let missing = figures.values_without_room(sheet).join(", ");
+                if !missing.is_empty() {
+                    note(&format!(
+                        "no room for the values of {missing}; they are in the table of a work sheet (--worksheet)"
+                    ));
+                }
             }
             drawings.extend(sheets);
             solved.push((source, solution));
@@ -195,9 +196,7 @@ impl Draw {
     /// Overrides a scene's figure by the options that are given.
     fn put_into(&self, figure: &mut Figure, style: &GivenStyle) {
         style.put_into(figure);
-        self.words.put_into(figure);
-        self.paper.put_into(figure);
-        self.scales.put_into(figure);
+        self.look.put_into(figure);
         self.markers.put_into(figure);
         figure.worksheet = (figure.worksheet || self.worksheet.is_some()) && !self.is_blank();
         figure.values = self.values.or(figure.values);
@@ -289,14 +288,6 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
         "none" => ValuesShown::Hidden,
         unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
     })
-}
-
-/// Names the values that found no room on a sheet.
-fn note_values(missing: &[String]) {
-    if !missing.is_empty() {
-        let names = missing.join(", ");
-        note(&format!("no room for the values of {names}; they are in the table of a work sheet (--worksheet)"));
-    }
 }
 
 /// Says why a sheet to be drawn on has no markers, unless that was asked for.

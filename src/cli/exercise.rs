@@ -1,7 +1,7 @@
 use super::figures::{GivenStyle, stem, style_names};
 use super::files;
 use super::message::{Failure, Source, note, refuse};
-use super::options::{GivenScales, Markers, NamesAnd, Paper, Words};
+use super::options::{Look, Markers, NamesAnd};
 use super::output::{FileSet, is_stream};
 use super::solve::solve;
 use crate::course::{Question, canvas, moodle, scorm};
@@ -51,11 +51,7 @@ pub(super) struct ExerciseCommand {
     #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
     style: Option<String>,
     #[command(flatten)]
-    words: Words,
-    #[command(flatten)]
-    paper: Paper,
-    #[command(flatten)]
-    scales: GivenScales,
+    look: Look,
     #[command(flatten)]
     markers: Markers,
 }
@@ -65,15 +61,13 @@ impl ExerciseCommand {
         let (name, source) = self.source()?;
         let style = GivenStyle::read(self.style.as_deref())?;
         let override_figure = |figure: &mut Figure| {
-            self.words.put_into(figure);
-            self.paper.put_into(figure);
-            self.scales.put_into(figure);
+            self.look.put_into(figure);
             self.markers.put_into(figure);
             style.put_into(figure);
         };
         let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Sheet::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
-        let page = self.paper.is_given().then_some(figure.page);
+        let page = self.look.paper.is_given().then_some(figure.page);
         let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
         let mut exercises = exercises.map_err(|error| {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")

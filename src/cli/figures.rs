@@ -6,6 +6,7 @@ use crate::drawing::{Drawing, Style};
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
 use clap::{Args, ValueEnum};
+use indexmap::IndexSet;
 use std::path::{Path, PathBuf};
 
 /// How many names without room are listed.
@@ -236,13 +237,8 @@ impl Figures {
 
 /// Warns of names for which panels have no room, once for all sheets of a figure.
 fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
-    let mut told: Vec<&(String, Vec<String>)> = Vec::new();
-    for of_panel in drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled) {
-        if told.contains(&of_panel) {
-            continue;
-        }
-        told.push(of_panel);
-        let (panel, names) = of_panel;
+    let of_panels = drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled);
+    for (panel, names) in of_panels.collect::<IndexSet<_>>() {
         let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
         let more = match names.len().saturating_sub(MOST_LISTED) {
             0 => String::new(),

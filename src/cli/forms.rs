@@ -29,7 +29,9 @@ pub(super) fn forms(folder: &Path, below: bool, others: &[PathBuf]) -> Result<Ve
         for path in entries.into_iter().filter(|path| !is_hidden(path)) {
             if below && fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
                 folders.push(path);
-            } else if is_form(&path, &others) {
+            } else if has_ending(&path, &["json", "csv"])
+                && !path.canonicalize().is_ok_and(|path| others.contains(&path))
+            {
                 forms.push(path);
             }
         }
@@ -44,10 +46,9 @@ pub(super) fn forms(folder: &Path, below: bool, others: &[PathBuf]) -> Result<Ve
     }
 }
 
-fn is_form(path: &Path, others: &BTreeSet<PathBuf>) -> bool {
-    let ending = path.extension().unwrap_or_default().to_string_lossy();
-    ["json", "csv"].contains(&ending.to_lowercase().as_str())
-        && !path.canonicalize().is_ok_and(|path| others.contains(&path))
+/// Whether a file's name has one of these endings, in letters of either case.
+pub(super) fn has_ending(path: &Path, endings: &[&str]) -> bool {
+    path.extension().is_some_and(|own| endings.iter().any(|ending| own.eq_ignore_ascii_case(ending)))
 }
 
 fn is_hidden(path: &Path) -> bool {
@@ -56,8 +57,7 @@ fn is_hidden(path: &Path) -> bool {
 
 /// The values of a form: JSON if it begins with a bracket and the file's name does not end in `.csv`, else CSV.
 pub(super) fn read(path: &Path, text: &Source) -> Result<Measured, Failure> {
-    let is_table = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("csv"));
-    if !is_table && Measured::is_json(&text.text) {
+    if !has_ending(path, &["csv"]) && Measured::is_json(&text.text) {
         text.checked(Measured::read_json(&text.text))
     } else {
         Measured::read_csv(&text.text).map_err(|error| text.misuse(&error))
@@ -232,8 +232,7 @@ fn exercise(path: &Path) -> Option<ExerciseFiles> {
     if inside.is_file() {
         return Some(ExerciseFiles { name: name(path.file_name()), scene: inside, folder: Some(path.to_owned()) });
     }
-    let is_json = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"));
-    (is_json && path.is_file() && is_scene(path)).then(|| ExerciseFiles {
+    (has_ending(path, &["json"]) && path.is_file() && is_scene(path)).then(|| ExerciseFiles {
         name: name(path.file_stem()),
         scene: path.to_owned(),
         folder: None,

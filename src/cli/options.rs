@@ -12,13 +12,13 @@ use std::ffi::OsStr;
 #[derive(Debug, Default, Args)]
 pub(super) struct Words {
     /// Notation of poles, images and parts of accelerations.
-    #[arg(long, value_parser = one_of(NotationName::ALL, NotationName::as_str))]
+    #[arg(long, value_parser = one_of(&NotationName::ALL, NotationName::as_str))]
     notation: Option<NotationName>,
     /// Language of headings and captions.
-    #[arg(long, value_parser = one_of(LanguageName::ALL, LanguageName::as_str))]
+    #[arg(long, value_parser = one_of(&LanguageName::ALL, LanguageName::as_str))]
     language: Option<LanguageName>,
     /// Decimal mark of numbers.
-    #[arg(long, value_parser = one_of(DecimalMark::ALL, DecimalMark::as_str))]
+    #[arg(long, value_parser = one_of(&DecimalMark::ALL, DecimalMark::as_str))]
     decimal: Option<DecimalMark>,
 }
 
@@ -48,19 +48,20 @@ impl TypedValueParser for NamesAnd {
 }
 
 /// Accepts the names of some values.
-pub(super) fn one_of<T: Copy + Send + Sync + 'static, const N: usize>(
-    all: [T; N],
+pub(super) fn one_of<T: Copy + Send + Sync>(
+    all: &'static [T],
     name: fn(T) -> &'static str,
 ) -> impl TypedValueParser<Value = T> {
-    PossibleValuesParser::new(all.map(name))
-        .map(move |given| all.into_iter().find(|value| name(*value) == given).expect("only known names come through"))
+    let named = move |given: String| all.iter().copied().find(|value| name(*value) == given);
+    PossibleValuesParser::new(all.iter().copied().map(name))
+        .map(move |given| named(given).expect("only known names come through"))
 }
 
 /// The sheet of paper, in place of the one that the scene's figure asks for.
 #[derive(Debug, Default, Args)]
 pub(super) struct Paper {
     /// The sheet: 16x9 (320 mm × 180 mm) for the projector; `-portrait` or `-landscape` says which way it lies.
-    #[arg(long, value_name = "NAME", value_parser = one_of(Page::NAMES, |name| name))]
+    #[arg(long, value_name = "NAME", value_parser = one_of(&Page::NAMES, |name| name))]
     page: Option<&'static str>,
     /// Which way the sheet lies.
     #[arg(long, value_enum)]
@@ -98,7 +99,7 @@ pub(super) struct GivenScales {
     mu: ScaleOptions,
     /// For which plans the other scales are chosen: the scene's own position, with one set for figure, steps, work
     /// sheet and page; each sheet for itself; or the largest plans of the whole cycle.
-    #[arg(long, value_name = "FOR", value_parser = one_of(ScalesFor::ALL, ScalesFor::as_str))]
+    #[arg(long, value_name = "FOR", value_parser = one_of(&ScalesFor::ALL, ScalesFor::as_str))]
     scales: Option<ScalesFor>,
 }
 
@@ -153,6 +154,26 @@ impl GivenScales {
     pub(super) fn put_into(&self, figure: &mut Figure) {
         figure.mu = self.mu.0.or(figure.mu);
         figure.scales = self.scales.unwrap_or(figure.scales);
+    }
+}
+
+/// Words, sheet and scales, in place of what the scene's figure asks for.
+#[derive(Debug, Default, Args)]
+pub(super) struct Look {
+    #[command(flatten)]
+    words: Words,
+    #[command(flatten)]
+    pub paper: Paper,
+    #[command(flatten)]
+    scales: GivenScales,
+}
+
+impl Look {
+    /// Overrides a scene's figure by the options that are given.
+    pub(super) fn put_into(&self, figure: &mut Figure) {
+        self.words.put_into(figure);
+        self.paper.put_into(figure);
+        self.scales.put_into(figure);
     }
 }
 

@@ -1,6 +1,7 @@
 //! Photographs of a student's sheets: the right plans over them, the points that their pencil lines show, and the form that these give.
 
 use super::files;
+use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use super::pieces::caught;
@@ -231,8 +232,7 @@ const MEMORY: u64 = 400 << 20;
 
 /// Whether a file's name is that of a photograph.
 pub(super) fn is_photograph(path: &Path) -> bool {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    ["jpg", "jpeg", "png", "heic", "heif", "webp", "tif", "tiff", "bmp", "gif"].contains(&ending.as_str())
+    has_ending(path, &["jpg", "jpeg", "png", "heic", "heif", "webp", "tif", "tiff", "bmp", "gif"])
 }
 
 /// The picture in a file, upright as the file says, in grey.

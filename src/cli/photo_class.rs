@@ -37,10 +37,7 @@ impl Check {
                 "put the forms into a folder; only photographs of one student's sheets come several at a time",
             );
         }
-        match self.accept {
-            true => refuse("--accept is of photographs; here is a form", "leave it out"),
-            false => Ok(None),
-        }
+        if self.accept { refuse("--accept is of photographs; here is a form", "leave it out") } else { Ok(None) }
     }
 
     /// The scenes that photographs may be of.

@@ -3,7 +3,7 @@
 
 use super::files;
 use super::message::{Failure, Source, warn};
-use super::options::{GivenScales, Hand, Paper, Words};
+use super::options::{Hand, Look};
 use crate::construction::Solution;
 use crate::drawing::Style;
 use crate::mechanism::{Mechanism, mechanism};
@@ -14,6 +14,7 @@ use crate::sheet::Sheet;
 use crate::words::Wording;
 use crate::{Error, format, order_of_result, posed};
 use clap::{Args, ValueEnum};
+use indexmap::IndexSet;
 use std::path::PathBuf;
 
 /// Which assembly mode is wanted.
@@ -121,22 +122,16 @@ fn print_digits(solution: &Solution) -> Result<(), Failure> {
 /// The quantities that may be read from a hand drawing: those of the result and those that the scene wants; of vectors
 /// size and angle.
 fn readable_quantities(solution: &Solution) -> Result<Vec<QuantityRequest>, Error> {
-    let mut names = readable_names(solution);
+    let mut names: IndexSet<String> = readable_names(solution).into_iter().collect();
     for name in solution.scene.want.iter().flatten() {
         let asked = QuantityRequest::new(name, &solution.mechanism)?;
         if asked.is_vector() {
             names.extend(["size", "angle"].map(|part| format!("{name}.{part}")));
         } else {
-            names.push(name.clone());
+            names.insert(name.clone());
         }
     }
-    let mut asked: Vec<QuantityRequest> = Vec::new();
-    for name in names {
-        if !asked.iter().any(|other| other.name() == name) {
-            asked.push(QuantityRequest::new(&name, &solution.mechanism)?);
-        }
-    }
-    Ok(asked)
+    names.iter().map(|name| Ok(QuantityRequest::new(name, &solution.mechanism)?)).collect()
 }
 
 #[derive(Debug, Args)]
@@ -196,11 +191,7 @@ pub(super) struct Steps {
     #[command(flatten)]
     mode: Mode,
     #[command(flatten)]
-    words: Words,
-    #[command(flatten)]
-    paper: Paper,
-    #[command(flatten)]
-    scales: GivenScales,
+    look: Look,
     #[command(flatten)]
     hand: Hand,
 }
@@ -208,12 +199,8 @@ pub(super) struct Steps {
 impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
-        let override_figure = |figure: &mut Figure| {
-            self.words.put_into(figure);
-            self.paper.put_into(figure);
-            self.scales.put_into(figure);
-        };
-        let solution = solve(&source, SizeLimit::HAND, self.mode.number, override_figure, |_| Sheet::Acceleration)?;
+        let (mode, override_figure) = (self.mode.number, |figure: &mut Figure| self.look.put_into(figure));
+        let solution = solve(&source, SizeLimit::HAND, mode, override_figure, |_| Sheet::Acceleration)?;
         let pencil = source.checked(step_pencil(&solution, self.hand.tolerance()))?;
         let text = solution.steps(&pencil);
         show_warnings(&solution);

@@ -65,7 +65,11 @@ fn rows(text: &str) -> Result<Range<u64>, String> {
 
 impl StudyCommand {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let format = self.table_format()?;
+        if self.format == Some(TableFormat::Jsonl) {
+            return refuse("a study's table is not written as JSON lines", "--format csv");
+        }
+        let is_taken = |format| format != TableFormat::Jsonl;
+        let format = TableFormat::of(self.format, &self.output, "a study's table", is_taken)?;
         let source = files::read_text("study", &self.study)?;
         let file = source.checked(StudyFile::read(&source.text))?;
         let (scene_source, scene) = self.scene(&source, &file)?;
@@ -80,18 +84,21 @@ impl StudyCommand {
         if let SceneGiven::Path(_) = file.scene() {
             files::refuse_overwriting("scene", Path::new(&scene_source.name), &self.output)?;
         }
-        let rows = self.wanted_rows(&study)?;
+        let count = study.count();
+        let rows = self.rows.clone().unwrap_or(0..count);
+        if rows.end > count {
+            return refuse(format!("the study has {count} rows"), format!("rows from 0..{count}"));
+        }
         let table = Table { study: &study, columns: study.columns(), format, place: &self.output };
         if self.parts && is_stream(&self.output) {
             return refuse("parts belong to a file, and none is named", "name the file: -o results.csv");
         }
-        if !self.parts && (is_stream(&self.output) || rows.end - rows.start <= ROWS) && !Parts::are_there(&self.output)
-        {
+        if !self.parts && (is_stream(&self.output) || rows.end - rows.start <= ROWS) && !folder(&self.output).is_dir() {
             let blocks: Vec<Range<u64>> = Parts::blocks(&rows).collect();
             return table.write(|put| table.compute(&blocks, |_, numbers| put(numbers)));
         }
         let text = format!("{}\n{}\n{}", env!("CARGO_PKG_VERSION"), source.text, scene_source.text);
-        let all = if self.parts { 0..study.count() } else { rows.clone() };
+        let all = if self.parts { 0..count } else { rows.clone() };
         let parts = Parts::open(&self.output, &text, &all, table.columns.len())?;
         let blocks: Vec<Range<u64>> = Parts::blocks(&all).filter(|b| !self.parts || rows.contains(&b.start)).collect();
         let missing: Vec<Range<u64>> = blocks.iter().filter(|block| !parts.has(block)).cloned().collect();
@@ -122,22 +129,6 @@ impl StudyCommand {
         let shown = if of.name == source.name { source } else { &of };
         let scene = shown.checked(scene)?;
         Ok((of, scene))
-    }
-
-    fn wanted_rows(&self, study: &Study) -> Result<Range<u64>, Failure> {
-        let count = study.count();
-        match &self.rows {
-            None => Ok(0..count),
-            Some(rows) if rows.end <= count => Ok(rows.clone()),
-            Some(_) => refuse(format!("the study has {count} rows"), format!("rows from 0..{count}")),
-        }
-    }
-
-    fn table_format(&self) -> Result<TableFormat, Failure> {
-        if self.format == Some(TableFormat::Jsonl) {
-            return refuse("a study's table is not written as JSON lines", "--format csv");
-        }
-        TableFormat::of(self.format, &self.output, "a study's table", |format| format != TableFormat::Jsonl)
     }
 }
 
@@ -229,11 +220,6 @@ impl Parts {
         Ok(Parts { folder, width })
     }
 
-    /// Whether a file has parts.
-    pub(super) fn are_there(output: &Path) -> bool {
-        folder(output).is_dir()
-    }
-
     /// Rows cut into blocks, at multiples of [`ROWS`].
     pub(super) fn blocks(rows: &Range<u64>) -> impl Iterator<Item = Range<u64>> {
         let (start, end) = (rows.start, rows.end);
@@ -275,6 +261,7 @@ impl Parts {
     }
 }
 
+/// The folder for the parts of a file.
 fn folder(output: &Path) -> PathBuf {
     let mut name = output.as_os_str().to_owned();
     name.push(".parts");

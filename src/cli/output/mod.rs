@@ -1,18 +1,17 @@
 //! Files that are written together: all of them, or none.
 //!
 //! Each file is written into a *staging folder* beside the place where it is to be, with a name that nobody can guess and
-//! open to nobody else (`stage`). When all are complete and on the disk they are renamed into their places (`commit`). What
+//! open to nobody else. When all are complete and on the disk they are renamed into their places (`stage`). What
 //! fails before, and signals, remove the staging folder: nothing new is left, and what was there is unchanged. What remains: files in different places are renamed one after the other, so a power cut between two
 //! renames leaves some of the new and some of the old; and what ends the program at once (`kill -9`) leaves a staging folder.
 
-mod commit;
 mod place;
 mod stage;
 
 pub(super) use self::stage::{survive_size_limits, wait_if_stopped};
 
 use self::place::{Place, open_special};
-use self::stage::Stage;
+use self::stage::{Stage, is_there_already};
 use super::message::Failure;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -80,7 +79,7 @@ impl FileSet {
     /// Puts all files into their places. If that fails, none of them is there.
     pub fn finish(self) -> Result<(), Failure> {
         self.direct.iter().try_for_each(|(path, bytes)| Stream::special(path)?.whole(bytes))?;
-        commit::commit(self.stages)
+        stage::commit(self.stages)
     }
 }
 
@@ -164,11 +163,4 @@ fn nothing_fits(path: &Path, folder: &Path, error: &io::Error) -> Failure {
 /// Whether an output is no file: `-` for stdout, a pipe or a device, as `/dev/stdout`.
 pub(super) fn is_stream(path: &Path) -> bool {
     path == Path::new("-") || matches!(Place::of(path), Ok(None))
-}
-
-fn is_there_already(path: &Path) -> Failure {
-    Failure::misuse(
-        format!("{} is there already and is not overwritten", path.display()),
-        "choose another name, or remove the file",
-    )
 }

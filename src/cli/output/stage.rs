@@ -1,34 +1,36 @@
-//! Staging folders: where files are until all are complete; and the signals that end the program meanwhile.
+//! Staging folders: where files are until all are complete, how they are renamed into their places, and the signals that end the
+//! program meanwhile.
 
 use super::place::Place;
-use crate::cli::message;
+use crate::cli::message::{self, Failure};
 use std::fs::{self, File, Metadata};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+use tempfile::TempPath;
 
 /// A staging folder. Its files lie in `new`, in the folders in which they will be; what they replace lies in `old`.
 pub(super) struct Stage {
     /// The folder in which it is.
     pub base: PathBuf,
-    pub folder: PathBuf,
-    pub units: Vec<Unit>,
+    folder: PathBuf,
+    units: Vec<Unit>,
 }
 
 /// A file, or a new folder with all its files, that is renamed into its place.
-pub(super) struct Unit {
+struct Unit {
     /// Its path in messages.
-    pub named: PathBuf,
-    pub from: PathBuf,
-    pub to: PathBuf,
+    named: PathBuf,
+    from: PathBuf,
+    to: PathBuf,
     /// Whether it must not replace another file.
-    pub is_first: bool,
-    pub state: State,
+    is_first: bool,
+    state: State,
 }
 
 /// Where a unit is.
-pub(super) enum State {
+enum State {
     Staged,
     /// In its place, where nothing was.
     Added,
@@ -88,9 +90,13 @@ impl Stage {
     }
 }
 
+/// Removes the folder, if it is not to be kept.
 impl Drop for Stage {
     fn drop(&mut self) {
-        known().remove(&self.folder);
+        let mut known = known();
+        if let Some(at) = known.folders.iter().position(|folder| *folder == self.folder) {
+            let _ = fs::remove_dir_all(known.folders.swap_remove(at));
+        }
     }
 }
 
@@ -107,28 +113,122 @@ fn keep_owner(file: &File, replaced: &Metadata) {
 #[cfg(not(unix))]
 fn keep_owner(_: &File, _: &Metadata) {}
 
+/// Puts the files of all stages into their places, and on the disk. If one cannot be put there, what was there before is
+/// put back.
+pub(super) fn commit(mut stages: Vec<Stage>) -> Result<(), Failure> {
+    // No signal comes between.
+    let mut known = known();
+    let Err((path, error)) = put_all(&mut stages) else {
+        known.is_complete = true;
+        // The guard is needed to remove the staging folders.
+        drop(known);
+        return Ok(());
+    };
+    let mut lost = String::new();
+    for stage in stages.iter().rev() {
+        for unit in stage.units.iter().rev() {
+            let undone = match &unit.state {
+                State::Staged => Ok(()),
+                State::Added => fs::rename(&unit.to, &unit.from),
+                State::Replaces(old) => fs::rename(old, &unit.to),
+            };
+            if undone.is_err() {
+                known.folders.retain(|folder| *folder != stage.folder);
+                let (named, kept) = (unit.named.display(), stage.folder.display());
+                lost += &format!("; {named} could not be put back (see {kept})");
+            }
+        }
+    }
+    drop(known);
+    let has_first = stages.iter().flat_map(|stage| &stage.units).any(|unit| unit.is_first);
+    if has_first && error.kind() == ErrorKind::AlreadyExists {
+        return Err(is_there_already(&path));
+    }
+    Err(Failure::outside(format!("{} cannot be written: {error}{lost}", path.display())))
+}
+
+/// Renames all units, until one fails: its path in messages, and why.
+fn put_all(stages: &mut [Stage]) -> Result<(), (PathBuf, io::Error)> {
+    let last = stages.last().and_then(|stage| stage.units.last()).map(|unit| unit.named.clone()).unwrap_or_default();
+    let unsynced = |error| (last.clone(), error);
+    stages.iter().try_for_each(|stage| sync_folders(&stage.folder.join("new"))).map_err(unsynced)?;
+    for stage in &mut *stages {
+        for (number, unit) in stage.units.iter_mut().enumerate() {
+            let old = stage.folder.join("old").join(number.to_string());
+            put(unit, old).map_err(|error| (unit.named.clone(), error))?;
+        }
+    }
+    stages.iter().try_for_each(|stage| sync(&stage.base)).map_err(unsynced)
+}
+
+/// Renames one unit into its place; what is there is kept as `old`.
+fn put(unit: &mut Unit, old: PathBuf) -> io::Result<()> {
+    if unit.is_first || !unit.to.is_file() {
+        if unit.is_first {
+            TempPath::try_from_path(&unit.from)?.persist_noclobber(&unit.to).map_err(|error| error.error)?;
+        } else {
+            fs::rename(&unit.from, &unit.to)?;
+        }
+        unit.state = State::Added;
+        return Ok(());
+    }
+    // A second name for the old file, so that there is never none; not every file system can do that.
+    if fs::hard_link(&unit.to, &old).is_err() {
+        fs::rename(&unit.to, &old)?;
+    }
+    unit.state = State::Replaces(old);
+    fs::rename(&unit.from, &unit.to)
+}
+
+/// Hands the names in a folder, and in the folders in it, over to the disk.
+fn sync_folders(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            sync_folders(&path)?;
+            sync(&path)?;
+        }
+    }
+    Ok(())
+}
+
+/// Hands the names in a folder over to the disk, where a system can do that.
+fn sync(folder: &Path) -> io::Result<()> {
+    if cfg!(not(unix)) {
+        return Ok(());
+    }
+    match fs::File::open(folder).and_then(|folder| folder.sync_all()) {
+        // A folder that may be written but not read, and file systems without it.
+        Err(error)
+            if [ErrorKind::PermissionDenied, ErrorKind::InvalidInput, ErrorKind::Unsupported]
+                .contains(&error.kind()) =>
+        {
+            Ok(())
+        }
+        done => done,
+    }
+}
+
+pub(super) fn is_there_already(path: &Path) -> Failure {
+    Failure::misuse(
+        format!("{} is there already and is not overwritten", path.display()),
+        "choose another name, or remove the file",
+    )
+}
+
 /// What a signal must know and remove.
 #[derive(Default)]
-pub(super) struct Known {
-    pub folders: Vec<PathBuf>,
+struct Known {
+    folders: Vec<PathBuf>,
     /// Whether a set of files has been put into its places.
-    pub is_complete: bool,
+    is_complete: bool,
 }
 
 static KNOWN: Mutex<Known> = Mutex::new(Known { folders: Vec::new(), is_complete: false });
 
 /// The staging folders that are there. As long as the guard lives no signal removes them.
-pub(super) fn known() -> MutexGuard<'static, Known> {
+fn known() -> MutexGuard<'static, Known> {
     KNOWN.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-impl Known {
-    /// Removes a staging folder, if it is not to be kept.
-    pub(super) fn remove(&mut self, folder: &Path) {
-        if let Some(at) = self.folders.iter().position(|known| known == folder) {
-            let _ = fs::remove_dir_all(self.folders.swap_remove(at));
-        }
-    }
 }
 
 /// Does not return while a signal ends the program: a file that is missing for that reason is no error.
@@ -137,7 +237,7 @@ pub(in crate::cli) fn wait_if_stopped() {
 }
 
 /// Lets signals remove the staging folders before they end the program.
-pub(super) fn watch() {
+fn watch() {
     static ONCE: Once = Once::new();
     ONCE.call_once(listen);
 }
