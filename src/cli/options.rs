@@ -61,7 +61,7 @@ pub(super) fn one_of<T: Copy + Send + Sync>(
 #[derive(Debug, Default, Args)]
 pub(super) struct Paper {
     /// The sheet: 16x9 (320 mm × 180 mm) for the projector; `-portrait` or `-landscape` says which way it lies.
-    #[arg(long, value_name = "NAME", value_parser = one_of(&Page::NAMES, |name| name))]
+    #[arg(long, value_name = "NAME", value_parser = one_of(Page::NAMES.as_flattened(), |name| name))]
     page: Option<&'static str>,
     /// Which way the sheet lies.
     #[arg(long, value_enum)]

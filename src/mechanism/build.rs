@@ -1,6 +1,6 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::error::radians_warnings;
-use super::grouping::group;
+use super::group::group;
 use super::joint::{add_given, add_pins};
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
@@ -34,10 +34,22 @@ pub fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result
 }
 
 fn built(scene: &Scene, mirrored: &[&str], add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
-    let mut builder = Builder::new(scene);
+    let mechanism = Mechanism {
+        given_by: scene.given_by,
+        points: Vec::new(),
+        given: Vec::new(),
+        bodies: Vec::new(),
+        sliders: Vec::new(),
+        joints: Vec::new(),
+        groups: Vec::new(),
+        placing: None,
+        doubtful_sides: Vec::new(),
+        warnings: Vec::new(),
+    };
+    let mut builder = Builder { scene, mechanism, points: IndexMap::new() };
     builder.add_bodies(mirrored)?;
-    builder.mechanism.warnings.extend(radians_warnings(scene));
     let mut mechanism = builder.mechanism;
+    mechanism.warnings.extend(radians_warnings(scene));
     add(&mut mechanism);
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
@@ -82,7 +94,9 @@ fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureE
         return Err(StructureError::misfit(scene, mechanism, &under, missing, &over, surplus));
     }
     if members.is_empty() {
-        return Err(StructureError::nothing_to_solve(scene));
+        let message = "nothing to solve: every link's motion is given";
+        let hint = "add links between the driven links, the known points and the ground";
+        return Err(scene.error_at(&["links"], message, Some(hint.into())).into());
     }
     let mut found = Vec::new();
     for component in components {
@@ -165,23 +179,7 @@ struct Builder<'a> {
     points: IndexMap<String, PointId>,
 }
 
-impl<'a> Builder<'a> {
-    fn new(scene: &'a Scene) -> Self {
-        let mechanism = Mechanism {
-            given_by: scene.given_by,
-            points: Vec::new(),
-            given: Vec::new(),
-            bodies: Vec::new(),
-            sliders: Vec::new(),
-            joints: Vec::new(),
-            groups: Vec::new(),
-            placing: None,
-            doubtful_sides: Vec::new(),
-            warnings: Vec::new(),
-        };
-        Self { scene, mechanism, points: IndexMap::new() }
-    }
-
+impl Builder<'_> {
     fn point(&mut self, name: &str) -> PointId {
         if let Some(id) = self.points.get(name) {
             return *id;

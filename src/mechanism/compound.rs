@@ -35,13 +35,6 @@ impl Mechanism {
         found
     }
 
-    /// The names of a compound link's links, as in `2+3`; the name of any other link.
-    #[must_use]
-    pub(super) fn compound_name(&self, lead: BodyId) -> String {
-        let names: Vec<&str> = self.compound(lead).into_iter().map(|b| self.body(b).name.as_str()).collect();
-        names.join("+")
-    }
-
     /// The body of `link`'s compound link that a joint touches; `link` itself if the joint touches none of them.
     #[must_use]
     pub fn side(&self, joint: JointId, link: BodyId) -> BodyId {
@@ -132,12 +125,18 @@ impl Mechanism {
     /// consistent.
     pub(super) fn surplus(&self) -> (usize, Vec<BodyId>) {
         let (mut surplus, mut bodies) = (0, Vec::new());
+        let is_driven = |body| matches!(self.body(self.root(body)).role, Role::Ground | Role::Driver { .. });
         for joint in &self.joints {
             let [a, b] = joint.bodies;
             let driven = joint.slider.filter(|&id| self.slider(id).drive.is_some());
+            let is_pushed_by = |body, id| matches!(self.body(body).role, Role::Pushed { slider, .. } if slider == id);
             let is_redundant = match driven {
-                Some(id) => ![a, b].into_iter().any(|b| self.is_pushed_by(b, id)),
-                None => self.is_rigid_between(a, b) && !self.is_pivot_of_driver(joint),
+                Some(id) => !is_pushed_by(a, id) && !is_pushed_by(b, id),
+                // Drives alone determine the relative motion of the two.
+                None => {
+                    (self.root(a) == self.root(b) || [a, b].into_iter().all(is_driven))
+                        && !self.is_pivot_of_driver(joint)
+                }
             };
             if !is_redundant {
                 continue;
@@ -150,17 +149,6 @@ impl Mechanism {
         bodies.sort_unstable();
         bodies.dedup();
         (surplus, bodies)
-    }
-
-    fn is_pushed_by(&self, body: BodyId, id: SliderId) -> bool {
-        matches!(self.body(body).role, Role::Pushed { slider, .. } if slider == id)
-    }
-
-    /// Whether drives alone determine the relative motion of two bodies.
-    fn is_rigid_between(&self, a: BodyId, b: BodyId) -> bool {
-        let roots = [a, b].map(|body| self.root(body));
-        let driven = |b: BodyId| matches!(self.body(b).role, Role::Ground | Role::Driver { .. });
-        roots[0] == roots[1] || roots.into_iter().all(driven)
     }
 
     fn is_pivot_of_driver(&self, joint: &Joint) -> bool {

@@ -38,12 +38,6 @@ impl StructureError {
         }
     }
 
-    pub(super) fn nothing_to_solve(scene: &Scene) -> Self {
-        let message = "nothing to solve: every link's motion is given";
-        let hint = "add links between the driven links, the known points and the ground";
-        scene.error_at(&["links"], message, Some(hint.into())).into()
-    }
-
     /// Links with `missing` free motions too many (`under`) and links with `surplus` constraints too many (`over`).
     pub(super) fn misfit(
         scene: &Scene,

@@ -124,9 +124,8 @@ impl LoopTerms {
     }
 
     fn has_unknown(&self, unknown: usize) -> bool {
-        let arms = self.arms.iter().any(|a| a.angular == AngularRate::Unknown(unknown));
-        let rate = SlideRate::Unknown(unknown);
-        arms || self.slides.iter().any(|s| s.rate == rate)
+        self.arms.iter().any(|arm| arm.angular == AngularRate::Unknown(unknown))
+            || self.slides.iter().any(|slide| slide.rate == SlideRate::Unknown(unknown))
     }
 }
 
@@ -134,18 +133,11 @@ impl LoopEquations {
     /// The equations of `group`.
     #[must_use]
     pub fn new(mechanism: &Mechanism, group: &Group) -> Self {
-        let angular_rates = angular_rates(mechanism, group);
-        let mut unknowns = 0;
-        for (_, rate) in &angular_rates {
-            if let AngularRate::Unknown(unknown) = rate {
-                unknowns = unknowns.max(unknown + 1);
-            }
-        }
+        let (angular_rates, mut unknowns) = angular_rates(mechanism, group);
         let mut slides: Vec<(SliderId, usize)> = Vec::new();
-        let mut loops = Vec::new();
-        for chain in &group.loops {
-            loops.push(terms(mechanism, chain, &angular_rates, &mut slides, &mut unknowns));
-        }
+        let chains = group.loops.iter();
+        let loops: Vec<LoopTerms> =
+            chains.map(|chain| terms(mechanism, chain, &angular_rates, &mut slides, &mut unknowns)).collect();
         let angular = group.gears(mechanism).map(|angular| {
             let terms = angular.terms.iter();
             terms.map(|&(body, weight)| (rate_of(&angular_rates, body), f64::from(weight))).collect()
@@ -245,11 +237,9 @@ fn terms(
     let mut arms: Vec<Arm> = Vec::new();
     let mut sliding = Vec::new();
     let driven = |slides: Vec<DrivenSlide>, angular| {
-        slides.into_iter().map(move |slide| Slide {
-            slider: slide.slider,
-            rate: driven_rate(mechanism, slide.slider),
-            sign: slide.sign,
-            angular,
+        slides.into_iter().map(move |DrivenSlide { slider, sign, .. }| {
+            let rates = mechanism.slider(slider).drive.map_or([0.0; 2], |drive| [drive.speed, drive.acceleration]);
+            Slide { slider, rate: SlideRate::Driven(rates), sign, angular }
         })
     };
     // The link of a compound link on which the loop enters it; it may leave by another one.
@@ -288,20 +278,13 @@ fn terms(
     let last = pins.last().copied().unwrap_or(first);
     let ends = [chain.bodies[0], chain.bodies[chain.bodies.len() - 1]];
     if chain.closed {
-        let (from, to) = (last, first);
         let angular = rate_of(rates, ends[0]);
-        arms.push(Arm { from, to, angular });
+        arms.push(Arm { from: last, to: first, angular });
         let left = mechanism.side(chain.joints[0], ends[0]);
         let slides = mechanism.slides_between(entered.unwrap_or(left), left);
         sliding.extend(driven(slides, angular));
     }
     LoopTerms { ends: (!chain.closed).then_some(ends), first, last, arms, slides: sliding }
-}
-
-/// The given rate of a driven slider; zero without a drive.
-fn driven_rate(mechanism: &Mechanism, slider: SliderId) -> SlideRate {
-    let drive = mechanism.slider(slider).drive;
-    SlideRate::Driven(drive.map_or([0.0; 2], |drive| [drive.speed, drive.acceleration]))
 }
 
 /// How the unknowns split; `None` for a closure link with two sliders, and for higher classes.
@@ -315,17 +298,16 @@ fn reduction(loops: &[LoopTerms], unknowns: usize) -> Option<Reduction> {
             };
             let (shared, of_first, of_second) =
                 (unknowns_in(true, true), unknowns_in(true, false), unknowns_in(false, true));
-            match (shared.as_slice(), of_first.as_slice(), of_second.as_slice()) {
-                (&[a, b], &[c], &[d]) => Some(Reduction::TwoLoops { shared: [a, b], own: [c, d] }),
-                _ => None,
-            }
+            let ([first], [second]): ([usize; 1], [usize; 1]) = (of_first.try_into().ok()?, of_second.try_into().ok()?);
+            Some(Reduction::TwoLoops { shared: shared.try_into().ok()?, own: [first, second] })
         }
         _ => None,
     }
 }
 
-/// The angular rate of every link of the group; links with a constant angle between them share one.
-fn angular_rates(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, AngularRate)> {
+/// The angular rate of every link of the group, and the number of unknowns among them; links with a constant angle between them
+/// share one.
+fn angular_rates(mechanism: &Mechanism, group: &Group) -> (Vec<(BodyId, AngularRate)>, usize) {
     let mut classes: Vec<Vec<BodyId>> = group.links.iter().map(|&lead| mechanism.compound(lead)).collect();
     for &joint in &group.joints {
         let Some((sides, _)) = mechanism.joint(joint).angular.as_ref().and_then(AngularConstraint::as_fixed_angle)
@@ -353,5 +335,5 @@ fn angular_rates(mechanism: &Mechanism, group: &Group) -> Vec<(BodyId, AngularRa
         let links = class.into_iter().filter(is_unknown);
         rates.extend(links.map(|link| (link, rate)));
     }
-    rates
+    (rates, unknowns)
 }

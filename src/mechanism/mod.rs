@@ -15,7 +15,6 @@ mod compound;
 mod drives;
 mod error;
 mod group;
-mod grouping;
 mod joint;
 mod loops;
 mod shape;

@@ -1,5 +1,5 @@
 use crate::geometry::{Point, Vector, cross, unit};
-use crate::scene::{Length, Link, Shape};
+use crate::scene::{Length, Link, STRAIGHT, Shape};
 
 /// How certain it is on which side of a link's axis its third point lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ const FLAT: f64 = 0.1;
 const CLEAR: f64 = 3.0;
 
 /// Whether a triangle is nearly flat and its mirror image fits the rough places almost as well.
-fn is_doubtful(local: &[Point], rough: &[Point; 3]) -> bool {
+fn is_doubtful(local: &[Point], rough: &[Point]) -> bool {
     let [a, b, c] = [local[0], local[1], local[2]];
     let longest = [b - a, c - a, c - b].map(|side| side.norm()).into_iter().fold(0.0, f64::max);
     let height = cross(b - a, c - a).abs() / longest;
@@ -28,7 +28,7 @@ fn is_doubtful(local: &[Point], rough: &[Point; 3]) -> bool {
 }
 
 /// The least sum of squared distances between points and places, over all placements of the points.
-fn misfit(points: &[Point], places: &[Point; 3]) -> f64 {
+fn misfit(points: &[Point], places: &[Point]) -> f64 {
     let mean = |all: &[Point]| all.iter().fold(Vector::zeros(), |sum, p| sum + p.coords) / all.len() as f64;
     let (middle, centre) = (mean(points), mean(places));
     let pairs = points.iter().zip(places).map(|(p, q)| (p.coords - middle, q.coords - centre));
@@ -56,12 +56,8 @@ pub(super) fn local_points(link: &Link, approximate: impl Fn(&str) -> Option<Poi
         Shape::Lengths(lengths) => match link.points.as_slice() {
             [a, b] => (vec![Point::origin(), Point::new(length_between(lengths, a, b), 0.0)], Side::Certain),
             [a, b, c] => {
-                let rough = [a, b, c].map(|name| approximate(name));
-                let rough = match rough {
-                    [Some(a), Some(b), Some(c)] => Some([a, b, c]),
-                    _ => None,
-                };
-                let area = rough.map(|[a, b, c]| cross(b - a, c - a));
+                let rough: Option<Vec<Point>> = link.points.iter().map(|name| approximate(name)).collect();
+                let area = rough.as_deref().map(|rough| cross(rough[1] - rough[0], rough[2] - rough[0]));
                 let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(p, q)| length_between(lengths, p, q));
                 let third = triangle(ab, ac, bc);
                 let side = if area.is_some_and(|area| area < 0.0) { -1.0 } else { 1.0 };
@@ -81,11 +77,8 @@ pub(super) fn local_points(link: &Link, approximate: impl Fn(&str) -> Option<Poi
 
 /// The given length between two points, which a checked scene has.
 fn length_between(lengths: &[Length], a: &str, b: &str) -> f64 {
-    lengths.iter().find(|l| (l.from == a && l.to == b) || (l.from == b && l.to == a)).map_or(0.0, |l| l.value)
+    lengths.iter().find(|length| length.joins(a, b)).map_or(0.0, |length| length.value)
 }
-
-/// Relative tolerance of three lengths that add up, in parts of the longest: within it the link is straight.
-const STRAIGHT: f64 = 1e-12;
 
 /// The third corner, at y ≥ 0, of a triangle with base `ab` on the x axis and sides `ac`, `bc`.
 ///

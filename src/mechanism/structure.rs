@@ -57,7 +57,7 @@ pub enum Structure {
 
 /// An Assur group: links that can be solved only together, given the groups before it. It has three constraints for
 /// each link.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Component {
     /// Indices of links, ascending.
     pub links: Vec<usize>,
@@ -230,12 +230,10 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
     let known = links;
     let between_links = || taken.iter().filter(|constraint| constraint.from != known);
 
-    let mut dependence = DiGraph::<(), ()>::with_capacity(links, taken.len());
-    for _ in 0..links {
+    let mut dependence =
+        DiGraph::<(), ()>::from_edges(between_links().map(|constraint| (constraint.to as u32, constraint.from as u32)));
+    while dependence.node_count() < links {
         dependence.add_node(());
-    }
-    for constraint in between_links() {
-        dependence.add_edge(NodeIndex::new(constraint.to), NodeIndex::new(constraint.from), ());
     }
 
     // Kosaraju, not Tarjan: petgraph's Tarjan is recursive, and a long chain of groups could exhaust the stack.
@@ -283,7 +281,7 @@ fn groups(links: usize, taken: &[Constraint], edges: &[Edge]) -> Vec<Component> 
         (0..components.len()).filter(|&group| waits_for[group] == 0).map(Reverse).collect();
     let mut order = Vec::with_capacity(components.len());
     while let Some(Reverse(group)) = ready.pop() {
-        order.push(std::mem::replace(&mut components[group], Component { links: Vec::new(), joints: Vec::new() }));
+        order.push(std::mem::take(&mut components[group]));
         for &next in &dependents[group] {
             waits_for[next] -= 1;
             if waits_for[next] == 0 {

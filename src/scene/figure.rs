@@ -1,7 +1,7 @@
 //! The figure that a scene asks for.
 
 use crate::sheet::{Scales, Sheet};
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value as Json, json};
@@ -39,7 +39,7 @@ pub struct Figure {
     /// The panel that takes most of the sheet; a plan has the scheme as a small companion. Left out: the panels share the sheet.
     pub focus: Option<Sheet>,
     /// The sheet: "a4", "a3", "letter" or, for the projector, "16x9", with "-portrait" where it does not lie; left out: "a4".
-    #[schemars(with = "Option<String>", extend("enum" = Page::NAMES))]
+    #[schemars(with = "Option<String>", extend("enum" = Page::NAMES.as_flattened()))]
     pub page: Page,
     /// Whether it is a work sheet: with a table of all measured lengths and a ruler to test the printer; left out: false.
     pub worksheet: bool,
@@ -193,13 +193,11 @@ impl Figure {
         if let Some(index) = (1..self.panels.len()).find(is_doubled) {
             return Err(Wrong::value(&["panels", &index.to_string()], "this panel stands twice"));
         }
-        match self.step {
-            Some(0) => {
-                let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
-                Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint))
-            }
-            _ => Ok(()),
+        if self.step == Some(0) {
+            let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
+            return Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint));
         }
+        Ok(())
     }
 }
 
@@ -254,13 +252,9 @@ pub(super) fn check_traced(
 /// Refuses what is no point of a moving link: other names, points of the ground, special points, points under others.
 fn check_point(path: &[&str], names: &Names<'_>, point: &str) -> Result<(), Wrong> {
     let moving = || {
-        let mut moving: Vec<&str> = Vec::new();
-        for name in names.links.values().flat_map(|link| &link.points) {
-            if !names.on_ground(name) && !moving.contains(&name.as_str()) {
-                moving.push(name);
-            }
-        }
-        format!("points that move are {}", list(moving.into_iter()))
+        let of_links = names.links.values().flat_map(|link| &link.points).map(String::as_str);
+        let moving: IndexSet<&str> = of_links.filter(|name| !names.on_ground(name)).collect();
+        format!("points that move are {}", list(moving))
     };
     if names.on_ground(point) {
         return Err(Wrong::value(path, format!("point {point} is on the ground and has no path")).hint(moving()));

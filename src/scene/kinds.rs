@@ -12,15 +12,19 @@ pub struct Kind {
     pub text: String,
 }
 
-/// Kinds of mechanisms with the texts of their starting scenes.
+/// The names of all kinds, and the texts of their starting scenes, in the order in which they are listed.
 macro_rules! templates {
     ($($name:literal in $folder:literal as $file:literal,)*) => {
-        [$(($name, include_str!(concat!("../../", $folder, "/", $file, ".json")))),*]
+        impl Kind {
+            /// The names of all kinds, in the order in which they are listed.
+            pub const NAMES: [&str; [$($name),*].len()] = [$($name),*];
+        }
+
+        const TEXTS: [&str; Kind::NAMES.len()] = [$(include_str!(concat!("../../", $folder, "/", $file, ".json"))),*];
     };
 }
 
-/// The starting scenes by kind, in the order in which they are listed.
-const TEMPLATES: [(&str, &str); 19] = templates! {
+templates! {
     "four-bar" in "templates" as "four-bar",
     "slider-crank" in "templates" as "slider-crank",
     "slotted-lever" in "templates" as "slotted-lever",
@@ -40,29 +44,20 @@ const TEMPLATES: [(&str, &str); 19] = templates! {
     "dyad-rpp" in "templates" as "dyad-rpp",
     "paper-figure-1" in "examples" as "figure-1",
     "paper-figure-2" in "examples" as "figure-2",
-};
+}
 
 impl Kind {
-    /// The names of all kinds, in the order in which they are listed.
-    pub const NAMES: [&str; TEMPLATES.len()] = {
-        let mut names = [""; TEMPLATES.len()];
-        let mut index = 0;
-        while index < names.len() {
-            names[index] = TEMPLATES[index].0;
-            index += 1;
-        }
-        names
-    };
-
     /// All kinds, in the order in which they are listed.
     pub fn all() -> impl Iterator<Item = Kind> {
-        TEMPLATES.into_iter().map(Kind::of)
+        let is_schema = |line: &&str| line.trim_start().starts_with("\"$schema\"");
+        let without_schema = move |text: &str| text.split_inclusive('\n').filter(|line| !is_schema(line)).collect();
+        Kind::NAMES.into_iter().zip(TEXTS).map(move |(name, text)| Kind { name, text: without_schema(text) })
     }
 
     /// The kind of that name; `None` if there is no such kind.
     #[must_use]
     pub fn named(name: &str) -> Option<Kind> {
-        TEMPLATES.into_iter().find(|(known, _)| *known == name).map(Kind::of)
+        Kind::all().find(|kind| kind.name == name)
     }
 
     /// The kind whose name is most similar.
@@ -76,10 +71,5 @@ impl Kind {
     #[must_use]
     pub fn title(&self) -> Untrusted {
         Scene::read(&self.text).ok().and_then(|scene| scene.title).unwrap_or_default()
-    }
-
-    fn of((name, text): (&'static str, &str)) -> Kind {
-        let is_schema = |line: &&str| line.trim_start().starts_with("\"$schema\"");
-        Kind { name, text: text.split_inclusive('\n').filter(|line| !is_schema(line)).collect() }
     }
 }

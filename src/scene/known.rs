@@ -116,13 +116,12 @@ pub(super) fn near(
             (Some(_), NearValue::Vector(_)) => {
                 return Err(Wrong::value(&path, format!("{key} is one number, in degrees, not two")));
             }
-            (None, NearValue::Vector(place)) => {
+            (None, value) => {
                 names.point(&path, &key)?;
+                let NearValue::Vector(place) = value else {
+                    return Err(Wrong::value(&path, format!("point {key} needs two numbers [x, y], found one")));
+                };
                 near.points.insert(key, place);
-            }
-            (None, NearValue::Degrees(_)) => {
-                names.point(&path, &key)?;
-                return Err(Wrong::value(&path, format!("point {key} needs two numbers [x, y], found one")));
             }
         }
     }

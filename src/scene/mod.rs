@@ -5,8 +5,7 @@
 //! In reading order: `text` makes JSON of the text, `reader` typed values of the JSON, and `typed` says in plain words what is
 //! wrong, for any file that is read strictly; `error` finds its place. Then come the parts of a scene, a file each, with the
 //! types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by key, and joins all stages.
-//! `build` fills the same types in Rust, and `write` makes their text. `fingerprint` is the short sign by which a sheet of paper
-//! knows its scene.
+//! `build` fills the same types in Rust, and `write` makes their text.
 //!
 //! To add a kind of joint: a file like `joint/slider` and its line in `joint/mod`; its key, its field and its line in `read`.
 //! CONTRIBUTING.md has the whole list.
@@ -15,8 +14,6 @@ mod build;
 mod choices;
 mod error;
 mod figure;
-#[doc(hidden)] // for tests
-pub mod fingerprint;
 mod given;
 mod joint;
 mod kinds;
@@ -50,14 +47,17 @@ pub use link::Link;
 pub use page::{Measure, Page, PageSize, Sizes};
 pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub use read::{Scene, SizeLimit};
+#[doc(hidden)] // for tests
+pub use read::{folded, signs};
 pub use shape::{Length, Shape};
 pub use text::MAX_BYTES;
-pub use units::{Dimension, LengthUnit, TimeUnit, Units};
+pub use units::{LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
 pub(crate) use figure::figure_keys;
 pub(crate) use name::{pair, why_not};
 pub(crate) use schema::schema_of;
+pub(crate) use shape::STRAIGHT;
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;
 pub(crate) use value::several_forms;

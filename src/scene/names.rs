@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 
 use super::error::Wrong;
 use super::link::Link;
@@ -18,7 +18,7 @@ pub(super) struct Names<'a> {
     pub links: &'a IndexMap<String, Link>,
     on_ground: HashSet<&'a str>,
     on_link: HashSet<(&'a str, &'a str)>,
-    on_any_link: HashSet<&'a str>,
+    points: HashSet<&'a str>,
     /// The first point of each name in lower case, which is the name of its image in the plans.
     images: HashMap<String, &'a str>,
 }
@@ -28,8 +28,9 @@ impl<'a> Names<'a> {
     pub fn new(ground: &'a [String], links: &'a IndexMap<String, Link>) -> Names<'a> {
         let pairs = links.iter().flat_map(|(name, link)| link.points.iter().map(move |p| (name.as_str(), p.as_str())));
         let on_ground = ground.iter().map(String::as_str);
+        let points = on_ground.clone().chain(pairs.clone().map(|(_, point)| point));
         let mut images = HashMap::new();
-        for point in on_ground.clone().chain(pairs.clone().map(|(_, point)| point)) {
+        for point in points.clone() {
             images.entry(point.to_lowercase()).or_insert(point);
         }
         Names {
@@ -37,8 +38,8 @@ impl<'a> Names<'a> {
             links,
             images,
             on_ground: on_ground.collect(),
-            on_any_link: pairs.clone().map(|(_, point)| point).collect(),
             on_link: pairs.collect(),
+            points: points.collect(),
         }
     }
 
@@ -54,7 +55,7 @@ impl<'a> Names<'a> {
 
     /// Whether the point is on the frame or on any link.
     pub fn is_point(&self, point: &str) -> bool {
-        self.on_ground(point) || self.on_any_link.contains(point)
+        self.points.contains(point)
     }
 
     /// The link of this name, or an error at `path` that suggests the nearest name.
@@ -70,10 +71,8 @@ impl<'a> Names<'a> {
         if self.is_point(name) {
             return Ok(());
         }
-        let mut seen = HashSet::new();
         let all = self.ground.iter().chain(self.links.values().flat_map(|link| &link.points)).map(String::as_str);
-        let all: Vec<&str> = all.filter(|name| seen.insert(*name)).collect();
-        let hint = suggestion(name, all.iter().copied(), "the points are");
+        let hint = suggestion(name, all.collect::<IndexSet<_>>(), "the points are");
         Err(Wrong::value(path, format!("there is no point {}", shortened(name))).maybe_hint(hint))
     }
 

@@ -37,40 +37,27 @@ impl Default for Page {
 }
 
 impl Page {
-    /// All names of pages in a scene file.
-    pub const NAMES: [&str; 12] = [
-        "a4",
-        "a4-landscape",
-        "a4-portrait",
-        "a3",
-        "a3-landscape",
-        "a3-portrait",
-        "letter",
-        "letter-landscape",
-        "letter-portrait",
-        "16x9",
-        "16x9-landscape",
-        "16x9-portrait",
+    /// All names of pages in a scene file: of each size the one without a suffix, which is landscape, and those with one.
+    pub const NAMES: [[&str; 3]; PageSize::ALL.len()] = [
+        ["a4", "a4-landscape", "a4-portrait"],
+        ["a3", "a3-landscape", "a3-portrait"],
+        ["letter", "letter-landscape", "letter-portrait"],
+        ["16x9", "16x9-landscape", "16x9-portrait"],
     ];
 
     /// The page of this name; `None` if there is none. Without a suffix it is landscape.
     #[must_use]
     pub fn from_name(name: &str) -> Option<Page> {
-        let (size, landscape) = match name.split_once('-') {
-            None => (name, true),
-            Some((size, "landscape")) => (size, true),
-            Some((size, "portrait")) => (size, false),
-            Some(_) => return None,
-        };
-        let size = PageSize::ALL.into_iter().find(|known| known.as_str() == size)?;
-        Some(Page { size, landscape })
+        let mut all = PageSize::ALL.into_iter().zip(Page::NAMES);
+        let (size, [.., portrait]) = all.find(|(_, names)| names.contains(&name))?;
+        Some(Page { size, landscape: name != portrait })
     }
 
     /// Its name in a scene file: `"a4"`, `"a4-portrait"`.
     #[must_use]
     pub fn name(self) -> &'static str {
-        let names = |name: &&str| Page::from_name(name) == Some(self);
-        Page::NAMES.into_iter().find(names).expect("every page has a name")
+        let [landscape, _, portrait] = Page::NAMES[self.size as usize];
+        if self.landscape { landscape } else { portrait }
     }
 
     /// Width and height, in millimetres.

@@ -1,7 +1,7 @@
-//! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and in
-//! which dimension. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
+//! The name of a quantity taken apart, as `vplan(b,s3)/mu`: what it asks for, of which links, sliders and points, and of
+//! what kind its value is. It is read here and nowhere else; whether the scene has these links and points, `quantity` knows.
 
-use super::units::{Dimension, Units};
+use super::units::Units;
 use crate::sheet::{QuantityKind, Sheet};
 use std::fmt;
 
@@ -60,14 +60,6 @@ pub enum Argument {
     Slider,
     /// A point, of the scheme or of a plan.
     Point,
-}
-
-/// How many points a name has, and what separates them.
-#[derive(Clone, Copy)]
-enum Points {
-    One,
-    OneOrTwo(char),
-    Two(char),
 }
 
 /// A number of a vector.
@@ -131,12 +123,21 @@ impl Head {
         }
     }
 
-    fn points(self) -> Points {
+    /// What separates its two points; `None` where it has one argument.
+    fn separator(self) -> Option<&'static str> {
         match self {
-            Head::Velocity | Head::Acceleration => Points::OneOrTwo('/'),
-            Head::Normal | Head::Tangential => Points::Two('/'),
-            Head::Between(_) => Points::Two(','),
-            _ => Points::One,
+            Head::Velocity | Head::Acceleration | Head::Normal | Head::Tangential => Some("/"),
+            Head::Between(_) => Some(","),
+            _ => None,
+        }
+    }
+
+    /// Its arguments, from what stands between a name's parentheses; `None` where a second point is missing.
+    fn split(self, inner: &str) -> Option<Vec<&str>> {
+        let needs_two = matches!(self, Head::Normal | Head::Tangential | Head::Between(_));
+        match self.separator().and_then(|by| inner.split_once(by)) {
+            Some((first, second)) => Some(vec![first, second]),
+            None => (!needs_two).then(|| vec![inner]),
         }
     }
 
@@ -170,12 +171,7 @@ impl QuantityName {
             "/mu" if matches!(head, Head::Between(_)) => (None, true),
             _ => (Some(Component::TAILS.into_iter().find(|(_, own)| *own == tail)?.0), false),
         };
-        let both = |by| inner.split_once(by).map(|(a, b)| vec![a.to_owned(), b.to_owned()]);
-        let arguments = match head.points() {
-            Points::One => vec![inner.to_owned()],
-            Points::OneOrTwo(by) => both(by).unwrap_or_else(|| vec![inner.to_owned()]),
-            Points::Two(by) => both(by)?,
-        };
+        let arguments = head.split(inner)?.into_iter().map(str::to_owned).collect();
         Some(QuantityName { head, arguments, component, on_paper })
     }
 
@@ -206,11 +202,7 @@ impl QuantityName {
     /// What stands between its parentheses, as `4` of `omega(4)` and `alpha(4)`.
     #[must_use]
     pub fn subject(&self) -> String {
-        let by = match self.head.points() {
-            Points::OneOrTwo(by) | Points::Two(by) => by,
-            Points::One => '/',
-        };
-        self.arguments.join(&by.to_string())
+        self.arguments.join(self.head.separator().unwrap_or_default())
     }
 
     /// What stands behind its parentheses, as `.size` or `/mu`.
@@ -244,24 +236,15 @@ impl QuantityName {
         let head = QuantityName::parse(written)?.head;
         let (before, rest) = written.split_once('(')?;
         let (inner, tail) = rest.rsplit_once(')')?;
-        let by = match head.points() {
-            Points::OneOrTwo(by) | Points::Two(by) => Some(by),
-            Points::One => None,
-        };
-        let parts = match by.and_then(|by| inner.split_once(by)) {
-            Some((a, b)) => vec![a, b],
-            None => vec![inner],
-        };
-        let new = parts.iter().map(|part| {
+        let mut is_other = false;
+        let reworded = head.split(inner)?.into_iter().map(|part| {
             let name = part.trim();
-            other(head.argument(), name).map(|new| part.replacen(name, &new, 1))
+            let new = other(head.argument(), name);
+            is_other |= new.is_some();
+            new.map_or_else(|| part.to_owned(), |new| part.replacen(name, &new, 1))
         });
-        let new: Vec<Option<String>> = new.collect();
-        let is_other = new.iter().any(Option::is_some);
-        let inner: Vec<String> =
-            new.into_iter().zip(parts).map(|(new, old)| new.unwrap_or_else(|| old.to_owned())).collect();
-        let new = format!("{before}({}){tail}", inner.join(&by.map(String::from).unwrap_or_default()));
-        is_other.then_some(new)
+        let inner = reworded.collect::<Vec<_>>().join(head.separator().unwrap_or_default());
+        is_other.then(|| format!("{before}({inner}){tail}"))
     }
 }
 
@@ -272,31 +255,23 @@ impl fmt::Display for QuantityName {
 }
 
 impl QuantityKind {
-    /// Its dimension; that of an angle too, whose unit in results is the degree.
-    #[must_use]
-    pub fn dimension(self) -> Dimension {
-        match self {
-            QuantityKind::Angle => Dimension::ANGLE,
-            QuantityKind::AngularVelocity => Dimension::ANGLE.per_time(1),
-            QuantityKind::AngularAcceleration => Dimension::ANGLE.per_time(2),
-            QuantityKind::Position | QuantityKind::Length => Dimension::LENGTH,
-            QuantityKind::Velocity => Dimension::LENGTH.per_time(1),
-            QuantityKind::Acceleration => Dimension::LENGTH.per_time(2),
-        }
-    }
-
     /// Its unit, as in `rad/s²`.
     #[must_use]
     pub fn unit(self, units: Units) -> String {
+        let (length, time) = (units.length.as_str(), units.time.as_str());
         match self {
             QuantityKind::Angle => "°".to_owned(),
-            _ => self.dimension().unit(units),
+            QuantityKind::AngularVelocity => format!("rad/{time}"),
+            QuantityKind::AngularAcceleration => format!("rad/{time}²"),
+            QuantityKind::Position | QuantityKind::Length => length.to_owned(),
+            QuantityKind::Velocity => format!("{length}/{time}"),
+            QuantityKind::Acceleration => format!("{length}/{time}²"),
         }
     }
 
     /// Whether it is a rate, whose zero means rest; the zero of a place or an angle is arbitrary.
     #[must_use]
     pub fn is_rate(self) -> bool {
-        self.dimension().is_per_time()
+        !matches!(self, QuantityKind::Angle | QuantityKind::Position | QuantityKind::Length)
     }
 }

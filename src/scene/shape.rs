@@ -11,7 +11,7 @@ use super::words::number;
 
 /// Relative tolerance of three lengths that add up, in parts of the longest: within it the link is straight. It covers
 /// the rounding of decimal lengths, with room for a few operations.
-const STRAIGHT: f64 = 1e-12;
+pub(crate) const STRAIGHT: f64 = 1e-12;
 
 /// The distances between the points of a link.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +38,8 @@ pub struct Length {
 }
 
 impl Length {
-    fn joins(&self, a: &str, b: &str) -> bool {
+    /// Whether it is the distance of these two points.
+    pub(crate) fn joins(&self, a: &str, b: &str) -> bool {
         (self.from == a && self.to == b) || (self.from == b && self.to == a)
     }
 }

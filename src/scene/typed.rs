@@ -103,13 +103,27 @@ impl Why {
             }
             Why::Missing(key) => Wrong::value(path, format!("`{key}` is missing")).maybe_hint(missing_hint(path, key)),
             Why::Type(expected) => {
-                let hint = found.and_then(|found| type_hint(path, &expected, found));
+                let hint = match found {
+                    Some(Json::String(text)) if expected.contains("number") => {
+                        number_hint(path, &expected, text.trim())
+                    }
+                    Some(Json::Number(number)) if expected.contains("text") || expected.contains("name") => {
+                        Some(format!("write \"{number}\" in double quotes"))
+                    }
+                    _ => None,
+                };
                 let found = found.map_or_else(String::new, describe);
                 Wrong::value(path, format!("expected {expected}, found {found}")).maybe_hint(hint)
             }
             Why::Said(message) => {
-                let word = found.and_then(Json::as_str);
-                Wrong::value(path, message).maybe_hint(word.and_then(|word| word_hint(path, word)))
+                let hint = match (path.last(), found.and_then(Json::as_str)) {
+                    (Some(&"page"), Some(word)) => suggestion(word, Page::NAMES.into_iter().flatten(), "write one of"),
+                    (Some(&"values"), Some(word)) => {
+                        suggestion(word, LengthUnit::ALL.map(LengthUnit::as_str), "write true, false or one of")
+                    }
+                    _ => None,
+                };
+                Wrong::value(path, message).maybe_hint(hint)
             }
         }
     }
@@ -127,26 +141,6 @@ fn missing_hint(path: &[&str], key: &str) -> Option<String> {
         _ => return None,
     };
     Some(example.to_owned())
-}
-
-/// The hint for the value `found` at `path`, where something else is expected.
-fn type_hint(path: &[&str], expected: &str, found: &Json) -> Option<String> {
-    match found {
-        Json::String(text) if expected.contains("number") => number_hint(path, expected, text.trim()),
-        Json::Number(number) if expected.contains("text") || expected.contains("name") => {
-            Some(format!("write \"{number}\" in double quotes"))
-        }
-        _ => None,
-    }
-}
-
-/// The hint for a word that its type refuses in words of its own.
-fn word_hint(path: &[&str], word: &str) -> Option<String> {
-    match path.last().copied()? {
-        "page" => suggestion(word, Page::NAMES, "write one of"),
-        "values" => suggestion(word, LengthUnit::ALL.map(LengthUnit::as_str), "write true, false or one of"),
-        _ => None,
-    }
 }
 
 /// The hint for a text where a number is expected.

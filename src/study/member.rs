@@ -6,7 +6,7 @@ use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Curves, CycleError, Drive, Extreme, Path, Steps, Sweep};
 use crate::mechanism::{Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
-use crate::scene::{Scene, SceneError, Shape, SizeLimit};
+use crate::scene::{STRAIGHT, Scene, SceneError, Shape, SizeLimit};
 
 /// Why a study cannot be made of a scene.
 #[derive(Debug, thiserror::Error)]
@@ -44,7 +44,8 @@ fn has_links(scene: &Scene) -> bool {
         };
         let sum: f64 = lengths.iter().map(|length| length.value).sum();
         let longest = lengths.iter().map(|length| length.value).fold(0.0, f64::max);
-        lengths.iter().all(|length| length.value > 0.0) && (lengths.len() < 3 || 2.0 * longest - sum <= 1e-12 * longest)
+        lengths.iter().all(|length| length.value > 0.0)
+            && (lengths.len() < 3 || 2.0 * longest - sum <= STRAIGHT * longest)
     })
 }
 

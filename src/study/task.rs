@@ -170,14 +170,7 @@ impl Status {
     /// The word that stands in tables.
     #[must_use]
     pub fn word(self) -> &'static str {
-        match self {
-            Status::Whole => "whole",
-            Status::Part => "part",
-            Status::Outside => "outside",
-            Status::Singular => "singular",
-            Status::NotAssembled => "not assembled",
-            Status::NoMechanism => "no mechanism",
-        }
+        ["whole", "part", "outside", "singular", "not assembled", "no mechanism"][self as usize]
     }
 }
 

@@ -65,13 +65,6 @@ pub struct AngularConstraint {
 }
 
 impl AngularConstraint {
-    /// The angle between two bodies is constant: `angle` is the rotation from the frame of the first to that of the
-    /// second.
-    #[must_use]
-    pub fn fixed_angle([first, second]: [BodyId; 2], angle: Turn) -> Self {
-        Self { terms: smallvec![(first, -1), (second, 1)], constant: angle }
-    }
-
     /// The two bodies with a constant angle between them, and the rotation from the frame of the first to that of the
     /// second; `None` for any other relation. Such bodies have one angular rate, so that the relation needs no equation.
     #[must_use]

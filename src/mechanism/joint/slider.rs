@@ -100,7 +100,10 @@ impl Mechanism {
             bodies,
             pin: None,
             slider: Some(id),
-            angular: Some(AngularConstraint::fixed_angle(bodies, slider.turn())),
+            angular: Some(AngularConstraint {
+                terms: smallvec![(slider.on, -1), (slider.link, 1)],
+                constant: slider.turn(),
+            }),
             marks: smallvec![Mark::Block(id)],
         });
         self.sliders.push(slider);

@@ -1,11 +1,9 @@
 //! The joints that a scene lists, a file for each kind: its keys in the file, its checked form, the checks, and what its
 //! words name, which is all that editing has to know of it. Pins are no kind: they follow from points that links share.
 
-mod guide;
 mod slider;
 
-pub use guide::{Along, On};
-pub use slider::Slider;
+pub use slider::{Along, On, Slider};
 pub(super) use slider::{SliderFile, sliders};
 
 use super::words::nearest;

@@ -1,7 +1,6 @@
 //! The short sign of a scene on a sheet of paper.
 
-use kinegon::scene::Scene;
-use kinegon::scene::fingerprint::{folded, signs};
+use kinegon::scene::{Scene, folded, signs};
 
 #[test]
 fn the_hash_is_fnv_1a() {
