@@ -5,13 +5,12 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value as Json, json};
 
 use super::document::Document;
-use super::measure::Decimals;
-use super::measure::{Placed, measured, shape_place};
+use super::measure::{self, Decimals, Placed, measured, shape_place};
 use super::names::Names;
 use super::present::Present;
-use super::rename::no_such;
+use super::rename::{check_name, no_such};
 use crate::geometry::Point;
-use crate::scene::{JointKind, LengthUnit, Meaning, SceneError, Units, why_not};
+use crate::scene::{LengthUnit, SceneError, Units, pair};
 
 /// A new link.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -93,7 +92,7 @@ pub(super) fn link(document: &mut Document<'_>, new: &NewLink) -> Result<(), Sce
     let present = Present::of(document);
     let points: Vec<Placed<'_>> = new.points.iter().map(|point| (point.name.as_str(), Point::from(point.at))).collect();
     for (index, (name, _)) in points.iter().enumerate() {
-        check_point(document, name)?;
+        check_name(document, "a point", name)?;
         if points[..index].iter().any(|(other, _)| other == name) {
             return Err(document.error(&[], format!("point {name} stands twice in the new link"), None));
         }
@@ -128,14 +127,19 @@ pub(super) fn point(document: &mut Document<'_>, new: &NewPoint) -> Result<(), S
     let NewPoint { link, name, at } = new;
     let place = Point::from(*at);
     let names = Names::of(&document.json());
-    check_point(document, name)?;
+    check_name(document, "a point", name)?;
     if names.of_carrier(link).contains(name) {
         return Err(document.error(&["links", link], format!("link {link} has a point {name} already"), None));
     }
     let present = Present::of(document);
     let decimals = Decimals::of_size(present.size([place]));
     if link == "ground" {
-        return ground_point(document, &names, name, place, decimals);
+        let is_list = document.json()["ground"].is_array();
+        if is_list {
+            document.set(&["ground", &names.ground.len().to_string()], &Json::from(name.as_str()))?;
+        }
+        let table = if is_list { "points" } else { "ground" };
+        return document.set(&[table, name], &decimals.place_json(place));
     }
     let Some(points) = names.links.get(link) else {
         return Err(no_such(document, "link", link, &names.links.keys().cloned().collect::<Vec<_>>()));
@@ -154,10 +158,7 @@ pub(super) fn point(document: &mut Document<'_>, new: &NewPoint) -> Result<(), S
         let path: &[&str] = if is_list { &["links", link, &index] } else { &["links", link, "points", &index] };
         document.set(path, &Json::from(name.as_str()))?;
     }
-    match names.has_point(name) {
-        true => Ok(()),
-        false => place_point(document, &names, name, place, decimals),
-    }
+    if names.has_point(name) { Ok(()) } else { place_point(document, &names, name, place, decimals) }
 }
 
 /// The entry of a link given by lengths or a shape, with one more point.
@@ -202,7 +203,7 @@ fn with_point(
     } else if let Some(before) = before.as_ref().and_then(Json::as_object) {
         // The lengths that are there stay, in their order and with the digits that they have.
         let added = measures.as_object().cloned().unwrap_or_default().into_iter();
-        let is_new = |key: &String| crate::scene::pair(key, points).is_none();
+        let is_new = |key: &String| pair(key, points).is_none();
         let kept = before.clone().into_iter().chain(added.filter(|(key, _)| is_new(key)));
         measures = Json::Object(kept.collect());
     }
@@ -212,23 +213,6 @@ fn with_point(
 
 fn has_three_lengths(link: &Json) -> bool {
     link["lengths"].as_object().is_some_and(|lengths| lengths.len() == 3)
-}
-
-/// Adds a point to the ground.
-fn ground_point(
-    document: &mut Document<'_>,
-    names: &Names,
-    name: &str,
-    place: Point,
-    decimals: Decimals,
-) -> Result<(), SceneError> {
-    let scene = document.json();
-    if scene["ground"].is_array() {
-        let index = names.ground.len().to_string();
-        document.set(&["ground", &index], &Json::from(name))?;
-        return document.set(&["points", name], &decimals.place_json(place));
-    }
-    document.set(&["ground", name], &decimals.place_json(place))
 }
 
 /// Says where a point is: in the drawing, or roughly in `near` unless it is fixed or said there already.
@@ -248,11 +232,10 @@ fn place_point(
 pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(), SceneError> {
     let NewSlider { link, at, on, along } = new;
     let names = Names::of(&document.json());
-    let entry = match link.is_empty() {
-        true => json!({ "pin": at, "on": on }),
-        false => json!({ "link": link, "at": at, "on": on }),
-    };
-    check_links(document, &names, "sliders", &entry)?;
+    let is_known = |name: &str| ["", "ground"].contains(&name) || names.links.contains_key(name);
+    if let Some(unknown) = [link, on].into_iter().find(|name| !is_known(name)) {
+        return Err(no_such(document, "link", unknown, &names.links.keys().cloned().collect::<Vec<_>>()));
+    }
     let sliding = if link.is_empty() { names.points() } else { names.of_carrier(link).to_vec() };
     if !sliding.contains(at) {
         return Err(no_such(document, "point", at, &sliding));
@@ -261,35 +244,22 @@ pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(),
         let message = format!("point {at} is a point of {on}, so it cannot slide on it");
         return Err(document.error(&[], message, Some("choose another point, or another carrier of the guide")));
     }
-    let mut entry = entry;
+    let mut entry = match link.is_empty() {
+        true => json!({ "pin": at, "on": on }),
+        false => json!({ "link": link, "at": at, "on": on }),
+    };
     if let (Along::Degrees(_), None) = (along, &names.drawn)
         && let Some(through) = through(document, on, at)
     {
         entry["through"] = through;
     }
     entry["along"] = match along {
-        Along::Degrees(degrees) => super::measure::json(*degrees),
+        Along::Degrees(degrees) => measure::json(*degrees),
         Along::Points(points) => Json::from(points.as_str()),
     };
-    append(document, "sliders", &entry)
-}
-
-/// Refuses a joint's entry with a link that is not there.
-fn check_links(document: &Document<'_>, names: &Names, list: &str, entry: &Json) -> Result<(), SceneError> {
-    let links = || names.links.keys().cloned().collect::<Vec<_>>();
-    let kind = JointKind::of_list(list);
-    let mut named = kind.into_iter().flat_map(|kind| kind.words(entry, Meaning::Link));
-    match named.find(|name| *name != "ground" && !names.links.contains_key(*name)) {
-        Some(unknown) => Err(no_such(document, "link", unknown, &links())),
-        None => Ok(()),
-    }
-}
-
-/// Adds an entry to a list at the top, which may be missing.
-fn append(document: &mut Document<'_>, list: &str, entry: &Json) -> Result<(), SceneError> {
-    match document.json()[list].as_array().map(Vec::len) {
-        None => document.set(&[list], &json!([entry])),
-        Some(count) => document.set(&[list, &count.to_string()], entry),
+    match document.json()["sliders"].as_array().map(Vec::len) {
+        None => document.set(&["sliders"], &json!([entry])),
+        Some(count) => document.set(&["sliders", &count.to_string()], &entry),
     }
 }
 
@@ -318,12 +288,4 @@ fn free_name(names: &Names) -> String {
     };
     let mut numbers = (1..).map(|number: usize| number.to_string());
     numbers.find(|number| !is_kept(number)).unwrap_or_default()
-}
-
-/// Refuses what is no name of a point.
-fn check_point(document: &Document<'_>, name: &str) -> Result<(), SceneError> {
-    match why_not("a point", name) {
-        Some((message, hint)) => Err(document.error(&[], message, hint.as_deref())),
-        None => Ok(()),
-    }
 }

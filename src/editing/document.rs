@@ -5,7 +5,6 @@ use jsonc_parser::common::Ranged;
 use serde_json::Value as Json;
 use std::ops::Range;
 
-use super::layout::{Layout, indent, quoted};
 use crate::scene::{JointKind, SceneError, SceneTree, key_order};
 
 /// A text in the course of changes. Paths are JSON paths; an index of a list is written in digits.
@@ -63,8 +62,7 @@ impl<'a> Document<'a> {
                 others.push((path, value));
             }
         }
-        let body = spliced(&self.body, splices);
-        self.body = body;
+        self.body = spliced(&self.body, splices);
         others.into_iter().try_for_each(|(path, value)| self.set(&path, value))
     }
 
@@ -75,42 +73,39 @@ impl<'a> Document<'a> {
             return self.remove(path);
         }
         let tree = self.tree()?;
-        let layout = Layout::of(tree.body);
-        let known = known_part(&tree.root, path);
-        if known < path.len() {
-            return self.insert(known, path, value);
-        }
-        match (find(&tree.root, path), value) {
-            (Some(Value::Object(object)), Json::Object(entries)) => {
+        let Some(node) = find(&tree.root, path) else {
+            return self.insert(path, value);
+        };
+        match (node, value) {
+            (Value::Object(object), Json::Object(entries)) => {
                 let names = object.properties.iter().map(|property| property.name.as_str().to_owned());
                 let gone = names.filter(|name| name != "note" && !entries.contains_key(name)).collect::<Vec<_>>();
                 gone.iter().try_for_each(|name| self.remove(&[path, &[name]].concat()))?;
                 entries.iter().try_for_each(|(name, value)| self.set(&[path, &[name]].concat(), value))
             }
-            (Some(Value::Array(array)), Json::Array(elements)) => {
+            (Value::Array(array), Json::Array(elements)) => {
                 let gone = (elements.len()..array.elements.len()).rev().map(|index| index.to_string());
                 let gone = gone.collect::<Vec<_>>();
                 gone.iter().try_for_each(|index| self.remove(&[path, &[index]].concat()))?;
                 let mut elements = elements.iter().enumerate();
                 elements.try_for_each(|(index, value)| self.set(&[path, &[&index.to_string()]].concat(), value))
             }
-            (Some(node), _) if path.is_empty() || same(node, value) => match path {
-                [] => Err(self.error(&[], "a scene is an object { … }", None)),
-                _ => Ok(()),
-            },
-            (Some(node), _) => {
-                let splice = (node.start()..node.end(), layout.one_line(value));
+            _ if path.is_empty() => Err(self.error(&[], "a scene is an object { … }", None)),
+            _ if same(node, value) => Ok(()),
+            _ => {
+                let splice = (range_of(node), Layout::of(tree.body).one_line(value));
                 self.splice(splice);
                 Ok(())
             }
-            (None, _) => Ok(()),
         }
     }
 
-    /// Adds a value where the text has only the first `known` parts of its path.
-    fn insert(&mut self, known: usize, path: &[&str], value: &Json) -> Result<(), SceneError> {
+    /// Adds a value where the text has only the first parts of its path.
+    fn insert(&mut self, path: &[&str], value: &Json) -> Result<(), SceneError> {
         let tree = self.tree()?;
         let layout = Layout::of(tree.body);
+        let is_there = |known: &usize| find(&tree.root, &path[..*known]).is_some();
+        let known = (0..path.len()).rev().find(is_there).unwrap_or(0);
         let (around, key, rest) = (&path[..known], path[known], &path[known + 1..]);
         let nested = rest
             .iter()
@@ -200,11 +195,6 @@ fn find<'t, 'a>(root: &'t Value<'a>, path: &[&str]) -> Option<&'t Value<'a>> {
     })
 }
 
-/// How many parts of a path the text has.
-fn known_part(root: &Value<'_>, path: &[&str]) -> usize {
-    (0..=path.len()).rev().find(|&known| find(root, &path[..known]).is_some()).unwrap_or(0)
-}
-
 /// A part of the tree as JSON. Numbers are read to the last bit, which serde_json does not do.
 fn value_of(node: &Value<'_>) -> Json {
     match node {
@@ -225,14 +215,8 @@ fn value_of(node: &Value<'_>) -> Json {
 
 /// Whether a part of the text says this.
 fn same(node: &Value<'_>, value: &Json) -> bool {
-    match (node, value) {
-        (Value::StringLit(text), Json::String(other)) => text.value == *other,
-        (Value::NumberLit(number), Json::Number(other)) => {
-            number.value.parse::<f64>().ok().is_some_and(|number| other.as_f64() == Some(number))
-        }
-        (Value::BooleanLit(truth), Json::Bool(other)) => truth.value == *other,
-        _ => false,
-    }
+    let own = value_of(node);
+    own == *value || own.as_f64().is_some_and(|number| value.as_f64() == Some(number))
 }
 
 /// Puts a number or a list of numbers in place of one that is there; false where something else is there.
@@ -290,7 +274,11 @@ fn added(tree: &SceneTree<'_>, layout: Layout, node: &Value<'_>, index: usize, t
             let is_inline = after.is_some_and(|after| indent(body, after).is_none());
             let gap = match indent(body, before).filter(|_| !is_inline) {
                 Some(indent) => format!(",{}", line(indent)),
-                None => gap_before(body, &parts, index - 1).unwrap_or(layout.comma).to_owned(),
+                None => {
+                    // As between the two parts before, unless more than a comma and spaces stands there.
+                    let last = index.checked_sub(2).map(|last| &body[parts[last].end..before.start]);
+                    last.filter(|gap| gap.chars().all(|c| c == ' ' || c == ',')).unwrap_or(layout.comma).to_owned()
+                }
             };
             (before.end..before.end, gap + text)
         }
@@ -303,7 +291,9 @@ fn added(tree: &SceneTree<'_>, layout: Layout, node: &Value<'_>, index: usize, t
         }
         (None, None) => {
             let has_lines = |key: &str| matches!(key, "links" | "known") || JointKind::of_list(key).is_some();
-            let top = first_indent(tree).filter(|_| path.len() == 1 && has_lines(path[0]));
+            let first = tree.root.as_object().and_then(|object| object.properties.first());
+            let top = first.and_then(|first| indent(body, &range_of(first)));
+            let top = top.filter(|_| path.len() == 1 && has_lines(path[0]));
             let (open, close) = if node.as_array().is_some() { ("[", "]") } else { ("{", "}") };
             let inside = match (top, open) {
                 (Some(indent), _) => format!("{}{text}{}", line(&indent.repeat(2)), line(indent)),
@@ -313,18 +303,6 @@ fn added(tree: &SceneTree<'_>, layout: Layout, node: &Value<'_>, index: usize, t
             (range_of(node), format!("{open}{inside}{close}"))
         }
     }
-}
-
-/// What stands between a part and the one before it on the same line, unless it is more than a comma and spaces.
-fn gap_before<'t>(body: &'t str, parts: &[Range<usize>], index: usize) -> Option<&'t str> {
-    let before = parts.get(index.checked_sub(1)?)?;
-    let gap = &body[before.end..parts[index].start];
-    gap.chars().all(|c| c == ' ' || c == ',').then_some(gap)
-}
-
-/// The indentation of the keys of the top, if they have lines of their own.
-fn first_indent<'t>(tree: &SceneTree<'t>) -> Option<&'t str> {
-    indent(tree.body, &range_of(tree.root.as_object()?.properties.first()?))
 }
 
 /// The bytes that go with a part of an object or a list.
@@ -377,4 +355,63 @@ fn reworded(node: &Value<'_>, path: &mut Vec<String>, rename: Rename<'_>, splice
         }
         _ => {}
     }
+}
+
+/// How the text of a scene is laid out, so that what is added looks like what is there.
+#[derive(Clone, Copy, Debug)]
+struct Layout {
+    /// What ends a line.
+    newline: &'static str,
+    /// What stands between a key and its value.
+    colon: &'static str,
+    /// What stands between two entries on one line.
+    comma: &'static str,
+    /// What stands within the braces of an object on one line.
+    pad: &'static str,
+}
+
+impl Layout {
+    /// The layout of that text.
+    fn of(body: &str) -> Layout {
+        let is_dense = !body.contains("\": ") && body.contains("\":");
+        Layout {
+            newline: if body.contains("\r\n") { "\r\n" } else { "\n" },
+            colon: if is_dense { ":" } else { ": " },
+            comma: if is_dense { "," } else { ", " },
+            pad: if is_dense || (body.contains("{\"") && !body.contains("{ \"")) { "" } else { " " },
+        }
+    }
+
+    /// A value on one line.
+    fn one_line(self, value: &Json) -> String {
+        match value {
+            Json::Array(elements) => {
+                let elements: Vec<String> = elements.iter().map(|element| self.one_line(element)).collect();
+                format!("[{}]", elements.join(self.comma))
+            }
+            Json::Object(entries) if entries.is_empty() => "{}".to_owned(),
+            Json::Object(entries) => {
+                let entries: Vec<String> = entries.iter().map(|(key, value)| self.entry(key, value)).collect();
+                format!("{{{pad}{}{pad}}}", entries.join(self.comma), pad = self.pad)
+            }
+            _ => value.to_string(),
+        }
+    }
+
+    /// A key with its value on one line.
+    fn entry(self, key: &str, value: &Json) -> String {
+        format!("{}{}{}", quoted(key), self.colon, self.one_line(value))
+    }
+}
+
+/// A text in double quotes, with the escapes of JSON.
+fn quoted(text: &str) -> String {
+    Json::from(text).to_string()
+}
+
+/// The spaces before a part of the text that begins its line; `None` if something stands before it there.
+fn indent<'a>(body: &'a str, part: &Range<usize>) -> Option<&'a str> {
+    let start = body[..part.start].rfind('\n')? + 1;
+    let before = &body[start..part.start];
+    before.chars().all(char::is_whitespace).then_some(before)
 }

@@ -5,8 +5,8 @@ use serde_json::Value as Json;
 use super::document::Document;
 use super::measure::Decimals;
 use super::near::{distance, settle};
-use super::present::{Solved, not_assembled};
-use crate::geometry::{degrees_of, span};
+use super::present::{Solved, refused};
+use crate::geometry::{degrees_of, span, with_turns};
 use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::position::{Pose, numbered_pose};
 use crate::scene::{GivenBy, SceneError};
@@ -54,7 +54,7 @@ pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
 pub fn with_mode(text: &str, number: usize) -> Result<String, SceneError> {
     let before = Solved::of(text)?;
     let wanted = numbered_pose(&before.mechanism, &before.scene.near, number)
-        .map_err(|error| not_assembled(&before.scene, &error))?;
+        .map_err(|error| refused(&before.scene, error.problem()))?;
     let mut document = Document::new(text)?;
     if before.scene.given_by == GivenBy::Drawing {
         return Ok(document.text());
@@ -92,7 +92,7 @@ impl Stand {
         let old = number_at(scene, &path)?;
         // People who write no negative angles get none.
         let value = if old >= 0.0 { degrees.rem_euclid(360.0) } else { degrees };
-        let is_new = (near_to(degrees, old) - old).abs() > STANDS;
+        let is_new = (with_turns(degrees, old) - old).abs() > STANDS;
         is_new.then_some(Stand { path, value, decimals: ANGLE })
     }
 
@@ -117,11 +117,6 @@ const STANDS: f64 = 1e-9;
 
 /// Decimals of a drive's angle.
 const ANGLE: Decimals = Decimals(1);
-
-/// The angle plus the number of whole turns that brings it nearest to another one, all in degrees.
-pub(super) fn near_to(degrees: f64, other: f64) -> f64 {
-    degrees + 360.0 * libm::round((other - degrees) / 360.0)
-}
 
 /// Where a link's drive or the link itself gives the angle; `None` where neither does.
 pub(super) fn turning(scene: &Json, link: &str) -> Option<Vec<String>> {

@@ -3,6 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::document::Document;
+use super::measure;
 use super::names::{Named, Names};
 use super::rename::{Renamer, no_such};
 use crate::scene::{JOINTS, JointKind, Meaning, SceneError, pair};
@@ -38,18 +39,15 @@ pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), Scene
         take_from_link(document, link, points, name)?;
     }
     document.remove(&["ground", name])?;
-    if let Some(index) = names.ground.iter().position(|point| point == name)
-        && document.json()["ground"].is_array()
-    {
-        document.remove(&["ground", &index.to_string()])?;
-    }
+    remove_entries(document, &["ground"], &|point| *point == *name)?;
     forget(document, &names, name)?;
     let left = Names::of(&document.json());
     let scene = document.json();
-    let is_joined = |link: &str| {
-        let mut joints = JOINTS.iter().flat_map(|kind| joints_of(&scene, kind).map(move |joint| (kind, joint)));
-        joints.any(|(kind, joint)| kind.words(joint, Meaning::Link).any(|word| word == link))
+    let names_link = |kind: &JointKind, link: &str| {
+        let mut joints = scene[kind.list].as_array().into_iter().flatten();
+        joints.any(|joint| kind.words(joint, Meaning::Link).any(|word| word == link))
     };
+    let is_joined = |link: &str| JOINTS.iter().any(|kind| names_link(kind, link));
     let had = |link: &String| names.links.get(link).is_some_and(|points| points.iter().any(|point| point == name));
     let short = |(link, points): &(&String, &Vec<String>)| {
         had(link) && (points.is_empty() || (points.len() == 1 && !is_joined(link)))
@@ -77,13 +75,8 @@ fn take_from_link(document: &mut Document<'_>, link: &str, points: &[String], na
         };
         at?;
     }
-    let list = if entry.is_array() { entry } else { &entry["points"] };
-    let index = list.as_array().and_then(|list| list.iter().position(|point| *point == *name));
-    match index.map(|index| index.to_string()) {
-        Some(index) if entry.is_array() => document.remove(&["links", link, &index]),
-        Some(index) => document.remove(&["links", link, "points", &index]),
-        None => Ok(()),
-    }
+    let list: &[&str] = if entry.is_array() { &["links", link] } else { &["links", link, "points"] };
+    remove_entries(document, list, &|point| *point == *name)
 }
 
 /// Removes what only says something of a point: its place, its known motion, its label, its path.
@@ -92,32 +85,28 @@ fn forget(document: &mut Document<'_>, names: &Names, name: &str) -> Result<(), 
     for table in ["near", "points", "known"] {
         document.remove(&[table, name])?;
     }
-    let trace =
-        document.json()["figure"]["trace"].as_array().map(|trace| trace.iter().position(|point| *point == *name));
-    if let Some(index) = trace.flatten() {
-        document.remove(&["figure", "trace", &index.to_string()])?;
-    }
+    remove_entries(document, &["figure", "trace"], &|point| *point == *name)?;
     remove_named(document, names, Named::Point, name)
-}
-
-/// The entries of the joints of a kind.
-fn joints_of<'s>(scene: &'s Json, kind: &JointKind) -> impl Iterator<Item = &'s Json> {
-    scene[kind.list].as_array().into_iter().flatten()
 }
 
 /// Removes the joints that name a point or a link.
 fn remove_joints(document: &mut Document<'_>, what: Meaning, name: &str) -> Result<(), SceneError> {
     JOINTS.into_iter().try_for_each(|kind| {
-        remove_entries(document, kind.list, &|joint| kind.words(joint, what).any(|word| word == name))
+        remove_entries(document, &[kind.list], &|joint| kind.words(joint, what).any(|word| word == name))
     })
 }
 
-/// Removes entries of a list at the top.
-fn remove_entries(document: &mut Document<'_>, list: &str, is_gone: &dyn Fn(&Json) -> bool) -> Result<(), SceneError> {
+/// Removes entries of the list at a path, if there is a list.
+fn remove_entries(
+    document: &mut Document<'_>,
+    path: &[&str],
+    is_gone: &dyn Fn(&Json) -> bool,
+) -> Result<(), SceneError> {
     let scene = document.json();
-    let entries = scene[list].as_array().into_iter().flatten().enumerate();
+    let list = path.iter().fold(&scene, |around, key| &around[*key]);
+    let entries = list.as_array().into_iter().flatten().enumerate();
     let gone: Vec<String> = entries.filter(|(_, entry)| is_gone(entry)).map(|(index, _)| index.to_string()).collect();
-    gone.iter().rev().try_for_each(|index| document.remove(&[list, index]))
+    gone.iter().rev().try_for_each(|index| document.remove(&[path, &[index]].concat()))
 }
 
 /// Lets guides that a point defines go on without it: in the direction that coordinates give, else along the axis.
@@ -133,12 +122,8 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
         let is_usual =
             slider["on"] == *"ground" && slider["through"].is_null() && !slider["along"].is_string() && is_first;
         if slider["through"] == *name || (is_usual && names.drawn.is_none()) {
-            match place(name).filter(|_| slider["on"] == *"ground") {
-                Some(place) => {
-                    document.set(&["sliders", &index, "through"], &json!(place.map(super::measure::json)))?
-                }
-                None => document.remove(&["sliders", &index, "through"])?,
-            }
+            let place = place(name).filter(|_| slider["on"] == *"ground");
+            document.set(&["sliders", &index, "through"], &json!(place.map(|place| place.map(measure::json))))?;
         }
         let ends = slider["along"].as_str().and_then(|key| pair(key, names.of_carrier(names.carrier(&index))));
         let Some((from, to)) = ends.filter(|(from, to)| from == name || to == name) else {
@@ -146,12 +131,8 @@ fn remove_guides(document: &mut Document<'_>, names: &Names, name: &str) -> Resu
         };
         let is_fixed = names.drawn.is_some() || slider["on"] == *"ground";
         let direction = place(&from).zip(place(&to)).filter(|_| is_fixed);
-        match direction.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|direction| *direction != [0.0, 0.0]) {
-            Some(direction) => {
-                document.set(&["sliders", &index, "along"], &json!(direction.map(super::measure::json)))?
-            }
-            None => document.remove(&["sliders", &index, "along"])?,
-        }
+        let direction = direction.map(|(a, b)| [b[0] - a[0], b[1] - a[1]]).filter(|along| *along != [0.0, 0.0]);
+        document.set(&["sliders", &index, "along"], &json!(direction.map(|along| along.map(measure::json))))?;
     }
     Ok(())
 }
@@ -165,5 +146,7 @@ fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &
     for (label, _) in labels.filter(|(label, _)| renamer.plan_name(label).is_some()) {
         document.remove(&["figure", "labels", label])?;
     }
-    remove_entries(document, "want", &|quantity| quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some()))
+    remove_entries(document, &["want"], &|quantity| {
+        quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some())
+    })
 }

@@ -4,7 +4,7 @@ use serde_json::{Map, Number, Value as Json};
 
 use super::document::Document;
 use super::names::joined;
-use crate::geometry::{Point, cross, span, unit};
+use crate::geometry::{Point, cross, unit};
 use crate::scene::SceneError;
 
 /// A number of decimals: −1 for tens.
@@ -20,11 +20,6 @@ impl Decimals {
     pub fn of_size(size: f64) -> Decimals {
         let is_sound = size > 0.0 && size.is_finite();
         Decimals(if is_sound { -libm::floor(libm::log10(size) - 3.0) as i32 } else { 1 })
-    }
-
-    /// Of places in a mechanism with these points.
-    pub fn of_points(points: impl IntoIterator<Item = Point>) -> Decimals {
-        Decimals::of_size(span(points))
     }
 
     /// So many decimals more.
@@ -98,7 +93,7 @@ pub(super) fn measured(
     Ok(match points {
         [] | [_] => None,
         [a, b] => Some(("lengths", lengths(&[(a, b)], decimals))),
-        [a, b, c] if !is_flat(a.1, b.1, c.1) => Some(("lengths", lengths(&[(a, b), (b, c), (a, c)], decimals))),
+        [a, b, c] if !is_flat([a.1, b.1, c.1]) => Some(("lengths", lengths(&[(a, b), (b, c), (a, c)], decimals))),
         _ => Some(("shape", shape(points, decimals))),
     })
 }
@@ -126,7 +121,7 @@ pub(super) fn shape_place(place: Point) -> Json {
 }
 
 /// Whether three points lie nearly on a line.
-fn is_flat(a: Point, b: Point, c: Point) -> bool {
+fn is_flat([a, b, c]: [Point; 3]) -> bool {
     let longest = [b - a, c - b, a - c].map(|side| side.norm()).into_iter().fold(0.0, f64::max);
     cross(b - a, c - a).abs() < FLAT * longest * longest
 }

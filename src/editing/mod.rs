@@ -2,8 +2,8 @@
 //! Out: the text with these changes and no others: layout, order of keys and notes stay. The text need only be JSON, except
 //! where a change follows from the mechanism's position. Nothing is drawn here, and nothing is kept between two changes.
 //!
-//! `document` changes a text value by value and `layout` makes what is added look like what is there; `names` reads the names that
-//! a text gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `drive` moves
+//! `document` changes a text value by value, so that what is added looks like what is there; `names` reads the names that a text
+//! gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `drive` moves
 //! the mechanism, `reshape` pulls a joint to another place; `near` makes the text choose the assembly that was seen.
 //!
 //! # The text is the document
@@ -19,7 +19,6 @@ mod document;
 mod drive;
 mod drop;
 mod edit;
-mod layout;
 #[doc(hidden)] // for tests
 pub mod measure;
 mod names;

@@ -1,6 +1,6 @@
 //! The names in a scene's text, whether it can be solved or not.
 
-use indexmap::IndexMap;
+use indexmap::{IndexMap, IndexSet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
@@ -45,20 +45,16 @@ impl Names {
 
     /// All points, each once.
     pub fn points(&self) -> Vec<String> {
-        let mut points: Vec<String> = Vec::new();
-        let drawn = self.drawn.iter().flatten();
-        for point in self.ground.iter().chain(self.links.values().flatten()).chain(drawn) {
-            if !points.contains(point) {
-                points.push(point.clone());
-            }
-        }
-        points
+        self.named_points().collect::<IndexSet<_>>().into_iter().cloned().collect()
+    }
+
+    fn named_points(&self) -> impl Iterator<Item = &String> {
+        self.ground.iter().chain(self.links.values().flatten()).chain(self.drawn.iter().flatten())
     }
 
     /// Whether there is such a point.
     pub fn has_point(&self, name: &str) -> bool {
-        let mut all = self.ground.iter().chain(self.links.values().flatten()).chain(self.drawn.iter().flatten());
-        all.any(|point| point == name)
+        self.named_points().any(|point| point == name)
     }
 
     /// The points of a link or of `ground`.

@@ -73,7 +73,7 @@ fn say(document: &mut Document<'_>, mechanism: &Mechanism, wanted: &Pose, said: 
     if said == Said::AsItIs {
         return Ok(());
     }
-    let decimals = Decimals::of_points(wanted.points.iter().copied());
+    let decimals = Decimals::of_size(span(wanted.points.iter().copied()));
     let decimals = if said == Said::Everything { decimals.finer(4) } else { decimals };
     let near = &document.json()["near"];
     let keys = near.as_object().into_iter().flatten().map(|(key, _)| key.clone()).filter(|key| key != "note");
@@ -83,7 +83,8 @@ fn say(document: &mut Document<'_>, mechanism: &Mechanism, wanted: &Pose, said: 
         keys.extend(sought.inner_points().into_iter().map(|point| sought.point_name(point).to_owned()));
     }
     if said == Said::Everything {
-        let links = mechanism.links().filter(|(id, body)| body.points.len() == 1 && carries_guide(mechanism, *id));
+        let carries_guide = |link: BodyId| mechanism.sliders.iter().any(|slider| slider.on == link);
+        let links = mechanism.links().filter(|(id, body)| body.points.len() == 1 && carries_guide(*id));
         keys.extend(links.map(|(_, body)| format!("angle({})", body.name)));
     }
     let values = keys.into_iter().filter_map(|key| {
@@ -97,10 +98,6 @@ fn say(document: &mut Document<'_>, mechanism: &Mechanism, wanted: &Pose, said: 
     }
     let values = values.map(|(key, value)| (vec!["near".to_owned(), key], value));
     document.set_all(&values.collect::<Vec<_>>())
-}
-
-fn carries_guide(mechanism: &Mechanism, link: BodyId) -> bool {
-    mechanism.sliders.iter().any(|slider| slider.on == link)
 }
 
 /// What `near` says under a key: a point's place, or a link's angle.

@@ -7,8 +7,9 @@ use super::document::Document;
 use crate::Problem;
 use crate::geometry::{Placement, Point, Vector, span, unit};
 use crate::mechanism::{BodyId, Mechanism, StructureError, mechanism};
-use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
+use crate::position::{Pose, pose, with_nearest_sides};
 use crate::scene::{Scene, SceneError};
+use crate::words::{Language, Wording};
 
 /// A scene with its position.
 #[derive(Clone, Debug)]
@@ -26,13 +27,18 @@ impl Solved {
     pub fn of(text: &str) -> Result<Solved, SceneError> {
         let scene = Scene::read(text)?;
         let mechanism = of_scene(&scene)?;
-        let pose = pose(&mechanism, &scene.near).map_err(|error| not_assembled(&scene, &error))?;
+        let pose = pose(&mechanism, &scene.near).map_err(|error| refused(&scene, error.problem()))?;
         Ok(Solved { scene, mechanism, pose })
     }
 
     /// The places of all points, in their order.
     pub fn places(&self) -> IndexMap<String, Point> {
         self.mechanism.points.iter().cloned().zip(self.pose.points.iter().copied()).collect()
+    }
+
+    /// The language of the scene's figure.
+    pub fn language(&self) -> &'static Language {
+        Wording::of(&self.scene.figure).language
     }
 
     /// Where a link is: from its own frame to the fixed one. `None` for a drawn scene.
@@ -59,13 +65,8 @@ pub(super) fn of_scene(scene: &Scene) -> Result<Mechanism, SceneError> {
     }
 }
 
-/// The error that a scene cannot be assembled.
-pub(super) fn not_assembled(scene: &Scene, error: &AssemblyError) -> SceneError {
-    refused(scene, error.problem())
-}
-
 /// A problem of a stage as one of the scene's links.
-fn refused(scene: &Scene, Problem { message, hint }: Problem) -> SceneError {
+pub(super) fn refused(scene: &Scene, Problem { message, hint }: Problem) -> SceneError {
     scene.error_at(&["links"], message, hint)
 }
 

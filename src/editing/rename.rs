@@ -34,14 +34,20 @@ fn check(document: &Document<'_>, names: &Names, what: Named, from: &str, to: &s
     if !all.iter().any(|name| name == from) {
         return Err(no_such(document, noun, from, &all));
     }
-    if let Some((message, hint)) = why_not(&format!("a {noun}"), to) {
-        return Err(document.error(&[], message, hint.as_deref()));
-    }
+    check_name(document, &format!("a {noun}"), to)?;
     if from != to && all.iter().any(|name| name == to) {
         let message = format!("there is a {noun} {to} already");
         return Err(document.error(&[], message, Some("choose another name")));
     }
     Ok(())
+}
+
+/// Refuses what is no name of a point or a link; `what` is "a point" or "a link".
+pub(super) fn check_name(document: &Document<'_>, what: &str, name: &str) -> Result<(), SceneError> {
+    match why_not(what, name) {
+        Some((message, hint)) => Err(document.error(&[], message, hint.as_deref())),
+        None => Ok(()),
+    }
 }
 
 /// There is no point or link of that name.

@@ -1,28 +1,23 @@
 //! A joint pulled to another place: lengths, shapes, fixed points and guides change so that all other joints stay where
 //! they are in the present position.
 
-mod guide;
-mod held;
-mod lever;
-mod link;
+mod change;
 #[doc(hidden)] // for tests
-pub mod rule;
+pub mod held;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use serde_json::Value as Json;
 
 use super::document::Document;
 use super::measure::Decimals;
 use super::near::{distance, settle};
 use super::present::Solved;
-use crate::geometry::Point;
+use crate::geometry::{Point, span};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::position::Pose;
-use crate::scene::{GivenBy, Scene, SceneError};
-use crate::words::{Language, Wording};
-use held::Held;
-use lever::Lever;
+use crate::scene::{Scene, SceneError};
+use change::Change;
+use held::{Held, allowed};
 
 /// What stays when a joint is pulled.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -89,7 +84,7 @@ impl Reshape {
             let message = format!("there is no point {}", crate::text::shown(point));
             return Err(before.scene.error_at(&[], message, None));
         };
-        let decimals = Decimals::of_points(before.pose.points.iter().copied());
+        let decimals = Decimals::of_size(span(before.pose.points.iter().copied()));
         let held = Held::new(&before, id, pins);
         Ok(Reshape { text: text.to_owned(), before, point: id, held, decimals })
     }
@@ -110,7 +105,7 @@ impl Reshape {
         if self.held.is_fast() {
             return Ok(self.unchanged(note));
         }
-        let allowed = rule::allowed(now, &self.held.rules, wanted);
+        let allowed = allowed(now, &self.held.rules, wanted);
         let place = if self.held.rules.is_empty() { self.decimals } else { self.decimals.finer(1) }.place(allowed);
         if (place - now).norm() < self.decimals.finer(1).step() {
             return Ok(self.unchanged(note));
@@ -126,7 +121,7 @@ impl Reshape {
                 Err(error) => failure = Some(error),
             }
         }
-        Err(failure.unwrap_or_else(|| self.error(self.language().held_nowhere())))
+        Err(failure.unwrap_or_else(|| self.error(self.before.language().held_nowhere())))
     }
 
     fn unchanged(&self, note: Option<String>) -> Reshaped {
@@ -136,11 +131,7 @@ impl Reshape {
 
     /// Why the joint cannot go where it is pulled, in the figure's language as the notes are.
     fn error(&self, message: &str) -> SceneError {
-        self.before.scene.error_at(&["links"], message, Some(self.language().held_try().to_owned()))
-    }
-
-    fn language(&self) -> &'static Language {
-        Wording::of(&self.before.scene.figure).language
+        self.before.scene.error_at(&["links"], message, Some(self.before.language().held_try().to_owned()))
     }
 
     /// Refuses a place at another point of one of the joint's links.
@@ -152,7 +143,7 @@ impl Reshape {
             let near = |point: &&PointId| (pose.point(**point) - place).norm() < self.decimals.step();
             if let Some(other) = others.into_iter().find(near) {
                 let [point, other] = [self.point, *other].map(|point| mechanism.point_name(point));
-                return Err(self.error(&self.language().held_in_one_place(&body.name, point, other)));
+                return Err(self.error(&self.before.language().held_in_one_place(&body.name, point, other)));
             }
         }
         Ok(())
@@ -186,44 +177,7 @@ impl Reshape {
         let solved = settle(&mut document, &wanted)?;
         match distance(&wanted, &solved.pose) <= MOVED {
             true => Ok((document.text(), solved)),
-            false => Err(self.error(self.language().held_rounded())),
+            false => Err(self.error(self.before.language().held_rounded())),
         }
-    }
-}
-
-/// The numbers of a scene's text that change with the place of a point.
-struct Change<'a> {
-    solved: &'a Solved,
-    json: &'a Json,
-    point: PointId,
-    decimals: Decimals,
-    /// The position that is wanted, with the point at its new place.
-    pose: &'a Pose,
-    /// Links that turn as they are.
-    levers: &'a [Lever],
-    /// Paths and new values.
-    values: Vec<(Vec<String>, Json)>,
-}
-
-impl Change<'_> {
-    fn add_all(&mut self) {
-        let name = self.solved.mechanism.point_name(self.point).to_owned();
-        let place = self.pose.point(self.point);
-        let exact = Decimals(self.decimals.0 + 2);
-        for table in ["ground", "points", "near"] {
-            if self.json[table].get(&name).is_some() {
-                self.put(&[table, &name], exact.place_json(place));
-            }
-        }
-        if self.solved.scene.given_by == GivenBy::Lengths {
-            self.add_links();
-            self.add_guides();
-            self.add_levers();
-        }
-    }
-
-    /// Puts a value at a path.
-    fn put(&mut self, path: &[&str], value: Json) {
-        self.values.push((path.iter().map(|&part| part.to_owned()).collect(), value));
     }
 }

@@ -63,7 +63,7 @@ mod places {
 }
 
 mod rules {
-    use kinegon::editing::reshape::rule::{Rule, allowed};
+    use kinegon::editing::reshape::held::{Rule, allowed};
     use kinegon::geometry::{Point, Vector};
 
     #[test]
