@@ -112,6 +112,7 @@ pub use sheet_notes::SheetLabels;
 pub use style::Style;
 pub use text::{Anchor, PlacedRun, PlacedText, RichText};
 pub use view::{Extent, View, fitting_scale, next_scale};
+pub(crate) use words::drawn_vector;
 pub use worksheet::KeyRow;
 
 /// A point of the sheet: millimetres from its upper left corner, y down.

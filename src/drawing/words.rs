@@ -167,6 +167,19 @@ impl Item for StepWords<'_> {
     }
 }
 
+/// The vector between two points of a plan that a step draws: its ends as they are shown, and what lies between them.
+pub(crate) fn drawn_vector<'s>(step: &NumberedStep<'s>) -> Option<([&'s str; 2], Vector)> {
+    let plan = step.plan?;
+    let [from, to] = match step.action {
+        Action::LayOff(arrow) => arrow.ends(),
+        Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+            [plan.sheet.pole(), point]
+        }
+        _ => return None,
+    };
+    Some(([from, to], plan.shown_segment(from, to)?))
+}
+
 /// Writes the words of a step.
 pub(super) struct Writer<'a> {
     pub drawing: &'a mut Drawing,
@@ -235,24 +248,17 @@ impl Writer<'_> {
             Action::Ray(ray) => self.ray_equation(ray, &formula, plan, from),
             _ => self.equation(&formula, plan, None, from),
         };
-        let ends = match action {
-            Action::LayOff(arrow) => Some(arrow.ends()),
-            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                plan.map(|plan| [plan.sheet.pole(), point.as_str()])
-            }
-            _ => None,
-        };
-        let vector = ends.and_then(|[from, to]| plan?.shown_segment(from, to));
-        let value = match (action, vector) {
+        let drawn = drawn_vector(step);
+        let value = match (action, drawn) {
             (Action::Measure { value, .. }, _) => self.size(*value, sheet),
             (Action::MeasureLength { value, .. }, _) => self.size(*value, Sheet::Scheme),
-            (_, Some(vector)) => self.vector(vector, sheet),
+            (_, Some((_, vector))) => self.vector(vector, sheet),
             _ => return,
         };
         let name = |name: &str| [RichText::math(&self.context.shown(name, plan)), RichText::plain(" ")];
-        let mut texts: Vec<RichText> = ends.into_iter().flatten().flat_map(name).collect();
+        let mut texts: Vec<RichText> = drawn.into_iter().flat_map(|(ends, _)| ends).flat_map(name).collect();
         texts.push(RichText::plain(&format!("= {value}")));
-        let x = match (end > self.area.x0, ends) {
+        let x = match (end > self.area.x0, drawn) {
             (false, _) => end,
             (true, None) => end + 1.2,
             (true, Some(_)) => end + 8.0,

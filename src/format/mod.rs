@@ -12,7 +12,6 @@ mod json;
 pub mod number;
 #[cfg(feature = "pdf")]
 mod pdf;
-mod pencil;
 #[cfg(feature = "png")]
 mod png;
 mod result;
@@ -30,14 +29,12 @@ pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
-pub use self::pdf::PdfError;
-#[cfg(feature = "pdf")]
-pub use self::pdf::pdf_pages;
-pub use self::pencil::{BandResult, PencilResult, pencil_result};
+pub use self::pdf::{PdfError, pdf_pages};
 #[cfg(feature = "png")]
 pub use self::png::PngError;
 pub use self::result::{
-    GroupResult, LinkResult, PointResult, QuantityResult, ResultFile, ResultUnits, SliderResult, result_schema,
+    BandResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile, ResultUnits,
+    SliderResult, pencil_result, result_schema,
 };
 pub use self::structure::{listed_modes, mode, structure};
 pub use self::svg::{Text, layered_svg, panels_svg, svg_with};

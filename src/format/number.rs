@@ -28,22 +28,13 @@ pub(super) fn push_number(text: &mut String, value: f64) {
 
 /// Appends a whole number; faster than `format!`, and files of figures are mostly numbers.
 pub(super) fn push_digits(text: &mut String, mut whole: u64) {
-    let digit = |value: u64| char::from(b'0' + value as u8);
-    // Most numbers are short.
-    match whole {
-        0..10 => return text.push(digit(whole)),
-        10..100 => return text.extend([digit(whole / 10), digit(whole % 10)]),
-        100..1000 => {
-            return text.extend([digit(whole / 100), digit(whole / 10 % 10), digit(whole % 10)]);
-        }
-        _ => {}
-    }
-    let mut digits = [0u8; 20];
-    let mut start = digits.len();
-    while whole > 0 {
-        start -= 1;
-        digits[start] = b'0' + (whole % 10) as u8;
+    let mut digits = [b'0'; 20];
+    let mut start = digits.len() - 1;
+    digits[start] += (whole % 10) as u8;
+    while whole >= 10 {
         whole /= 10;
+        start -= 1;
+        digits[start] += (whole % 10) as u8;
     }
     text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
 }

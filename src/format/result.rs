@@ -1,14 +1,14 @@
-use super::pencil::PencilResult;
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
 use crate::geometry::{Place, Point, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role};
-use crate::quantity::{Quantity, QuantityRequest, measured_names};
-use crate::scene::SceneError;
-use crate::sheet::Sheet;
+use crate::mechanism::{BodyId, PointId, Role};
+use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
+use crate::scene::{SceneError, Units};
+use crate::sheet::{Scales, Sheet};
 use indexmap::IndexMap;
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
+use serde_json::json;
 
 /// The result of `kinegon solve`: every number at full precision, in the scene's units.
 ///
@@ -184,6 +184,46 @@ pub enum QuantityResult {
     Vector([f64; 2]),
 }
 
+/// How far hand drawings at the figure's scales are from the numbers, by quantity name.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct PencilResult {
+    /// Limit of the error of a point set, along x and along y, and of a length laid off or measured: millimetres of paper.
+    pub mm: f64,
+    /// Limit of the error of a direction drawn or read: degrees.
+    pub degrees: f64,
+    /// The scales of the sheets: units per millimetre of paper.
+    #[serde(flatten)]
+    #[schemars(schema_with = "scales_schema")]
+    pub mu: Scales,
+    /// By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`.
+    pub bands: IndexMap<String, BandResult>,
+    /// By quantity name: why a drawing gives no such value. Given values and points at rest are left out.
+    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    pub without: IndexMap<String, String>,
+}
+
+/// What an honest hand drawing gives for a quantity.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct BandResult {
+    /// Its value, of lengths and segments without a sign.
+    pub value: f64,
+    /// At least 95 of 100 drawings are at most this far from it.
+    pub band: f64,
+    /// Unit of both.
+    pub unit: String,
+    /// Present and true where errors are so large against the quantity that the band is only a rough one.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub rough: bool,
+}
+
+fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
+    Scales::schema(generator, |sheet| {
+        let units =
+            if sheet.is_plan() { String::new() } else { format!(": {} per millimetre of paper", sheet.scaled_units()) };
+        json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
+    })
+}
+
 /// The JSON Schema (draft 2020-12) of the result file.
 #[must_use]
 pub fn result_schema() -> serde_json::Value {
@@ -294,20 +334,22 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
     let moving = |body: BodyId, place: Point, on: Option<BodyId>, errors: [f64; 3]| PointResult {
         position: Some([place.x, place.y]),
         position_error: Some(errors[0]),
-        at_infinity: None,
         velocity: Some(motion.body(body).velocity_at(place).into()),
         velocity_error: Some(errors[1]),
         acceleration: has_accelerations.then(|| motion.body(body).acceleration_at(place).into()),
         acceleration_error: has_accelerations.then_some(errors[2]),
         on: on.map(|b| mechanism.body(b).name.clone()),
+        ..PointResult::default()
     };
     let point_of = |body: BodyId, point: PointId, on: Option<BodyId>| {
         let [velocity, acceleration] = bounds.motion_of(body, point);
         moving(body, pose.point(point), on, [bounds.place(point), velocity, acceleration])
     };
     let holders = mechanism.holders();
-    for point in (0..mechanism.points.len()).map(PointId) {
-        if let Some(body) = holder(mechanism, &holders[point.0]) {
+    for point in mechanism.point_ids() {
+        let holders = &holders[point.0];
+        // Preferably a body of known motion.
+        if let Some(&body) = holders.iter().find(|&&body| mechanism.is_known(body)).or(holders.first()) {
             let name = mechanism.point_name(point).to_owned();
             points.insert(name, point_of(body, point, None));
         }
@@ -334,7 +376,23 @@ fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointRes
     points
 }
 
-/// Of the bodies that have a point the one from which its motion is computed: preferably one of known motion.
-fn holder(mechanism: &Mechanism, bodies: &[BodyId]) -> Option<BodyId> {
-    bodies.iter().copied().find(|&b| mechanism.is_known(b)).or(bodies.first().copied())
+/// The bands for the result file.
+#[must_use]
+pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
+    let (mut bands, mut without) = (IndexMap::new(), IndexMap::new());
+    for (asked, band) in &pencil.quantities {
+        let name = asked.name().to_owned();
+        match band {
+            Ok(Band { value, band, is_rough }) => {
+                let unit = if asked.is_on_paper() { "mm".to_owned() } else { asked.kind().unit(units) };
+                let result = BandResult { value: *value, band: *band, unit, rough: *is_rough };
+                bands.insert(name, result);
+            }
+            Err(Unread::Given) => {}
+            Err(why) => {
+                without.insert(name, why.to_string());
+            }
+        }
+    }
+    PencilResult { mm: pencil.tolerance.mm, degrees: pencil.tolerance.degrees, mu: pencil.scales, bands, without }
 }

@@ -1,8 +1,8 @@
 use crate::construction::{Action, NOTHING, NumberedStep, Solution, Teller, Tolerance, plain_text, shown_text};
+use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, Unread};
-use crate::scene::QuantityName;
-use crate::scene::Units;
+use crate::scene::{QuantityName, Units};
 use crate::sheet::Sheet;
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
@@ -175,13 +175,13 @@ impl StepList<'_> {
             Some(plan) => plain_text(&plan.shown(name, name.to_owned(), self.words.notation)),
             None => name.to_owned(),
         };
-        // The vector between two plan points as it is drawn; its band is known by the names in the order of the steps.
-        let drawn = |[from, to]: [&str; 2], [first, second]: [&str; 2]| {
-            let vector = self.vector(plan?.shown_segment(from, to)?, sheet);
-            Some(format!("{} {} = {vector}{}", shown(from), shown(to), self.segment_band(sheet, first, second)))
-        };
-        let from_pole = |point: &str| drawn([sheet.pole(), point], [sheet.pole(), point]);
-        let lines = |first: String, drawn: Option<String>| {
+        let with_vector = |first: String| {
+            let drawn = drawn_vector(step).map(|(ends, vector)| {
+                // Its band is known by the names in the order of the steps.
+                let named = if let Action::LayOff(arrow) = step.action { [&*arrow.from, &*arrow.to] } else { ends };
+                let ([from, to], band) = (ends.map(shown), self.segment_band(sheet, named[0], named[1]));
+                format!("{from} {to} = {}{band}", self.vector(vector, sheet))
+            });
             [first].into_iter().filter(|line| !line.is_empty()).chain(drawn).collect()
         };
         match step.action {
@@ -191,13 +191,12 @@ impl StepList<'_> {
                 let band = self.segment_band(sheet, from, to);
                 vec![format!("{equation} = {}{band}", self.measure(*value, sheet))]
             }
-            Action::LayOff(arrow) => lines(equation, drawn(arrow.ends(), [&arrow.from, &arrow.to])),
+            Action::LayOff(_) | Action::Divide { .. } | Action::Coincide { .. } => with_vector(equation),
+            Action::Cross { sine, .. } => with_vector(self.crossing(*sine)),
             Action::Ray(ray) => {
                 let direction = self.words.language.direction(&self.degrees(degrees_of(ray.direction)));
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
-            Action::Cross { point, sine, .. } => lines(self.crossing(*sine), from_pole(point)),
-            Action::Divide { point, .. } | Action::Coincide { point, .. } => lines(equation, from_pole(point)),
             Action::Measure { from, to, value } => {
                 let value = if plan.is_some_and(|plan| plan.is_nothing(*value)) { 0.0 } else { *value };
                 let band = self.segment_band(sheet, from, to);

@@ -1,15 +1,12 @@
-use super::number::number;
-use crate::drawing::{Anchor, Colour, Drawing, Look, Mark, PlacedText, Shape};
+use super::number::{number, push_number};
+use crate::drawing::{
+    Anchor, Cap, Colour, Drawing, Emphasis, Look, Mark, Outline, OutlinePart, PlacedText, Point, Shape, Vec2,
+};
 use crate::text::tex_comment;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-mod paths;
-mod style;
 mod words;
-
-use paths::write_path;
-use style::{Used, name, write_colour, write_style};
 
 impl Drawing {
     /// The drawing as the text of a LaTeX file: a TikZ picture, true to scale in mm.
@@ -28,7 +25,9 @@ impl Drawing {
         for (mark, _) in &marks {
             let used = used.entry(name(self, mark));
             let (_, used) = used.or_insert_with(|| (self.look(mark), Used::default()));
-            used.count(&mark.shape);
+            let is_text = matches!(mark.shape, Shape::Text(_));
+            used.texts |= is_text;
+            used.lines |= !is_text;
         }
         let background = self.style.background();
         write_colour(&mut file, "background", background);
@@ -190,7 +189,158 @@ fn write_outlines(file: &mut String, name: &str, look: &Look, text: &PlacedText,
         write!(file, "\\fill[kinegon-{name}]")
     };
     for run in text.runs() {
-        run.outline(|glyph, origin| paths::write_outline(file, glyph, origin, run.size));
+        run.outline(|glyph, origin| write_outline(file, glyph, origin, run.size));
     }
     file.push(';');
+}
+
+/// Whether a pen draws lines and texts in a figure.
+#[derive(Clone, Copy, Default)]
+struct Used {
+    lines: bool,
+    texts: bool,
+}
+
+/// Writes the definitions of a look's colours and style, which take effect unless the document has its own.
+fn write_style(file: &mut String, name: &str, look: &Look, used: Used) {
+    let mut style: Vec<String> = Vec::new();
+    // The main colour is that of lines; of an area without outline that of its inside.
+    let main = if used.lines { look.stroke.or(look.fill).unwrap_or(look.ink) } else { look.ink };
+    write_colour(file, name, main);
+    if used.texts {
+        // The colour of texts has a name of its own where it is not that of lines.
+        let is_other = used.lines && look.ink != main;
+        let ink = if is_other { format!("{name}-ink") } else { name.to_owned() };
+        if is_other {
+            write_colour(file, &ink, look.ink);
+        }
+        style.push(format!("text=kinegon-{ink}"));
+    }
+    if used.lines {
+        if look.stroke.is_some() {
+            style.push(format!("draw=kinegon-{name},line width={}mm,line join=round", number(look.width)));
+            if look.cap == Cap::Round {
+                style.push("line cap=round".into());
+            }
+            if !look.dash.is_empty() {
+                let dashes = look.dash.iter().zip(["on", "off"].into_iter().cycle());
+                let dashes: Vec<String> =
+                    dashes.map(|(length, state)| format!("{state} {}mm", number(*length))).collect();
+                style.push(format!("dash pattern={}", dashes.join(" ")));
+            }
+        }
+        match (look.stroke, look.fill) {
+            (Some(_), Some(fill)) => {
+                write_colour(file, &format!("{name}-inside"), fill);
+                style.push(format!("fill=kinegon-{name}-inside"));
+            }
+            (None, Some(_)) => style.push(format!("fill=kinegon-{name}")),
+            (_, None) => {}
+        }
+    }
+    let _ = writeln!(file, "\\kinegonstyle{{{name}}}{{{}}}%", style.join(","));
+}
+
+fn write_colour(file: &mut String, name: &str, Colour { red, green, blue }: Colour) {
+    let _ = writeln!(file, "\\providecolor{{kinegon-{name}}}{{HTML}}{{{red:02X}{green:02X}{blue:02X}}}%");
+}
+
+/// The name of a mark's look in styles and colours: its pen, a number where the drawing's style gives links or curves
+/// looks of their own, and its emphasis.
+fn name(drawing: &Drawing, mark: &Mark) -> String {
+    let mut name = mark.pen.name().replace('_', "-");
+    let look = |number| drawing.style.look(mark.pen, number);
+    if let Some(number) = mark.number.filter(|&n| look(Some(n)) != look(None)) {
+        let _ = write!(name, "-{}", number + 1);
+    }
+    name.push_str(match mark.emphasis {
+        Emphasis::Plain => "",
+        Emphasis::New => "-new",
+        Emphasis::Earlier => "-earlier",
+    });
+    name
+}
+
+/// Writes a shape as a path; nothing for a text or an arrow.
+fn write_path(file: &mut String, shape: &Shape) {
+    match *shape {
+        Shape::Line(from, to) => write_chain(file, &[from, to]),
+        Shape::Polyline(ref points) => write_chain(file, points),
+        Shape::Polygon(ref points) => {
+            write_chain(file, points);
+            file.push_str("--cycle");
+        }
+        Shape::Area(ref chains) => {
+            for points in chains {
+                write_chain(file, points);
+                file.push_str("--cycle");
+            }
+        }
+        Shape::Circle { center, radius } => {
+            write_point(file, center);
+            file.push_str("circle[radius=");
+            push_number(file, radius.abs());
+            file.push(']');
+        }
+        Shape::Arc { center, radius, start, sweep } => {
+            let sweep = sweep.clamp(-std::f64::consts::TAU, std::f64::consts::TAU);
+            let (sin, cos) = (libm::sin(start), libm::cos(start));
+            write_point(file, center + Vec2::new(cos, sin) * radius);
+            for (name, value) in [
+                ("arc[start angle=", start.to_degrees()),
+                (",end angle=", (start + sweep).to_degrees()),
+                (",radius=", radius),
+            ] {
+                file.push_str(name);
+                push_number(file, value);
+            }
+            file.push(']');
+        }
+        Shape::Arrow { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => {}
+    }
+}
+
+fn write_chain(file: &mut String, points: &[Point]) {
+    for (index, &point) in points.iter().enumerate() {
+        file.push_str(if index == 0 { "" } else { "--" });
+        write_point(file, point);
+    }
+}
+
+fn write_point(file: &mut String, point: Point) {
+    file.push('(');
+    push_number(file, point.x);
+    file.push(',');
+    push_number(file, point.y);
+    file.push(')');
+}
+
+/// Writes the outline of a glyph, one closed curve per line; it is in em, `origin` and `size` are in mm.
+fn write_outline(file: &mut String, glyph: &Outline, origin: Point, size: f64) {
+    let at = |point: Point| origin + point.to_vec2() * size;
+    let mut pen = Point::ORIGIN;
+    for element in glyph {
+        let [first, second, to] = match element {
+            OutlinePart::MoveTo(to) | OutlinePart::LineTo(to) => {
+                file.push_str(if matches!(element, OutlinePart::MoveTo(_)) { "\n  " } else { "--" });
+                write_point(file, at(to));
+                pen = to;
+                continue;
+            }
+            // The control points of the same curve as a cubic one.
+            OutlinePart::QuadTo(by, to) => [pen.lerp(by, 2.0 / 3.0), to.lerp(by, 2.0 / 3.0), to],
+            OutlinePart::CurveTo(first, second, to) => [first, second, to],
+            OutlinePart::ClosePath => {
+                file.push_str("--cycle");
+                continue;
+            }
+        };
+        file.push_str("..controls");
+        write_point(file, at(first));
+        file.push_str("and");
+        write_point(file, at(second));
+        file.push_str("..");
+        write_point(file, at(to));
+        pen = to;
+    }
 }
