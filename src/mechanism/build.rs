@@ -17,7 +17,7 @@ use indexmap::IndexMap;
 /// # Errors
 /// [`StructureError`], with its place in the scene: the scene is no mechanism, or one that cannot be solved.
 pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
-    mechanism_with(scene, |mechanism| add_given(scene, mechanism))
+    mechanism_with(scene, &[], |mechanism| add_given(scene, mechanism))
 }
 
 /// The mechanism with the triangles of these links mirrored.
@@ -25,15 +25,16 @@ pub fn mechanism(scene: &Scene) -> Result<Mechanism, StructureError> {
 /// # Errors
 /// As [`mechanism`].
 pub(crate) fn mirrored_mechanism(scene: &Scene, links: &[&str]) -> Result<Mechanism, StructureError> {
-    built(scene, links, |mechanism| add_given(scene, mechanism))
+    mechanism_with(scene, links, |mechanism| add_given(scene, mechanism))
 }
 
-/// The mechanism with the joints that `add` adds to the bodies, and the pins, which follow from shared points.
-pub fn mechanism_with(scene: &Scene, add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
-    built(scene, &[], add)
-}
-
-fn built(scene: &Scene, mirrored: &[&str], add: impl FnOnce(&mut Mechanism)) -> Result<Mechanism, StructureError> {
+/// The mechanism with the triangles of the links `mirrored` mirrored, the joints that `add` adds to the bodies, and the pins, which
+/// follow from shared points.
+pub fn mechanism_with(
+    scene: &Scene,
+    mirrored: &[&str],
+    add: impl FnOnce(&mut Mechanism),
+) -> Result<Mechanism, StructureError> {
     let mechanism = Mechanism {
         given_by: scene.given_by,
         points: Vec::new(),

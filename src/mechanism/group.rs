@@ -325,27 +325,17 @@ impl Builder<'_> {
     }
 
     fn special(&self, class: Class, loops: &[Loop]) -> Vec<SpecialPoint> {
-        let name = |b: BodyId| self.mechanism.body(b).name.clone();
+        let of = |chain: &Loop| {
+            // Both loops of class III go over the central link, and each is named after its legs; those of class IV go over a
+            // closure link each.
+            let link = chain.bodies[2];
+            let named = if class == Class::Third { vec![chain.bodies[1], chain.bodies[3]] } else { vec![link] };
+            let name: String = named.into_iter().map(|body| self.mechanism.body(body).name.as_str()).collect();
+            SpecialPoint { name: format!("S{name}"), link, target: None, legs: [leg(chain, false), leg(chain, true)] }
+        };
         match (class, loops) {
             (Class::Second, [chain]) => self.dyad_point(chain).into_iter().collect(),
-            (Class::Third, [first, second]) => {
-                let central = first.bodies[2];
-                let of = |chain: &Loop| {
-                    let legs = [leg(chain, false), leg(chain, true)];
-                    let [a, b] = [chain.bodies[1], chain.bodies[3]].map(name);
-                    SpecialPoint { name: format!("S{a}{b}"), link: central, target: None, legs }
-                };
-                vec![of(first), of(second)]
-            }
-            (Class::Fourth, chains) => {
-                let of = |chain: &Loop| SpecialPoint {
-                    name: format!("S{}", name(chain.bodies[2])),
-                    link: chain.bodies[2],
-                    target: None,
-                    legs: [leg(chain, false), leg(chain, true)],
-                };
-                chains.iter().map(of).collect()
-            }
+            (Class::Third | Class::Fourth, chains) => chains.iter().map(of).collect(),
             _ => Vec::new(),
         }
     }

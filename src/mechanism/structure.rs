@@ -190,17 +190,7 @@ impl Assignment {
 
     /// The bodies `starts` and all bodies on which they depend.
     fn reach(&self, starts: &[usize]) -> BTreeSet<usize> {
-        let mut reached: BTreeSet<usize> = starts.iter().copied().collect();
-        let mut pending = starts.to_vec();
-        while let Some(here) = pending.pop() {
-            for &constraint in &self.assigned[here] {
-                let next = self.taken[constraint].from;
-                if reached.insert(next) {
-                    pending.push(next);
-                }
-            }
-        }
-        reached
+        closure(starts, |here| self.assigned[here].iter().map(|&constraint| self.taken[constraint].from))
     }
 
     /// The links with room and all that depend on them: the alternating paths of Dulmage & Mendelsohn. Requires that no
@@ -210,18 +200,19 @@ impl Assignment {
         for constraint in &self.taken {
             dependents[constraint.from].push(constraint.to);
         }
-        let mut moves: Vec<bool> = self.room[..links].iter().map(|&room| room > 0).collect();
-        let mut pending: Vec<usize> = (0..links).filter(|&link| moves[link]).collect();
-        while let Some(here) = pending.pop() {
-            for &next in &dependents[here] {
-                if !moves[next] {
-                    moves[next] = true;
-                    pending.push(next);
-                }
-            }
-        }
-        (0..links).filter(|&link| moves[link]).collect()
+        let free: Vec<usize> = (0..links).filter(|&link| self.room[link] > 0).collect();
+        closure(&free, |here| dependents[here].iter().copied()).into_iter().collect()
     }
+}
+
+/// These bodies, and all to which `next` leads from them, directly or over others.
+fn closure<N: Iterator<Item = usize>>(starts: &[usize], next: impl Fn(usize) -> N) -> BTreeSet<usize> {
+    let mut reached: BTreeSet<usize> = starts.iter().copied().collect();
+    let mut pending = starts.to_vec();
+    while let Some(here) = pending.pop() {
+        pending.extend(next(here).filter(|&next| reached.insert(next)));
+    }
+    reached
 }
 
 /// The strongly connected components of the dependence between links, in solving order. Every link has three

@@ -39,7 +39,7 @@ fn geared(scene: &Scene, weights: &[(&str, i32)], constant: f64) -> Mechanism {
             marks: Default::default(),
         });
     };
-    mechanism_with(scene, add).expect("a mechanism")
+    mechanism_with(scene, &[], add).expect("a mechanism")
 }
 
 /// Where C of the five-bar is with its cranks at these angles in degrees: above the line from B to D.
