@@ -82,45 +82,53 @@ impl Component {
 }
 
 impl Head {
-    /// The heads that are not the distance of two points, with their words.
-    const WORDS: [(Head, &'static str); 13] = [
-        (Head::Omega, "omega"),
-        (Head::Alpha, "alpha"),
-        (Head::Angle, "angle"),
-        (Head::SlidePosition, "position"),
-        (Head::SlideVelocity, "v_r"),
-        (Head::SlideAcceleration, "a_r"),
-        (Head::Coriolis, "a_c"),
-        (Head::X, "x"),
-        (Head::Y, "y"),
-        (Head::Velocity, "v"),
-        (Head::Acceleration, "a"),
-        (Head::Normal, "a_n"),
-        (Head::Tangential, "a_t"),
+    /// The heads that are not the distance of two points: the word for each, what its arguments are, and the kind of its value.
+    const KNOWN: [(Head, &'static str, Argument, QuantityKind); 13] = [
+        (Head::Omega, "omega", Argument::Link, QuantityKind::AngularVelocity),
+        (Head::Alpha, "alpha", Argument::Link, QuantityKind::AngularAcceleration),
+        (Head::Angle, "angle", Argument::Link, QuantityKind::Angle),
+        (Head::SlidePosition, "position", Argument::Slider, QuantityKind::Position),
+        (Head::SlideVelocity, "v_r", Argument::Slider, QuantityKind::Velocity),
+        (Head::SlideAcceleration, "a_r", Argument::Slider, QuantityKind::Acceleration),
+        (Head::Coriolis, "a_c", Argument::Slider, QuantityKind::Acceleration),
+        (Head::X, "x", Argument::Point, QuantityKind::Position),
+        (Head::Y, "y", Argument::Point, QuantityKind::Position),
+        (Head::Velocity, "v", Argument::Point, QuantityKind::Velocity),
+        (Head::Acceleration, "a", Argument::Point, QuantityKind::Acceleration),
+        (Head::Normal, "a_n", Argument::Point, QuantityKind::Acceleration),
+        (Head::Tangential, "a_t", Argument::Point, QuantityKind::Acceleration),
     ];
 
     fn of(word: &str) -> Option<Head> {
         let between = || Sheet::ALL.into_iter().find(|sheet| sheet.segment_head() == word).map(Head::Between);
-        Head::WORDS.into_iter().find(|(_, own)| *own == word).map(|(head, _)| head).or_else(between)
+        Head::KNOWN.into_iter().find(|(_, own, ..)| *own == word).map(|(head, ..)| head).or_else(between)
+    }
+
+    /// The word for it, what its arguments are, and the kind of its value.
+    fn facts(self) -> (&'static str, Argument, QuantityKind) {
+        let known = || Head::KNOWN.into_iter().find(|(head, ..)| *head == self).expect("every other head is listed");
+        match self {
+            Head::Between(sheet) => (sheet.segment_head(), Argument::Point, sheet.drawn()),
+            _ => (known().1, known().2, known().3),
+        }
     }
 
     /// The word for it.
     #[must_use]
     pub fn word(self) -> &'static str {
-        match self {
-            Head::Between(sheet) => sheet.segment_head(),
-            _ => Head::WORDS.into_iter().find(|(head, _)| *head == self).map_or("", |(_, word)| word),
-        }
+        self.facts().0
     }
 
     /// What its arguments are.
     #[must_use]
     pub fn argument(self) -> Argument {
-        match self {
-            Head::Omega | Head::Alpha | Head::Angle => Argument::Link,
-            Head::SlidePosition | Head::SlideVelocity | Head::SlideAcceleration | Head::Coriolis => Argument::Slider,
-            _ => Argument::Point,
-        }
+        self.facts().1
+    }
+
+    /// The kind of its value; of a vector that of its size.
+    #[must_use]
+    pub fn kind(self) -> QuantityKind {
+        self.facts().2
     }
 
     /// What separates its two points; `None` where it has one argument.
@@ -138,22 +146,6 @@ impl Head {
         match self.separator().and_then(|by| inner.split_once(by)) {
             Some((first, second)) => Some(vec![first, second]),
             None => (!needs_two).then(|| vec![inner]),
-        }
-    }
-
-    /// The kind of its value; of a vector that of its size.
-    #[must_use]
-    pub fn kind(self) -> QuantityKind {
-        match self {
-            Head::Angle => QuantityKind::Angle,
-            Head::Omega => QuantityKind::AngularVelocity,
-            Head::Alpha => QuantityKind::AngularAcceleration,
-            Head::SlidePosition | Head::X | Head::Y => QuantityKind::Position,
-            Head::SlideVelocity | Head::Velocity => QuantityKind::Velocity,
-            Head::SlideAcceleration | Head::Coriolis | Head::Acceleration | Head::Normal | Head::Tangential => {
-                QuantityKind::Acceleration
-            }
-            Head::Between(sheet) => sheet.drawn(),
         }
     }
 }
