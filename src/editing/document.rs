@@ -1,11 +1,10 @@
 //! The text of a scene that is changed value by value; all that is not changed stays as it is, to the byte.
 
 use jsonc_parser::ast::{Object, Value};
-use jsonc_parser::common::Ranged;
 use serde_json::Value as Json;
 use std::ops::Range;
 
-use crate::scene::{JointKind, SceneError, SceneTree, key_order};
+use crate::scene::{JointKind, SceneError, SceneTree, key_order, quoted, range_of};
 
 /// A text in the course of changes. Paths are JSON paths; an index of a list is written in digits.
 #[derive(Clone, Debug)]
@@ -224,7 +223,7 @@ fn replaced(node: &Value<'_>, value: &Json, layout: Layout, splices: &mut Vec<Sp
     match (node, value) {
         (Value::NumberLit(number), Json::Number(_)) => {
             if !same(node, value) {
-                splices.push((number.start()..number.end(), layout.one_line(value)));
+                splices.push((range_of(number), layout.one_line(value)));
             }
             true
         }
@@ -246,10 +245,6 @@ fn parts(node: &Value<'_>) -> Vec<Range<usize>> {
         Value::Array(array) => array.elements.iter().map(range_of).collect(),
         _ => Vec::new(),
     }
-}
-
-fn range_of(part: &impl Ranged) -> Range<usize> {
-    part.start()..part.end()
 }
 
 /// Where a new key belongs: behind those that people write before it, else before those that they write after it, else
@@ -312,7 +307,7 @@ fn cut(tree: &SceneTree<'_>, node: &Value<'_>, index: usize) -> Range<usize> {
     let (before, after) = (index.checked_sub(1).map(|before| &parts[before]), parts.get(index + 1));
     let starts_line = |part: &Range<usize>| indent(tree.body, part).is_some();
     match (before, after) {
-        (None, None) => node.start() + 1..node.end() - 1,
+        (None, None) => range_of(node).start + 1..range_of(node).end - 1,
         (None, Some(after)) => this.start..after.start,
         (Some(_), Some(after)) if starts_line(this) && !starts_line(after) => this.start..after.start,
         (Some(before), _) => before.end..this.end,
@@ -334,13 +329,13 @@ fn reworded(node: &Value<'_>, path: &mut Vec<String>, rename: Rename<'_>, splice
     match node {
         Value::StringLit(text) => {
             let new = rename(Word { path, is_key: false, word: &text.value });
-            splices.extend(new.map(|word| (text.start()..text.end(), quoted(&word))));
+            splices.extend(new.map(|word| (range_of(text), quoted(&word))));
         }
         Value::Object(object) => {
             for property in object.properties.iter().filter(|property| property.name.as_str() != "note") {
                 let name = property.name.as_str();
                 let new = rename(Word { path, is_key: true, word: name });
-                splices.extend(new.map(|word| (property.name.start()..property.name.end(), quoted(&word))));
+                splices.extend(new.map(|word| (range_of(&property.name), quoted(&word))));
                 path.push(name.to_owned());
                 reworded(&property.value, path, rename, splices);
                 path.pop();
@@ -402,11 +397,6 @@ impl Layout {
     fn entry(self, key: &str, value: &Json) -> String {
         format!("{}{}{}", quoted(key), self.colon, self.one_line(value))
     }
-}
-
-/// A text in double quotes, with the escapes of JSON.
-fn quoted(text: &str) -> String {
-    Json::from(text).to_string()
 }
 
 /// The spaces before a part of the text that begins its line; `None` if something stands before it there.

@@ -4,15 +4,12 @@ use serde_json::Value as Json;
 
 use super::document::Document;
 use super::measure::Decimals;
-use super::near::{distance, settle};
+use super::near::{MOVED, distance, settle};
 use super::present::{Solved, refused};
 use crate::geometry::{degrees_of, span, with_turns};
 use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::position::{Pose, numbered_pose};
 use crate::scene::{GivenBy, SceneError};
-
-/// Largest distance, in parts of the mechanism's size, by which rounding of a drive may move a point.
-const MOVED: f64 = 0.02;
 
 /// Numbers of further decimals of a drive that are tried, where rounding moves points too far or beyond a limit.
 const FURTHER: [i32; 5] = [0, 1, 2, 4, 8];

@@ -3,9 +3,8 @@
 use serde_json::{Map, Number, Value as Json};
 
 use super::document::Document;
-use super::names::joined;
 use crate::geometry::{Point, cross, unit};
-use crate::scene::SceneError;
+use crate::scene::{SceneError, joined};
 
 /// A number of decimals: −1 for tens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -90,12 +90,6 @@ fn keys_or_list(value: &Json) -> Vec<String> {
     }
 }
 
-/// The key of two points, as `AB`, or as `A1-B` where names are longer.
-pub(super) fn joined(from: &str, to: &str) -> String {
-    let is_short = from.chars().count() + to.chars().count() == 2;
-    if is_short { format!("{from}{to}") } else { format!("{from}-{to}") }
-}
-
 /// The key of two points in place of another one of points with these new names: with a hyphen where that one has it or
 /// where the names would run together.
 pub(super) fn joined_like(old: &str, from: &str, to: &str, points: &[String]) -> String {

@@ -13,6 +13,9 @@ use crate::scene::{QuantityName, Scene, SceneError};
 /// Largest distance of two positions that count as one, in parts of the mechanism's size and in radians.
 const SAME: f64 = 1e-6;
 
+/// Largest distance, in parts of the mechanism's size, by which rounding may move a point where `near` says all that it can.
+pub(super) const MOVED: f64 = 0.02;
+
 /// What `near` may say, from the least on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Said {

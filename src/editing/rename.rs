@@ -4,7 +4,7 @@
 use super::document::{Document, Word};
 use super::names::{Named, Names, joined_like};
 use crate::construction::image_name;
-use crate::scene::{Argument, Meaning, QuantityName, Scene, SceneError, meaning, nearest, pair, why_not};
+use crate::scene::{Argument, Meaning, QuantityName, Scene, SceneError, close, meaning, pair, why_not};
 
 /// Gives a point or a link another name, in all places where the scene means it.
 ///
@@ -52,7 +52,7 @@ pub(super) fn check_name(document: &Document<'_>, what: &str, name: &str) -> Res
 
 /// There is no point or link of that name.
 pub(super) fn no_such(document: &Document<'_>, noun: &str, name: &str, all: &[String]) -> SceneError {
-    let hint = nearest(name, all.iter().map(String::as_str)).map(|name| format!("did you mean `{name}`?"));
+    let hint = close(name, all.iter().map(String::as_str));
     document.error(&[], format!("there is no {noun} {}", crate::text::shown(name)), hint.as_deref())
 }
 

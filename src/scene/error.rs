@@ -216,7 +216,7 @@ pub(super) fn key_range(property: &ObjectProp<'_>) -> Range<usize> {
 }
 
 /// The bytes of a part of the tree.
-pub(super) fn range_of(part: &impl Ranged) -> Range<usize> {
+pub(crate) fn range_of(part: &impl Ranged) -> Range<usize> {
     part.start()..part.end()
 }
 

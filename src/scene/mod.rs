@@ -54,11 +54,13 @@ pub use text::MAX_BYTES;
 pub use units::{LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
+pub(crate) use error::range_of;
 pub(crate) use figure::figure_keys;
-pub(crate) use name::{pair, why_not};
+pub(crate) use name::{joined, pair, why_not};
 pub(crate) use schema::schema_of;
 pub(crate) use shape::STRAIGHT;
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;
 pub(crate) use value::several_forms;
-pub(crate) use words::{nearest, nearest_within};
+pub(crate) use words::{close, nearest, nearest_within};
+pub(crate) use write::quoted;

@@ -100,6 +100,12 @@ pub(super) fn checked_pair(
     Ok((from.to_owned(), to.to_owned()))
 }
 
+/// The key of two points, as `AB`, or as `A1-B` where names are longer.
+pub(crate) fn joined(from: &str, to: &str) -> String {
+    let is_short = from.chars().count() + to.chars().count() == 2;
+    if is_short { format!("{from}{to}") } else { format!("{from}-{to}") }
+}
+
 /// Why a point or a link cannot have this name; `what` is "a point" or "a link".
 pub(crate) fn why_not(what: &str, name: &str) -> Option<(String, Option<String>)> {
     check_name(what, name).err().map(|wrong| (wrong.message, wrong.hint))

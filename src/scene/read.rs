@@ -14,7 +14,6 @@ use super::names::Names;
 use super::points::{Ground, check_points, ground};
 use super::schema::schema_of;
 use super::text::FileKind;
-
 use super::typed::read_as;
 use super::units::Units;
 use super::value::{NearValue, Vector};
@@ -107,7 +106,7 @@ impl Scene {
     pub fn read(text: &str) -> Result<Scene, SceneError> {
         let file = read_as(text, &FileKind::SCENE)?;
         let scene = check(file, text).map_err(|wrong| Source(text).error(wrong))?;
-        SizeLimit::SCENE.check(&scene)?;
+        SizeLimit::NUMBERS.check(&scene)?;
         Ok(scene)
     }
 
@@ -139,10 +138,8 @@ pub struct SizeLimit {
 }
 
 impl SizeLimit {
-    /// For all scenes, so that they are read and solved in seconds.
-    const SCENE: SizeLimit = SizeLimit { links: 10_000, points: 100_000, what: "a scene" };
-    /// For numbers: no more than a scene may have.
-    pub const NUMBERS: SizeLimit = SizeLimit { links: usize::MAX, points: usize::MAX, what: "a scene" };
+    /// For numbers, which take seconds then; no scene may be larger.
+    pub const NUMBERS: SizeLimit = SizeLimit { links: 10_000, points: 100_000, what: "a scene" };
     /// For a figure, which takes three seconds then.
     pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, what: "a figure" };
     /// For steps, whose sheets grow as the square of the links.

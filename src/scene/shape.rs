@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use indexmap::IndexMap;
 
 use super::error::Wrong;
-use super::name::{checked_pair, no_point};
+use super::name::{checked_pair, joined, no_point};
 use super::value::ShapePoint;
 use super::words::number;
 
@@ -60,8 +60,7 @@ pub(super) fn lengths(link: &str, points: &[String], given: IndexMap<String, f64
         lengths.push(length.map_err(|wrong| wrong.inside(&["lengths", &key]))?);
     }
     if let Some((from, to)) = missing(points, &lengths) {
-        let short = from.chars().count() + to.chars().count() == 2;
-        let key = if short { format!("{from}{to}") } else { format!("{from}-{to}") };
+        let key = joined(from, to);
         let message = match points.len() {
             2 => format!("link {link} has the points {from} and {to}, but not their distance"),
             _ => format!("link {link} has three points, which need three lengths; that of {from} and {to} is missing"),

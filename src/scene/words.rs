@@ -47,7 +47,7 @@ pub(crate) fn nearest_within<'a>(
 }
 
 /// `did you mean …?` for the nearest name.
-pub(super) fn close<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<String> {
+pub(crate) fn close<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<String> {
     nearest(word, names).map(|name| format!("did you mean `{name}`?"))
 }
 

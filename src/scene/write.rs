@@ -66,7 +66,7 @@ impl Write for Untrusted {
 }
 
 /// The text in double quotes, with the escapes of JSON.
-fn quoted(text: &str) -> String {
+pub(crate) fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 

@@ -1,11 +1,10 @@
 //! The study file, version 1, key by key.
 
 use super::task::Figure;
-use crate::scene::{FileKind, SceneError, SceneTree, read_as, schema_of};
+use crate::scene::{FileKind, SceneError, SceneTree, range_of, read_as, schema_of};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use jsonc_parser::ast::Value as Node;
-use jsonc_parser::common::Ranged;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde_json::Value as Json;
@@ -152,11 +151,11 @@ impl StudyFile {
             return String::new();
         };
         let scene = root.properties.iter().rev().find(|property| property.name.as_str() == "scene");
-        let Some((start, end)) = scene.map(|property| (property.value.start(), property.value.end())) else {
+        let Some(range) = scene.map(|property| range_of(&property.value)) else {
             return String::new();
         };
-        let before: String = body[..start].chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect();
-        before + &body[start..end]
+        let before: String = body[..range.start].chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect();
+        before + &body[range]
     }
 
     /// An error at a place of the study.

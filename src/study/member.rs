@@ -6,7 +6,7 @@ use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Curves, CycleError, Drive, Extreme, Path, Steps, Sweep};
 use crate::mechanism::{Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
-use crate::scene::{STRAIGHT, Scene, SceneError, Shape, SizeLimit};
+use crate::scene::{STRAIGHT, Scene, SceneError, Shape};
 
 /// Why a study cannot be made of a scene.
 #[derive(Debug, thiserror::Error)]
@@ -51,7 +51,6 @@ fn has_links(scene: &Scene) -> bool {
 
 /// The mechanism of a scene in the assembly mode that `near` picks.
 pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
-    SizeLimit::NUMBERS.check(scene)?;
     let mechanism = with_nearest_sides(scene, mechanism(scene)?);
     let pose = pose(&mechanism, &scene.near)?;
     Ok((mechanism, pose))

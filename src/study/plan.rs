@@ -11,7 +11,7 @@ use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
 use crate::geometry::MANY;
 use crate::mechanism::Mechanism;
 use crate::quantity::{QuantityKind, QuantityRequest};
-use crate::scene::{GivenBy, Scene, nearest};
+use crate::scene::{GivenBy, Scene, close};
 use std::ops::Range;
 
 /// Most rows of a study.
@@ -237,10 +237,7 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
         let path = ["vary", name.as_str()];
         let Some(found) = known.iter().find(|k| k.name == *name || k.path == *name) else {
             let names = known.iter().flat_map(|k| [k.name.as_str(), k.path.as_str()]);
-            let hint = match nearest(name, names) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None => format!("what may vary: {}", listed(&known)),
-            };
+            let hint = close(name, names).unwrap_or_else(|| format!("what may vary: {}", listed(&known)));
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
             return file.refuse(&path, message, Some(&hint));
         };

@@ -108,10 +108,7 @@ impl Wording {
     /// A number that was written with a decimal point, with the wording's decimal mark.
     #[must_use]
     pub fn number(&self, written: String) -> String {
-        match self.decimal {
-            DecimalMark::Point => written,
-            DecimalMark::Comma => written.replace('.', ","),
-        }
+        number::marked(written, self.decimal)
     }
 }
 

@@ -102,10 +102,7 @@ impl NumberStyle {
         if self.medium == Medium::Figure {
             text = text.replace('-', "−");
         }
-        match mark {
-            DecimalMark::Point => text,
-            DecimalMark::Comma => text.replace('.', ","),
-        }
+        marked(text, mark)
     }
 
     /// The number in ASCII: hyphen as minus sign, decimal point, no plus sign.
@@ -141,6 +138,14 @@ impl NumberStyle {
     fn without_idle_zeros(self, number: &str) -> &str {
         let has_idle = self.is_trimmed && number.contains('.');
         if has_idle { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+    }
+}
+
+/// A number that was written with a decimal point, with this decimal mark.
+pub(super) fn marked(written: String, mark: DecimalMark) -> String {
+    match mark {
+        DecimalMark::Point => written,
+        DecimalMark::Comma => written.replace('.', ","),
     }
 }
 

@@ -2,12 +2,11 @@
 //! which nothing else hangs do not hold it: they turn.
 
 use super::Pins;
-use crate::editing::names::joined;
 use crate::editing::present::Solved;
 use crate::geometry::{Point, Turn, Vector, cross, quarter_turn, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
 use crate::position::Pose;
-use crate::scene::{Along, At, GivenBy, On, Shape, Slider, pair};
+use crate::scene::{Along, At, GivenBy, On, Shape, Slider, joined, pair};
 
 /// Largest distance of a drawn block from its guide, in parts of the distance of the guide's points, that counts as none.
 const ON_LINE: f64 = 1e-4;

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::document::Document;
 use super::measure::Decimals;
-use super::near::{distance, settle};
+use super::near::{MOVED, distance, settle};
 use super::present::Solved;
 use crate::geometry::{Point, span};
 use crate::mechanism::{BodyId, Mechanism, PointId};
@@ -70,9 +70,6 @@ const FURTHER: [i32; 3] = [1, 3, 6];
 /// Largest distance of a point from where it belongs, in parts of the mechanism's size, that is surely rounding.
 const ROUNDING: f64 = 0.002;
 
-/// Largest such distance where `near` says all that it can.
-const MOVED: f64 = 0.02;
-
 impl Reshape {
     /// Takes hold of a point of a scene in the position of its text.
     ///
@@ -101,32 +98,31 @@ impl Reshape {
         if !wanted.coords.iter().all(|x| x.is_finite()) {
             return Err(self.before.scene.error_at(&[], "this is no place", None));
         }
-        let note = self.held.note.clone();
         if self.held.is_fast() {
-            return Ok(self.unchanged(note));
+            return Ok(self.unchanged());
         }
         let allowed = allowed(now, &self.held.rules, wanted);
         let place = if self.held.rules.is_empty() { self.decimals } else { self.decimals.finer(1) }.place(allowed);
         if (place - now).norm() < self.decimals.finer(1).step() {
-            return Ok(self.unchanged(note));
+            return Ok(self.unchanged());
         }
         self.check_apart(place)?;
         let mut failure = None;
         for further in FURTHER {
             match self.with_joint(place, self.decimals.finer(further)) {
-                Ok((text, solved)) => {
-                    let Solved { scene, mechanism, pose } = solved;
-                    return Ok(Reshaped { text, scene, mechanism, pose, note });
-                }
+                Ok((text, solved)) => return Ok(self.reshaped(text, solved)),
                 Err(error) => failure = Some(error),
             }
         }
         Err(failure.unwrap_or_else(|| self.error(self.before.language().held_nowhere())))
     }
 
-    fn unchanged(&self, note: Option<String>) -> Reshaped {
-        let Solved { scene, mechanism, pose } = self.before.clone();
-        Reshaped { text: self.text.clone(), scene, mechanism, pose, note }
+    fn unchanged(&self) -> Reshaped {
+        self.reshaped(self.text.clone(), self.before.clone())
+    }
+
+    fn reshaped(&self, text: String, Solved { scene, mechanism, pose }: Solved) -> Reshaped {
+        Reshaped { text, scene, mechanism, pose, note: self.held.note.clone() }
     }
 
     /// Why the joint cannot go where it is pulled, in the figure's language as the notes are.
