@@ -100,8 +100,8 @@ pub fn apply(text: &str, edits: &[Edit]) -> Result<String, SceneError> {
     let mut document = Document::new(text)?;
     for edit in edits {
         match edit {
-            Edit::Set { set, value } => document.set(&parts(&names(set)), value)?,
-            Edit::Remove { remove } => document.remove(&parts(&names(remove)))?,
+            Edit::Set { set, value } => document.set_all(&[(names(set), value.clone())])?,
+            Edit::Remove { remove } => document.set_all(&[(names(remove), Json::Null)])?,
             Edit::Rename { rename, from, to } => rename::rename(&mut document, *rename, from, to)?,
             Edit::AddLink { add_link } => add::link(&mut document, add_link)?,
             Edit::AddPoint { add_point } => add::point(&mut document, add_point)?,
@@ -135,8 +135,4 @@ fn names(path: &[Key]) -> Vec<String> {
         Key::Name(name) => name.clone(),
     };
     path.iter().map(name).collect()
-}
-
-fn parts(path: &[String]) -> Vec<&str> {
-    path.iter().map(String::as_str).collect()
 }

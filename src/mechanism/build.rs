@@ -10,7 +10,7 @@ use super::{
 };
 use crate::geometry::{Point, Vector};
 use crate::scene::{GivenBy, Scene};
-use indexmap::IndexMap;
+use indexmap::IndexSet;
 
 /// The mechanism that a scene describes.
 ///
@@ -35,21 +35,7 @@ pub fn mechanism_with(
     mirrored: &[&str],
     add: impl FnOnce(&mut Mechanism),
 ) -> Result<Mechanism, StructureError> {
-    let mechanism = Mechanism {
-        given_by: scene.given_by,
-        points: Vec::new(),
-        given: Vec::new(),
-        bodies: Vec::new(),
-        sliders: Vec::new(),
-        joints: Vec::new(),
-        groups: Vec::new(),
-        placing: None,
-        doubtful_sides: Vec::new(),
-        warnings: Vec::new(),
-    };
-    let mut builder = Builder { scene, mechanism, points: IndexMap::new() };
-    builder.add_bodies(mirrored)?;
-    let mut mechanism = builder.mechanism;
+    let mut mechanism = bodies(scene, mirrored)?;
     mechanism.warnings.extend(radians_warnings(scene));
     add(&mut mechanism);
     let given_angle = link_angle_for_drive(scene)?;
@@ -173,69 +159,54 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     }
 }
 
-struct Builder<'a> {
-    scene: &'a Scene,
-    mechanism: Mechanism,
-    /// The points by name.
-    points: IndexMap<String, PointId>,
-}
-
-impl Builder<'_> {
-    fn point(&mut self, name: &str) -> PointId {
-        if let Some(id) = self.points.get(name) {
-            return *id;
+/// A mechanism of the scene's points and bodies, without joints.
+fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError> {
+    let of_links = scene.links.values().flat_map(|link| &link.points);
+    let names: IndexSet<&String> = scene.ground.iter().chain(of_links).chain(scene.known.keys()).collect();
+    let given = |name: &str| scene.coordinates.get(name).map(|&place| Point::from(place));
+    let mut mechanism = Mechanism {
+        given_by: scene.given_by,
+        points: names.iter().map(|&name| name.clone()).collect(),
+        given: names.iter().map(|name| given(name)).collect(),
+        ..Mechanism::default()
+    };
+    let body = |name: &str, points: &[String], role: Role, local: Vec<Point>| Body {
+        name: name.to_owned(),
+        points: points.iter().filter_map(|point| names.get_index_of(point)).map(PointId).collect(),
+        local,
+        role,
+        block: false,
+    };
+    let ground_places = scene.ground.iter().filter_map(|name| given(name)).collect();
+    mechanism.bodies.push(body("ground", &scene.ground, Role::Ground, ground_places));
+    let driven = places_from_drives(scene);
+    for (name, link) in &scene.links {
+        let role = role(scene, &mechanism, name, link)?;
+        let mut local = Vec::new();
+        if scene.given_by == GivenBy::Lengths {
+            let rough = |point: &str| scene.near.points.get(point).map(|&place| Point::from(place));
+            let place = |point: &str| given(point).or_else(|| driven.get(point).copied()).or_else(|| rough(point));
+            let side;
+            (local, side) = local_points(link, place);
+            if side == Side::Doubtful {
+                mechanism.doubtful_sides.push(BodyId(mechanism.bodies.len()));
+            }
+            if mirrored.contains(&name.as_str()) {
+                local.iter_mut().for_each(|point| point.y = -point.y);
+            }
+            if side == Side::Unknown {
+                mechanism.warnings.push(format!(
+                    "link {name}: its lengths fit a triangle and its mirror image; the counter-clockwise one {} is taken. \
+                     Give rough places of its points in `near` to choose",
+                    link.points.join("-"),
+                ));
+            }
         }
-        self.mechanism.points.push(name.to_owned());
-        let given = self.scene.coordinates.get(name);
-        self.mechanism.given.push(given.map(|&p| p.into()));
-        let id = PointId(self.mechanism.points.len() - 1);
-        self.points.insert(name.to_owned(), id);
-        id
+        mechanism.bodies.push(body(name, &link.points, role, local));
     }
-
-    fn add_body(&mut self, name: &str, points: &[String], role: Role, local: Vec<Point>) {
-        let points = points.iter().map(|p| self.point(p)).collect();
-        self.mechanism.bodies.push(Body { name: name.to_owned(), points, local, role, block: false });
+    for (name, motion) in &scene.known {
+        let role = Role::Carrier { velocity: motion.velocity.into(), acceleration: motion.acceleration.into() };
+        mechanism.bodies.push(body(name, std::slice::from_ref(name), role, Vec::new()));
     }
-
-    fn add_bodies(&mut self, mirrored: &[&str]) -> Result<(), StructureError> {
-        let scene = self.scene;
-        let drawn = scene.given_by == GivenBy::Drawing;
-        let ground_places: Vec<Point> =
-            scene.ground.iter().filter_map(|name| scene.coordinates.get(name).map(|&p| p.into())).collect();
-        self.add_body("ground", &scene.ground, Role::Ground, ground_places);
-        let driven = places_from_drives(scene);
-        for (name, link) in &scene.links {
-            let role = role(scene, &self.mechanism, name, link)?;
-            let local = if drawn {
-                Vec::new()
-            } else {
-                let (mut local, side) = local_points(link, |p| {
-                    let given = |places: &IndexMap<_, [f64; 2]>| places.get(p).map(|&p| p.into());
-                    let place = given(&scene.coordinates).or_else(|| driven.get(p).copied());
-                    place.or_else(|| given(&scene.near.points))
-                });
-                if side == Side::Doubtful {
-                    self.mechanism.doubtful_sides.push(BodyId(self.mechanism.bodies.len()));
-                }
-                if mirrored.contains(&name.as_str()) {
-                    local.iter_mut().for_each(|point| point.y = -point.y);
-                }
-                if side == Side::Unknown {
-                    self.mechanism.warnings.push(format!(
-                        "link {name}: its lengths fit a triangle and its mirror image; the counter-clockwise one {} is taken. \
-                         Give rough places of its points in `near` to choose",
-                        link.points.join("-"),
-                    ));
-                }
-                local
-            };
-            self.add_body(name, &link.points, role, local);
-        }
-        for (name, motion) in &scene.known {
-            let role = Role::Carrier { velocity: motion.velocity.into(), acceleration: motion.acceleration.into() };
-            self.add_body(name, std::slice::from_ref(name), role, Vec::new());
-        }
-        Ok(())
-    }
+    Ok(mechanism)
 }

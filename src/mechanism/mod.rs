@@ -50,7 +50,7 @@ pub struct JointId(pub usize);
 pub struct SliderId(pub usize);
 
 /// The bodies and joints of a scene, and its Assur groups in solving order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Mechanism {
     /// Whether positions are found from lengths or given by a drawing.
     pub given_by: GivenBy,

@@ -10,9 +10,10 @@ use serde::Deserialize;
 use std::f64::consts::{PI, TAU};
 
 /// How a scene gives the places of its points.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum GivenBy {
     /// By ground points, lengths or shapes, and angles of drives: positions have to be found.
+    #[default]
     Lengths,
     /// By the coordinates of every point, as drawn.
     Drawing,
