@@ -126,7 +126,9 @@ impl New {
                     "name one of those that `kinegon new --list` shows",
                 );
             }
-            return files::print_text(&list());
+            let width = Kind::NAMES.iter().map(|name| name.len()).max().unwrap_or_default();
+            let line = |kind: Kind| format!("{:width$}  {}\n", kind.name, kind.title().for_terminal());
+            return files::print_text(&Kind::all().map(line).collect::<String>());
         };
         let Kind { name, text } = Kind::named(kind).expect("the command line takes no other name");
         if self.output == Path::new("-") {
@@ -138,10 +140,4 @@ impl New {
         files.add_first(&path, text.as_bytes())?;
         files.finish()
     }
-}
-
-/// The kinds with the titles of their scenes, a line each.
-fn list() -> String {
-    let width = Kind::NAMES.iter().map(|name| name.len()).max().unwrap_or_default();
-    Kind::all().map(|kind| format!("{:width$}  {}\n", kind.name, kind.title().for_terminal())).collect()
 }

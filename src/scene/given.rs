@@ -74,12 +74,6 @@ pub struct SliderDrive {
 
 write_keys!(SliderDrive { speed, position, acceleration } unless SliderDrive { position: None, speed: 0.0, acceleration: 0.0 });
 
-/// A drive that is written in a link.
-pub(super) enum LinkDrive {
-    Turns(Drive),
-    Pushes(SliderDrive),
-}
-
 impl LinkDriveFile {
     /// Refuses keys of a position in a drawn configuration, which gives it already.
     pub fn check_given_by(&self, given_by: GivenBy, link: &str) -> Result<(), Wrong> {
@@ -92,10 +86,10 @@ impl LinkDriveFile {
         }
     }
 
-    /// The checked drive; `link` is its link.
-    pub fn read(&self, time: TimeUnit, link: &str) -> Result<LinkDrive, Wrong> {
+    /// The checked drive, which turns its link `link` or pushes it along a guide.
+    pub fn read(&self, time: TimeUnit, link: &str) -> Result<(Option<Drive>, Option<SliderDrive>), Wrong> {
         let pushes = self.position.is_some() || self.speed.is_some() || self.acceleration.is_some();
-        if pushes { self.pushing(link).map(LinkDrive::Pushes) } else { self.turning(time, link).map(LinkDrive::Turns) }
+        Ok(if pushes { (None, Some(self.pushing(link)?)) } else { (Some(self.turning(time, link)?), None) })
     }
 
     fn turning(&self, time: TimeUnit, link: &str) -> Result<Drive, Wrong> {

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::Wrong;
-use super::given::{DRAWN, Drive, GivenBy, LinkDrive, LinkDriveFile, LinkMotion, SliderDrive, first_given};
+use super::given::{DRAWN, Drive, GivenBy, LinkDriveFile, LinkMotion, SliderDrive, first_given};
 use super::name::{check_list, check_name};
 use super::shape::{Shape, lengths, local};
 use super::units::TimeUnit;
@@ -115,11 +115,7 @@ fn link(
         return Err(Wrong::key(&["drive"], message).hint("keep one of them"));
     }
     let read = fields.drive.map(|drive| drive.read(time, name)).transpose();
-    let (mut drive, push) = match read.map_err(|wrong| wrong.inside(&["drive"]))? {
-        Some(LinkDrive::Turns(drive)) => (Some(drive), None),
-        Some(LinkDrive::Pushes(push)) => (None, Some(push)),
-        None => (None, None),
-    };
+    let (mut drive, push) = read.map_err(|wrong| wrong.inside(&["drive"]))?.unwrap_or_default();
     let mut angle_deg = fields.angle;
     if let Some(drive) = &mut drive {
         if angle_deg.is_some() && drive.angle_deg.is_some() {

@@ -9,7 +9,8 @@ use serde::de::{self, DeserializeSeed, Deserializer, Expected, IntoDeserializer,
 use serde_json::{Map, Value as Json};
 
 /// Why a tree is not of a type.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
+#[error("{why:?}")]
 pub(super) struct Refusal {
     /// The keys and indices that lead to the place, the last one first.
     pub path: Vec<String>,
@@ -43,14 +44,6 @@ impl From<Why> for Refusal {
         Refusal { path: Vec::new(), why }
     }
 }
-
-impl Display for Refusal {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{:?}", self.why)
-    }
-}
-
-impl std::error::Error for Refusal {}
 
 impl de::Error for Refusal {
     fn custom<T: Display>(message: T) -> Refusal {

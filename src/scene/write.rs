@@ -132,6 +132,7 @@ write_forms! {
     String { text => text.as_str() }
     u64 { number => &(*number as f64) }
     usize { number => &(*number as f64) }
+    [f64; 2] { numbers => &numbers.to_vec() }
 }
 
 impl<T: Write> Write for Option<T> {
@@ -141,12 +142,6 @@ impl<T: Write> Write for Option<T> {
 }
 
 impl<T: Write> Write for Vec<T> {
-    fn written(&self) -> Written {
-        Written::List(self.iter().map(T::written).collect())
-    }
-}
-
-impl<T: Write, const N: usize> Write for [T; N] {
     fn written(&self) -> Written {
         Written::List(self.iter().map(T::written).collect())
     }
