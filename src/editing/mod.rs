@@ -3,8 +3,8 @@
 //! where a change follows from the mechanism's position. Nothing is drawn here, and nothing is kept between two changes.
 //!
 //! `document` changes a text value by value, so that what is added looks like what is there; `names` reads the names that a text
-//! gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `drive` moves
-//! the mechanism, `reshape` pulls a joint to another place; `near` makes the text choose the assembly that was seen.
+//! gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `position`
+//! moves the mechanism and makes the text choose the assembly that was seen, `reshape` pulls a joint to another place.
 //!
 //! # The text is the document
 //!
@@ -16,21 +16,20 @@
 
 mod add;
 mod document;
-mod drive;
 mod drop;
 mod edit;
 #[doc(hidden)] // for tests
 pub mod measure;
 mod names;
-mod near;
+mod position;
 mod present;
 mod rename;
 #[doc(hidden)] // for tests
 pub mod reshape;
 
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
-pub use drive::{with_mode, with_position};
 pub use edit::{Edit, Key, apply, with_figure};
 pub use names::Named;
+pub use position::{with_mode, with_position};
 pub use present::places;
 pub use reshape::{Pins, Reshape, Reshaped};

@@ -1,8 +1,8 @@
 //! The numbers of a scene's text that change with the place of a point.
 
 use super::held::{Lever, can_be_placed, has_place, is_through, slides};
-use crate::editing::drive::{number_at, position_of, turning};
 use crate::editing::measure::{Decimals, json, shape_place};
+use crate::editing::position::{number_at, position_of, turning};
 use crate::editing::present::Solved;
 use crate::geometry::{Placement, Point, degrees_of, direction_of_degrees, with_turns};
 use crate::mechanism::{GROUND, PointId};
@@ -97,9 +97,9 @@ impl Change<'_> {
         let is_new = |length: &Length| length.from == joint || length.to == joint;
         let values = lengths.iter().map(|length| if is_new(length) { measured(length) } else { length.value });
         let mut values: Vec<f64> = values.collect();
-        let new: Vec<bool> = lengths.iter().map(is_new).collect();
-        if let [a, b, c] = values.as_mut_slice() {
-            close([a, b, c], [new[0], new[1], new[2]], self.decimals);
+        if values.len() == 3 {
+            let is_new: Vec<bool> = lengths.iter().map(is_new).collect();
+            close(&mut values, &is_new, self.decimals);
             self.tell_side(link, joint);
         }
         for (length, value) in lengths.iter().zip(&values).filter(|(length, _)| is_new(length)) {
@@ -116,11 +116,9 @@ impl Change<'_> {
         let direction = direction_of_degrees(Decimals::ANGLE.round(turned));
         let along = lengths.iter().position(|length| axis.contains(&length.from) && axis.contains(&length.to))?;
         // The pivot is on the ground; a joint that is the pivot itself is where it was pulled to.
-        match self.solved.scene.ground.contains(&axis[0]) {
-            true => Some(ends[0] + direction * values[along]),
-            false => Some(ends[1] - direction * values[along]),
-        }
-        .filter(|_| !self.solved.scene.ground.iter().any(|point| point == joint))
+        let (ground, arm) = (&self.solved.scene.ground, direction * values[along]);
+        let place = if ground.contains(&axis[0]) { ends[0] + arm } else { ends[1] - arm };
+        (!ground.iter().any(|point| point == joint)).then_some(place)
     }
 
     /// What counts from the axis of a link: given angles, rough angles, guides on it, its own turn on a guide.
@@ -163,8 +161,12 @@ impl Change<'_> {
     }
 
     fn add_guide(&mut self, index: usize, slider: &Slider, slides: bool, is_through: bool) {
-        let Some(placement) = self.carrier(index) else { return };
         let given = &self.solved.mechanism.sliders[index];
+        let placement = match given.on {
+            GROUND => Some(Placement::identity()),
+            link => self.solved.placement(link),
+        };
+        let Some(placement) = placement else { return };
         let (local, direction) = given.line();
         let along = placement * direction;
         let names_end = matches!(&slider.along, Along::Points(..));
@@ -187,14 +189,6 @@ impl Change<'_> {
         }
         if let Some(path) = position_of(self.json, index).filter(|_| given.drive.is_some()) {
             self.values.push((path, self.decimals.json(along.dot(&(at - through)))));
-        }
-    }
-
-    /// Where the carrier of a guide is in the present position.
-    fn carrier(&self, slider: usize) -> Option<Placement> {
-        match self.solved.mechanism.sliders.get(slider)?.on {
-            GROUND => Some(Placement::identity()),
-            link => self.solved.placement(link),
         }
     }
 
@@ -240,24 +234,15 @@ impl Change<'_> {
 }
 
 /// Lets three rounded lengths form a triangle, or a straight link: only new ones change.
-fn close(sides: [&mut f64; 3], is_new: [bool; 3], decimals: Decimals) {
-    let values = sides.each_ref().map(|side| **side);
-    let longest = (0..3).max_by(|&a, &b| values[a].total_cmp(&values[b])).unwrap_or(0);
-    let others = [(longest + 1) % 3, (longest + 2) % 3];
-    let excess = values[longest] - values[others[0]] - values[others[1]];
+fn close(sides: &mut [f64], is_new: &[bool], decimals: Decimals) {
+    let longest = (0..3).max_by(|&a, &b| sides[a].total_cmp(&sides[b])).unwrap_or(0);
+    let [one, other] = [(longest + 1) % 3, (longest + 2) % 3];
+    let excess = sides[longest] - sides[one] - sides[other];
     if excess <= 0.0 {
         return;
     }
-    let mended = if is_new[longest] {
-        longest
-    } else if is_new[others[0]] {
-        others[0]
-    } else {
-        others[1]
-    };
-    for (index, side) in sides.into_iter().enumerate().filter(|(index, _)| *index == mended) {
-        *side = if index == longest { values[others[0]] + values[others[1]] } else { *side + excess };
-        // Lengths of other links have digits of their own.
-        *side = decimals.finer(6).round(*side);
-    }
+    let mended = [longest, one].into_iter().find(|side| is_new[*side]).unwrap_or(other);
+    let closing = if mended == longest { sides[one] + sides[other] } else { sides[mended] + excess };
+    // Lengths of other links have digits of their own.
+    sides[mended] = decimals.finer(6).round(closing);
 }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::document::Document;
 use super::measure::Decimals;
-use super::near::{MOVED, distance, settle};
+use super::position::{MOVED, distance, settle};
 use super::present::Solved;
 use crate::geometry::{Point, span};
 use crate::mechanism::{BodyId, Mechanism, PointId};
