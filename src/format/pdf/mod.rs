@@ -8,11 +8,10 @@ use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke, StrokeDash};
 use krilla::surface::Surface;
 use krilla::tagging::{ArtifactType, ContentTag, Tag, TagGroup, TagTree};
 
-mod letters;
-mod paths;
+mod shapes;
 
 use crate::drawing::{Cap, Colour, Dash, Drawing, Look, Mark, Point, Shape};
-use letters::Fonts;
+use shapes::{Fonts, chain, draw_path, outlines, path};
 
 /// Points of PDF in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;
@@ -94,7 +93,7 @@ impl Drawing {
             let corners = [(0.0, 0.0), (x, 0.0), (x, y), (0.0, y)].map(Point::from);
             surface.start_tagged(ContentTag::Artifact(ArtifactType::Other));
             pens(&mut surface, None, Some(fill(background)));
-            paths::draw_path(&mut surface, paths::chain(&corners, true));
+            draw_path(&mut surface, chain(&corners, true));
             surface.end_tagged();
         }
         // Consecutive marks of one pen, as in SVG: all halos come before all letters, so that none covers a neighbour.
@@ -177,17 +176,17 @@ fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
             if let Some(head) = shape.head() {
                 // Without a stroke, which would move the tip beyond the vector's end.
                 pens(surface, None, Some(fill(look.stroke.unwrap_or(look.ink))));
-                paths::draw_path(surface, paths::chain(&head, true));
+                draw_path(surface, chain(&head, true));
             }
         }
         // An open line is never filled, even with a pen that fills areas.
         Shape::Line(..) | Shape::Polyline(_) | Shape::Arc { .. } => {
             pens(surface, stroke(look), None);
-            paths::draw_path(surface, paths::path(shape));
+            draw_path(surface, path(shape));
         }
         Shape::Polygon(_) | Shape::Area(_) | Shape::Circle { .. } => {
             pens(surface, stroke(look), look.fill.map(fill));
-            paths::draw_path(surface, paths::path(shape));
+            draw_path(surface, path(shape));
         }
     }
 }
@@ -198,7 +197,7 @@ fn halo(surface: &mut Surface<'_>, background: Colour, look: &Look, shape: &Shap
     let Shape::Text(text) = shape else { return };
     let around = Look { stroke: Some(background), width: look.halo, dash: Dash::new(), ..look.clone() };
     pens(surface, stroke(&around), Some(fill(background)));
-    paths::draw_path(surface, letters::outlines(text));
+    draw_path(surface, outlines(text));
 }
 
 fn pens(surface: &mut Surface<'_>, stroke: Option<Stroke>, fill: Option<Fill>) {
