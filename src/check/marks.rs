@@ -25,7 +25,7 @@ const MOST: f64 = 1e6;
 #[schemars(rename = "marks")]
 pub struct Marks {
     /// Version of the format.
-    #[schemars(schema_with = "version")]
+    #[schemars(schema_with = "crate::scene::version")]
     #[serde(rename = "kinegon_marks")]
     _version: u64,
     /// Where an editor finds the schema.
@@ -46,10 +46,6 @@ pub struct Marks {
     /// Which part of its marks a quantity earns whose value is not there; left out: 0.
     #[schemars(range(min = 0, max = 1))]
     missing: Option<f64>,
-}
-
-fn version(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "const": 1 })
 }
 
 fn marks_by_name(_: &mut SchemaGenerator) -> Schema {

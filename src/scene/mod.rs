@@ -57,7 +57,7 @@ pub use value::{At, Direction, polar};
 pub(crate) use error::range_of;
 pub(crate) use figure::figure_keys;
 pub(crate) use name::{joined, pair, why_not};
-pub(crate) use schema::schema_of;
+pub(crate) use schema::{schema_of, version};
 pub(crate) use shape::STRAIGHT;
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;

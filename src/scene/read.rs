@@ -1,7 +1,7 @@
 //! The scene file, version 1, key by key; the checked scene; and the way from text to scene.
 
 use indexmap::IndexMap;
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::error::{SceneError, Source, Wrong};
@@ -26,7 +26,7 @@ use crate::text::Untrusted;
 #[schemars(rename = "scene")]
 pub(super) struct SceneFile {
     /// Version of the scene format.
-    #[schemars(schema_with = "version")]
+    #[schemars(schema_with = "crate::scene::version")]
     pub kinegon: u64,
     /// Title of the mechanism, for example the publication it is from.
     pub title: Option<Untrusted>,
@@ -50,10 +50,6 @@ pub(super) struct SceneFile {
     pub figure: Option<Figure>,
     /// Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
     pub want: Option<Vec<String>>,
-}
-
-fn version(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "const": 1 })
 }
 
 write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want });

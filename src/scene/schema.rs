@@ -2,7 +2,7 @@
 
 use schemars::generate::SchemaSettings;
 use schemars::transform::{RecursiveTransform, Transform};
-use schemars::{JsonSchema, Schema};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde_json::{Value as Json, json};
 
 /// The JSON Schema (draft 2020-12) of a kind of file that is read strictly.
@@ -16,6 +16,11 @@ pub(crate) fn schema_of<T: JsonSchema>(title: &str) -> Json {
     }
     schema.insert("title".into(), title.into());
     schema.to_value()
+}
+
+/// The version of a format, in its schema.
+pub(crate) fn version(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "const": 1 })
 }
 
 /// Forbids `null`: a key is left out in its place.

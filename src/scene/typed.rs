@@ -18,7 +18,11 @@ pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Resul
     let read = || {
         let json = text::parse(source, kind)?;
         check_version(&json, kind)?;
-        typed(&json)
+        T::deserialize(Reader(&json)).map_err(|Refusal { mut path, why }| {
+            path.reverse();
+            let path: Vec<&str> = path.iter().map(String::as_str).collect();
+            why.in_plain_words(&path, at(&json, &path))
+        })
     };
     read().map_err(|wrong| source.error(wrong))
 }
@@ -50,15 +54,6 @@ fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
             Err(Wrong::value(&[key], message).hint(format!(r#"write "{key}": {version}"#)))
         }
     }
-}
-
-/// The JSON as typed values.
-fn typed<T: DeserializeOwned>(json: &Json) -> Result<T, Wrong> {
-    T::deserialize(Reader(json)).map_err(|Refusal { mut path, why }| {
-        path.reverse();
-        let path: Vec<&str> = path.iter().map(String::as_str).collect();
-        why.in_plain_words(&path, at(json, &path))
-    })
 }
 
 /// The value at a path.

@@ -17,7 +17,7 @@ const STUDY: FileKind = FileKind { what: "study", key: "kinegon_study", version:
 #[schemars(rename = "study")]
 pub(super) struct Keys {
     /// Version of the format.
-    #[schemars(schema_with = "version")]
+    #[schemars(schema_with = "crate::scene::version")]
     #[serde(rename = "kinegon_study")]
     _version: u64,
     /// Where an editor finds the schema.
@@ -85,10 +85,6 @@ pub(super) struct Cycle {
     #[serde(default)]
     #[schemars(extend("default" = false))]
     pub alone: bool,
-}
-
-fn version(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "const": 1 })
 }
 
 fn scene(_: &mut SchemaGenerator) -> Schema {

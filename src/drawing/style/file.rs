@@ -16,7 +16,7 @@ use std::fmt;
 #[schemars(rename = "style")]
 pub(super) struct StyleFile {
     /// Version of the style format.
-    #[schemars(schema_with = "version")]
+    #[schemars(schema_with = "crate::scene::version")]
     #[serde(rename = "kinegon_style")]
     pub _version: u64,
     /// Where an editor finds the schema.
@@ -170,10 +170,6 @@ pub(super) struct StyleValues {
     pub values: bool,
     /// By pen.
     pub pens: Vec<PenFile>,
-}
-
-fn version(_: &mut SchemaGenerator) -> Schema {
-    json_schema!({ "const": 1 })
 }
 
 /// An object with a key for each pen.
