@@ -34,7 +34,11 @@ pub(super) struct App {
 
 impl App {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        let page = self.page()?;
+        // A scene that cannot be assembled may be opened: the workbench is where to mend it.
+        let page = match &self.scene {
+            Some(path) => workbench(Some(OpenScene { text: &files::read_scene(path)?.0.text, step: None })),
+            None => workbench(None),
+        };
         match &self.output {
             Some(output) if files::is_folder(output) => self.write(&output.join(NAME), &page),
             Some(output) => self.write(output, &page),
@@ -49,16 +53,6 @@ impl App {
                 show(&path)
             }
         }
-    }
-
-    /// The page, with the scene if one is named. A scene that cannot be assembled may be: the workbench is where to mend
-    /// it.
-    fn page(&self) -> Result<String, Failure> {
-        let Some(path) = &self.scene else {
-            return Ok(workbench(None));
-        };
-        let (source, _) = files::read_scene(path)?;
-        Ok(workbench(Some(OpenScene { text: &source.text, step: None })))
     }
 
     fn write(&self, path: &Path, page: &str) -> Result<(), Failure> {

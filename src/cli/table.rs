@@ -103,7 +103,8 @@ impl TableWriter {
                     TableFormat::Parquet => format::ColumnFormat::Parquet,
                     _ => format::ColumnFormat::Arrow,
                 };
-                let table = format::Columns::new(form, columns, out).map_err(|error| unwritable(place, error))?;
+                let table = format::Columns::new(form, columns, out);
+                let table = table.map_err(|error| Failure::unwritable(place, &error))?;
                 Ok(Some(TableWriter::Columns(place.to_owned(), table)))
             }
         }
@@ -122,7 +123,7 @@ impl TableWriter {
             #[cfg(feature = "arrow")]
             TableWriter::Columns(place, table) => match table.rows(numbers) {
                 Ok(()) => Ok(true),
-                Err(error) => Err(unwritable(place, error)),
+                Err(error) => Err(Failure::unwritable(place, &error)),
             },
         }
     }
@@ -132,17 +133,10 @@ impl TableWriter {
         match self {
             TableWriter::Text(out) => out.end(),
             #[cfg(feature = "arrow")]
-            TableWriter::Columns(place, table) => table.finish().map_err(|error| unwritable(&place, error))?.end(),
+            TableWriter::Columns(place, table) => {
+                table.finish().map_err(|error| Failure::unwritable(&place, &error))?.end()
+            }
         }
-    }
-}
-
-/// The failure to write a table by columns.
-#[cfg(feature = "arrow")]
-fn unwritable(place: &Path, error: format::ColumnsError) -> Failure {
-    match error {
-        format::ColumnsError::Io(error) => Failure::unwritable(place, &error),
-        other => Failure::outside(format!("{} cannot be written: {other}", place.display())),
     }
 }
 

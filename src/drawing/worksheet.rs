@@ -107,7 +107,7 @@ impl Worksheet {
             let boxes: &'static [usize] = if is_length { &[MILLIMETRES, VALUES] } else { &[VALUES] };
             Cells { boxes, ..Cells::new(texts, format!("box-{number}")) }
         };
-        let head = head(language.exercise_quantity(), language.value());
+        let head = head(language.column_quantity(), language.value());
         let mut table = Table::new(head, asked.iter().zip(1..).map(blank).collect());
         [table.head[MILLIMETRES].width, table.head[VALUES].width] = BOXES;
         Self::of(context, table, place)
@@ -128,7 +128,7 @@ impl Worksheet {
             texts.insert(VALUES + 1, RichText::plain(&allowed.unwrap_or_default()));
             Cells::new(texts, format!("key-{number}"))
         });
-        let mut head = head(words.language.exercise_quantity(), words.language.value());
+        let mut head = head(words.language.column_quantity(), words.language.value());
         head.insert(VALUES + 1, Heading::new(RichText::plain("±"), "allowed", false));
         Self::of(context, Table::new(head, cells.collect()), TablePlace::Anywhere)
     }

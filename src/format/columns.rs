@@ -2,26 +2,10 @@ use super::table::status;
 use crate::study::{Column, Content};
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray, UInt64Array};
 use arrow_ipc::writer::FileWriter;
-use arrow_schema::{ArrowError, DataType, Field, Schema};
+use arrow_schema::{DataType, Field, Schema};
 use parquet::arrow::ArrowWriter;
-use parquet::errors::ParquetError;
-use std::io::{self, Write};
+use std::io::{Error, Result, Write};
 use std::sync::Arc;
-
-/// Why a table by columns could not be written.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ColumnsError {
-    /// The output cannot be written to.
-    #[error(transparent)]
-    Io(#[from] io::Error),
-    /// Arrow's writer refuses the table.
-    #[error(transparent)]
-    Arrow(#[from] ArrowError),
-    /// Parquet's writer refuses the table.
-    #[error(transparent)]
-    Parquet(#[from] ParquetError),
-}
 
 /// A file format that holds a table by columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +33,7 @@ impl<W: Write + Send> Columns<W> {
     ///
     /// # Errors
     /// The head of the file cannot be written.
-    pub fn new(format: ColumnFormat, columns: &[Column], out: W) -> Result<Self, ColumnsError> {
+    pub fn new(format: ColumnFormat, columns: &[Column], out: W) -> Result<Self> {
         let field = |column: &Column| {
             let (kind, may_lack) = match column.content {
                 Content::Index => (DataType::UInt64, false),
@@ -60,8 +44,10 @@ impl<W: Write + Send> Columns<W> {
         };
         let schema = Arc::new(Schema::new(columns.iter().map(field).collect::<Vec<_>>()));
         let output = match format {
-            ColumnFormat::Arrow => Output::Arrow(Box::new(FileWriter::try_new(out, &schema)?)),
-            ColumnFormat::Parquet => Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None)?)),
+            ColumnFormat::Arrow => Output::Arrow(Box::new(FileWriter::try_new(out, &schema).map_err(Error::other)?)),
+            ColumnFormat::Parquet => {
+                Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None).map_err(Error::other)?))
+            }
         };
         Ok(Self { contents: columns.iter().map(|column| column.content).collect(), schema, output })
     }
@@ -70,7 +56,7 @@ impl<W: Write + Send> Columns<W> {
     ///
     /// # Errors
     /// They cannot be written.
-    pub fn rows<T: Copy + Into<Option<f64>>>(&mut self, numbers: &[T]) -> Result<(), ColumnsError> {
+    pub fn rows<T: Copy + Into<Option<f64>>>(&mut self, numbers: &[T]) -> Result<()> {
         let array = |(index, content): (usize, &Content)| -> ArrayRef {
             let values = numbers.iter().skip(index).step_by(self.contents.len());
             let values = values.map(|&number| number.into().filter(|x: &f64| x.is_finite()));
@@ -81,25 +67,21 @@ impl<W: Write + Send> Columns<W> {
             }
         };
         let arrays = self.contents.iter().enumerate().map(array).collect();
-        let batch = RecordBatch::try_new(self.schema.clone(), arrays)?;
+        let batch = RecordBatch::try_new(self.schema.clone(), arrays).map_err(Error::other)?;
         match &mut self.output {
-            Output::Arrow(writer) => writer.write(&batch)?,
-            Output::Parquet(writer) => writer.write(&batch)?,
+            Output::Arrow(writer) => writer.write(&batch).map_err(Error::other),
+            Output::Parquet(writer) => writer.write(&batch).map_err(Error::other),
         }
-        Ok(())
     }
 
     /// Writes the end of the file and returns the output.
     ///
     /// # Errors
     /// The end cannot be written.
-    pub fn finish(self) -> Result<W, ColumnsError> {
+    pub fn finish(self) -> Result<W> {
         match self.output {
-            Output::Arrow(mut writer) => {
-                writer.finish()?;
-                Ok(writer.into_inner()?)
-            }
-            Output::Parquet(writer) => Ok(writer.into_inner()?),
+            Output::Arrow(mut writer) => writer.finish().and_then(|()| writer.into_inner()).map_err(Error::other),
+            Output::Parquet(writer) => writer.into_inner().map_err(Error::other),
         }
     }
 }

@@ -24,7 +24,7 @@ mod tikz;
 mod workbench;
 
 #[cfg(feature = "arrow")]
-pub use self::columns::{ColumnFormat, Columns, ColumnsError};
+pub use self::columns::{ColumnFormat, Columns};
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
 pub use self::json::{json, json_line};

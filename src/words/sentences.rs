@@ -283,7 +283,7 @@ sentences! {
          it, or \"positive\": \"counter-clockwise\" into the form.";
     check_off = "OFF";
     check_unjudged = "not judged: it has no construction";
-    check_column_quantity = "quantity";
+    column_quantity = "quantity";
     check_column_written = "yours";
     check_column_expected = "expected";
     check_column_difference = "off by";
@@ -380,7 +380,6 @@ sentences! {
     exercise_name = "Name: ………………………………… Date: ………………";
     /// Below the drawn key.
     exercise_allowed = "± is what a careful hand may be off by.";
-    exercise_quantity = "quantity";
 
     // Exercises in a course.
     course_digits = "Write each value with three significant digits, in the unit beside its box.";
@@ -409,7 +408,7 @@ impl Language {
     #[must_use]
     pub fn check_columns(&self) -> [&str; 8] {
         [
-            self.check_column_quantity(),
+            self.column_quantity(),
             self.check_column_written(),
             self.check_column_expected(),
             self.check_column_difference(),
