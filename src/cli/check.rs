@@ -87,8 +87,8 @@ enum TemplateFormat {
 
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
-        if let Some(photographs) = self.photographs()? {
-            return photographs;
+        if self.photographs()? {
+            return Ok(());
         }
         if self.scene.is_dir() {
             return self.exercises();

@@ -18,18 +18,18 @@ use std::path::{Path, PathBuf};
 type Subject = (ExerciseFiles, Solution);
 
 impl Check {
-    /// Checks photographs, if photographs are given: `None` if not.
-    pub(super) fn photographs(&self) -> Result<Option<Result<(), Failure>>, Failure> {
+    /// Checks photographs, if photographs are given; false if not.
+    pub(super) fn photographs(&self) -> Result<bool, Failure> {
         let Some(first) = self.measured.as_deref() else {
-            return Ok(None);
+            return Ok(false);
         };
         if first.is_dir() {
             let photos = photos_below(first)?;
-            return Ok((!photos.is_empty()).then(|| self.photo_class(first, photos)));
+            return if photos.is_empty() { Ok(false) } else { self.photo_class(first, photos).map(|()| true) };
         }
         if is_photograph(first) {
             let all: Vec<PathBuf> = std::iter::once(first.to_owned()).chain(self.further.iter().cloned()).collect();
-            return Ok(Some(self.one_student(&all)));
+            return self.one_student(&all).map(|()| true);
         }
         if let Some(further) = self.further.first() {
             return refuse(
@@ -37,7 +37,7 @@ impl Check {
                 "put the forms into a folder; only photographs of one student's sheets come several at a time",
             );
         }
-        if self.accept { refuse("--accept is of photographs; here is a form", "leave it out") } else { Ok(None) }
+        if self.accept { refuse("--accept is of photographs; here is a form", "leave it out") } else { Ok(false) }
     }
 
     /// The scenes that photographs may be of.

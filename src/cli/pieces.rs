@@ -7,7 +7,7 @@ use std::any::Any;
 use std::cell::{Cell, RefCell};
 use std::io::IsTerminal;
 use std::ops::Range;
-use std::panic::{self, AssertUnwindSafe, Location, PanicHookInfo};
+use std::panic::{self, AssertUnwindSafe, Location};
 use std::sync::Once;
 
 /// A number of items that are computed in pieces.
@@ -72,7 +72,11 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let usual = panic::take_hook();
-        panic::set_hook(Box::new(move |info| note_place(info, &*usual)));
+        // A panic that is caught leaves its place; any other is shown as usual.
+        panic::set_hook(Box::new(move |info| match IS_CAUGHT.get() {
+            true => PLACE.set(info.location().map(Location::to_string)),
+            false => usual(info),
+        }));
     });
     let before = IS_CAUGHT.replace(true);
     let done = panic::catch_unwind(AssertUnwindSafe(work));
@@ -81,14 +85,6 @@ pub fn caught<T>(work: impl FnOnce() -> T) -> Result<T, String> {
         let place = PLACE.take().map_or_else(String::new, |place| format!(" at {place}"));
         format!("the program itself fails on it{place}: {} (please report that, with the file)", text(&*panic))
     })
-}
-
-/// Keeps the place of a panic that is caught; any other is shown as usual.
-fn note_place(info: &PanicHookInfo<'_>, usual: &dyn Fn(&PanicHookInfo<'_>)) {
-    if !IS_CAUGHT.get() {
-        return usual(info);
-    }
-    PLACE.set(info.location().map(Location::to_string));
 }
 
 fn text(panic: &(dyn Any + Send)) -> &str {

@@ -6,9 +6,8 @@ use serde_json::{Value as Json, json};
 
 use super::document::Document;
 use super::measure::{self, Decimals, Placed, measured, shape_place};
-use super::names::Names;
+use super::names::{Names, check_name, no_such};
 use super::present::Present;
-use super::rename::{check_name, no_such};
 use crate::geometry::Point;
 use crate::scene::{LengthUnit, SceneError, Units, pair};
 

@@ -4,8 +4,7 @@ use serde_json::{Value as Json, json};
 
 use super::document::Document;
 use super::measure;
-use super::names::{Named, Names};
-use super::rename::{Renamer, no_such};
+use super::names::{Named, Names, Renamer, no_such};
 use crate::scene::{JOINTS, JointKind, Meaning, SceneError, pair};
 
 /// Removes a link, its sliders, and the points that nothing else has.

@@ -6,8 +6,8 @@ use serde_json::Value as Json;
 
 use super::add::{NewLink, NewPoint, NewSlider};
 use super::document::Document;
-use super::names::Named;
-use super::{add, drop, rename};
+use super::names::{self, Named};
+use super::{add, drop};
 use crate::scene::{Figure, Scene, SceneError, figure_keys};
 
 /// One change of a scene's text.
@@ -100,9 +100,9 @@ pub fn apply(text: &str, edits: &[Edit]) -> Result<String, SceneError> {
     let mut document = Document::new(text)?;
     for edit in edits {
         match edit {
-            Edit::Set { set, value } => document.set_all(&[(names(set), value.clone())])?,
-            Edit::Remove { remove } => document.set_all(&[(names(remove), Json::Null)])?,
-            Edit::Rename { rename, from, to } => rename::rename(&mut document, *rename, from, to)?,
+            Edit::Set { set, value } => document.set_all(&[(written(set), value.clone())])?,
+            Edit::Remove { remove } => document.set_all(&[(written(remove), Json::Null)])?,
+            Edit::Rename { rename, from, to } => names::rename(&mut document, *rename, from, to)?,
             Edit::AddLink { add_link } => add::link(&mut document, add_link)?,
             Edit::AddPoint { add_point } => add::point(&mut document, add_point)?,
             Edit::AddSlider { add_slider } => add::slider(&mut document, add_slider)?,
@@ -129,7 +129,8 @@ pub fn with_figure(text: &str, figure: &Figure) -> Result<String, SceneError> {
     apply(text, &changed.map(edit).collect::<Vec<_>>())
 }
 
-fn names(path: &[Key]) -> Vec<String> {
+/// A path as a document takes it.
+fn written(path: &[Key]) -> Vec<String> {
     let name = |key: &Key| match key {
         Key::Index(index) => index.to_string(),
         Key::Name(name) => name.clone(),

@@ -3,7 +3,7 @@
 //! where a change follows from the mechanism's position. Nothing is drawn here, and nothing is kept between two changes.
 //!
 //! `document` changes a text value by value, so that what is added looks like what is there; `names` reads the names that a text
-//! gives. On these stand the changes of `edit`: `rename`, `add`, `drop`; and those that a hand makes on the picture: `position`
+//! gives, and changes one. On these stand the changes of `edit`: `add`, `drop`; and those that a hand makes on the picture: `position`
 //! moves the mechanism and makes the text choose the assembly that was seen, `reshape` pulls a joint to another place.
 //!
 //! # The text is the document
@@ -23,7 +23,6 @@ pub mod measure;
 mod names;
 mod position;
 mod present;
-mod rename;
 #[doc(hidden)] // for tests
 pub mod reshape;
 

@@ -1,11 +1,14 @@
-//! The names in a scene's text, whether it can be solved or not.
+//! The names in a scene's text, whether it can be solved or not; and another name for a point or a link, everywhere: also within
+//! names of quantities, of points of the plans and of parts of the construction.
 
 use indexmap::{IndexMap, IndexSet};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
-use crate::scene::pair;
+use super::document::{Document, Word};
+use crate::construction::image_name;
+use crate::scene::{Argument, Meaning, QuantityName, Scene, SceneError, close, meaning, pair, why_not};
 
 /// What has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -92,8 +95,183 @@ fn keys_or_list(value: &Json) -> Vec<String> {
 
 /// The key of two points in place of another one of points with these new names: with a hyphen where that one has it or
 /// where the names would run together.
-pub(super) fn joined_like(old: &str, from: &str, to: &str, points: &[String]) -> String {
+fn joined_like(old: &str, from: &str, to: &str, points: &[String]) -> String {
     let together = format!("{from}{to}");
     let is_clear = pair(&together, points).is_some_and(|(a, b)| a == from && b == to);
     if old.contains('-') || !is_clear { format!("{from}-{to}") } else { together }
+}
+
+/// Gives a point or a link another name, in all places where the scene means it.
+///
+/// # Errors
+/// There is none of that name, the new name is no name, is there already or is kept for something.
+pub(super) fn rename(document: &mut Document<'_>, what: Named, from: &str, to: &str) -> Result<(), SceneError> {
+    let names = Names::of(&document.json());
+    check(document, &names, what, from, to)?;
+    if from == to {
+        return Ok(());
+    }
+    let was_read = Scene::read(&document.text()).is_ok();
+    let renamer = Renamer::new(&names, what, from, to);
+    document.reword(&|word| renamer.word(word))?;
+    match Scene::read(&document.text()) {
+        // The name is kept for something. The place is in the new text, which nobody sees.
+        Err(error) if was_read => Err(SceneError { place: None, ..error }),
+        _ => Ok(()),
+    }
+}
+
+fn check(document: &Document<'_>, names: &Names, what: Named, from: &str, to: &str) -> Result<(), SceneError> {
+    let (noun, all) = match what {
+        Named::Point => ("point", names.points()),
+        Named::Link => ("link", names.links.keys().cloned().collect()),
+    };
+    if !all.iter().any(|name| name == from) {
+        return Err(no_such(document, noun, from, &all));
+    }
+    check_name(document, &format!("a {noun}"), to)?;
+    if from != to && all.iter().any(|name| name == to) {
+        let message = format!("there is a {noun} {to} already");
+        return Err(document.error(&[], message, Some("choose another name")));
+    }
+    Ok(())
+}
+
+/// Refuses what is no name of a point or a link; `what` is "a point" or "a link".
+pub(super) fn check_name(document: &Document<'_>, what: &str, name: &str) -> Result<(), SceneError> {
+    match why_not(what, name) {
+        Some((message, hint)) => Err(document.error(&[], message, hint.as_deref())),
+        None => Ok(()),
+    }
+}
+
+/// There is no point or link of that name.
+pub(super) fn no_such(document: &Document<'_>, noun: &str, name: &str, all: &[String]) -> SceneError {
+    let hint = close(name, all.iter().map(String::as_str));
+    document.error(&[], format!("there is no {noun} {}", crate::text::shown(name)), hint.as_deref())
+}
+
+/// Where names mean one point or one link, and the new name of it.
+pub(super) struct Renamer<'a> {
+    names: &'a Names,
+    what: Named,
+    from: &'a str,
+    to: &'a str,
+    points: Vec<String>,
+}
+
+impl<'a> Renamer<'a> {
+    /// A new name for a point or a link.
+    pub fn new(names: &'a Names, what: Named, from: &'a str, to: &'a str) -> Renamer<'a> {
+        Renamer { names, what, from, to, points: names.points() }
+    }
+
+    /// The new form of a word of the scene.
+    fn word(&self, Word { path, is_key, word }: Word<'_>) -> Option<String> {
+        let path: Vec<&str> = path.iter().map(String::as_str).collect();
+        let is = |name: &str| name == self.from;
+        let angle = |link: &str| format!("angle({link})");
+        match (meaning(&path, is_key)?, self.what) {
+            (Meaning::OfPlan, _) => self.plan_name(word),
+            (Meaning::Quantity, _) => self.quantity(word),
+            (Meaning::PairOfLink, Named::Point) => self.pair(path[1], word),
+            (Meaning::PairOfGuide, Named::Point) => self.pair(self.names.carrier(path[1]), word),
+            (Meaning::PointOrAngle, Named::Link) => (word == angle(self.from)).then(|| angle(self.to)),
+            (Meaning::Point | Meaning::PointOfGuide | Meaning::PointOrAngle, Named::Point) => {
+                is(word).then(|| self.to.to_owned())
+            }
+            (Meaning::Link, Named::Link) => is(word).then(|| self.to.to_owned()),
+            _ => None,
+        }
+    }
+
+    /// The key of two points of a carrier with the new name.
+    fn pair(&self, carrier: &str, key: &str) -> Option<String> {
+        let points = self.names.of_carrier(carrier);
+        let (from, to) = pair(key, points)?;
+        let new = |name: &String| if name == self.from { self.to.to_owned() } else { name.clone() };
+        let is_named = [&from, &to].iter().any(|name| *name == self.from);
+        let points: Vec<String> = points.iter().map(new).collect();
+        is_named.then(|| joined_like(key, &new(&from), &new(&to), &points))
+    }
+
+    /// A name of the construction with the new name, if it means what is renamed: a point, a link, `S3`, `D_2`, `d`,
+    /// `n_b3`, `3/2`.
+    pub fn plan_name(&self, name: &str) -> Option<String> {
+        if let Some((sliding, on)) = name.split_once('/') {
+            return self.slider(sliding, on);
+        }
+        match self.what {
+            _ if name == self.from => Some(self.to.to_owned()),
+            Named::Point => self.of_point(name),
+            Named::Link => self.of_link(name),
+        }
+    }
+
+    /// The name of a quantity with the new name, if it means what is renamed.
+    pub fn quantity(&self, name: &str) -> Option<String> {
+        QuantityName::reworded(name, |argument, name| match (argument, self.what) {
+            (Argument::Slider, _) => name.split_once('/').and_then(|(sliding, on)| self.slider(sliding, on)),
+            (Argument::Link, Named::Link) => (name == self.from).then(|| self.to.to_owned()),
+            (Argument::Link, Named::Point) => None,
+            (Argument::Point, _) => self.plan_name(name),
+        })
+    }
+
+    /// The name of a slider, as `3/2`, `P/3` or `P/3#2`.
+    fn slider(&self, sliding: &str, on: &str) -> Option<String> {
+        let (on, number) = on.split_at(on.find('#').unwrap_or(on.len()));
+        let new = |name: &str| if name.trim() == self.from { self.to.to_owned() } else { name.to_owned() };
+        let is_link = self.names.links.contains_key(sliding.trim());
+        let (first, second) = match self.what {
+            Named::Link => (new(sliding), new(on)),
+            Named::Point if is_link => return None,
+            Named::Point => (new(sliding), on.to_owned()),
+        };
+        (first != sliding || second != on).then(|| format!("{first}/{second}{number}"))
+    }
+
+    fn of_point(&self, name: &str) -> Option<String> {
+        let (from, to) = (self.from, self.to);
+        if name == image_name(from) {
+            return Some(image_name(to));
+        }
+        let under = self.names.links.keys().map(|link| [from, to].map(|point| format!("{point}_{link}")));
+        renamed(name, under).or_else(|| {
+            let (mark, image, tail) = self.part(name)?;
+            (image == from).then(|| format!("{mark}{}{tail}", image_name(to)))
+        })
+    }
+
+    fn of_link(&self, name: &str) -> Option<String> {
+        let (from, to) = (self.from, self.to);
+        for special in ["S", "s"] {
+            if name.strip_prefix(special) == Some(from) {
+                return Some(format!("{special}{to}"));
+            }
+        }
+        let under = self.points.iter().map(|point| [from, to].map(|link| format!("{point}_{link}")));
+        renamed(name, under).or_else(|| {
+            let (mark, image, tail) = self.part(name)?;
+            (tail == from).then(|| format!("{mark}{}{to}", image_name(image)))
+        })
+    }
+
+    /// A part of a plan, as `n_b3`: its mark, the point from whose image it is laid off, and its link.
+    fn part<'n>(&self, name: &'n str) -> Option<(&'n str, &str, &'n str)> {
+        let (mark, rest) =
+            ["n_", "r_", "k_"].iter().find_map(|mark| name.strip_prefix(mark).map(|rest| (&name[..2], rest)))?;
+        let of = |point: &'_ String| rest.strip_prefix(&image_name(point)).filter(|tail| !tail.is_empty());
+        let found = self.points.iter().filter_map(|point| Some((point, of(point)?)));
+        let (point, tail) = found.min_by_key(|(_, tail)| tail.len())?;
+        Some((mark, point, tail))
+    }
+}
+
+/// The new name of what has one of these old ones, or of its image.
+fn renamed(name: &str, mut all: impl Iterator<Item = [String; 2]>) -> Option<String> {
+    all.find_map(|[old, new]| match name == old {
+        true => Some(new),
+        false => (name == image_name(&old)).then(|| image_name(&new)),
+    })
 }

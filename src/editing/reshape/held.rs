@@ -105,14 +105,11 @@ pub(super) fn has_place(slider: &Slider) -> bool {
 
 /// Whether the guide goes through this point of its carrier and not through its direction's points.
 pub(super) fn is_through(solved: &Solved, slider: &Slider, name: &str) -> bool {
-    let carrier = match &slider.on {
-        On::Ground => &solved.scene.ground,
-        On::Link(link) => match solved.scene.links.get(link) {
-            Some(link) => &link.points,
-            None => return false,
-        },
+    let points = match &slider.on {
+        On::Ground => Some(&solved.scene.ground),
+        On::Link(link) => solved.scene.links.get(link).map(|link| &link.points),
     };
-    slider.counted_from(carrier.first()).is_some_and(|point| point == name)
+    points.and_then(|points| slider.counted_from(points.first())).is_some_and(|point| point == name)
 }
 
 /// Whether `through` of a slider can be given as coordinates.

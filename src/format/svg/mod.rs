@@ -1,15 +1,13 @@
 //! SVG: a sheet as one file, its panels alone, or a group for each step, with marks in groups of those that look alike;
-//! shapes are in `shapes.rs`, texts in `letters.rs`.
+//! shapes and texts are in `shapes.rs`.
 
-mod letters;
 mod shapes;
 
 use super::number::number;
 use crate::drawing::{Cap, Colour, Drawing, Look, Mark, Pen, PlacedText, Shape};
 use crate::text::xml;
 use kurbo::Rect;
-use letters::{FINEST, IN_FINEST, definitions, write_glyphs, write_outline, write_text};
-use shapes::{attribute, length, write_shape};
+use shapes::{FINEST, IN_FINEST, attribute, definitions, length, write_glyphs, write_outline, write_shape, write_text};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use svg::Node;
