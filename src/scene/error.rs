@@ -3,7 +3,7 @@
 
 use super::words::shortened;
 use crate::Problem;
-use jsonc_parser::ast::{ObjectProp, Value};
+use jsonc_parser::ast::Value;
 use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, ParseResult, errors::ParseError, parse_to_ast};
 use std::fmt;
@@ -197,7 +197,7 @@ fn walk(root: &Value<'_>, path: &[String], is_key: bool) -> Walk {
             let name = if part.is_empty() { "\"\"".into() } else { shortened(part) };
             shown += &if shown.is_empty() { name } else { format!(".{name}") };
             let property = node.and_then(Value::as_object).and_then(|object| object.get(part));
-            property.map(|property| (&property.value, Some(key_range(property))))
+            property.map(|property| (&property.value, Some(range_of(&property.name))))
         };
         node = next.as_ref().map(|(value, _)| *value);
         if let Some((value, key)) = next {
@@ -210,12 +210,7 @@ fn walk(root: &Value<'_>, path: &[String], is_key: bool) -> Walk {
     Walk { shown, span, complete: node.is_some() }
 }
 
-/// The bytes of a property's key, with its quotes.
-pub(super) fn key_range(property: &ObjectProp<'_>) -> Range<usize> {
-    range_of(&property.name)
-}
-
-/// The bytes of a part of the tree.
+/// The bytes of a part of the tree; of a key with its quotes.
 pub(crate) fn range_of(part: &impl Ranged) -> Range<usize> {
     part.start()..part.end()
 }

@@ -62,5 +62,5 @@ pub(crate) use shape::STRAIGHT;
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;
 pub(crate) use value::several_forms;
-pub(crate) use words::{close, nearest, nearest_within};
+pub(crate) use words::{close, list, nearest, nearest_within};
 pub(crate) use write::quoted;

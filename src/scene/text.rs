@@ -5,7 +5,7 @@ use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
 use serde_json::{Map, Number, Value as Json};
 
-use super::error::{SceneError, Source, Wrong, key_range, parse_tree, range_of};
+use super::error::{SceneError, Source, Wrong, parse_tree, range_of};
 use super::words::shortened;
 
 /// A kind of file: its name in messages and the key with the version of its format.
@@ -197,9 +197,9 @@ fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong>
                     continue;
                 }
                 if map.contains_key(name) {
-                    let line = object.get(name).map_or(0, |first| source.place(key_range(first)).line);
+                    let line = object.get(name).map_or(0, |first| source.place(range_of(&first.name)).line);
                     let message = format!("key `{}` stands twice: first at line {line}", shortened(name));
-                    let second = key_range(property);
+                    let second = range_of(&property.name);
                     return Err(Wrong::key(&[name], message).at_bytes(second).hint("keep one of them"));
                 }
                 let value = json(source, &property.value, false).map_err(|wrong| wrong.inside(&[name]))?;

@@ -11,7 +11,7 @@ pub(super) fn number(value: f64) -> String {
 }
 
 /// Names joined by commas; only the first twelve.
-pub(super) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
+pub(crate) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let mut names = names.into_iter();
     let mut shown = names.by_ref().take(12).map(shortened).collect::<Vec<_>>().join(", ");
     if names.next().is_some() {

@@ -11,7 +11,7 @@ use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
 use crate::geometry::MANY;
 use crate::mechanism::Mechanism;
 use crate::quantity::{QuantityKind, QuantityRequest};
-use crate::scene::{GivenBy, Scene, close};
+use crate::scene::{GivenBy, Scene, close, list};
 use std::ops::Range;
 
 /// Most rows of a study.
@@ -237,7 +237,8 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
         let path = ["vary", name.as_str()];
         let Some(found) = known.iter().find(|k| k.name == *name || k.path == *name) else {
             let names = known.iter().flat_map(|k| [k.name.as_str(), k.path.as_str()]);
-            let hint = close(name, names).unwrap_or_else(|| format!("what may vary: {}", listed(&known)));
+            let hint = close(name, names)
+                .unwrap_or_else(|| format!("what may vary: {}", list(known.iter().map(|k| k.name.as_str()))));
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
             return file.refuse(&path, message, Some(&hint));
         };
@@ -258,11 +259,4 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
         all.push(Varied { name: name.clone(), number: found.number, values });
     }
     Ok(all)
-}
-
-/// The first names of a list.
-fn listed(known: &[Named]) -> String {
-    const MOST: usize = 12;
-    let names: Vec<&str> = known.iter().take(MOST).map(|k| k.name.as_str()).collect();
-    names.join(", ") + if known.len() > MOST { ", …" } else { "" }
 }
