@@ -279,7 +279,8 @@ impl GivenStyle {
         source.checked(Style::read(&source.text).map(GivenStyle::File))
     }
 
-    /// Copies the size options into the scene's figure. The looks of a style file are put on the finished drawing; its sizes must be known before.
+    /// Puts the style into a scene's figure; of a style file its sizes only, which must be known before anything is drawn. Its looks
+    /// are put on the finished drawing.
     pub(super) fn put_into(&self, figure: &mut Figure) {
         match self {
             GivenStyle::Scene => {}

@@ -209,13 +209,13 @@ impl QuantityName {
         }
     }
 
-    /// The same name with other arguments.
+    /// This name with other arguments.
     #[must_use]
     pub fn with_arguments(&self, arguments: Vec<String>) -> QuantityName {
         QuantityName { arguments, ..self.clone() }
     }
 
-    /// The same name with its two points in the other order.
+    /// This name with its two points in the other order.
     #[must_use]
     pub fn reversed(&self) -> QuantityName {
         self.with_arguments(self.arguments.iter().rev().cloned().collect())

@@ -1,6 +1,6 @@
 //! In: the text of a study and the scene that it is about. Out: rows, one for each of many mechanisms: its varied numbers, how far it
-//! goes through the cycle, and figures of quantities over the cycle. Any rows can be asked for in any order and anywhere: a row hangs on
-//! the study and its own index alone.
+//! goes through the cycle, and figures of quantities over the cycle. Any rows can be asked for in any order and anywhere: a row depends
+//! on the study and its own index alone.
 
 mod file;
 mod member;

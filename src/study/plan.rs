@@ -115,7 +115,7 @@ impl Study {
         let (width, many) = (self.columns().len(), MANY as u64);
         let mut numbers = Vec::new();
         for first in (rows.start / many * many..rows.end).step_by(MANY) {
-            // Last digits hang on the mechanisms beside, so a block is always whole.
+            // Last digits depend on the mechanisms that are followed together, so a block is always computed whole.
             let last = self.rows.min(first + many);
             let mut block = Vec::with_capacity(MANY * width);
             self.block(first..last, &mut block);

@@ -210,7 +210,7 @@ impl Values {
     }
 }
 
-/// Random numbers of one column of one row: they hang on the seed, the row and the column alone, so that any part of a study has the
+/// Random numbers of one column of one row: they depend on the seed, the row and the column alone, so that any part of a study has the
 /// same rows.
 pub(super) fn dice(seed: u64, row: u64, column: u64) -> Random {
     let mix = |state: u64, number: u64| Random(state ^ number).next();

@@ -1,9 +1,10 @@
 //! Files that are written together: all of them, or none.
 //!
 //! Each file is written into a *staging folder* beside the place where it is to be, with a name that nobody can guess and
-//! open to nobody else. When all are complete and on the disk they are renamed into their places (`stage`). What
-//! fails before, and signals, remove the staging folder: nothing new is left, and what was there is unchanged. What remains: files in different places are renamed one after the other, so a power cut between two
-//! renames leaves some of the new and some of the old; and what ends the program at once (`kill -9`) leaves a staging folder.
+//! open to nobody else. When all are complete and on the disk they are renamed into their places (`stage`). What fails before, and
+//! signals, remove the staging folder: nothing new is left, and what was there is unchanged. What remains: files in different places are
+//! renamed one after the other, so a power cut between two renames leaves some of the new and some of the old; and what ends the program
+//! at once (`kill -9`) leaves a staging folder.
 
 mod place;
 mod stage;
