@@ -81,11 +81,6 @@ impl Wrong {
         Wrong { paths: Vec::new(), is_key: false, bytes: None, message: message.into(), hint: None }
     }
 
-    /// An error at these bytes of a text that is not JSON.
-    pub fn bytes(bytes: Range<usize>, message: impl Into<String>) -> Wrong {
-        Wrong::whole(message).at_bytes(bytes)
-    }
-
     /// An error at the value at `path`.
     pub fn value(path: &[&str], message: impl Into<String>) -> Wrong {
         Wrong { paths: vec![owned(path)], ..Wrong::whole(message) }

@@ -66,7 +66,7 @@ pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>,
         let whole = error.to_string();
         let place = format!(" at line {} column {}", error.line(), error.column());
         let what = whole.strip_suffix(&place).unwrap_or(&whole);
-        Wrong::bytes(start..start, format!("this is not JSON: {what}"))
+        Wrong::whole(format!("this is not JSON: {what}")).at_bytes(start..start)
     })?;
     Ok(tree.expect("a text that is not blank has a value"))
 }
@@ -75,7 +75,7 @@ pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>,
 fn scan(body: &str) -> Result<(), Wrong> {
     let (mut depth, mut in_text, mut escaped) = (0_usize, false, false);
     for (at, byte) in body.bytes().enumerate() {
-        let wrong = |message: &str| Wrong::bytes(at..at + 1, message);
+        let wrong = |message: &str| Wrong::whole(message).at_bytes(at..at + 1);
         match (in_text, byte) {
             (true, b'\n' | b'\r') => {
                 let hint = r#"add the missing ", or write \n for a line break"#;
@@ -173,7 +173,7 @@ fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> Wrong {
         Kind::String(_) => ("this text is never closed".into(), Some("add the missing \"")),
         other => (format!("this is not JSON: {}", other.to_string().to_lowercase()), None),
     };
-    Wrong::bytes(shown, message).maybe_hint(hint.map(str::to_owned))
+    Wrong::whole(message).at_bytes(shown).maybe_hint(hint.map(str::to_owned))
 }
 
 /// A part of the tree as JSON, without notes; at the top without `$schema`, which is for editors.
