@@ -103,6 +103,30 @@ pub fn span(points: impl IntoIterator<Item = Point>) -> f64 {
     BoundingBox::of(points).size()
 }
 
+/// The corners of the convex hull of points, counter-clockwise, by Andrew's monotone chain (1979).
+///
+/// `is_corner` says of three points on the way round whether the second is a corner: there the way turns to the left, by as
+/// much as the caller asks.
+pub fn hull(mut points: Vec<Point>, is_corner: impl Fn([Point; 3]) -> bool) -> Vec<Point> {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    let mut hull: Vec<Point> = Vec::new();
+    for _ in 0..2 {
+        let first = hull.len();
+        for &point in &points {
+            while let [.., a, b] = hull[first..]
+                && !is_corner([a, b, point])
+            {
+                hull.pop();
+            }
+            hull.push(point);
+        }
+        // The last point is the first one of the way back.
+        hull.pop();
+        points.reverse();
+    }
+    hull
+}
+
 /// The unit vector at `degrees` from +x, counter-clockwise; exact at whole quarter turns.
 ///
 /// The whole quarter turns are taken off in degrees, where that is exact, so 90° gives (0, 1) and a

@@ -1,7 +1,7 @@
 //! Dark figures with four corners: what may be a marker.
 
 use super::picture::Picture;
-use crate::geometry::{Point, cross};
+use crate::geometry::{Point, cross, hull};
 use indexmap::IndexMap;
 use petgraph::unionfind::UnionFind;
 
@@ -136,7 +136,7 @@ impl Part {
         is_square.then_some(quad)
     }
 
-    /// The convex outline of its pixels, clockwise as it is seen (Andrew 1979).
+    /// The convex outline of its pixels, clockwise as it is seen.
     fn hull(&self) -> Vec<Point> {
         let mut points: Vec<Point> = Vec::with_capacity(4 * self.ends.len());
         for (row, ends) in self.ends.iter().enumerate() {
@@ -145,24 +145,7 @@ impl Part {
                 points.extend([Point::new(f64::from(*x), y), Point::new(f64::from(*x), y + 1.0)]);
             }
         }
-        points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-        points.dedup();
-        let half = |points: &mut dyn Iterator<Item = Point>| {
-            let mut chain: Vec<Point> = Vec::new();
-            for point in points {
-                while let [.., a, b] = chain[..] {
-                    if cross(b - a, point - b) > 0.0 {
-                        break;
-                    }
-                    chain.pop();
-                }
-                chain.push(point);
-            }
-            chain.pop();
-            chain
-        };
-        let mut hull = half(&mut points.iter().copied());
-        hull.extend(half(&mut points.iter().rev().copied()));
+        let mut hull = hull(points, |[a, b, c]| cross(b - a, c - b) > 0.0);
         // Corners that cut off least are left out.
         while hull.len() > CORNERS {
             let n = hull.len();

@@ -5,8 +5,8 @@ use crate::drawing::dims::Dims;
 use crate::drawing::grid::Grid;
 use crate::drawing::shape::{Shape, around};
 use crate::drawing::view::{View, on_sheet, towards};
-use crate::geometry::{self, cross, span};
-use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
+use crate::geometry::{self, cross, hull, span};
+use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::position::Pose;
 use kurbo::{Line, ParamCurveNearest, Point, Rect, Vec2};
 use std::cell::OnceCell;
@@ -108,7 +108,7 @@ impl<'a> SchemeOnPaper<'a> {
         let near = grid.near(Rect::from_center_size(from, (1.0, 1.0))).into_iter().map(|index| lines[index]);
         let ends = near.filter(|ends| is_on(*ends, from)).flat_map(|ends| ends.map(|end| end - from));
         let mut directions: Vec<Vec2> = ends.filter(|end| end.hypot() > ON_LINE).map(Vec2::normalize).collect();
-        for id in (0..self.mechanism.sliders.len()).map(SliderId) {
+        for id in self.mechanism.slider_ids() {
             if self.mechanism.slider(id).at == point {
                 let along = on_sheet(self.pose.guide(id));
                 directions.extend([along, -along]);
@@ -145,7 +145,7 @@ impl<'a> SchemeOnPaper<'a> {
     /// The bars of a yoke, a link with a slot between two points that are only the slot's ends: the slot, and from each
     /// other point an arm normal to it.
     fn yoke(&self, link: BodyId) -> Option<Vec<[Point; 2]>> {
-        let ids = (0..self.mechanism.sliders.len()).map(SliderId);
+        let ids = self.mechanism.slider_ids();
         let mut slots = ids.filter(|&id| self.mechanism.slider(id).on == link);
         let slot = slots.next().filter(|_| slots.next().is_none())?;
         let at = self.at(self.mechanism.slider(slot).at);
@@ -180,31 +180,11 @@ pub(super) fn is_on([a, b]: [Point; 2], point: Point) -> bool {
 }
 
 /// Corners of a link, or of its image, in order around it; two for a straight one.
-pub(in crate::drawing) fn outline(mut places: Vec<geometry::Point>) -> Vec<geometry::Point> {
+pub(in crate::drawing) fn outline(places: Vec<geometry::Point>) -> Vec<geometry::Point> {
     if places.len() < 3 {
         return places;
     }
-    // The convex hull by Andrew's monotone chain.
-    places.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let size = span(places.iter().copied());
-    let mut hull: Vec<geometry::Point> = Vec::new();
-    for pass in 0..2 {
-        let base = hull.len();
-        for &p in &places {
-            while hull.len() >= base + 2 {
-                let (a, b) = (hull[hull.len() - 2], hull[hull.len() - 1]);
-                // A corner flatter than a thousandth of the link counts as straight.
-                if cross(b - a, p - b) > 1e-3 * size * (p - a).norm() {
-                    break;
-                }
-                hull.pop();
-            }
-            hull.push(p);
-        }
-        hull.pop();
-        if pass == 0 {
-            places.reverse();
-        }
-    }
-    hull
+    // A corner flatter than a thousandth of the link counts as straight.
+    hull(places, |[a, b, c]| cross(b - a, c - b) > 1e-3 * size * (c - a).norm())
 }
