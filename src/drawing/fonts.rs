@@ -1,11 +1,12 @@
 use std::ops::Range;
 use std::str::Chars;
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
-use kurbo::{BezPath, Point, Rect, Shape};
+use kurbo::{BezPath, PathEl, Point, Rect, Shape};
 use skrifa::charmap::Charmap;
 use skrifa::metrics::GlyphMetrics;
-use skrifa::outline::{DrawSettings, OutlinePen};
+use skrifa::outline::DrawSettings;
+use skrifa::outline::pen::PathElement;
 use skrifa::prelude::{LocationRef, Size};
 use skrifa::raw::tables::gpos::{PairPos, PositionSubtables};
 use skrifa::raw::tables::gsub::SubstitutionSubtables;
@@ -28,7 +29,7 @@ pub(super) struct TextExtent {
     pub(super) ink: Option<Rect>,
 }
 
-/// TextExtent assumed for a letter that the face lacks: about a capital, so that labels keep off what a viewer may draw.
+/// The extent assumed for a letter that the face lacks: about a capital, so that labels keep off what a viewer may draw.
 const UNKNOWN: TextExtent = TextExtent { advance: 0.6, ink: Some(Rect::new(0.0, -0.75, 0.6, 0.15)) };
 
 /// Letters before this code point (Latin, basic signs) have their glyphs looked up when a face is parsed.
@@ -40,15 +41,20 @@ pub(super) struct Face {
     metrics: GlyphMetrics<'static>,
     shapes: OutlineGlyphCollection<'static>,
     em: f64,
-    /// By glyph: its extent, once measured; reading an outline takes far longer than looking it up.
-    glyphs: Vec<OnceLock<TextExtent>>,
+    /// By glyph: its outline and extent, once read; reading takes far longer than looking them up.
+    glyphs: Vec<OnceLock<Glyph>>,
     /// By letter below [`COMMON`]: its glyph, none where the face lacks it.
     indices: Vec<Option<GlyphId>>,
-    /// By glyph: its outline, once read.
-    outlines: Vec<OnceLock<BezPath>>,
     /// Kerning by script. Values of all tables are added, because in these fonts each lookup has one table.
     kerning: [Vec<Kerning>; 3],
     ligatures: Vec<Ligature>,
+}
+
+/// A glyph as it is drawn, in em, y down.
+#[derive(Clone)]
+struct Glyph {
+    outline: BezPath,
+    extent: TextExtent,
 }
 
 /// Kerning of pairs, by classes of glyphs (OpenType GPOS, pair adjustment format 2).
@@ -98,7 +104,6 @@ impl Face {
             indices: (0..COMMON).map(|code| letters.map(code)).collect(),
             em: f64::from(font.head().expect(sound).units_per_em()),
             glyphs: vec![OnceLock::new(); glyphs],
-            outlines: vec![OnceLock::new(); glyphs],
             kerning: [b"latn", b"grek", b"cyrl"].map(|script| kerning(&font, Tag::new(script)).expect(sound)),
             ligatures: ligatures(&font).expect(sound),
             shapes: font.outline_glyphs(),
@@ -123,7 +128,7 @@ impl Face {
     pub(super) fn measure(&self, text: &str) -> TextExtent {
         let mut ink: Option<Rect> = None;
         let advance = self.set(text, |glyph, _, pen| {
-            if let Some(glyph_ink) = self.extent(glyph).ink {
+            if let Some(glyph_ink) = self.glyph(glyph).extent.ink {
                 let glyph_ink = glyph_ink + kurbo::Vec2::new(pen, 0.0);
                 ink = Some(ink.map_or(glyph_ink, |all| all.union(glyph_ink)));
             }
@@ -134,7 +139,7 @@ impl Face {
     /// Calls `show` with the outline of each glyph of a text and its left end, in em, y down, set as
     /// [`measure`](Face::measure) measures. A letter that the face lacks is an empty box.
     pub(super) fn outline(&'static self, text: &str, mut show: impl FnMut(&'static BezPath, f64)) {
-        self.set(text, |glyph, _, pen| show(self.outline_of(glyph), pen));
+        self.set(text, |glyph, _, pen| show(&self.glyph(glyph).outline, pen));
     }
 
     /// Calls `show` for each glyph of a text with its number, 0 for a letter that the face lacks, the bytes of the text
@@ -179,43 +184,37 @@ impl Face {
                 pen += self.kern(script, before, glyph);
             }
             put(Some(glyph), start..text.len() - letters.as_str().len(), pen);
-            pen += self.extent(Some(glyph)).advance;
+            pen += self.glyph(Some(glyph)).extent.advance;
             previous = Some(glyph);
         }
     }
 
-    fn extent(&self, glyph: Option<GlyphId>) -> TextExtent {
-        let known = glyph.and_then(|glyph| Some((glyph, self.glyphs.get(glyph.to_u32() as usize)?)));
-        known.map_or(UNKNOWN, |(glyph, known)| *known.get_or_init(|| self.measure_glyph(glyph)))
+    /// A glyph; for none the empty box that stands for a letter that the face lacks.
+    fn glyph(&self, id: Option<GlyphId>) -> &Glyph {
+        static EMPTY_BOX: LazyLock<Glyph> = LazyLock::new(|| Glyph { outline: empty_box(), extent: UNKNOWN });
+        let known = id.and_then(|id| Some((id, self.glyphs.get(id.to_u32() as usize)?)));
+        known.map_or(&EMPTY_BOX, |(id, known)| known.get_or_init(|| self.read(id)))
     }
 
-    fn outline_of(&'static self, glyph: Option<GlyphId>) -> &'static BezPath {
-        static EMPTY_BOX: OnceLock<BezPath> = OnceLock::new();
-        let known = glyph.and_then(|glyph| Some((glyph, self.outlines.get(glyph.to_u32() as usize)?)));
-        match known {
-            Some((glyph, known)) => known.get_or_init(|| {
-                let mut pen = EmPen { path: BezPath::new(), em: self.em };
-                self.draw(glyph, &mut pen);
-                pen.path
-            }),
-            None => EMPTY_BOX.get_or_init(empty_box),
-        }
-    }
-
-    fn measure_glyph(&self, glyph: GlyphId) -> TextExtent {
-        let advance = f64::from(self.metrics.advance_width(glyph).unwrap_or(0.0)) / self.em;
-        let mut pen = EmPen { path: BezPath::new(), em: self.em };
-        self.draw(glyph, &mut pen);
-        let ink = (!pen.path.is_empty()).then(|| pen.path.control_box());
-        TextExtent { advance, ink }
-    }
-
-    /// Draws the outline of a glyph; nothing for one without ink.
-    fn draw(&self, glyph: GlyphId, pen: &mut EmPen) {
-        if let Some(shape) = self.shapes.get(glyph) {
+    /// Reads a glyph; one without ink has an empty outline.
+    fn read(&self, id: GlyphId) -> Glyph {
+        let mut elements: Vec<PathElement> = Vec::new();
+        if let Some(shape) = self.shapes.get(id) {
             let settings = DrawSettings::unhinted(Size::unscaled(), LocationRef::default());
-            shape.draw(settings, pen).expect("outlines of the bundled fonts are sound");
+            shape.draw(settings, &mut elements).expect("outlines of the bundled fonts are sound");
         }
+        let at = |x: f32, y: f32| Point::new(f64::from(x) / self.em, -f64::from(y) / self.em);
+        let part = |element: PathElement| match element {
+            PathElement::MoveTo { x, y } => PathEl::MoveTo(at(x, y)),
+            PathElement::LineTo { x, y } => PathEl::LineTo(at(x, y)),
+            PathElement::QuadTo { cx0, cy0, x, y } => PathEl::QuadTo(at(cx0, cy0), at(x, y)),
+            PathElement::CurveTo { cx0, cy0, cx1, cy1, x, y } => PathEl::CurveTo(at(cx0, cy0), at(cx1, cy1), at(x, y)),
+            PathElement::Close => PathEl::ClosePath,
+        };
+        let outline: BezPath = elements.into_iter().map(part).collect();
+        let advance = f64::from(self.metrics.advance_width(id).unwrap_or(0.0)) / self.em;
+        let ink = (!outline.is_empty()).then(|| outline.control_box());
+        Glyph { outline, extent: TextExtent { advance, ink } }
     }
 
     fn kern(&self, script: Alphabet, left: GlyphId, right: GlyphId) -> f64 {
@@ -248,41 +247,7 @@ fn empty_box() -> BezPath {
     path
 }
 
-/// Records an outline in em, y down.
-struct EmPen {
-    path: BezPath,
-    em: f64,
-}
-
-impl EmPen {
-    fn at(&self, x: f32, y: f32) -> Point {
-        Point::new(f64::from(x) / self.em, -f64::from(y) / self.em)
-    }
-}
-
-impl OutlinePen for EmPen {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.path.move_to(self.at(x, y));
-    }
-
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.path.line_to(self.at(x, y));
-    }
-
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.path.quad_to(self.at(x1, y1), self.at(x, y));
-    }
-
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        let (first, second) = (self.at(x1, y1), self.at(x2, y2));
-        self.path.curve_to(first, second, self.at(x, y));
-    }
-
-    fn close(&mut self) {
-        self.path.close_path();
-    }
-}
-
+/// The script of a letter; none for signs and digits.
 fn script_of(letter: char) -> Option<Alphabet> {
     match letter {
         'A'..='Z' | 'a'..='z' | '\u{C0}'..='\u{24F}' => Some(Alphabet::Latin),
@@ -291,6 +256,7 @@ fn script_of(letter: char) -> Option<Alphabet> {
         _ => None,
     }
 }
+
 fn kerning(font: &FontRef<'static>, script: Tag) -> Result<Vec<Kerning>, ReadError> {
     let table = font.gpos()?;
     let scripts = table.script_list()?;
