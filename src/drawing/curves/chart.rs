@@ -1,7 +1,6 @@
 //! The sheet of curves: a graph for each kind of quantity, one above the other on a common axis of the drive.
 
-use super::axis::Axis;
-use super::context::{CurveContext, CurvesError, MOST_CURVES};
+use super::context::{Axis, CurveContext, CurvesError, MOST_CURVES};
 use super::graph::{self, BESIDE, Graph};
 use crate::cycle::{Curve, Curves};
 use crate::drawing::dims::{MARGIN, TITLE};
@@ -36,7 +35,7 @@ const BEYOND: f64 = 0.02;
 /// # Errors
 /// There are too many panels for a sheet, or too many curves in one panel.
 pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
-    let context = context(scene, curves);
+    let context = CurveContext::new(scene, curves);
     let all = &curves.curves;
     let graphs = graphs(&context, curves)?;
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
@@ -58,11 +57,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
 /// The values of the drive at the left and right edges of the graphs that [`curves`] draws.
 #[must_use]
 pub fn drive_ends(scene: &Scene, curves: &Curves) -> [f64; 2] {
-    shown_range(&context(scene, curves))
-}
-
-fn context<'a>(scene: &'a Scene, Curves { path, range, events, .. }: &'a Curves<'a>) -> CurveContext<'a> {
-    CurveContext::new(scene, path, *range, events)
+    shown_range(&CurveContext::new(scene, curves))
 }
 
 /// A graph for each kind of quantity, with its place on the sheet.

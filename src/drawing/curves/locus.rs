@@ -2,8 +2,7 @@
 //! at round values of the drive and at limits; paths have the numbers of both axes, hodographs the vector at the scene's
 //! own position.
 
-use super::axis::{Axis, significant};
-use super::context::{CurveContext, CurvesError};
+use super::context::{Axis, CurveContext, CurvesError, significant};
 use crate::cycle::{Event, Happening, Hodograph, Hodographs, PointPath, PointPaths};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_chain, holds, simplified};
@@ -55,7 +54,7 @@ const BESIDE_AXIS: f64 = 1.2;
 /// # Errors
 /// There are too many for a sheet.
 pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
-    let context = CurveContext::new(scene, all.path, all.range, &all.events);
+    let context = CurveContext::new(scene, all);
     let unit = scene.units.length.as_str();
     let panels = all.curves.iter().enumerate().map(|(index, one)| path_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.path_of(&one.name, unit));
@@ -67,7 +66,7 @@ pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
 /// # Errors
 /// There are too many for a sheet.
 pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesError> {
-    let context = CurveContext::new(scene, all.path, all.range, &all.events);
+    let context = CurveContext::new(scene, all);
     let panels = all.curves.iter().enumerate().map(|(index, one)| hodograph_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.hodograph(one.asked.name()));
     sheet(&context, panels.collect(), [0.0; 2], sentences.collect())

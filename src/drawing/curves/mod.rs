@@ -3,13 +3,11 @@
 //! Extreme values, dead centres, limits and the scene's own position are marked; every curve has its name. Nothing of the
 //! motion is computed here.
 
-#[doc(hidden)] // for tests
-pub mod axis;
 mod chart;
-mod context;
+#[doc(hidden)] // for tests
+pub mod context;
 mod graph;
 mod locus;
-mod names;
 
 pub use chart::{curves, drive_ends};
 pub use context::CurvesError;

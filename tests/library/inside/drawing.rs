@@ -49,7 +49,7 @@ mod arrow {
 }
 
 mod axis {
-    use kinegon::drawing::curves::axis::Axis;
+    use kinegon::drawing::curves::context::Axis;
     use kinegon::words::Wording;
 
     fn ticks(ends: [f64; 2], length: f64, degrees: bool) -> Vec<String> {
