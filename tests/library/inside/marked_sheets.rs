@@ -53,8 +53,8 @@ mod markers {
 }
 
 mod outlines {
-    use kinegon::drawing::markers::drawn::{Corner, outlines};
     use kinegon::drawing::markers::{CODES, cells};
+    use kinegon::drawing::markers::{Corner, outlines};
 
     /// Twice the signed area within chains, in cells; positive clockwise to the eye.
     fn doubled(chains: &[Vec<Corner>]) -> i64 {
