@@ -67,8 +67,13 @@ impl<'a> Composition<'a> {
     }
 
     /// The sheet with an item more, drawn after the others.
-    pub(super) fn with(mut self, item: impl Item + 'a) -> Self {
-        self.items.push(Box::new(item));
+    pub(super) fn with(self, item: impl Item + 'a) -> Self {
+        self.with_optional(Some(item))
+    }
+
+    /// The sheet with an item more, if there is one.
+    pub(super) fn with_optional(mut self, item: Option<impl Item + 'a>) -> Self {
+        self.items.extend(item.map(|item| Box::new(item) as Box<dyn Item + 'a>));
         self
     }
 

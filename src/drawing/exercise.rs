@@ -125,23 +125,22 @@ fn with_notes<'a>(sheet: Composition<'a>, [before, after]: [Vec<String>; 2], has
     let notes = before.iter().chain(&own_line).chain(&after);
     let lines = Lines::of(notes, context.surface.dims.width_below());
     let ruler = has_ruler.then(|| Ruler::with_lines(context, &lines));
-    sheet.with(Legend::of(context)).with(lines).with(ruler).with(fields)
+    sheet.with(Legend::of(context)).with(lines).with_optional(ruler).with_optional(fields)
 }
 
-/// The teacher's key: the scene's figure with all values, a table of the form's quantities, and `sentences` below the
-/// scales, in markup.
+/// The teacher's key: the scene's figure with all values, a table of the form's quantities, and notes below the scales.
 #[must_use]
-pub fn key_sheet(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String]) -> Drawing {
+pub fn key_sheet(solution: &Solution, rows: &[KeyRow<'_>]) -> Drawing {
     let context = key_context(solution);
-    let sheet = key(&context, rows, sentences);
+    let sheet = key(&context, rows);
     sheet.draw(&sheet.layout())
 }
 
 /// The scales of the key, with the arguments of [`key_sheet`]: those that the scene gives, else the finest that fit.
 /// `None` where scheme or plans do not fit.
 #[must_use]
-pub fn key_scales(solution: &Solution, rows: &[KeyRow<'_>], sentences: &[String]) -> Option<Scales> {
-    let layout = key(&key_context(solution), rows, sentences).layout();
+pub fn key_scales(solution: &Solution, rows: &[KeyRow<'_>]) -> Option<Scales> {
+    let layout = key(&key_context(solution), rows).layout();
     layout.holds_all().then(|| layout.mu())
 }
 
@@ -150,13 +149,13 @@ fn key_context(solution: &Solution) -> SheetContext<'_> {
     SheetContext::new(solution, Purpose::Exercise).with_values_as(shown)
 }
 
-fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>], sentences: &[String]) -> Composition<'a> {
+fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>]) -> Composition<'a> {
     let panels = panels(context, &extents(context), |sheet| vec![content(context, sheet)]);
     let table = Worksheet::key(context, &panels, rows);
     let asked: Vec<QuantityRequest> = rows.iter().map(|row| row.asked.clone()).collect();
-    let notes = context.notes(&asked);
-    let sentences = Lines::of(sentences.iter().chain(&notes), context.surface.dims.width_below());
-    Composition::new(context, panels).with(table).with(Legend::of(context)).with(sentences)
+    let allowed = context.words.language.exercise_allowed().to_owned();
+    let notes = Lines::of([allowed].iter().chain(&context.notes(&asked)), context.surface.dims.width_below());
+    Composition::new(context, panels).with(table).with(Legend::of(context)).with(notes)
 }
 
 /// Whether scheme and plans show all their points at their places, none by an arrow.

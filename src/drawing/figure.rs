@@ -359,13 +359,13 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     });
     let worksheet = table.filter(|place| *place != TablePlace::Apart);
     let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
-    let sheet = Composition::new(context, panels).with(worksheet);
+    let sheet = Composition::new(context, panels).with_optional(worksheet);
     let Some(steps) = steps else {
         // A work sheet has all values in its table.
         let values = if table.is_none() { value_list(context, None) } else { None };
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
         let agreement = legend::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
-        return sheet.with(values).with(Legend::of(context)).with(agreement).with(ruler);
+        return sheet.with_optional(values).with(Legend::of(context)).with(agreement).with_optional(ruler);
     };
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);

@@ -106,7 +106,7 @@ pub(super) enum Aside {
     Right(f64),
 }
 
-/// Something on a sheet beside or below its panels; an item that is not there takes no room.
+/// Something on a sheet beside or below its panels.
 pub(super) trait Item {
     /// Height that it needs below the scales, in mm.
     fn height(&self) -> f64 {
@@ -118,22 +118,6 @@ pub(super) trait Item {
         Vec::new()
     }
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
-}
-
-impl<T: Item> Item for Option<T> {
-    fn height(&self) -> f64 {
-        self.as_ref().map_or(0.0, T::height)
-    }
-
-    fn asides(&self, room: Rect) -> Vec<Aside> {
-        self.as_ref().map_or_else(Vec::new, |item| item.asides(room))
-    }
-
-    fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        if let Some(item) = self {
-            item.draw(drawing, layout);
-        }
-    }
 }
 
 /// Frames of all parts of a sheet.

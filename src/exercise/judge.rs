@@ -1,6 +1,6 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
-use super::sheets::{key_rows, key_sentences, sentences};
+use super::sheets::{key_rows, sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
 use crate::drawing::{
@@ -110,7 +110,9 @@ impl Exercise {
         // The key is the only sheet with plans; the accepted file says its scales, which then hold everywhere.
         figure.scales = ScalesFor::Sheet;
         let wording = solution.wording();
-        let mut scales = key_scales_of(&solution, &quantities).ok_or(Refusal::Sheet)?;
+        let exact = values(&quantities, &solution);
+        let expected = pencil(&solution, &solution.scales(), Tolerance::default(), quantities.clone());
+        let mut scales = key_scales(&solution, &key_rows(&exact, &expected)).ok_or(Refusal::Sheet)?;
         if solution.scene.figure.mu[Sheet::Scheme].is_none() {
             let given = sentences(&solution.scene, text, &scales, &wording);
             let mu = exercise_scale(&students, &quantities, &given);
@@ -124,9 +126,8 @@ impl Exercise {
             return Err(Refusal::Sheet);
         }
         let pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
-        let exact = values(&quantities, &solution);
         is_sure(&pencil, &exact)?;
-        key_scales(&solution, &key_rows(&exact, &pencil), &key_sentences(&solution)).ok_or(Refusal::Sheet)?;
+        key_scales(&solution, &key_rows(&exact, &pencil)).ok_or(Refusal::Sheet)?;
         let given = sentences(&solution.scene, text, &scales, &wording);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
         let has_markers = students.scene.figure.has_markers();
@@ -167,13 +168,6 @@ impl Exercise {
     pub(crate) fn asked(&self) -> Vec<QuantityRequest> {
         self.pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect()
     }
-}
-
-/// The scales of the key: those that the scene gives, else the finest at which scheme and plans fit beside the table.
-fn key_scales_of(solution: &Solution, quantities: &[QuantityRequest]) -> Option<Scales> {
-    let pencil = pencil(solution, &solution.scales(), Tolerance::default(), quantities.to_vec());
-    let exact = values(quantities, solution);
-    key_scales(solution, &key_rows(&exact, &pencil), &key_sentences(solution))
 }
 
 /// The solution of a scene for the sheets of a student, on that page.

@@ -1,7 +1,7 @@
 //! The teacher's key of an exercise: every value of the form.
 
 use super::judge::Exercise;
-use super::sheets::{key_rows, key_sentences};
+use super::sheets::key_rows;
 use crate::check::{BANDS, WrittenForm};
 use crate::drawing::{Drawing, key_sheet};
 use crate::scene::schema_of;
@@ -91,8 +91,7 @@ impl Exercise {
     /// The key as a figure: scheme and plans with a table of all quantities of the form.
     #[must_use]
     pub fn key_sheet(&self) -> Drawing {
-        let values = self.values();
-        key_sheet(&self.solution, &key_rows(&values, &self.pencil), &key_sentences(&self.solution))
+        key_sheet(&self.solution, &key_rows(&self.values(), &self.pencil))
     }
 
     /// The empty form of the exercise with that name.

@@ -53,12 +53,6 @@ pub(super) fn key_rows<'a>(values: &'a [(QuantityRequest, f64)], pencil: &Pencil
     values.iter().map(row).collect()
 }
 
-/// The sentences below the scales of a key.
-pub(super) fn key_sentences(solution: &Solution) -> Vec<String> {
-    let words = solution.wording();
-    vec![words.language.exercise_allowed().to_owned()]
-}
-
 /// The sentences with all given numbers and with the scales of the plans, in markup. Vectors are given as in the
 /// scene's `text`, by components or by size and direction.
 pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Wording) -> Vec<String> {
