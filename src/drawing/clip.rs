@@ -1,7 +1,7 @@
 //! Shapes and chains of lines cut off at the edge of an area; chains with no more points than the eye needs.
 
 use super::shape::Shape;
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Rect};
 
 /// Whether a shape lies within `area`.
 pub(super) fn is_within(area: Rect, shape: &Shape) -> bool {
@@ -19,18 +19,16 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     if is_within(area, &shape) {
         return vec![shape];
     }
-    let line = |a: &Point, b: &Point| {
-        let within = clipped_segment(area, *a, *b);
-        within.map(|(a, b)| Shape::Line(a, b))
-    };
     match &shape {
-        Shape::Line(a, b) => line(a, b).into_iter().collect(),
+        Shape::Line(..) | Shape::Polyline(_) => {
+            let within = shape.lines().into_iter().filter_map(|(a, b)| clipped_segment(area, a, b));
+            within.map(|(a, b)| Shape::Line(a, b)).collect()
+        }
         Shape::Arrow { from, to, head } => match clipped_segment(area, *from, *to) {
             Some((from, tip)) if (tip - *to).hypot() < 1e-9 => vec![Shape::Arrow { from, to: *to, head: *head }],
             Some((a, b)) => vec![Shape::Line(a, b)],
             None => Vec::new(),
         },
-        Shape::Polyline(points) => points.windows(2).filter_map(|ends| line(&ends[0], &ends[1])).collect(),
         Shape::Polygon(corners) => {
             let corners = inside(area, corners);
             if corners.len() > 2 { vec![Shape::Polygon(corners)] } else { Vec::new() }
@@ -45,35 +43,22 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     }
 }
 
-/// The part of the line through `p` along `d` that lies in `area`, from the first to the last crossing of its border;
-/// `None` where it misses.
-fn line_in(area: Rect, p: Point, d: Vec2) -> Option<(Point, Point)> {
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (start, step, near, far) in [(p.x, d.x, area.x0, area.x1), (p.y, d.y, area.y0, area.y1)] {
+/// The part of the segment between two points that lies in `area`; `None` where it misses.
+pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
+    let d = b - a;
+    let (mut low, mut high) = (0.0, 1.0);
+    for (start, step, near, far) in [(a.x, d.x, area.x0, area.x1), (a.y, d.y, area.y0, area.y1)] {
         if step == 0.0 {
             if start < near || start > far {
                 return None;
             }
         } else {
-            let (a, b) = ((near - start) / step, (far - start) / step);
-            low = low.max(a.min(b));
-            high = high.min(a.max(b));
+            let (enters, leaves) = ((near - start) / step, (far - start) / step);
+            low = enters.min(leaves).max(low);
+            high = enters.max(leaves).min(high);
         }
     }
-    (low < high && low.is_finite() && high.is_finite()).then(|| (p + d * low, p + d * high))
-}
-
-/// The part of the segment between two points that lies in `area`.
-pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
-    let d = b - a;
-    let (p, q) = line_in(area, a, d)?;
-    let size = d.hypot2();
-    if size == 0.0 {
-        return None;
-    }
-    let share = |x: Point| ((x - a).dot(d) / size).clamp(0.0, 1.0);
-    let (from, to) = (share(p), share(q));
-    (from < to).then(|| (a + d * from, a + d * to))
+    (low < high && d.hypot2() > 0.0 && d.is_finite()).then(|| (a + d * low, a + d * high))
 }
 
 /// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).

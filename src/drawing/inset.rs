@@ -122,17 +122,12 @@ impl Inset {
 
     /// The enlarged parts of a shape in the circle.
     fn enlarged(&self, shape: &Shape) -> Vec<Shape> {
-        let line = |a: Point, b: Point| self.within(self.at(a), self.at(b));
-        let lines = |points: &[Point], closed: bool| {
-            let ends = points.iter().zip(points.iter().cycle().skip(1));
-            let count = points.len().saturating_sub(usize::from(!closed));
-            ends.take(count).filter_map(|(a, b)| line(*a, *b)).map(|(a, b)| Shape::Line(a, b)).collect()
-        };
+        let within = |(a, b): (Point, Point)| self.within(self.at(a), self.at(b));
         match shape {
-            Shape::Line(a, b) => lines(&[*a, *b], false),
-            Shape::Polyline(points) => lines(points, false),
-            Shape::Polygon(corners) => lines(corners, true),
-            Shape::Arrow { from, to, head } => match line(*from, *to) {
+            Shape::Line(..) | Shape::Polyline(_) | Shape::Polygon(_) => {
+                shape.lines().into_iter().filter_map(within).map(|(a, b)| Shape::Line(a, b)).collect()
+            }
+            Shape::Arrow { from, to, head } => match within((*from, *to)) {
                 Some((from, end)) if (self.at(*to) - end).hypot() < 1e-9 => {
                     vec![Shape::Arrow { from, to: end, head: *head }]
                 }
