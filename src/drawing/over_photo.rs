@@ -4,6 +4,7 @@ use super::compose::blank;
 use super::context::{Purpose, SheetContext};
 use super::layout::Placed;
 use super::markers::SheetCode;
+use super::overlay::cross;
 use super::panel::{Panel, content, panels};
 use super::plan::sight;
 use super::shape::Shape;
@@ -86,8 +87,8 @@ fn area(extent: &Extent, pole: [f64; 2], mu: f64) -> Rect {
 /// Draws a point that was found: a cross, the circle that holds it, and where it is off its name with an asterisk.
 fn draw_seen(drawing: &mut Drawing, context: &SheetContext<'_>, point: &SeenPoint) {
     let center = Point::new(point.at[0], point.at[1]);
-    for arm in [Vec2::new(CROSS, CROSS), Vec2::new(CROSS, -CROSS)] {
-        drawing.draw(Pen::StudentPoint, Shape::Line(center - arm, center + arm));
+    for arm in cross(center, CROSS) {
+        drawing.draw(Pen::StudentPoint, arm);
     }
     drawing.draw(Pen::StudentPoint, Shape::Circle { center, radius: point.band.max(CROSS) });
     if point.is_off {

@@ -17,7 +17,7 @@ use kurbo::{Point, Vec2};
 /// Points closer than this on paper, in mm, share a label.
 const SHARED: f64 = 0.35;
 /// Half the width of a cross that marks a point, in mm.
-const CROSS: f64 = 1.1;
+pub(super) const CROSS: f64 = 1.1;
 
 /// The layer of a student's drawing in a panel of the right figure.
 pub(in crate::drawing) struct OwnLayer<'a> {
@@ -100,7 +100,7 @@ impl<'a> OwnLayer<'a> {
     }
 
     fn point(&self, canvas: &mut Canvas<'_>, center: Point, point: &OwnPoint, label: &str) {
-        for arm in cross(center) {
+        for arm in cross(center, CROSS) {
             canvas.draw(Pen::StudentPoint, arm);
         }
         canvas.obstacles.add_boxes([Shape::Circle { center, radius: CROSS }.bounds()]);
@@ -195,10 +195,10 @@ impl<'a> OwnLayer<'a> {
     }
 }
 
-/// The two strokes of a cross.
-pub(super) fn cross(center: Point) -> [Shape; 2] {
+/// The two strokes of a cross, whose width is twice `half`.
+pub(in crate::drawing) fn cross(center: Point, half: f64) -> [Shape; 2] {
     [1.0, -1.0].map(|sign| {
-        let arm = Vec2::new(CROSS, sign * CROSS);
+        let arm = Vec2::new(half, sign * half);
         Shape::Line(center - arm, center + arm)
     })
 }

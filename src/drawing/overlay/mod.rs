@@ -6,6 +6,6 @@ mod layer;
 pub mod notes;
 mod own;
 
-pub(super) use layer::OwnLayer;
+pub(super) use layer::{OwnLayer, cross};
 pub(super) use notes::{Notes, WordsPlace};
 pub use own::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};

@@ -1,6 +1,6 @@
 //! The words about a student's drawing: a key of its lines, sentences, a table of the values.
 
-use super::layer::cross;
+use super::layer::{CROSS, cross};
 use super::own::{Overlay, OwnValue};
 use crate::drawing::context::SheetContext;
 use crate::drawing::layout::{Aside, Item, Layout};
@@ -153,7 +153,7 @@ fn key(drawing: &mut Drawing, from: Point, sample: usize, words: &str) -> f64 {
         0 => drawing.draw(Pen::Velocity, line).emphasis = Emphasis::Earlier,
         1 => {
             drawing.draw(Pen::Student, line);
-            for arm in cross(ends[0].midpoint(ends[1])) {
+            for arm in cross(ends[0].midpoint(ends[1]), CROSS) {
                 drawing.draw(Pen::StudentPoint, arm);
             }
         }

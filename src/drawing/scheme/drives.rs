@@ -21,27 +21,24 @@ const RATE_RADIUS: f64 = 5.0;
 impl SchemeOnPaper<'_> {
     pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>) {
         for (link, body) in self.mechanism.links() {
-            if let Role::Driver { pivot, omega, .. } = body.role {
+            if let Role::Driver { pivot, omega, .. } = body.role
+                && omega != 0.0
+            {
                 self.rotation_arrow(canvas, link, pivot, omega);
             }
         }
     }
 
     pub(super) fn slide_arrows(&self, canvas: &mut Canvas<'_>) {
-        for slider in (0..self.mechanism.sliders.len()).map(SliderId) {
-            let name = self.mechanism.push_name(slider);
+        for slider in self.mechanism.slider_ids() {
             match self.mechanism.slider(slider).drive {
                 Some(drive) if drive.speed != 0.0 => {
+                    let name = self.mechanism.push_name(slider);
                     let label = format!("v_{{{}}}", canvas.shown(&name, &name));
-                    self.slide_arrow(
-                        canvas,
-                        slider,
-                        drive.speed,
-                        [&format!("speed-{name}"), &format!("speed({name})"), &label],
-                    );
+                    self.slide_arrow(canvas, slider, drive.speed, ["speed", &label]);
                 }
                 None if self.context.purpose == Purpose::Exercise => {
-                    self.slide_arrow(canvas, slider, 1.0, [&format!("sense-{name}"), &format!("sense({name})"), "+"]);
+                    self.slide_arrow(canvas, slider, 1.0, ["sense", "+"]);
                 }
                 _ => {}
             }
@@ -98,9 +95,6 @@ impl SchemeOnPaper<'_> {
     fn rotation_arrow(&self, canvas: &mut Canvas<'_>, link: BodyId, pivot: PointId, omega: f64) {
         const RADIUS: f64 = 7.5;
         const SWEEP: f64 = 1.5;
-        if omega == 0.0 {
-            return;
-        }
         let name = self.mechanism.body(link).name.as_str();
         let (center, arm) = (self.at(pivot), self.arm_of(link, pivot));
         // Counter-clockwise is negative in the angles of the sheet.
@@ -129,12 +123,11 @@ impl SchemeOnPaper<'_> {
         }
     }
 
-    /// Draws an arrow beside a block along its guide, in the sense of `speed` relative to the guide's body; with the ids
-    /// of arrow and label, and the label's markup.
-    fn slide_arrow(&self, canvas: &mut Canvas<'_>, id: SliderId, speed: f64, texts: [&str; 3]) {
+    /// Draws an arrow beside a block along its guide, in the sense of `speed` relative to the guide's body; with what its
+    /// ids begin with, and its label's markup.
+    fn slide_arrow(&self, canvas: &mut Canvas<'_>, id: SliderId, speed: f64, [what, label]: [&str; 2]) {
         const LENGTH: f64 = 10.0;
         const BESIDE: f64 = 2.0;
-        let [arrow_id, label_id, label] = texts;
         let slider = self.mechanism.slider(id);
         let along = on_sheet(self.pose.guide(id));
         let (block, half) = (self.at(slider.at), self.half(id));
@@ -162,9 +155,9 @@ impl SchemeOnPaper<'_> {
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");
-        let number = self.number(slider.link);
-        canvas.draw_named(arrow_id, Pen::Turning, canvas.arrow(from, to)).number = number;
-        canvas.label(label_id, label, from.midpoint(to), 0.8, Some(side), 2).number = number;
+        let (name, number) = (self.mechanism.push_name(id), self.number(slider.link));
+        canvas.draw_named(&format!("{what}-{name}"), Pen::Turning, canvas.arrow(from, to)).number = number;
+        canvas.label(&format!("{what}({name})"), label, from.midpoint(to), 0.8, Some(side), 2).number = number;
     }
 }
 
