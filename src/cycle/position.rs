@@ -32,7 +32,7 @@ impl<R: Row> Position<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose {
         let mechanism = self.mechanism;
-        let sliders = || (0..mechanism.sliders.len()).map(SliderId);
+        let sliders = || mechanism.slider_ids();
         let moves = |id: usize| mechanism.bodies[id].role != Role::Ground;
         let axis = |id: usize| moves(id).then(|| self.direction(BodyId(id)));
         Pose {

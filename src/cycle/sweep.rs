@@ -2,7 +2,7 @@ use super::{Drive, Path, Position, Steps};
 use crate::accuracy::{bounds, is_bounded};
 use crate::construction::{Extent, construct};
 use crate::geometry::{MANY, Row};
-use crate::mechanism::{GROUND, Mechanism, PointId, SliderId};
+use crate::mechanism::{GROUND, Mechanism, SliderId};
 use crate::motion::motion;
 use crate::quantity::{Quantity, QuantityError, QuantityRequest, Snapshot};
 use crate::scene::Scene;
@@ -221,7 +221,7 @@ pub fn every_name(mechanism: &Mechanism) -> Vec<String> {
     let links = mechanism.links().map(|(_, body)| &body.name);
     let links = links.flat_map(|l| ["angle", "omega", "alpha"].map(|head| format!("{head}({l})")));
     let fixed = &mechanism.body(GROUND).points;
-    let points = (0..mechanism.points.len()).map(PointId);
+    let points = mechanism.point_ids();
     let points = points.filter(|p| !fixed.contains(p)).flat_map(|p| {
         let name = mechanism.point_name(p);
         ["x", "y", "v", "a"].map(|head| format!("{head}({name})"))

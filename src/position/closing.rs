@@ -1,6 +1,6 @@
 use super::frames::{Frames, pinned};
 use crate::geometry::{BoundingBox, Point, UNIT_ROUNDOFF, Vector, span};
-use crate::kernel::{Kernel, Single, Unknown};
+use crate::kernel::{Kernel, Single, Unknown, vector};
 use crate::mechanism::{BodyId, GROUND, Joint, Mechanism, PointId, SliderId};
 
 /// Most Newton steps: from a simple root of a polynomial two or three are needed, from a double root ten.
@@ -92,11 +92,8 @@ impl<'a> Closer<'a> {
 
     /// The size of the group with the bodies of known position.
     fn size(&self, group: usize) -> f64 {
-        let places = self.surroundings[group].points.iter().map(|point| {
-            let [[x], [y]] = self.block.points[point.0];
-            Point::new(x, y)
-        });
-        self.known.with(places).size()
+        let points = self.surroundings[group].points.iter();
+        self.known.with(points.map(|point| self.block.place(point.0, 0))).size()
     }
 
     /// One rounding in the gap of an assembly of the group, in the same measure as the assembly's: a part of all lengths
@@ -151,8 +148,7 @@ impl<'a> Closer<'a> {
         self.restore(group, between);
         for unknown in &self.kernel.unknowns[group] {
             if let Unknown::Spin(class) = *unknown {
-                let [[x], [y]] = self.block.turns[class];
-                let turn = Vector::new(x, y).normalize();
+                let turn = vector(&self.block.turns[class], 0).normalize();
                 self.block.turns[class] = [[turn.x], [turn.y]];
             }
         }
@@ -166,10 +162,7 @@ impl<'a> Closer<'a> {
     fn state(&self, group: usize) -> Vec<Vector> {
         let unknowns = self.kernel.unknowns[group].iter();
         let value = |unknown: &Unknown| match *unknown {
-            Unknown::Spin(class) => {
-                let [[x], [y]] = self.block.turns[class];
-                Vector::new(x, y)
-            }
+            Unknown::Spin(class) => vector(&self.block.turns[class], 0),
             Unknown::Slide(slider) => Vector::new(self.block.slides[slider][0], 0.0),
         };
         unknowns.map(value).collect()
@@ -227,10 +220,7 @@ impl<'a> Closer<'a> {
 
 /// By group: what is around its links.
 fn surroundings(mechanism: &Mechanism, origin: Vector) -> Vec<Surroundings> {
-    let mut holders = vec![Vec::new(); mechanism.points.len()];
-    for id in mechanism.body_ids() {
-        mechanism.body(id).points.iter().for_each(|point| holders[point.0].push(id));
-    }
+    let holders = mechanism.holders();
     let around = mechanism.groups.iter().map(|group| {
         let mut points: Vec<PointId> =
             group.bodies.iter().flat_map(|&link| mechanism.body(link).points.iter().copied()).collect();

@@ -13,7 +13,7 @@ use crate::drawing::sheet::Pen;
 use crate::drawing::text::RichText;
 use crate::drawing::view::{on_sheet, towards};
 use crate::geometry::Place;
-use crate::mechanism::{BodyId, GROUND, PointId, Role, Slider, SliderId};
+use crate::mechanism::{BodyId, GROUND, Role, Slider, SliderId};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
@@ -24,7 +24,7 @@ impl SchemeOnPaper<'_> {
     /// Draws circles at pins, dots at other points, and their labels.
     pub(super) fn joints(&self, canvas: &mut Canvas<'_>) {
         let mut named = Near::new(canvas.obstacles.bounds);
-        for point in (0..self.mechanism.points.len()).map(PointId) {
+        for point in self.mechanism.point_ids() {
             let center = self.at(point);
             let slides = self.context.facts.slides[point.0];
             let name = self.mechanism.point_name(point);

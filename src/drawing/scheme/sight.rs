@@ -5,7 +5,7 @@ use crate::cycle::Traces;
 use crate::drawing::context::{Purpose, SheetContext};
 use crate::drawing::view::Extent;
 use crate::geometry::{Point, Vector, span};
-use crate::mechanism::{GROUND, Mark, Mechanism, PointId, SliderId};
+use crate::mechanism::{GROUND, Mark, Mechanism, PointId};
 use crate::position::Pose;
 use crate::scene::ConstructionShown;
 
@@ -80,7 +80,7 @@ fn places(solution: &Solution) -> impl Iterator<Item = Point> {
 /// Points that extend the scheme for guides on the ground.
 fn guide_ends(mechanism: &Mechanism, pose: &Pose) -> impl Iterator<Item = Point> {
     let reach = GUIDE * span(pose.points.iter().copied());
-    let sliders = (0..mechanism.sliders.len()).map(SliderId);
+    let sliders = mechanism.slider_ids();
     sliders.filter(|&id| mechanism.slider(id).on == GROUND).flat_map(move |id| {
         let (at, arm) = (pose.point(mechanism.slider(id).at), pose.guide(id) * reach);
         [at - arm, at + arm]
