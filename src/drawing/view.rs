@@ -14,13 +14,13 @@ impl Extent {
     /// The bounding box of some points; the origin for none.
     #[must_use]
     pub fn of(points: impl IntoIterator<Item = geometry::Point>) -> Extent {
-        let mut extent: Option<Extent> = None;
-        for p in points {
-            let e = extent.get_or_insert(Extent { low: p, high: p });
-            e.low = e.low.inf(&p);
-            e.high = e.high.sup(&p);
-        }
-        extent.unwrap_or(Extent { low: geometry::Point::origin(), high: geometry::Point::origin() })
+        let [low, high] = geometry::BoundingBox::of(points).corners.unwrap_or([geometry::Point::origin(); 2]);
+        Extent { low, high }
+    }
+
+    /// The extent of this content and a place.
+    pub(super) fn with(self, place: geometry::Point) -> Extent {
+        Extent::of([self.low, self.high, place])
     }
 
     /// The extent of this content and the others, without large ones: larger than the median and than twice this one.
@@ -109,6 +109,18 @@ pub fn on_sheet(direction: geometry::Vector) -> Vec2 {
 pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
     let run = to - from;
     if run.hypot() > 0.0 { run.normalize() } else { otherwise }
+}
+
+/// Things at places of the sheet, those together that stand less than `apart` mm from the first of them.
+pub(super) fn together<T>(things: impl Iterator<Item = (Point, T)>, apart: f64) -> Vec<(Point, Vec<T>)> {
+    let mut places: Vec<(Point, Vec<T>)> = Vec::new();
+    for (at, thing) in things {
+        match places.iter_mut().find(|(place, _)| (*place - at).hypot() < apart) {
+            Some((_, here)) => here.push(thing),
+            None => places.push((at, vec![thing])),
+        }
+    }
+    places
 }
 
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k (units per mm) at which `extent` fits into `area`.

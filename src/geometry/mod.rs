@@ -60,7 +60,7 @@ pub fn unit(v: Vector) -> Option<Vector> {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BoundingBox {
     /// Its lower left and upper right corner; none without points.
-    corners: Option<[Point; 2]>,
+    pub corners: Option<[Point; 2]>,
 }
 
 impl BoundingBox {

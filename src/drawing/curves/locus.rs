@@ -15,7 +15,7 @@ use crate::drawing::panel::{Frame, Layer, Panel, numbered};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
-use crate::drawing::view::{Extent, View};
+use crate::drawing::view::{Extent, View, together};
 use crate::geometry;
 use crate::scene::{DecimalMark, Scene};
 use crate::sheet::Sheet;
@@ -289,15 +289,7 @@ impl Locus<'_> {
 
     /// Draws dots at round values of the drive, with their numbers; coincident tips share a label.
     fn marks(&self, canvas: &mut Canvas<'_>, marks: impl Iterator<Item = (f64, Point)>, pole: Point) {
-        let mut places: Vec<(Point, Vec<f64>)> = Vec::new();
-        for (value, tip) in marks {
-            let shared = places.iter_mut().find(|(place, _)| (*place - tip).hypot() < SHARED);
-            match shared {
-                Some((_, values)) => values.push(value),
-                None => places.push((tip, vec![value])),
-            }
-        }
-        for (center, values) in places {
+        for (center, values) in together(marks.map(|(value, tip)| (tip, value)), SHARED) {
             if !holds(canvas.obstacles.bounds, center) {
                 continue;
             }

@@ -9,7 +9,7 @@ use crate::drawing::plan::sight::is_hidden;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;
-use crate::drawing::view::{View, towards};
+use crate::drawing::view::{View, together, towards};
 use crate::sheet::Sheet;
 use crate::words::NumberStyle;
 use kurbo::{Point, Vec2};
@@ -45,22 +45,14 @@ impl<'a> OwnLayer<'a> {
         for (line, number) in self.lines().zip(1..) {
             self.line(canvas, view, line, number);
         }
-        let mut places: Vec<(Point, Vec<String>, &OwnPoint)> = Vec::new();
-        for point in self.points() {
-            let at = view.at(point.at);
-            let label = format!("{}^*", self.context.shown(&point.name, self.context.plan(self.panel)));
-            let label = point.is_named.then_some(label);
-            match places.iter_mut().find(|(place, ..)| (*place - at).hypot() < SHARED) {
-                Some((_, labels, _)) => labels.extend(label),
-                None => places.push((at, Vec::from_iter(label), point)),
-            }
-        }
-        for (center, labels, point) in places {
-            let label = labels.join(", ");
+        let label = |point: &OwnPoint| format!("{}^*", self.context.shown(&point.name, self.context.plan(self.panel)));
+        for (center, points) in together(self.points().map(|point| (view.at(point.at), point)), SHARED) {
+            let named = points.iter().filter(|point| point.is_named);
+            let labels = named.map(|point| label(point)).collect::<Vec<_>>().join(", ");
             if holds(canvas.room(), center) {
-                self.point(canvas, center, point, &label);
+                self.point(canvas, center, points[0], &labels);
             } else {
-                self.name_outside(canvas, view, point, &label);
+                self.name_outside(canvas, view, points[0], &labels);
             }
         }
     }

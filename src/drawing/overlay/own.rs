@@ -105,7 +105,7 @@ impl Overlay {
         let ends = self.lines.iter().filter(|l| l.panel == panel).flat_map(|l| l.ends);
         let mut extent = content;
         for place in points.map(|p| p.at).chain(ends) {
-            let all = Extent::of([extent.low, extent.high, place]);
+            let all = extent.with(place);
             if all.size().norm() <= reach * content.size().norm() {
                 extent = all;
             }

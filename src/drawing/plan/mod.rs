@@ -15,10 +15,10 @@ use on_paper::PlanOnPaper;
 /// Draws a plan from its steps.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, plan: &Plan) {
     let plan = PlanOnPaper::new(view, context, plan);
-    plan.areas(canvas);
+    plan.images(canvas, Pen::ImageFill);
     plan.rays(canvas);
     // Outlines are over all areas and rays: a line on a ray must be visible.
-    plan.outlines(canvas);
+    plan.images(canvas, Pen::Image);
     plan.vectors(canvas);
     plan.vectors_on_rays(canvas);
     plan.points(canvas);

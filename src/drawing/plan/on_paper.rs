@@ -13,7 +13,7 @@ use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::text::RichText;
 use crate::drawing::values::label;
-use crate::drawing::view::{View, on_sheet};
+use crate::drawing::view::{View, on_sheet, together};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::scene::ConstructionShown;
@@ -79,14 +79,17 @@ impl<'a> PlanOnPaper<'a> {
         (corners.into_iter().map(|corner| self.view.at(corner)).collect(), steps.max().unwrap_or_default())
     }
 
-    /// The areas of the links' images.
-    pub(super) fn areas(&self, canvas: &mut Canvas<'_>) {
+    /// The links' images: their areas, or with the pen of images their outlines.
+    pub(super) fn images(&self, canvas: &mut Canvas<'_>, pen: Pen) {
         for (number, image) in self.images.iter().enumerate() {
             let (corners, since) = self.corners(image);
-            if corners.len() > 2 {
-                canvas.step = since;
-                canvas.draw(Pen::ImageFill, Shape::Polygon(corners)).number = Some(number);
-            }
+            let shape = match corners.as_slice() {
+                [_, _, _, ..] => Shape::Polygon(corners),
+                [a, b] if pen == Pen::Image => Shape::Line(*a, *b),
+                _ => continue,
+            };
+            canvas.step = since;
+            canvas.draw(pen, shape).number = Some(number);
         }
     }
 
@@ -107,20 +110,6 @@ impl<'a> PlanOnPaper<'a> {
                 canvas.step = self.steps.ray(&ray.through, &ray.to);
                 canvas.draw_named(&name, Pen::Ray, Shape::Line(a, b));
             }
-        }
-    }
-
-    /// The outlines of the links' images.
-    pub(super) fn outlines(&self, canvas: &mut Canvas<'_>) {
-        for (number, image) in self.images.iter().enumerate() {
-            let (corners, since) = self.corners(image);
-            let outline = match corners.as_slice() {
-                [a, b] => Shape::Line(*a, *b),
-                [_, _, _, ..] => Shape::Polygon(corners),
-                _ => continue,
-            };
-            canvas.step = since;
-            canvas.draw(Pen::Image, outline).number = Some(number);
         }
     }
 
@@ -240,23 +229,7 @@ impl<'a> PlanOnPaper<'a> {
             canvas.draw_named(&name, pen, shape).number = number;
         }
     }
-}
 
-/// By link: the plan points of its image, in the order of the link's points. The image is the link rotated and scaled.
-fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
-    let image = |body: &Body| {
-        let points = body.points.iter().map(|&p| mechanism.point_name(p).to_owned());
-        let coincident = mechanism.sliders.iter().filter(|s| mechanism.body(s.on).name == body.name);
-        points
-            .chain(coincident.map(|s| coincident_name(mechanism.point_name(s.at), &body.name)))
-            .map(|name| image_name(&name))
-            .filter(|name| plan.points.contains_key(name))
-            .collect()
-    };
-    mechanism.links().map(|(_, body)| image(body)).collect()
-}
-
-impl PlanOnPaper<'_> {
     /// Draws dots and labels of the points; coincident points share a label.
     pub(super) fn points(&self, canvas: &mut Canvas<'_>) {
         let (far, places): (Vec<_>, Vec<_>) =
@@ -317,23 +290,18 @@ impl PlanOnPaper<'_> {
     }
 
     /// The visible points, grouped by place.
-    fn places(&self) -> Vec<(Point, Vec<&str>, PointRole)> {
+    fn places(&self) -> Vec<(Point, Vec<&'a str>, PointRole)> {
         let plan = self.plan;
-        let mut places: Vec<(Point, Vec<&str>, PointRole)> = Vec::new();
+        // The image of a ground point under a slider coincides with the pole: it is left out.
         let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
-        for (name, point) in &plan.points {
-            // The image of a ground point under a slider coincides with the pole: it is left out.
-            if self.is_hidden(name) || at_pole(name) || is_vanished(plan, name) {
-                continue;
-            }
-            let place = self.view.at(geometry::Point::from(point.vector));
-            let shared = places.iter_mut().find(|(p, ..)| (*p - place).hypot() < SHARED);
-            match shared {
-                Some((_, here, _)) => here.push(name),
-                None => places.push((place, vec![name], point.role)),
-            }
-        }
-        places
+        let names = plan.points.keys().map(String::as_str);
+        let shown = names.filter(|name| !self.is_hidden(name) && !at_pole(name) && !is_vanished(plan, name));
+        let places = shown.map(|name| (self.view.at(plan.points[name].vector.into()), name));
+        let role = |(place, here): (Point, Vec<&'a str>)| {
+            let role = plan.points[here[0]].role;
+            (place, here, role)
+        };
+        together(places, SHARED).into_iter().map(role).collect()
     }
 
     /// Pen and radius of a point's dot.
@@ -369,6 +337,20 @@ impl PlanOnPaper<'_> {
         shown.retain(|name| !name.is_empty());
         shown.join(", ")
     }
+}
+
+/// By link: the plan points of its image, in the order of the link's points. The image is the link rotated and scaled.
+fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
+    let image = |body: &Body| {
+        let points = body.points.iter().map(|&p| mechanism.point_name(p).to_owned());
+        let coincident = mechanism.sliders.iter().filter(|s| mechanism.body(s.on).name == body.name);
+        points
+            .chain(coincident.map(|s| coincident_name(mechanism.point_name(s.at), &body.name)))
+            .map(|name| image_name(&name))
+            .filter(|name| plan.points.contains_key(name))
+            .collect()
+    };
+    mechanism.links().map(|(_, body)| image(body)).collect()
 }
 
 /// The id of the label of coincident points; the hyphen at its end tells it from the label of a joint of this name.

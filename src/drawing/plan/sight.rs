@@ -14,14 +14,13 @@ const REACH: f64 = 2.0;
 /// nearest on, the plan must not grow by more than `REACH`. A plan as in the source paper has them all.
 pub(in crate::drawing) fn extent(plan: &Plan, shown: ConstructionShown) -> Extent {
     let images = extent_of_images(plan);
-    let with = |extent: Extent, place: geometry::Point| Extent::of([extent.low, extent.high, place]);
-    let leading = plan.points.values().filter(|p| !is_image(p.role)).map(|p| geometry::Point::from(p.vector));
+    let leading = plan.points.values().filter(|p| !is_image(p.role)).map(|p| p.vector.into());
     let mut leading: Vec<geometry::Point> = leading.collect();
-    let size = |place: &geometry::Point| with(images, *place).size().norm();
+    let size = |place: &geometry::Point| images.with(*place).size().norm();
     leading.sort_by(|a, b| size(a).total_cmp(&size(b)));
     let mut extent = images;
     for place in leading {
-        let larger = with(extent, place);
+        let larger = extent.with(place);
         if shown != ConstructionShown::Paper && larger.size().norm() > REACH * extent.size().norm() {
             break;
         }
