@@ -17,6 +17,8 @@ use std::f64::consts::PI;
 
 /// Radius of the arrow of a solved rate, in mm.
 const RATE_RADIUS: f64 = 5.0;
+/// Radius of the arrow of an angular acceleration, around that of the angular velocity, in mm.
+const ALPHA_RADIUS: f64 = 6.6;
 
 impl SchemeOnPaper<'_> {
     pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>) {
@@ -54,7 +56,7 @@ impl SchemeOnPaper<'_> {
                 continue;
             };
             if let Some(shape) = self.rate_arrow(link, RATE_RADIUS, *value) {
-                canvas.draw_in_step(step, Pen::Turning, shape).number = self.number(link);
+                canvas.draw_in_step(step, Pen::Turning, shape).number = self.context.number(link);
             }
         }
     }
@@ -110,14 +112,14 @@ impl SchemeOnPaper<'_> {
         let clear = |tried: &&(f64, f64)| arc(tried).drawn_box().intersect(foot).area() <= 0.0;
         let best = tries.iter().filter(fits).find(clear);
         let best @ &(radius, lead) = best.or(tries.iter().find(fits)).unwrap_or(&tries[2]);
-        canvas.draw_named(&format!("omega-{name}"), Pen::Turning, arc(best)).number = self.number(link);
+        canvas.draw_named(&format!("omega-{name}"), Pen::Turning, arc(best)).number = self.context.number(link);
         let middle = start(lead) + 0.6 * sweep;
         let direction = Vec2::new(libm::cos(middle), libm::sin(middle));
         let label = format!("ω_{{{}}}", canvas.shown(name, name));
         let anchor = center + direction * radius;
         let name = format!("omega({name})");
         let label = canvas.label(&name, &label, anchor, 0.8, Some(direction), 2);
-        label.number = self.number(link);
+        label.number = self.context.number(link);
         if let Some(value) = drive_value(self.context, link) {
             label.short = Some(std::mem::replace(&mut label.request.text, value.text()));
         }
@@ -155,16 +157,11 @@ impl SchemeOnPaper<'_> {
         };
         let best = arrows.min_by_key(cost);
         let (side, from, to) = best.expect("there are six places to choose from");
-        let (name, number) = (self.mechanism.push_name(id), self.number(slider.link));
+        let (name, number) = (self.mechanism.push_name(id), self.context.number(slider.link));
         canvas.draw_named(&format!("{what}-{name}"), Pen::Turning, canvas.arrow(from, to)).number = number;
         canvas.label(&format!("{what}({name})"), label, from.midpoint(to), 0.8, Some(side), 2).number = number;
     }
-}
 
-/// Radius of the arrow of an angular acceleration, around that of the angular velocity, in mm.
-const ALPHA_RADIUS: f64 = 6.6;
-
-impl SchemeOnPaper<'_> {
     /// Draws the arrows of rates and requests the labels of all values.
     pub(super) fn values(&self, canvas: &mut Canvas<'_>) {
         let mut taken: Vec<Point> = Vec::new();
@@ -203,7 +200,7 @@ impl SchemeOnPaper<'_> {
             taken.push(center);
             canvas.step = value.since;
             let name = format!("{name}-{}", self.mechanism.body(link).name);
-            canvas.draw_named(&name, Pen::Turning, shape).number = self.number(link);
+            canvas.draw_named(&name, Pen::Turning, shape).number = self.context.number(link);
         }
     }
 

@@ -23,7 +23,7 @@ impl<'a> SchemeOnPaper<'a> {
     pub(super) fn link_areas(&self, canvas: &mut Canvas<'_>) {
         for (id, _) in self.mechanism.links() {
             if let LinkShape::Plate(corners) = self.shape(id) {
-                canvas.draw(Pen::LinkFill, Shape::Polygon(corners)).number = self.number(id);
+                canvas.draw(Pen::LinkFill, Shape::Polygon(corners)).number = self.context.number(id);
             }
         }
     }
@@ -36,7 +36,7 @@ impl<'a> SchemeOnPaper<'a> {
                     0 => canvas.draw_named(&name, Pen::Link, line),
                     _ => canvas.draw(Pen::Link, line),
                 };
-                mark.number = self.number(id);
+                mark.number = self.context.number(id);
             }
         }
     }
@@ -73,7 +73,8 @@ impl<'a> SchemeOnPaper<'a> {
         let away = *best.or(on_panel().next()).unwrap_or(&outward);
         let across = Vec2::new(-away.y, away.x);
         let end = from + away * LENGTH;
-        canvas.draw_named(&format!("link-{name}"), Pen::Link, Shape::Line(from, end)).number = self.number(link);
+        canvas.draw_named(&format!("link-{name}"), Pen::Link, Shape::Line(from, end)).number =
+            self.context.number(link);
         let wave = vec![
             end + across * HALF_WAVE,
             end + across * 0.7,
@@ -84,7 +85,7 @@ impl<'a> SchemeOnPaper<'a> {
         ];
         canvas.draw(Pen::Guide, Shape::Polyline(wave));
         let anchor = from + away * (0.6 * LENGTH);
-        canvas.label(name, name, anchor, 1.2, Some(across), 1).number = self.number(link);
+        canvas.label(name, name, anchor, 1.2, Some(across), 1).number = self.context.number(link);
     }
 
     /// Draws the links in other positions; nothing keeps off them.
@@ -114,7 +115,7 @@ impl<'a> SchemeOnPaper<'a> {
             for (part, line) in ghost.shape(link).outlines().into_iter().enumerate() {
                 let part = if part > 0 { format!("-{}", part + 1) } else { String::new() };
                 let name = format!("{name}-link-{}{part}", body.name);
-                canvas.draw_below(&name, Pen::Ghost, line).number = self.number(link);
+                canvas.draw_below(&name, Pen::Ghost, line).number = self.context.number(link);
             }
         }
     }
@@ -122,7 +123,7 @@ impl<'a> SchemeOnPaper<'a> {
     /// Draws the paths of points, with a stroke across at every tick. Labels keep off the paths if possible.
     pub(super) fn paths(&self, canvas: &mut Canvas<'_>) {
         for path in &self.context.traces.paths {
-            let number = self.number(path.link);
+            let number = self.context.number(path.link);
             for (what, pen, pieces) in [("beyond", Pen::Beyond, &path.beyond), ("path", Pen::Trace, &path.pieces)] {
                 for (index, piece) in pieces.iter().enumerate() {
                     let chain: Vec<Point> = piece.iter().map(|(_, place)| self.view.at(*place)).collect();

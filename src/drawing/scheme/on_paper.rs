@@ -20,8 +20,8 @@ pub(super) struct SchemeOnPaper<'a> {
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
     pub view: &'a View,
-    /// The lines of the links, once they are asked for.
-    link_lines: OnceCell<LinkLines>,
+    /// The straight lines of all links, in the order of the links, and where they are; once they are asked for.
+    link_lines: OnceCell<(Vec<[Point; 2]>, Grid)>,
 }
 
 /// The shape of a link.
@@ -32,12 +32,6 @@ pub(super) enum LinkShape {
     Bars(Vec<[Point; 2]>),
     /// An area with these corners.
     Plate(Vec<Point>),
-}
-
-/// The straight lines of all links, in the order of the links.
-struct LinkLines {
-    lines: Vec<[Point; 2]>,
-    grid: Grid,
 }
 
 impl LinkShape {
@@ -82,11 +76,6 @@ impl<'a> SchemeOnPaper<'a> {
         self.context.facts.pins[point.0]
     }
 
-    /// Number of a link, by which a style picks its colour.
-    pub(super) fn number(&self, link: BodyId) -> Option<usize> {
-        self.context.number(link)
-    }
-
     /// Unit vector from the centre of the mechanism; none within 5 mm of it.
     pub(super) fn outward(&self, from: Point) -> Option<Vec2> {
         let away = from - self.view.at(self.context.facts.middle);
@@ -104,7 +93,7 @@ impl<'a> SchemeOnPaper<'a> {
     /// The unit vectors of links and guides at a point.
     pub(super) fn directions(&self, point: PointId) -> Vec<Vec2> {
         let from = self.at(point);
-        let LinkLines { lines, grid } = self.link_lines.get_or_init(|| self.all_lines());
+        let (lines, grid) = self.link_lines.get_or_init(|| self.all_lines());
         let near = grid.near(Rect::from_center_size(from, (1.0, 1.0))).into_iter().map(|index| lines[index]);
         let ends = near.filter(|ends| is_on(*ends, from)).flat_map(|ends| ends.map(|end| end - from));
         let mut directions: Vec<Vec2> = ends.filter(|end| end.hypot() > ON_LINE).map(Vec2::normalize).collect();
@@ -117,13 +106,13 @@ impl<'a> SchemeOnPaper<'a> {
         directions
     }
 
-    fn all_lines(&self) -> LinkLines {
+    fn all_lines(&self) -> (Vec<[Point; 2]>, Grid) {
         let lines: Vec<[Point; 2]> = self.mechanism.links().flat_map(|(id, _)| self.shape(id).lines()).collect();
         let mut grid = Grid::new(around(lines.as_flattened()));
         for (index, [from, to]) in lines.iter().enumerate() {
             grid.add_line(index, (*from, *to));
         }
-        LinkLines { lines, grid }
+        (lines, grid)
     }
 
     pub(super) fn shape(&self, link: BodyId) -> LinkShape {

@@ -73,7 +73,7 @@ impl SchemeOnPaper<'_> {
                     ((sum / corners.len() as f64).to_point(), 0.0, None)
                 }
             };
-            canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1).number = self.number(id);
+            canvas.label(&body.name, &body.name, anchor, clearance, prefer, 1).number = self.context.number(id);
         }
         if let Some(&first) = self.mechanism.body(GROUND).points.first() {
             let name = self.mechanism.body(GROUND).name.as_str();

@@ -17,6 +17,11 @@ pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
 
 /// Half the width of a slot in mm: narrower than a block.
 const SLOT: f64 = 1.25;
+/// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
+const PIVOT: f64 = 4.4;
+const PIVOT_HALF: f64 = 4.2;
+/// Height of the hatching under a ground line, in mm.
+const HATCH: f64 = 1.7;
 
 impl SchemeOnPaper<'_> {
     /// The sliders in drawing order: those on the ground are behind.
@@ -105,10 +110,10 @@ impl SchemeOnPaper<'_> {
         for offset in off_line {
             let foot = at + along * offset.dot(along).clamp(low, high);
             let arm = Shape::Line(at + offset, foot);
-            canvas.draw(Pen::Link, arm).number = self.number(slider.on);
+            canvas.draw(Pen::Link, arm).number = self.context.number(slider.on);
         }
         let ends = slot.map(|x| at + along * x);
-        canvas.draw(Pen::Guide, Shape::Polyline(slot_outline(ends))).number = self.number(slider.on);
+        canvas.draw(Pen::Guide, Shape::Polyline(slot_outline(ends))).number = self.context.number(slider.on);
     }
 
     /// Draws a block or a slot, and over it the links on its pin.
@@ -121,7 +126,7 @@ impl SchemeOnPaper<'_> {
         let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
         let name = format!("slider-{}", self.mechanism.body(slider.link).name);
         let corners = corners(area).map(on_sheet).to_vec();
-        canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners)).number = self.number(slider.link);
+        canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners)).number = self.context.number(slider.link);
         let others = self.mechanism.links().map(|(link, _)| link);
         for link in others.filter(|&link| link != slider.link && link != slider.on) {
             let lines = self.shape(link).lines();
@@ -129,35 +134,12 @@ impl SchemeOnPaper<'_> {
                 let in_block = |p: Point| Point::new((p - at).dot(along), (p - at).dot(across));
                 if let Some((a, b)) = clipped_segment(area, in_block(a), in_block(b)) {
                     let bar = Shape::Line(on_sheet(a), on_sheet(b));
-                    canvas.draw(Pen::Link, bar).number = self.number(link);
+                    canvas.draw(Pen::Link, bar).number = self.context.number(link);
                 }
             }
         }
     }
-}
 
-/// The closed outline of a slot with round ends about this line.
-fn slot_outline([a, b]: [Point; 2]) -> Vec<Point> {
-    const PARTS: usize = 6;
-    let along = (b - a).normalize();
-    let across = Vec2::new(-along.y, along.x);
-    let round = |end: Point, out: Vec2, side: Vec2| {
-        (0..=PARTS).map(move |k| {
-            let turn = PI * k as f64 / PARTS as f64;
-            end + (side * libm::cos(turn) + out * libm::sin(turn)) * SLOT
-        })
-    };
-    let first = b - across * SLOT;
-    round(b, along, -across).chain(round(a, -along, across)).chain([first]).collect()
-}
-
-/// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
-const PIVOT: f64 = 4.4;
-const PIVOT_HALF: f64 = 4.2;
-/// Height of the hatching under a ground line, in mm.
-const HATCH: f64 = 1.7;
-
-impl SchemeOnPaper<'_> {
     /// Draws a pivot on the ground: below the point, or above it where that is out of the links' way.
     pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, point: PointId) {
         const HALF: f64 = 2.3;
@@ -196,7 +178,7 @@ impl SchemeOnPaper<'_> {
     pub(super) fn down(&self, point: PointId) -> Vec2 {
         // Cosine of the largest angle from the vertical at which a link is in the way.
         let steep = libm::cos(50.0_f64.to_radians());
-        let links = self.context.facts.holders[point.0].iter().filter(|link| self.number(**link).is_some());
+        let links = self.context.facts.holders[point.0].iter().filter(|link| self.context.number(**link).is_some());
         let at_pivot: Vec<(BodyId, &Body)> = links.map(|&link| (link, self.mechanism.body(link))).collect();
         let is_at_pivot = |link: BodyId| at_pivot.iter().any(|(id, _)| *id == link);
         let blocks = self.mechanism.sliders.iter().filter(|s| is_at_pivot(s.on));
@@ -209,6 +191,21 @@ impl SchemeOnPaper<'_> {
         let stand = downwards.iter().any(|&y| y < -steep);
         Vec2::new(0.0, if hang && !stand { -1.0 } else { 1.0 })
     }
+}
+
+/// The closed outline of a slot with round ends about this line.
+fn slot_outline([a, b]: [Point; 2]) -> Vec<Point> {
+    const PARTS: usize = 6;
+    let along = (b - a).normalize();
+    let across = Vec2::new(-along.y, along.x);
+    let round = |end: Point, out: Vec2, side: Vec2| {
+        (0..=PARTS).map(move |k| {
+            let turn = PI * k as f64 / PARTS as f64;
+            end + (side * libm::cos(turn) + out * libm::sin(turn)) * SLOT
+        })
+    };
+    let first = b - across * SLOT;
+    round(b, along, -across).chain(round(a, -along, across)).chain([first]).collect()
 }
 
 /// Hatches a ground line on the side of `away`.
