@@ -98,39 +98,36 @@ impl<'a> Composition<'a> {
 
     /// The layout with `below` mm of height below the scales, which are in as few rows as possible.
     pub(super) fn layout_above(&self, below: f64) -> Layout {
-        let needs: Vec<Needs> = self.panels.iter().map(|panel| panel.needs).collect();
-        self.layout_for(&needs, below)
+        self.layout_for(self.panels.iter().map(|panel| panel.needs).collect(), below)
     }
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
         let needs = self.panels.iter().map(|panel| Needs { mu: scales[panel.needs.sheet], ..panel.needs });
-        self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
+        self.layout_for(needs.collect(), self.height_below())
     }
 
     /// The layout for needs. On the sheets of steps and on sheets with markers at given scales there is less white round
     /// the contents where they do not fit with the usual white: words and markers take room there that is free on the
     /// figure.
-    fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
-        let layout = self.layout_with(needs, below);
-        if !(self.is_stepwise || self.code.is_some())
-            || needs.iter().any(|needs| needs.mu.is_none())
-            || layout.shows_all()
-        {
+    fn layout_for(&self, mut needs: Vec<Needs>, below: f64) -> Layout {
+        let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
+        let fits = |layout: &Layout| Legend::of(self.context).fits(layout);
+        let layout_with = |needs: &[Needs]| {
+            let dims = &self.context.surface.dims;
+            let heights = |columns: usize| [legend::height(needs.len(), columns), below];
+            let in_columns = |columns: usize| layout(dims, needs, heights(columns), columns, asides);
+            [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
+        };
+        let layout = layout_with(&needs);
+        let may_be_closer = (self.is_stepwise || self.code.is_some()) && needs.iter().all(|needs| needs.mu.is_some());
+        if !may_be_closer || layout.shows_all() {
             return layout;
         }
-        let white = |needs: &Needs| LEAST_WHITE[usize::from(needs.sheet == Sheet::Scheme)];
-        let closer: Vec<Needs> = needs.iter().map(|needs| Needs { white: white(needs), ..*needs }).collect();
-        Some(self.layout_with(&closer, below)).filter(Layout::shows_all).unwrap_or(layout)
-    }
-
-    fn layout_with(&self, needs: &[Needs], below: f64) -> Layout {
-        let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
-        let in_columns = |columns: usize| {
-            layout(&self.context.surface.dims, needs, [legend::height(needs.len(), columns), below], columns, asides)
-        };
-        let fits = |layout: &Layout| Legend::of(self.context).fits(layout);
-        [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
+        for needs in &mut needs {
+            needs.white = LEAST_WHITE[usize::from(needs.sheet == Sheet::Scheme)];
+        }
+        Some(layout_with(&needs)).filter(Layout::shows_all).unwrap_or(layout)
     }
 
     /// Draws the sheet as it is laid out.

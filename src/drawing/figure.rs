@@ -1,8 +1,9 @@
 //! The figure of a scene: its panels with the table, the scales and the words around them; all sheets that it asks for, at
 //! scales that are decided once.
 
+use super::canvas::ascii;
 use super::compose::{Composition, further_sheets};
-use super::context::{Purpose, SheetContext};
+use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
 use super::layout::{Layout, Placed};
 use super::legend::{self, Legend};
@@ -12,7 +13,7 @@ use super::values::value_list;
 use super::view::{Extent, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
-use crate::construction::{Solution, shown_text};
+use crate::construction::{Solution, plain_text, shown_text};
 use crate::cycle::{Animation, Traces};
 use crate::scene::ScalesFor;
 use crate::sheet::{Scales, Sheet};
@@ -153,7 +154,13 @@ impl<'a> FigureSheets<'a> {
     /// room, and the list of results does not have them.
     #[must_use]
     pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
-        self.base.values_without_room(drawing)
+        let has = |value: &Value| {
+            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
+            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
+        };
+        let is_listed = value_list(&self.base, None).is_some();
+        let missing = self.base.values.iter().filter(|value| !(has(value) || is_listed && value.is_listed()));
+        missing.map(|value| plain_text(&value.symbol)).collect()
     }
 
     /// The context of sheets at their scales: the common ones, or where each sheet has its own, those of the finished

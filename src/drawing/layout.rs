@@ -117,6 +117,7 @@ pub(super) trait Item {
     fn asides(&self, _room: Rect) -> Vec<Aside> {
         Vec::new()
     }
+
     fn draw(&self, drawing: &mut Drawing, layout: &Layout);
 }
 
@@ -168,18 +169,14 @@ pub(super) fn room(dims: &Dims, legend: f64) -> Rect {
     Rect::new(free.edge, free.top, width - free.edge, bottom)
 }
 
-/// A division of a sheet: the area without panels, and the panels.
-type Division = (Option<Rect>, Vec<Placed>);
-
 /// Divides a room among panels, with a unit of the layout in mm.
 type Arrange = fn(Rect, &[Needs], f64) -> Vec<Vec<Rect>>;
 
 /// Divides a sheet so that the panels' contents are largest at round scales.
 ///
 /// A few arrangements are tried: side by side, one beside two, one above two, and two before one, each with every area
-/// of `asides`. The
-/// best has most contents within their panels, then the largest product of the contents' sizes. The legend has a part
-/// for the scales and one `below` it.
+/// of `asides`. The best has most contents within their panels, then the largest product of the contents' sizes. The
+/// legend has a part for the scales and one `below` it.
 pub(super) fn layout(
     dims: &Dims,
     needs: &[Needs],
@@ -193,29 +190,30 @@ pub(super) fn layout(
         true => vec![(whole, None)],
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
-    let mut best: Option<([f64; 4], Division)> = None;
+    // Its quality, the area without panels, and the panels.
+    let mut best: Option<([f64; 4], Option<Rect>, Vec<Placed>)> = None;
     let passes: [(Arrange, bool); 3] = [(arrangements, false), (paired, false), (by_headings, true)];
     for (arrange, is_last_resort) in passes {
-        if is_last_resort && best.as_ref().is_some_and(|(worth, _)| worth[0] > 0.0) {
+        if is_last_resort && best.as_ref().is_some_and(|(worth, ..)| worth[0] > 0.0) {
             break;
         }
         // Two panels that share a column must not make the smallest content smaller.
-        let least = best.as_ref().map_or(0.0, |(_, (_, placed))| smallest(placed));
+        let least = best.as_ref().map_or(0.0, |(.., placed)| smallest(placed));
         for &(room, aside) in &rooms {
             for frames in arrange(room, needs, dims.unit) {
                 let placed = needs.iter().zip(frames).map(|(needs, frame)| Placed::new(needs, frame, dims.unit));
                 let placed: Vec<Placed> = placed.collect();
                 let worth = worth(&placed);
-                let is_better = best.as_ref().is_none_or(|(most, _)| worth > *most);
+                let is_better = best.as_ref().is_none_or(|(most, ..)| worth > *most);
                 // Headings come before all else.
-                let is_first = best.as_ref().is_some_and(|(most, _)| most[0] == 0.0) && worth[0] > 0.0;
+                let is_first = best.as_ref().is_some_and(|(most, ..)| most[0] == 0.0) && worth[0] > 0.0;
                 if is_first || (is_better && smallest(&placed) >= least - ROUNDING) {
-                    best = Some((worth, (aside, placed)));
+                    best = Some((worth, aside, placed));
                 }
             }
         }
     }
-    let (worth, (aside, panels)) = best.unwrap_or_default();
+    let (worth, aside, panels) = best.unwrap_or_default();
     let [_, height] = dims.page;
     Layout {
         legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1 - dims.beside_code(), height - dims.free.edge),

@@ -11,7 +11,7 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};
-use crate::construction::{NOTHING, PlanVector, Solution, plain_text, rate_symbol};
+use crate::construction::{NOTHING, PlanVector, Solution, rate_symbol};
 use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::QuantityKind;
@@ -47,18 +47,6 @@ impl SheetContext<'_> {
     /// This context with these values.
     pub(super) fn with_values_as(self, shown: ValuesShown) -> Self {
         Self { values: values(&self, shown).into(), ..self }
-    }
-
-    /// The symbols of the values that stand nowhere on a drawing of the figure: their labels found no room, and the list
-    /// of results does not have them.
-    pub(super) fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
-        let has = |value: &Value| {
-            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
-            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
-        };
-        let listed = value_list(self, None).is_some();
-        let missing = self.values.iter().filter(|value| !(has(value) || listed && value.is_listed()));
-        missing.map(|value| plain_text(&value.symbol)).collect()
     }
 }
 
