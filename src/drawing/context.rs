@@ -13,6 +13,7 @@ use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
 use std::sync::Arc;
+
 const NO_MODES: &OtherModes = &OtherModes { shown: Vec::new(), has_more: false, own: None };
 
 /// Made once for a solution. What is looked up is shared by all copies, so another surface costs nothing.
@@ -75,22 +76,20 @@ impl<'a> SheetContext<'a> {
         }
     }
 
-    /// This context for another surface.
-    pub(super) fn on(&self, surface: Surface) -> Self {
-        Self { surface, ..self.clone() }
-    }
-
     /// This context for another page, at scales of its own.
     pub(super) fn on_page(&self, page: Page, mu: Scales) -> Self {
-        self.on(Surface { page, dims: Dims::on_page(page, self.figure()), mu })
+        let surface = Surface { page, dims: Dims::on_page(page, self.figure()), mu };
+        Self { surface, ..self.clone() }
     }
 
     /// This context with room for markers along the edges of a sheet to be drawn on, where it is to have them: not for a
     /// projector.
     pub(super) fn with_markers(&self) -> Self {
-        let Surface { page, dims, .. } = self.surface;
-        let wants_markers = self.figure().markers && page.size != PageSize::Wide;
-        self.on(Surface { dims: if wants_markers { dims.with_markers() } else { dims }, ..self.surface })
+        let mut marked = self.clone();
+        if self.figure().markers && self.surface.page.size != PageSize::Wide {
+            marked.surface.dims = self.surface.dims.with_markers();
+        }
+        marked
     }
 
     pub(super) fn figure(&self) -> &'a Figure {
@@ -182,7 +181,8 @@ pub(super) enum ValueOf {
 
 impl Value {
     pub(super) fn text(&self) -> RichText {
-        RichText::math(&self.symbol).followed_by(&self.equals())
+        let number = format!("= {} {}", self.written, self.unit);
+        RichText::math(&self.symbol).followed_by(&RichText::plain(number.trim_end()))
     }
 
     /// Whether it is a result that is listed; relative motions of two points of a link and given lengths are not.
@@ -194,9 +194,5 @@ impl Value {
             }
             ValueOf::Length(_) => false,
         }
-    }
-
-    fn equals(&self) -> RichText {
-        RichText::plain(format!("= {} {}", self.written, self.unit).trim_end())
     }
 }

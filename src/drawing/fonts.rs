@@ -84,13 +84,8 @@ enum Alphabet {
 
 /// The slanted or the upright face, parsed on first use.
 pub(super) fn face(italic: bool) -> &'static Face {
-    static UPRIGHT_FACE: OnceLock<Face> = OnceLock::new();
-    static ITALIC_FACE: OnceLock<Face> = OnceLock::new();
-    if italic {
-        ITALIC_FACE.get_or_init(|| Face::parse(ITALIC))
-    } else {
-        UPRIGHT_FACE.get_or_init(|| Face::parse(REGULAR))
-    }
+    static FACES: [LazyLock<Face>; 2] = [LazyLock::new(|| Face::parse(REGULAR)), LazyLock::new(|| Face::parse(ITALIC))];
+    &FACES[usize::from(italic)]
 }
 
 impl Face {

@@ -1,11 +1,11 @@
 //! Enlarged detail: a crowd of plan points, drawn larger in a circle beside it.
 
 use super::canvas::{Canvas, Inset};
-use super::shape::Shape;
+use super::shape::{Shape, around};
 use super::sheet::{Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use crate::words::{NumberStyle, Wording};
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Vec2};
 use std::f64::consts::PI;
 
 /// Points closer than this, in mm, belong to one crowd: their names would cover them.
@@ -178,8 +178,7 @@ fn crowd(places: &[Point]) -> Option<(Point, f64)> {
     if largest.len() < CROWD {
         return None;
     }
-    let around = largest.iter().fold(Rect::from_points(largest[0], largest[0]), |all, &place| all.union_pt(place));
-    let middle = around.center();
+    let middle = around(&largest).center();
     let reach = largest.iter().map(|p| (*p - middle).hypot());
     Some((middle, reach.fold(0.0, f64::max)))
 }

@@ -103,7 +103,9 @@ impl Drawing {
                 _ if since == step => Emphasis::New,
                 _ => Emphasis::Earlier,
             };
-            mark.is_shown_after(step).then(|| Mark { emphasis, ..mark.clone() })
+            let is_replaced = mark.until.is_some_and(|until| usize::from(until) <= step);
+            let is_shown = since <= step && !(mark.passing && since < step) && !is_replaced;
+            is_shown.then(|| Mark { emphasis, ..mark.clone() })
         });
         let words = self.steps.get(step.wrapping_sub(1));
         Drawing {
@@ -118,9 +120,7 @@ impl Drawing {
             ..*self
         }
     }
-}
 
-impl Drawing {
     /// By mark: whether it is a text that needs its halo, because lines of earlier marks cross it.
     ///
     /// On blank paper a halo is invisible, and on a tinted area it would be a stain.
@@ -191,13 +191,5 @@ impl Mark {
     /// A mark without id, of all steps.
     pub fn new(pen: Pen, shape: Shape) -> Self {
         Self { id: None, pen, number: None, shape, since: 0, passing: false, until: None, emphasis: Emphasis::Plain }
-    }
-
-    /// Whether the mark is on the sheet after a step.
-    #[must_use]
-    pub fn is_shown_after(&self, step: usize) -> bool {
-        let since = usize::from(self.since);
-        let is_replaced = self.until.is_some_and(|until| usize::from(until) <= step);
-        since <= step && !(self.passing && since < step) && !is_replaced
     }
 }

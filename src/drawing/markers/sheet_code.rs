@@ -63,6 +63,21 @@ impl PlacedPanel {
     pub fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [self.origin[0] + x / self.mu, self.origin[1] - y / self.mu]
     }
+
+    fn text(&self) -> String {
+        let sign = self.panel.letter();
+        let [x, y] = self.origin.map(hundredths);
+        format!("{sign}{}:{x}:{y}", shortest(self.mu))
+    }
+
+    fn read(text: &str) -> Option<PlacedPanel> {
+        let first = text.chars().next()?;
+        let panel = Sheet::ALL.into_iter().find(|sheet| sheet.letter() == first)?;
+        let numbers: Vec<f64> = text[first.len_utf8()..].split(':').map(number).collect::<Option<_>>()?;
+        let [mu, x, y] = numbers[..] else { return None };
+        // The smallest scale keeps what is measured on paper finite.
+        (mu >= 1.0 / LARGEST).then_some(PlacedPanel { panel, mu, origin: [x, y] })
+    }
 }
 
 impl SheetCode {
@@ -119,23 +134,6 @@ impl SheetCode {
     }
 }
 
-impl PlacedPanel {
-    fn text(&self) -> String {
-        let sign = self.panel.letter();
-        let [x, y] = self.origin.map(hundredths);
-        format!("{sign}{}:{x}:{y}", shortest(self.mu))
-    }
-
-    fn read(text: &str) -> Option<PlacedPanel> {
-        let first = text.chars().next()?;
-        let panel = Sheet::ALL.into_iter().find(|sheet| sheet.letter() == first)?;
-        let numbers: Vec<f64> = text[first.len_utf8()..].split(':').map(number).collect::<Option<_>>()?;
-        let [mu, x, y] = numbers[..] else { return None };
-        // The smallest scale keeps what is measured on paper finite.
-        (mu >= 1.0 / LARGEST).then_some(PlacedPanel { panel, mu, origin: [x, y] })
-    }
-}
-
 /// A name in signs of a QR code that part no fields, cut to its length.
 pub(super) fn written_name(name: &str) -> String {
     let sign = |sign: char| if is_sign(sign) && sign != '/' { sign } else { '-' };
@@ -168,9 +166,10 @@ fn hundredths(mm: f64) -> String {
     // Adding 0 takes the sign from −0.
     shortest(libm::round(100.0 * mm) / 100.0 + 0.0)
 }
+
+/// A number without sign and zeros before it; not 0.
 fn whole(text: &str) -> Option<u16> {
     let number: u16 = text.parse().ok()?;
-    // Without sign and zeros before it.
     (number > 0 && number.to_string() == text).then_some(number)
 }
 
