@@ -4,6 +4,7 @@
 //! boxes all overlap, and labels move often. A grid takes lines cell by cell, and a move costs a few cells.
 
 use kurbo::{Point, Rect};
+use smallvec::SmallVec;
 use std::cell::RefCell;
 
 /// Width and height of a cell in mm, about those of a name.
@@ -26,23 +27,11 @@ pub struct Grid {
     cell: [f64; 2],
     columns: usize,
     rows: usize,
-    /// By cell: the last of its entries, [`NONE`] in an empty one.
-    last: Vec<u32>,
-    entries: Vec<Entry>,
-    /// The last of the entries that have been taken out.
-    free: u32,
+    /// By cell: the things in it; few have more than four.
+    cells: Vec<SmallVec<[u32; 4]>>,
     everywhere: Vec<u32>,
     seen: RefCell<Seen>,
 }
-
-/// A thing in a cell.
-#[derive(Clone, Copy, Debug)]
-struct Entry {
-    thing: u32,
-    /// The entry before it in the same cell.
-    before: u32,
-}
-const NONE: u32 = u32::MAX;
 
 /// What a search has found already.
 #[derive(Clone, Debug, Default)]
@@ -59,10 +48,9 @@ impl Grid {
         let count = |length: f64| if length.is_nan() { 1.0 } else { (length / CELL).ceil().clamp(1.0, MOST) };
         let (columns, rows) = (count(area.width()), count(area.height()));
         let cell = [(area.width() / columns).max(CELL), (area.height() / rows).max(CELL)];
-        let (columns, rows) = (columns as usize, rows as usize);
-        let (origin, last) = (area.origin(), vec![NONE; columns * rows]);
-        let (entries, everywhere) = (Vec::new(), Vec::new());
-        Self { origin, cell, columns, rows, last, entries, free: NONE, everywhere, seen: RefCell::default() }
+        let (origin, columns, rows) = (area.origin(), columns as usize, rows as usize);
+        let cells = std::iter::repeat_with(SmallVec::new).take(columns * rows).collect();
+        Self { origin, cell, columns, rows, cells, everywhere: Vec::new(), seen: RefCell::default() }
     }
 
     /// The column of a place; that at the edge outside, the first for a NaN.
@@ -84,45 +72,21 @@ impl Grid {
     /// Adds a thing in a box.
     pub fn add(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
-            self.put(thing, cell);
+            self.cells[cell].push(thing as u32);
         }
     }
 
-    fn put(&mut self, thing: usize, cell: usize) {
-        let entry = Entry { thing: thing as u32, before: self.last[cell] };
-        let free = self.free;
-        self.last[cell] = match self.entries.get_mut(free as usize) {
-            Some(place) => {
-                self.free = std::mem::replace(place, entry).before;
-                free
-            }
-            None => {
-                self.entries.push(entry);
-                self.entries.len() as u32 - 1
-            }
-        };
-    }
+    /// The things in a cell, the last one first.
     fn within(&self, cell: usize) -> impl Iterator<Item = usize> {
-        let entry = |index: u32| self.entries.get(index as usize).copied();
-        std::iter::successors(entry(self.last[cell]), move |found| entry(found.before))
-            .map(|found| found.thing as usize)
+        self.cells[cell].iter().rev().map(|thing| *thing as usize)
     }
 
     /// Takes a thing out of a box.
     pub fn remove(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
-            let last = self.last[cell];
-            let mut index = last;
-            while let Some(entry) = self.entries.get(index as usize).copied() {
-                if entry.thing == thing as u32 {
-                    // It stands for what the last entry stood for, which is free then.
-                    let Entry { thing, before } = self.entries[last as usize];
-                    self.entries[index as usize].thing = thing;
-                    self.entries[last as usize].before = std::mem::replace(&mut self.free, last);
-                    self.last[cell] = before;
-                    break;
-                }
-                index = entry.before;
+            let things = &mut self.cells[cell];
+            if let Some(index) = things.iter().rposition(|other| *other == thing as u32) {
+                things.swap_remove(index);
             }
         }
     }
@@ -145,7 +109,7 @@ impl Grid {
             let lower = if row + 1 == self.rows { low.y } else { edge(row + 1) + SLACK };
             let (a, b) = if run.y > 0.0 { (at(upper), at(lower)) } else { (from.x, to.x) };
             for column in self.column(a.min(b) - SLACK)..=self.column(a.max(b) + SLACK) {
-                self.put(thing, row * self.columns + column);
+                self.cells[row * self.columns + column].push(thing as u32);
             }
         }
     }
