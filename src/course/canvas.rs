@@ -1,6 +1,5 @@
-use super::html::{caption, head, number};
 use super::package::{CourseError, Element, MANIFEST, element, identifier, package, text};
-use super::question::{Field, Question};
+use super::question::{Field, Question, head, number};
 use crate::text::xml;
 use crate::words::{Medium, NumberStyle};
 
@@ -65,7 +64,7 @@ fn quiz(question: &Question) -> Result<Vec<u8>, CourseError> {
 fn item(question: &Question, field: &Field, number: usize) -> Element {
     let ident = format!("{}-{number}", identifier(&question.name));
     let title = format!("{number}. {}", field.name);
-    let (sheet, label, unit) = (caption(question, field.sheet), &field.label, xml(&field.unit));
+    let (sheet, label, unit) = (xml(question.words.language.sheet(field.sheet)), &field.label, xml(&field.unit));
     let asked = head(question, FILES) + &format!("<p>{sheet}: <strong>{label} = ?</strong> {unit}</p>");
     let about = [("question_type", "numerical_question"), ("points_possible", "1")].map(|(label, entry)| {
         element("qtimetadatafield", &[], vec![text("fieldlabel", &[], label), text("fieldentry", &[], entry)])

@@ -1,6 +1,5 @@
-use super::html::{head, number, picture, tables};
 use super::package::{CourseError, Element, element, html, text};
-use super::question::{Field, Question};
+use super::question::{Field, Question, head, linked_picture, number, tables};
 use crate::text::xml;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -24,7 +23,7 @@ const FILES: &str = "@@PLUGINFILE@@/";
 
 fn question(question: &Question) -> Element {
     let asked = harmless(&head(question, FILES)) + &tables(question, &field);
-    let key = picture(&(FILES.to_owned() + &question.key_name()), question.words.language.course_key(), 900);
+    let key = linked_picture(&(FILES.to_owned() + &question.key_name()), question.words.language.course_key(), 900);
     let told = vec![
         html(&asked),
         file(&question.scheme_name(), &question.scheme),

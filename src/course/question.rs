@@ -1,3 +1,5 @@
+//! An exercise as a question, and what all systems show of it, as HTML.
+
 use super::answers::{Answer, Wrong, answers};
 use super::package::CourseError;
 use crate::check::{AnswerKey, Mistake, Student};
@@ -6,7 +8,7 @@ use crate::drawing::{Drawing, RichText, SheetLabels};
 use crate::exercise::Exercise;
 use crate::format::{Text, html_text, panels_svg};
 use crate::sheet::Sheet;
-use crate::text::Untrusted;
+use crate::text::{Untrusted, xml};
 use crate::words::Wording;
 
 /// An exercise as a question: what is told, and a field for each box of its form.
@@ -75,6 +77,21 @@ impl Question {
             form: exercise.form(name).json(),
         })
     }
+
+    /// The name of the file of the scheme's picture.
+    pub(super) fn scheme_name(&self) -> String {
+        format!("{}-scheme.svg", self.name)
+    }
+
+    /// The name of the file of the sheet to print.
+    pub(super) fn print_name(&self) -> String {
+        format!("{}-sheet.{}", self.name, if cfg!(feature = "pdf") { "pdf" } else { "svg" })
+    }
+
+    /// The name of the file of the key's picture.
+    pub(super) fn key_name(&self) -> String {
+        format!("{}-key.svg", self.name)
+    }
 }
 
 /// The panels of a sheet: what is around them the page says in its own words. With outlines, as a picture in a page takes letters from whatever
@@ -132,4 +149,49 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
         })
     });
     Ok(fields.collect())
+}
+
+/// A number in digits that every importer reads: nine significant ones, with a point, without an exponent.
+pub(super) fn number(x: f64) -> String {
+    let rounded: f64 = format!("{x:.8e}").parse().unwrap_or(x);
+    (rounded + 0.0).to_string()
+}
+
+/// The picture of the scheme and what is told, with `address` in front of the files' names.
+pub(super) fn head(question: &Question, address: &str) -> String {
+    let language = question.words.language;
+    let print = address.to_owned() + &question.print_name();
+    let title = question.title.for_xml();
+    let mut html = format!("<p><strong>{title}</strong></p>\n");
+    html += &linked_picture(&(address.to_owned() + &question.scheme_name()), language.course_picture(), 600);
+    html += &format!("<p><a href=\"{print}\">{}</a></p>\n", xml(language.course_print()));
+    question.told.iter().for_each(|told| html += &format!("<p>{told}</p>\n"));
+    html
+}
+
+/// A picture with its address, `width` pixels wide where the page is.
+pub(super) fn linked_picture(address: &str, said: &str, width: u16) -> String {
+    // A class of the Bootstrap that Moodle has: no picture is wider than the page.
+    format!("<p><img src=\"{address}\" alt=\"{}\" width=\"{width}\" class=\"img-fluid\"></p>\n", xml(said))
+}
+
+/// The fields as tables, one for each sheet; `cell` writes the box of a field.
+pub(super) fn tables(question: &Question, cell: &dyn Fn(&Field) -> String) -> String {
+    let mut html = String::new();
+    for sheet in Sheet::ALL {
+        let fields: Vec<&Field> = question.fields.iter().filter(|field| field.sheet == sheet).collect();
+        if fields.is_empty() {
+            continue;
+        }
+        html += &format!(
+            "<p><strong>{}</strong></p>\n<table class=\"table table-sm w-auto\">\n<tbody>\n",
+            xml(question.words.language.sheet(sheet))
+        );
+        for field in fields {
+            let (label, unit) = (&field.label, xml(&field.unit));
+            html += &format!("<tr><th scope=\"row\">{label}</th><td>{}</td><td>&nbsp;{unit}</td></tr>\n", cell(field));
+        }
+        html += "</tbody>\n</table>\n";
+    }
+    html
 }
