@@ -1,6 +1,5 @@
-use super::reading::{End, Reading};
+use super::reading::{End, Reading, Sample, hull, peak, pieces, samples};
 use super::sampled::{PARTS, SAME};
-use super::samples::{Sample, hull, peak, pieces, samples};
 use super::sweep::check_plan_points;
 use super::{CycleError, Event, Happening, Path, Sampled};
 use crate::kernel::InputKind;

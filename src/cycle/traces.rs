@@ -1,6 +1,6 @@
 use super::circuit::is_same;
 use super::drive::in_radians;
-use super::point_path::{PointPath, PointPaths, REACH};
+use super::locus::{PointPath, PointPaths, REACH};
 use super::sampled::SAME;
 use super::{CycleError, Drive, Path};
 use crate::construction::Solution;
