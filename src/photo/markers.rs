@@ -2,9 +2,9 @@
 
 use super::picture::Picture;
 use super::squares::squares;
-use crate::drawing::markers::{CELLS, CODES, INNER, places};
+use crate::drawing::markers::{CELLS, CODES, INNER, pages, places};
 use crate::geometry::Point;
-use crate::scene::{Page, PageSize};
+use crate::scene::Page;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 /// Longer side of the picture in which markers are looked for, in pixels; their edges are found in the whole one.
@@ -17,12 +17,6 @@ const WRONG_CELLS: u32 = 2;
 const CONTRAST: f64 = 18.0;
 /// How far a corner may be from where the others let expect it, in sides of its marker.
 const APART: f64 = 0.9;
-
-/// The pages on which sheets are printed.
-fn pages() -> impl Iterator<Item = Page> {
-    let sizes = [PageSize::A4, PageSize::A3, PageSize::Letter].into_iter();
-    sizes.flat_map(|size| [true, false].map(|landscape| Page { size, landscape }))
-}
 
 /// The corners of a marker on its page, in mm, clockwise from the upper left one.
 pub(super) fn corners(page: Page, number: usize) -> [Point; 4] {

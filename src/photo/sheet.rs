@@ -1,13 +1,12 @@
 //! The sheet in a photograph: which it is, and where its places are in the picture.
 
-use super::camera::{Camera, Fitted, fitted};
+use super::camera::{Fitted, fitted};
 use super::code;
 use super::markers::{self, Seen};
 use super::picture::{Paper, Picture};
 use super::strokes::{Stroke, strokes};
 use crate::drawing::markers::{SheetCode, code_place};
 use crate::geometry::Point;
-use crate::scene::Page;
 
 /// Largest residual of the markers' corners, in mm: a camera over an evenly bent sheet leaves 0.02 to 0.05 mm.
 const UNEVEN: f64 = 0.18;
@@ -52,7 +51,10 @@ pub fn read(picture: &Picture, expected: impl FnOnce() -> Vec<SheetCode>) -> Res
         return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(markers::LEAST - 1) });
     };
     even(best)?;
-    let code = code(picture, seen.page, &best.camera, expected).ok_or(Refusal::NoCode)?;
+    let (page, place) = (seen.page, code_place(seen.page.size_mm()));
+    let pixel = |u, v| best.camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v));
+    let of_page = || expected().into_iter().filter(|code| code.page == page).collect();
+    let code = code::code(picture, pixel, of_page).ok_or(Refusal::NoCode)?;
     // Folded a sheet may look like one of another size.
     let own = fitted.into_iter().find(|(seen, _)| seen.page == code.page);
     let (seen, fitted) = own.ok_or(Refusal::OtherPage)?;
@@ -69,18 +71,6 @@ fn even(fitted: &Fitted) -> Result<(), Refusal> {
         _ if bend > BENT => Err(Refusal::Bent { millimetres: bend }),
         _ => Ok(()),
     }
-}
-
-/// What the code on a page says.
-fn code(
-    picture: &Picture,
-    page: Page,
-    camera: &Camera,
-    expected: impl FnOnce() -> Vec<SheetCode>,
-) -> Option<SheetCode> {
-    let place = code_place(page.size_mm());
-    let pixel = |u, v| camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v));
-    code::code(picture, pixel, || expected().into_iter().filter(|code| code.page == page).collect())
 }
 
 impl PhotoSheet {

@@ -5,6 +5,7 @@
 
 mod sheet_code;
 
+pub(crate) use sheet_code::pages;
 pub use sheet_code::{PlacedPanel, SheetCode};
 
 use super::shape::Shape;

@@ -109,7 +109,8 @@ impl SheetCode {
             return None;
         }
         let number = whole(number)?;
-        Some(SheetCode { page: page_of(page)?, number, scene: scene.to_owned(), panels, name: name.to_owned() })
+        let page = pages().find(|known| page_sign(*known) == page)?;
+        Some(SheetCode { page, number, scene: scene.to_owned(), panels, name: name.to_owned() })
     }
 
     /// The black and white squares of the code, by rows from above, without the white around it; true is black. None
@@ -150,9 +151,9 @@ fn page_sign(page: Page) -> String {
     format!("{size}{}", if page.landscape { 'L' } else { 'P' })
 }
 
-fn page_of(sign: &str) -> Option<Page> {
-    let pages = PAGES.into_iter().flat_map(|(size, _)| [true, false].map(|landscape| Page { size, landscape }));
-    pages.into_iter().find(|page| page_sign(*page) == sign)
+/// The pages on which sheets with a code are printed.
+pub(crate) fn pages() -> impl Iterator<Item = Page> {
+    PAGES.into_iter().flat_map(|(size, _)| [true, false].map(|landscape| Page { size, landscape }))
 }
 
 /// The shortest text from which the same number is read back.
