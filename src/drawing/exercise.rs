@@ -9,7 +9,7 @@ use super::layout::{Needs, Placed};
 use super::legend::Legend;
 use super::lines::{Line, Lines};
 use super::panel::{Frame, Panel, content, extents, panels};
-use super::plan::sight::extent;
+use super::plan::on_paper::extent;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
@@ -104,7 +104,7 @@ fn student_sheet<'a>(
     place: TablePlace,
     plans_follow: bool,
 ) -> Composition<'a> {
-    let alone = [(Sheet::Scheme, scheme::sight::extent(context))];
+    let alone = [(Sheet::Scheme, scheme::on_paper::extent(context))];
     let sheet = Composition::new(context, panels(context, &alone, |sheet| vec![content(context, sheet)]));
     let paper = match plans_follow {
         true => Some(context.words.language.exercise_sheets().to_owned()),
@@ -164,7 +164,7 @@ pub fn shows_special_points(solution: &Solution) -> bool {
     let context = SheetContext::new(solution, Purpose::Drawing);
     let [shown, all] = [context.figure().construction, ConstructionShown::Paper];
     let mut plans = context.construction().plans();
-    context.special().all(|special| scheme::sight::is_near(&context, special))
+    context.special().all(|special| scheme::on_paper::is_near(&context, special))
         && plans.all(|plan| extent(plan, shown) == extent(plan, all))
 }
 

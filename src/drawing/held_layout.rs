@@ -202,7 +202,7 @@ impl HeldLayout {
         let plans = self.plan_views(solution);
         let handles = plans.into_iter().flat_map(|(panel, plan, view)| {
             let shown =
-                plan.points.iter().filter(|(name, _)| !plan::sight::is_hidden(&solution.scene.figure, plan, name));
+                plan.points.iter().filter(|(name, _)| !plan::on_paper::is_hidden(&solution.scene.figure, plan, name));
             shown.map(move |(name, point)| Handle {
                 panel,
                 name: name.clone(),
@@ -250,7 +250,7 @@ impl HeldLayout {
     fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a Plan, View)> {
         let shown = Sheet::PLANS.into_iter().filter_map(|sheet| {
             let plan = solution.construction.plan_on(sheet)?;
-            let content = plan::sight::extent(plan, solution.scene.figure.construction);
+            let content = plan::on_paper::extent(plan, solution.scene.figure.construction);
             Some((sheet, plan, self.placed(sheet)?.view(Some(content))))
         });
         shown.collect()

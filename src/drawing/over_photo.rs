@@ -6,7 +6,6 @@ use super::layout::Placed;
 use super::markers::SheetCode;
 use super::overlay::cross;
 use super::panel::{Panel, content, panels};
-use super::plan::sight;
 use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
@@ -56,7 +55,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
     let mut drawing = blank(context.figure(), context.surface.dims.page, title);
     for placed in &code.panels {
         let Some(plan) = context.plan(placed.panel) else { continue };
-        let extent = sight::extent(plan, context.figure().construction);
+        let extent = super::plan::on_paper::extent(plan, context.figure().construction);
         let all = panels(&context, &[(placed.panel, extent)], |panel| vec![content(&context, panel)]);
         for panel in all {
             // The photographed sheet has the frame.

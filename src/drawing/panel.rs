@@ -169,8 +169,8 @@ pub(super) type Extents = Vec<(Sheet, Extent)>;
 /// The panels that a figure shows.
 pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
     let extent = |&sheet: &Sheet| match sheet {
-        Sheet::Scheme => Some((sheet, scheme::sight::extent(context))),
-        plan => context.plan(plan).map(|drawn| (plan, plan::sight::extent(drawn, context.figure().construction))),
+        Sheet::Scheme => Some((sheet, scheme::on_paper::extent(context))),
+        plan => context.plan(plan).map(|drawn| (plan, plan::on_paper::extent(drawn, context.figure().construction))),
     };
     context.figure().shown_panels().iter().filter_map(extent).collect()
 }
@@ -178,8 +178,8 @@ pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
 /// The extent of the joints or of their images in a panel, in the position of a solution.
 pub(super) fn extent_of_images(solution: &Solution, sheet: Sheet) -> Option<Extent> {
     match sheet {
-        Sheet::Scheme => Some(scheme::sight::extent_of_joints(solution)),
-        plan => solution.construction.plan_on(plan).map(plan::sight::extent_of_images),
+        Sheet::Scheme => Some(scheme::on_paper::extent_of_joints(solution)),
+        plan => solution.construction.plan_on(plan).map(plan::on_paper::extent_of_images),
     }
 }
 
@@ -207,7 +207,7 @@ pub(super) fn panels<'a>(
                 weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
             },
             language: Some(context.words.language),
-            content: context.plan(sheet).map(|plan| plan::sight::extent(plan, context.figure().construction)),
+            content: context.plan(sheet).map(|plan| plan::on_paper::extent(plan, context.figure().construction)),
             frame: Some(frame(index)),
             layers: layers(sheet),
             own: None,

@@ -5,7 +5,7 @@ use super::compose::TITLE_SIZE;
 use super::context::{Purpose, SheetContext};
 use super::dims::MARGIN;
 use super::layout::{Item, Layout};
-use super::plan::sight::extent;
+use super::plan::on_paper::extent;
 use super::sheet::Drawing;
 use super::text::{CAPTION, RichText};
 use crate::construction::{Plan, Rate, Solution};

@@ -82,14 +82,10 @@ impl Item for Table {
     fn asides(&self, room: Rect) -> Vec<Aside> {
         let below = self.height(self.columns(room.width()));
         let mut asides = vec![Aside::Below(below.min(MOST * room.height()))];
-        let mut columns = 1;
-        while columns as f64 * self.column() < MOST * room.width() {
-            if self.height(columns) <= room.height() {
-                asides.push(Aside::Right(columns as f64 * self.column()));
-                break;
-            }
-            columns += 1;
-        }
+        let width = |columns: &usize| *columns as f64 * self.column();
+        let mut beside = (1..).take_while(|columns| width(columns) < MOST * room.width());
+        let fitting = beside.find(|columns| self.height(*columns) <= room.height());
+        asides.extend(fitting.map(|columns| Aside::Right(width(&columns))));
         asides
     }
 

@@ -6,7 +6,7 @@ use super::context::{SheetContext, Value, ValueOf};
 use super::dims::MARGIN;
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
-use super::plan::sight::is_hidden;
+use super::plan::on_paper::is_hidden;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;

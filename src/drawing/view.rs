@@ -30,9 +30,7 @@ impl Extent {
         others.sort_by(|a, b| size(a).total_cmp(&size(b)));
         let middle = others.get(others.len() / 2).map_or(0.0, size);
         let most = middle.max(2.0 * size(&self));
-        let kept = others.into_iter().filter(|other| size(other) <= most);
-        let kept = std::iter::once(self).chain(kept);
-        Extent::of(kept.flat_map(|e| [e.low, e.high]))
+        self.with_all(others.into_iter().filter(|other| size(other) <= most))
     }
 
     /// The extent of this content and all others.

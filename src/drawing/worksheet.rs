@@ -6,7 +6,7 @@ use super::layout::{Aside, Item, Layout, cut_off};
 use super::legend::{HUNDREDTHS, VALUE};
 use super::lines::{Lines, PAD};
 use super::panel::Panel;
-use super::plan::sight::is_hidden;
+use super::plan::on_paper::is_hidden;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Heading, Table};

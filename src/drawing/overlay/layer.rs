@@ -1,11 +1,11 @@
 //! A student's drawing in a panel: lines, crosses with names, numbers of steps.
 
-use super::own::{Overlay, OwnKind, OwnLine, OwnPoint, WrongStep};
+use super::{Overlay, OwnKind, OwnLine, OwnPoint, WrongStep};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_segment, holds};
 use crate::drawing::context::SheetContext;
 use crate::drawing::labels::LabelRequest;
-use crate::drawing::plan::sight::is_hidden;
+use crate::drawing::plan::on_paper::is_hidden;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;

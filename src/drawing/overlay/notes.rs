@@ -1,7 +1,7 @@
 //! The words about a student's drawing: a key of its lines, sentences, a table of the values.
 
 use super::layer::{CROSS, cross};
-use super::own::{Overlay, OwnValue};
+use super::{Overlay, OwnValue};
 use crate::drawing::context::SheetContext;
 use crate::drawing::layout::{Aside, Item, Layout};
 use crate::drawing::lines::{self, PAD};

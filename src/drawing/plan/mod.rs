@@ -1,7 +1,6 @@
 //! A plan in its panel, drawn from the steps of its construction.
 
-mod on_paper;
-pub(super) mod sight;
+pub(super) mod on_paper;
 
 use super::canvas::Canvas;
 use super::context::SheetContext;

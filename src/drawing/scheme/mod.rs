@@ -5,7 +5,6 @@ mod drives;
 mod links;
 pub(super) mod on_paper;
 mod points;
-pub(super) mod sight;
 mod sliders;
 
 pub(super) use sliders::above;
@@ -18,8 +17,7 @@ use super::view::View;
 use crate::construction::{Action, NumberedStep, Ray, RayOf};
 use crate::geometry;
 use crate::mechanism::{GROUND, Role};
-use on_paper::SchemeOnPaper;
-use sight::circles;
+use on_paper::{SchemeOnPaper, circles};
 use std::f64::consts::PI;
 
 /// Draws the scheme.

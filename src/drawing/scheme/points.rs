@@ -1,7 +1,6 @@
 //! Joints and special points, the cut lines that cross there, and the names of points and links.
 
-use super::on_paper::{LinkShape, SchemeOnPaper};
-use super::sight::is_near;
+use super::on_paper::{LinkShape, SchemeOnPaper, is_near};
 use super::sliders::BLOCK;
 use crate::construction::{Special, display};
 use crate::drawing::canvas::Canvas;

@@ -1,7 +1,6 @@
 //! Guides and the blocks on them; the ground: pivots, ground lines and their hatching.
 
-use super::on_paper::{ON_LINE, SchemeOnPaper, is_on};
-use super::sight::extent;
+use super::on_paper::{ON_LINE, SchemeOnPaper, extent, is_on};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
 use crate::drawing::context::SheetContext;
