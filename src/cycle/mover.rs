@@ -85,7 +85,7 @@ impl<'a> Mover<'a> {
         for (index, input) in mover.kernel.inputs.iter().enumerate() {
             mover.kernel.set_rates(&mut mover.block, index, input.rate, input.second);
         }
-        mover.rates();
+        mover.kernel.rates(&mut mover.block);
         mover.refresh();
         Ok(mover)
     }
@@ -161,13 +161,13 @@ impl<'a> Mover<'a> {
         if !(found.closed && found.first <= OFF) {
             return false;
         }
-        self.rates();
+        self.kernel.rates(&mut self.block);
         let is_on_branch = self.is_on_branch();
         if is_on_branch && self.has_changed() {
             // Nearer to a singular position the last correction must be smaller.
             self.refresh();
             let closed = self.kernel.assemble(&mut self.block, self.sure).closed;
-            self.rates();
+            self.kernel.rates(&mut self.block);
             return closed;
         }
         is_on_branch
@@ -208,11 +208,6 @@ impl<'a> Mover<'a> {
                 Unknown::Slide(slider) => block.slides[slider][0] += step,
             }
         }
-    }
-
-    #[inline]
-    fn rates(&mut self) {
-        self.kernel.rates(&mut self.block);
     }
 
     /// By group: the determinant before over that now.
@@ -257,7 +252,7 @@ impl<'a> Mover<'a> {
         self.block.slides.copy_from_slice(&self.slides);
         self.time = 0.0;
         self.kernel.assemble(&mut self.block, 0.0);
-        self.rates();
+        self.kernel.rates(&mut self.block);
         self.refresh();
     }
 }

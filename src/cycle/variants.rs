@@ -138,7 +138,7 @@ impl<'a> Variants<'a> {
             (&kept.0[mechanism / MANY].stand, &mut self.blocks[mechanism / MANY], mechanism % MANY);
         // Lanes beyond the last mechanism repeat it.
         let last = if mechanism + 1 == self.mechanisms.len() { MANY } else { lane + 1 };
-        (lane..last).for_each(|to| stand.give_back(lane, to, block));
+        (lane..last).for_each(|to| copy((&stand.turns, &stand.slides), lane, block, to));
     }
 
     /// By mechanism: whether it has stayed on one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
@@ -209,7 +209,7 @@ impl<'a> Variants<'a> {
         }
         for lane in 0..MANY {
             if !self.closed[(first + lane).min(count - 1)] {
-                self.left.give_back(lane, lane, block);
+                copy((&self.left.turns, &self.left.slides), lane, block, lane);
             }
         }
         let is_closed = kernel.assemble_many(self.registers, block, SURE).closed;
@@ -266,11 +266,6 @@ impl Stand {
     fn give(&self, block: &mut Block<Many>) {
         block.turns.clone_from(&self.turns);
         block.slides.clone_from(&self.slides);
-    }
-
-    /// Puts one of them to a place of the block.
-    fn give_back(&self, lane: usize, to_lane: usize, block: &mut Block<Many>) {
-        copy((&self.turns, &self.slides), lane, block, to_lane);
     }
 }
 

@@ -43,8 +43,7 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(drawn_pose(mechanism));
     }
-    check_size(mechanism)?;
-    let mut tree = Tree::new(mechanism.for_positions(), near);
+    let mut tree = tree(mechanism, near)?;
     let (mut whole, remarks) =
         if tree.rough().count() == 0 { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree) }?;
     if mechanism.placing.is_some() {
@@ -84,8 +83,7 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(Listed { poses: vec![drawn_pose(mechanism)], count: Count { number: 1, is_exact: true } });
     }
-    check_size(mechanism)?;
-    let mut tree = Tree::new(mechanism.for_positions(), near);
+    let mut tree = tree(mechanism, near)?;
     let (mut found, is_all) = listed(mechanism, &mut tree, MOST_LISTED + 1)?;
     let mut count = Count { number: found.len() as u64, is_exact: is_all };
     if !is_all {
@@ -108,8 +106,7 @@ pub(crate) fn first_poses(mechanism: &Mechanism, near: &Near, most: usize) -> Re
     if mechanism.given_by == GivenBy::Drawing {
         return Ok(vec![drawn_pose(mechanism)]);
     }
-    check_size(mechanism)?;
-    let mut tree = Tree::new(mechanism.for_positions(), near);
+    let mut tree = tree(mechanism, near)?;
     let (found, _) = listed(mechanism, &mut tree, most.max(1))?;
     Ok(found.into_iter().map(|whole| whole.pose(mechanism)).collect())
 }
@@ -123,8 +120,7 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     if mechanism.given_by == GivenBy::Drawing {
         return if mode == 1 { Ok(drawn_pose(mechanism)) } else { Err(none(1, true)) };
     }
-    check_size(mechanism)?;
-    let mut tree = Tree::new(mechanism.for_positions(), near);
+    let mut tree = tree(mechanism, near)?;
     let mut listing = Listing::new(&mut tree, MOST_WORK);
     let mut count = 0;
     let found = listing.by_ref().inspect(|_| count += 1).take(mode).last().filter(|_| mode > 0);
@@ -142,13 +138,14 @@ pub fn numbered_pose(mechanism: &Mechanism, near: &Near, mode: usize) -> Result<
     Ok(whole.pose(mechanism))
 }
 
-fn check_size(mechanism: &Mechanism) -> Result<(), AssemblyError> {
+/// The assemblies of a mechanism whose lengths are of a size to assemble from.
+fn tree<'a>(mechanism: &'a Mechanism, near: &Near) -> Result<Tree<'a>, AssemblyError> {
     let bodies = mechanism.bodies.iter();
     let spans = bodies.map(|b| span(b.local.iter().copied()));
     let size = spans.fold(0.0, f64::max);
     let how = if size > LARGEST { "large" } else { "small" };
     match size == 0.0 || (1.0 / LARGEST..=LARGEST).contains(&size) {
-        true => Ok(()),
+        true => Ok(Tree::new(mechanism.for_positions(), near)),
         false => Err(AssemblyError::Size { size, how }),
     }
 }
