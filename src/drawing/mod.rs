@@ -11,7 +11,7 @@
 //!   `compose` makes a sheet of it with a `layout`. `exercise`, `correction`, `over_photo` and `curves` are other sheets.
 //! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
-//!   `style`, its `text`, the places of its `labels` off all `obstacles`, which a `grid` finds.
+//!   `style`, its `text`, the places of its `labels` off all obstacles, which a `grid` finds.
 //!
 //! # A sheet is a list
 //!
@@ -74,7 +74,6 @@ mod lines;
 mod look;
 pub mod markers;
 mod markup;
-mod obstacles;
 mod over_photo;
 #[doc(hidden)] // for tests
 pub mod overlay;
@@ -99,11 +98,11 @@ pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, k
 pub use facts::Steps;
 pub use figure::FigureSheets;
 pub use fonts::{ITALIC, REGULAR};
+pub use grid::Obstacles;
 pub use held_layout::{Handle, HeldLayout, HeldPanel};
 pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};
-pub use obstacles::Obstacles;
 pub use over_photo::{SeenPoint, over_photo};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use shape::Shape;

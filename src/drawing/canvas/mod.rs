@@ -4,9 +4,9 @@ mod placing;
 
 use crate::drawing::clip::clipped_segment;
 use crate::drawing::dims::Dims;
+use crate::drawing::grid::Obstacles;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::HEADING;
-use crate::drawing::obstacles::Obstacles;
 use crate::drawing::shape::{Shape, around};
 use crate::drawing::sheet::{Drawing, Mark, Pen};
 use crate::drawing::text::RichText;

@@ -14,7 +14,7 @@ mod moves;
 mod places;
 mod search;
 
-use super::obstacles::Obstacles;
+use super::grid::Obstacles;
 use super::text::{Anchor, PlacedText};
 use places::Spot;
 pub use places::{LabelRequest, PlacedLabel};

@@ -3,8 +3,7 @@
 use kurbo::{Rect, Vec2};
 use std::cell::Cell;
 
-use super::super::grid::Grid;
-use super::super::obstacles::Obstacles;
+use super::super::grid::{Grid, Obstacles};
 use super::super::shape::distance_to_box;
 use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot, inside, touch};
 
