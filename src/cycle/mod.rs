@@ -16,7 +16,6 @@
 //! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
 //! grow (a change point), the polynomial is followed to the other side.
 
-mod animation;
 mod circuit;
 mod curve;
 mod drive;
@@ -40,7 +39,6 @@ mod traces;
 mod variants;
 mod walker;
 
-pub use animation::Animation;
 pub use curve::{Curve, Curves, Extreme};
 pub use drive::{Drive, alone};
 pub use error::CycleError;
@@ -55,6 +53,6 @@ pub use range::Detour;
 pub use sampled::Sampled;
 pub use steps::Steps;
 pub use sweep::{Numbers, Sweep, every_name};
-pub use traces::{Times, Traces};
+pub use traces::{Animation, Times, Traces};
 pub use variants::{Kept, Variants};
 pub use walker::Walker;
