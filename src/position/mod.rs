@@ -30,7 +30,6 @@ mod platform;
 mod pose;
 #[doc(hidden)] // for tests
 pub mod roots;
-mod rough;
 mod search;
 mod tree;
 

@@ -1,8 +1,7 @@
 use super::closing::{Assembled, Closer, places};
 use super::frames::{Frames, local, pinned};
 use super::platform::Platform;
-use super::rough::Rough;
-use super::search::Search;
+use super::search::{Rough, Search};
 use crate::geometry::{BoundingBox, Point, Turn, Vector, cross, degrees_of};
 use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism, SliderId};
 use std::cmp::Ordering;

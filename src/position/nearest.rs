@@ -1,5 +1,5 @@
 use super::closing::places;
-use super::rough::chord;
+use super::search::chord;
 use super::tree::{Placed, Tree, WholeAssembly};
 use crate::geometry::{BoundingBox, Point};
 use crate::mechanism::{BodyId, PointId};

@@ -1,7 +1,7 @@
 use super::closing::places;
 use super::frames::{Frames, driven_position};
 use super::modes::{Assembler, NoMode};
-use super::rough::{Rough, chord};
+use super::search::{Rough, chord};
 use super::{Assembly, Pose};
 use crate::geometry::{Placement, Vector, span};
 use crate::mechanism::{BodyId, Class, Joint, Mechanism, PointId, Role};
