@@ -162,9 +162,11 @@ impl<'a> Mover<'a> {
             return false;
         }
         self.kernel.rates(&mut self.block);
-        let is_on_branch = self.is_on_branch();
-        if is_on_branch && self.has_changed() {
-            // Nearer to a singular position the last correction must be smaller.
+        // All determinants have the signs that they had.
+        let is_on_branch = self.ratios().all(|ratio| ratio > 0.0);
+        let is_near = self.ratios().all(|ratio| (0.5..=2.0).contains(&ratio));
+        if is_on_branch && !is_near {
+            // Nearer to a singular position the last correction must be smaller: `sure` may not hold any more.
             self.refresh();
             let closed = self.kernel.assemble(&mut self.block, self.sure).closed;
             self.kernel.rates(&mut self.block);
@@ -215,18 +217,6 @@ impl<'a> Mover<'a> {
     fn ratios(&self) -> impl Iterator<Item = f64> {
         let groups = self.determinants.iter().enumerate();
         groups.map(|(group, before)| before * self.kernel.inverse_determinant(&self.block, group, 0))
-    }
-
-    /// Whether all determinants have the signs that they had.
-    #[inline]
-    fn is_on_branch(&self) -> bool {
-        self.ratios().all(|ratio| ratio > 0.0)
-    }
-
-    /// Whether a determinant has changed so much that `sure` may not hold.
-    #[inline]
-    fn has_changed(&self) -> bool {
-        !self.ratios().all(|ratio| (0.5..=2.0).contains(&ratio))
     }
 
     /// Finds how small a last correction must be. As for a segment of a path: a Newton step leaves an error of its square

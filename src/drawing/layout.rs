@@ -252,6 +252,10 @@ fn worth(panels: &[Placed]) -> [f64; 4] {
         let (size, area) = (placed.shown(&placed.needs.extent), placed.area);
         geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height())).norm()
     };
+    let weighed = |placed: &Placed| match placed.needs.weight {
+        1.0 => seen(placed),
+        weight => libm::pow(seen(placed), weight),
+    };
     let room = |placed: &Placed| {
         let (size, area) = (placed.shown(&placed.needs.extent), placed.area);
         (area.width() / size.x).min(area.height() / size.y)
@@ -262,7 +266,7 @@ fn worth(panels: &[Placed]) -> [f64; 4] {
         f64::from(u8::from(panels.iter().all(is_wide))),
         panels.iter().filter(|placed| placed.holds(&placed.needs.extent)).count() as f64,
         // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        panels.iter().map(|placed| weighed(seen(placed), placed.needs.weight)).product(),
+        panels.iter().map(weighed).product(),
         match (panels.iter().all(|placed| placed.needs.mu.is_some()), focus) {
             (_, Some(panel)) => panel.frame.area(),
             (true, None) => panels.iter().map(room).fold(f64::INFINITY, f64::min),
@@ -274,11 +278,6 @@ fn worth(panels: &[Placed]) -> [f64; 4] {
 /// The size of the smallest content.
 fn smallest(panels: &[Placed]) -> f64 {
     panels.iter().map(Placed::size).fold(f64::INFINITY, f64::min)
-}
-
-/// A size with its weight among others.
-fn weighed(size: f64, weight: f64) -> f64 {
-    if weight == 1.0 { size } else { libm::pow(size, weight) }
 }
 
 /// Divisions of `room` among panels: of two and three in every way, of more the first beside or above the others.

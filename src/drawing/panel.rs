@@ -178,7 +178,7 @@ pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
 /// The extent of the joints or of their images in a panel, in the position of a solution.
 pub(super) fn extent_of_images(solution: &Solution, sheet: Sheet) -> Option<Extent> {
     match sheet {
-        Sheet::Scheme => Some(scheme::on_paper::extent_of_joints(solution)),
+        Sheet::Scheme => Some(Extent::of(scheme::on_paper::places(solution))),
         plan => solution.construction.plan_on(plan).map(plan::on_paper::extent_of_images),
     }
 }

@@ -111,7 +111,8 @@ pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) 
         match number {
             _ if x == 0.0 && number != Number::DriveAngle => 0.0,
             Number::Length | Number::DrivePosition => step.round(part),
-            Number::Motion => Step::of_two_digits(part).round(part),
+            // To two digits.
+            Number::Motion => Step { count: 1, exponent: decimal(part).1 - 1 }.round(part),
             Number::Turning => rate(part),
             Number::DriveRate => rate(x * libm::exp2(random.within())),
             Number::Direction => angle(x + DIRECTION * random.within()),
@@ -194,11 +195,6 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// The step of numbers with two digits.
-    fn of_two_digits(x: f64) -> Step {
-        Step { count: 1, exponent: decimal(x).1 - 1 }
-    }
-
     /// The nearest multiple.
     pub fn nearest(self, x: f64) -> f64 {
         self.multiple(x, 0.0)

@@ -66,7 +66,8 @@ impl PlacedPanel {
 
     fn text(&self) -> String {
         let sign = self.panel.letter();
-        let [x, y] = self.origin.map(hundredths);
+        // To 0.01 mm; adding 0 takes the sign from −0.
+        let [x, y] = self.origin.map(|mm| shortest(libm::round(100.0 * mm) / 100.0 + 0.0));
         format!("{sign}{}:{x}:{y}", shortest(self.mu))
     }
 
@@ -160,12 +161,6 @@ pub(crate) fn pages() -> impl Iterator<Item = Page> {
 fn shortest(x: f64) -> String {
     let [plain, power] = [x.to_string(), format!("{x:E}")];
     if power.len() < plain.len() { power } else { plain }
-}
-
-/// A length in mm, to 0.01.
-fn hundredths(mm: f64) -> String {
-    // Adding 0 takes the sign from −0.
-    shortest(libm::round(100.0 * mm) / 100.0 + 0.0)
 }
 
 /// A number without sign and zeros before it; not 0.

@@ -300,7 +300,13 @@ impl<'a> PlanOnPaper<'a> {
         // The image of a ground point under a slider coincides with the pole: it is left out.
         let at_pole = |name: &str| name.ends_with("_ground") && plan.points[name].vector.norm() == 0.0;
         let names = plan.points.keys().map(String::as_str);
-        let shown = names.filter(|name| !self.is_hidden(name) && !at_pole(name) && !is_vanished(plan, name));
+        // The end of a vanishing normal acceleration coincides with another point.
+        let is_vanished = |name: &str| {
+            let end = &plan.points[name];
+            let mut others = plan.points.values().filter(|other| other.role != PointRole::Normal);
+            end.role == PointRole::Normal && others.any(|other| other.vector == end.vector)
+        };
+        let shown = names.filter(|name| !self.is_hidden(name) && !at_pole(name) && !is_vanished(name));
         let places = shown.map(|name| (self.view.at(plan.points[name].vector.into()), name));
         let role = |(place, here): (Point, Vec<&'a str>)| {
             let role = plan.points[here[0]].role;
@@ -361,13 +367,6 @@ fn images(mechanism: &Mechanism, plan: &Plan) -> Vec<Vec<String>> {
 /// The id of the label of coincident points; the hyphen at its end tells it from the label of a joint of this name.
 fn id(names: &[&str]) -> String {
     format!("{}-", names[0])
-}
-
-/// Whether a name is that of the end of a vanishing normal acceleration, which coincides with another point.
-fn is_vanished(plan: &Plan, name: &str) -> bool {
-    let end = &plan.points[name];
-    let mut others = plan.points.values();
-    end.role == PointRole::Normal && others.any(|p| p.role != PointRole::Normal && p.vector == end.vector)
 }
 
 /// The extent of the plan's points, without far ones that only lead to others: with each of those, taken from the

@@ -173,7 +173,12 @@ impl SchemeOnPaper<'_> {
         for value in self.context.values_of(Sheet::Scheme) {
             match value.of {
                 ValueOf::Rate(link) => self.label_rate(canvas, value, link),
-                ValueOf::Length(ends) => self.label_length(canvas, value, ends),
+                ValueOf::Length(ends) => {
+                    // Beside the line, away from the middle of the mechanism.
+                    let [a, b] = ends.map(|point| self.at(point));
+                    let anchor = a.lerp(b, 0.66);
+                    label(self.context, canvas, value, anchor, Some(self.outer_side([a, b], anchor)));
+                }
                 ValueOf::Vector(_) => {}
             }
         }
@@ -214,12 +219,5 @@ impl SchemeOnPaper<'_> {
         let side = if value.kind == QuantityKind::AngularAcceleration { 1.0 } else { -1.0 };
         let anchor = center + Vec2::new(0.0, side * radius);
         label(self.context, canvas, value, anchor, Some(Vec2::new(0.0, side)));
-    }
-
-    /// A length stands beside the middle of its line, away from the middle of the mechanism.
-    fn label_length(&self, canvas: &mut Canvas<'_>, value: &Value, [a, b]: [PointId; 2]) {
-        let [a, b] = [a, b].map(|point| self.at(point));
-        let anchor = a.lerp(b, 0.66);
-        label(self.context, canvas, value, anchor, Some(self.outer_side([a, b], anchor)));
     }
 }

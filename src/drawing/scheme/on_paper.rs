@@ -2,7 +2,6 @@
 //! its extent, and which special points are near enough to stand at their places.
 
 use crate::construction::{Solution, Special};
-use crate::cycle::Traces;
 use crate::drawing::context::{Purpose, SheetContext};
 use crate::drawing::dims::Dims;
 use crate::drawing::grid::Grid;
@@ -196,13 +195,11 @@ pub(in crate::drawing) fn outline(places: Vec<geometry::Point>) -> Vec<geometry:
 pub(in crate::drawing) fn extent(context: &SheetContext<'_>) -> Extent {
     let special = context.special().filter_map(|special| reached(context, special));
     let places = places(context.solution).chain(special);
-    let modes = context.modes.shown.iter().flat_map(|(_, pose)| pose.points.iter().copied());
-    Extent::of(places.chain(places_of_traces(&context.traces)).chain(modes))
-}
-
-/// The extent of a position without what depends on the figure.
-pub(in crate::drawing) fn extent_of_joints(solution: &Solution) -> Extent {
-    Extent::of(places(solution))
+    let traces = &context.traces;
+    let pieces = traces.paths.iter().flat_map(|path| path.pieces.iter().chain(&path.beyond).flatten());
+    let poses = traces.ghosts.iter().chain(context.modes.shown.iter().map(|(_, pose)| pose));
+    let others = pieces.map(|(_, place)| *place).chain(poses.flat_map(|pose| pose.points.iter().copied()));
+    Extent::of(places.chain(others))
 }
 
 /// Whether a special point is near enough to be drawn at its place.
@@ -239,8 +236,8 @@ fn reached(context: &SheetContext<'_>, special: &Special) -> Option<geometry::Po
     Some(start + (place - start).normalize() * (ARROW * size))
 }
 
-/// The points of a position, the ends of guides on the ground, and the corners around circles.
-fn places(solution: &Solution) -> impl Iterator<Item = geometry::Point> {
+/// The points of a position, the ends of guides on the ground, and the corners around circles: what does not depend on the figure.
+pub(in crate::drawing) fn places(solution: &Solution) -> impl Iterator<Item = geometry::Point> {
     let (mechanism, pose) = (&solution.mechanism, &solution.pose);
     let circles = circles(mechanism, pose).flat_map(|(center, radius)| {
         let (center, arm) = (pose.point(center), geometry::Vector::new(radius, radius));
@@ -257,10 +254,4 @@ fn guide_ends(mechanism: &Mechanism, pose: &Pose) -> impl Iterator<Item = geomet
         let (at, arm) = (pose.point(mechanism.slider(id).at), pose.guide(id) * reach);
         [at - arm, at + arm]
     })
-}
-
-fn places_of_traces(traces: &Traces) -> impl Iterator<Item = geometry::Point> {
-    let pieces = traces.paths.iter().flat_map(|path| path.pieces.iter().chain(&path.beyond).flatten());
-    let ghosts = traces.ghosts.iter().flat_map(|ghost| ghost.points.iter().copied());
-    pieces.map(|(_, place)| *place).chain(ghosts)
 }

@@ -18,6 +18,8 @@ use kurbo::{Point, Rect, Vec2};
 
 /// Number style of the distances of special points far away.
 const DISTANCE: NumberStyle = NumberStyle::significant(4).in_full(-3, 6).on(Medium::Figure);
+/// Side of the sign of a right angle, in mm.
+const RIGHT_ANGLE: f64 = 2.4;
 
 impl SchemeOnPaper<'_> {
     /// Draws circles at pins, dots at other points, and their labels.
@@ -140,17 +142,12 @@ impl SchemeOnPaper<'_> {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
             if let Some(slider) = cut.guide() {
-                let along = on_sheet(self.pose.guide(slider));
-                self.right_angle(canvas, from, along, towards_special);
+                // The sign of a right angle.
+                let (along, across) = (on_sheet(self.pose.guide(slider)), towards_special);
+                let chain = [along, along + across, across].map(|side| from + side * RIGHT_ANGLE);
+                canvas.draw(Pen::Frame, Shape::Polyline(chain.to_vec()));
             }
         }
-    }
-
-    /// Draws the sign of a right angle at `corner`.
-    fn right_angle(&self, canvas: &mut Canvas<'_>, corner: Point, a: Vec2, b: Vec2) {
-        const SIDE: f64 = 2.4;
-        let chain = vec![corner + a * SIDE, corner + (a + b) * SIDE, corner + b * SIDE];
-        canvas.draw(Pen::Frame, Shape::Polyline(chain));
     }
 
     /// Draws a special point at its place, or a distant one as an arrow with its distance.

@@ -144,7 +144,12 @@ impl SchemeOnPaper<'_> {
         const HALF: f64 = 2.3;
         let apex = self.at(point);
         if !self.is_pin(point) {
-            self.fixed_point(canvas, apex);
+            // A fixed point without a link: a piece of the ground with the point on it.
+            let across = Vec2::new(PIVOT_HALF, 0.0);
+            let (a, b) = (apex - across, apex + across);
+            canvas.draw(Pen::Ground, Shape::Line(a, b));
+            hatch(canvas, a, b, Vec2::new(0.0, 1.0));
+            canvas.obstacles.add_boxes([Rect::from_points(a, b + Vec2::new(0.0, HATCH))]);
             return;
         }
         let down = self.down(point);
@@ -156,14 +161,6 @@ impl SchemeOnPaper<'_> {
         canvas.draw(Pen::Ground, Shape::Line(a, b));
         hatch(canvas, a, b, down);
         canvas.obstacles.add_boxes([self.pivot_box(point)]);
-    }
-
-    /// Draws a fixed point without a link: a piece of the ground with the point on it.
-    fn fixed_point(&self, canvas: &mut Canvas<'_>, at: Point) {
-        let across = Vec2::new(PIVOT_HALF, 0.0);
-        canvas.draw(Pen::Ground, Shape::Line(at - across, at + across));
-        hatch(canvas, at - across, at + across, Vec2::new(0.0, 1.0));
-        canvas.obstacles.add_boxes([Rect::from_points(at - across, at + across + Vec2::new(0.0, HATCH))]);
     }
 
     /// The box around the ground line under a pivot and its hatching.
