@@ -67,7 +67,7 @@ fn across<'a>(path: &Path<'a>, above: bool) -> Option<(Path<'a>, f64)> {
         return None;
     }
     path.unit_rates(&mut block);
-    let mut next = path.restarted(Node::new(path, value, block));
+    let mut next = path.restarted(Node::new(&path.kernel, value, block));
     if is_same(path, &next, [value; 2]) {
         return None;
     }

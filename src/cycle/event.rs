@@ -1,86 +1,13 @@
-use super::drive::{shortened, snapped};
+//! Where a link or slider stops and turns back.
+
+use super::drive::snapped;
+use super::path::{Event, Happening, Path};
 use super::segment::rates;
-use super::{Path, Walker};
+use super::walker::Walker;
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::kernel::Unknown;
 use crate::mechanism::SliderId;
-use crate::words::Wording;
 use std::cmp::Reverse;
-
-/// An event at one value of the drive.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Event {
-    /// The drive's value, to about 1e-12 of a turn.
-    pub at: f64,
-    /// What happens.
-    pub what: Happening,
-}
-
-/// What can happen on a path.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Happening {
-    /// Two branches meet and the drive can go no further; rates grow like 1/√distance.
-    Limit {
-        /// The links of the group that is stretched, or otherwise singular.
-        links: String,
-    },
-    /// A place runs off to infinity, as where two guides become parallel.
-    RunsOff {
-        /// The links of the group that runs off.
-        links: String,
-    },
-    /// Two branches cross: the motion goes on smoothly, but it could go on in another mode too, so rates are not
-    /// determined.
-    Change {
-        /// The links of the group.
-        links: String,
-    },
-    /// The path cannot be followed through a singular position of another kind.
-    Singular {
-        /// The links of the group.
-        links: String,
-    },
-    /// A link stops and turns back: an extreme position, and a dead centre if that link were the driving one.
-    TurnsBack {
-        /// The link's name.
-        link: String,
-        /// Its angle there, in degrees.
-        angle: f64,
-    },
-    /// A slider stops on its guide and slides back: likewise.
-    SlidesBack {
-        /// The slider's name, as in `3/2`.
-        slider: String,
-        /// Its position there.
-        position: f64,
-    },
-}
-
-impl Event {
-    /// Whether the path ends here.
-    #[must_use]
-    pub fn is_end(&self) -> bool {
-        matches!(self.what, Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. })
-    }
-
-    /// The event in words; `place` is the drive's value in words, as in `angle(1) = 30°`.
-    #[must_use]
-    pub fn text(&self, place: &str, words: &Wording) -> String {
-        let language = words.language;
-        let number = |value: f64| words.number(shortened(value, 9).to_string());
-        match &self.what {
-            Happening::Limit { links } => language.event_limit(place, links),
-            Happening::RunsOff { links } => language.event_runs_off(place, links),
-            Happening::Change { links } => language.event_change(place, links),
-            Happening::Singular { links } => language.event_singular(place, links),
-            Happening::TurnsBack { link, angle } => {
-                language.event_turns_back(place, link, &number(snapped(*angle, 360.0)))
-            }
-            Happening::SlidesBack { slider, position } => language.event_slides_back(place, slider, &number(*position)),
-        }
-    }
-}
 
 /// Parts of a segment that are searched for a change of a rate's sign.
 const PARTS: usize = 8;
@@ -94,8 +21,19 @@ const ROUNDINGS: f64 = 64.0;
 /// Most Newton or bisection steps to an extreme position.
 const STEPS: usize = 60;
 
+impl Path<'_> {
+    /// All events between the path's ends and at them, in the order of the drive's value.
+    #[must_use]
+    pub fn events(&self) -> Vec<Event> {
+        let mut events = extreme_positions(self);
+        events.extend(self.changes.iter().chain(self.ends.iter().flatten()).cloned());
+        events.sort_by(|a, b| a.at.total_cmp(&b.at));
+        events
+    }
+}
+
 /// Extreme positions on the path: where a link or slider stops and turns back.
-pub(super) fn extreme_positions(path: &Path) -> Vec<Event> {
+fn extreme_positions(path: &Path) -> Vec<Event> {
     let (mechanism, kernel) = (&path.mechanism, &path.kernel);
     let mut events = Vec::new();
     let mut walker = path.walker();

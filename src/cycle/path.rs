@@ -1,24 +1,92 @@
-use super::drive::{in_radians, ratios, stands};
-use super::event::extreme_positions;
-use super::position::regular_start;
+use super::CycleError;
+use super::drive::{Drive, in_radians, ratios, shortened, snapped, stands};
+use super::position::{Position, regular_start};
 use super::segment::{Node, Segment};
-use super::trace::{fastest, trace};
-use super::walker::BLANK;
-use super::{CycleError, Drive, Event, Happening, Position, Walker};
-use crate::geometry::{Lanes, Many, Row, span};
+use crate::geometry::{Lanes, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
 use crate::position::Pose;
 use crate::words::Wording;
 use std::borrow::Cow;
-use std::f64::consts::TAU;
 
-/// Distance that the branch is first followed the other way, in turns: enough for the longest leap.
-const RUN_UP: f64 = 0.01;
+/// Distance from a change point within which there are no results, in turns: the rounding error of accelerations is
+/// about u / distance², that of groups with ties u / distance³.
+pub(super) const BLANK: f64 = 1e-4;
 
-/// Mean sine of a group's equations, times the rate of the fastest link where that is more than one, below which positions
-/// are closed with twice the digits.
-const DELICATE: f64 = 0.1;
+/// An event at one value of the drive.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// The drive's value, to about 1e-12 of a turn.
+    pub at: f64,
+    /// What happens.
+    pub what: Happening,
+}
+
+/// What can happen on a path.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Happening {
+    /// Two branches meet and the drive can go no further; rates grow like 1/√distance.
+    Limit {
+        /// The links of the group that is stretched, or otherwise singular.
+        links: String,
+    },
+    /// A place runs off to infinity, as where two guides become parallel.
+    RunsOff {
+        /// The links of the group that runs off.
+        links: String,
+    },
+    /// Two branches cross: the motion goes on smoothly, but it could go on in another mode too, so rates are not
+    /// determined.
+    Change {
+        /// The links of the group.
+        links: String,
+    },
+    /// The path cannot be followed through a singular position of another kind.
+    Singular {
+        /// The links of the group.
+        links: String,
+    },
+    /// A link stops and turns back: an extreme position, and a dead centre if that link were the driving one.
+    TurnsBack {
+        /// The link's name.
+        link: String,
+        /// Its angle there, in degrees.
+        angle: f64,
+    },
+    /// A slider stops on its guide and slides back: likewise.
+    SlidesBack {
+        /// The slider's name, as in `3/2`.
+        slider: String,
+        /// Its position there.
+        position: f64,
+    },
+}
+
+impl Event {
+    /// Whether the path ends here.
+    #[must_use]
+    pub fn is_end(&self) -> bool {
+        matches!(self.what, Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. })
+    }
+
+    /// The event in words; `place` is the drive's value in words, as in `angle(1) = 30°`.
+    #[must_use]
+    pub fn text(&self, place: &str, words: &Wording) -> String {
+        let language = words.language;
+        let number = |value: f64| words.number(shortened(value, 9).to_string());
+        match &self.what {
+            Happening::Limit { links } => language.event_limit(place, links),
+            Happening::RunsOff { links } => language.event_runs_off(place, links),
+            Happening::Change { links } => language.event_change(place, links),
+            Happening::Singular { links } => language.event_singular(place, links),
+            Happening::TurnsBack { link, angle } => {
+                language.event_turns_back(place, link, &number(snapped(*angle, 360.0)))
+            }
+            Happening::SlidesBack { slider, position } => language.event_slides_back(place, slider, &number(*position)),
+        }
+    }
+}
 
 /// The motion of a mechanism along one branch while a drive moves, as far as it has been followed.
 ///
@@ -32,7 +100,7 @@ pub struct Path<'a> {
     pub drive: Drive,
     pub(super) kernel: Kernel,
     /// The kernel without the places of points.
-    bare: Kernel,
+    pub(super) bare: Kernel,
     /// For each drive: its value at the scene's position, and its rate per unit rate of the moved drive.
     pub(super) inputs: Vec<[f64; 2]>,
     /// The moved drive's value at the scene's position.
@@ -79,7 +147,7 @@ impl<'a> Path<'a> {
             kernel,
         };
         path.unit_rates(&mut block);
-        let nodes = vec![Node::new(&path, origin, block)];
+        let nodes = vec![Node::new(&path.kernel, origin, block)];
         Ok(Path { nodes, ..path })
     }
 
@@ -156,51 +224,6 @@ impl<'a> Path<'a> {
         self.ends = [None, None];
     }
 
-    /// Follows the branch until the drive's value is reached or an event ends the path; [`Self::end`] then returns the
-    /// event.
-    pub fn follow_to(&mut self, value: f64) {
-        if self.nodes.len() == 1 && value.is_finite() {
-            // A leap over a change point close ahead needs nodes before it, so the branch is first followed a little
-            // the other way. If there is a change point on that side too, those nodes are dropped: it is crossed later,
-            // with nodes before it.
-            let single = self.clone();
-            self.extend(self.origin + RUN_UP.copysign(self.origin - value) * self.unit());
-            let singular = |end: &Event| matches!(end.what, Happening::Singular { .. });
-            if !self.changes.is_empty() || self.ends.iter().flatten().any(singular) {
-                *self = single;
-            }
-        }
-        self.extend(value);
-    }
-
-    /// Follows the branch beyond the nodes found so far.
-    fn extend(&mut self, value: f64) {
-        let up = value > self.high();
-        if !up && value >= self.low() || self.ends[usize::from(up)].is_some() {
-            return;
-        }
-        let mut nodes = std::mem::take(&mut self.nodes);
-        if !up {
-            nodes.reverse();
-        }
-        let (changes, end) = trace(self, &mut nodes, value);
-        if !up {
-            nodes.reverse();
-        }
-        self.nodes = nodes;
-        self.changes.extend(changes);
-        self.ends[usize::from(up)] = end;
-        let segment = |pair: &[Node]| {
-            let mut segment = Segment::new(&self.kernel, &pair[0], &pair[1]);
-            segment.delicate = pair.iter().any(|node| self.is_delicate(node));
-            if self.changes.iter().any(|c| segment.holds(c.at)) {
-                segment.sure = 0.0;
-            }
-            segment
-        };
-        self.segments = self.nodes.windows(2).map(segment).collect();
-    }
-
     /// Forgets what lies outside a range of the drive's value, as far as whole segments do; it is followed anew when it is
     /// asked for. So a crank may turn for ever.
     pub(super) fn forget_outside(&mut self, [low, high]: [f64; 2]) {
@@ -215,18 +238,6 @@ impl<'a> Path<'a> {
         self.nodes = self.nodes.drain(below..=above).collect();
         let (low, high) = (self.low(), self.high());
         self.changes.retain(|change| (low..=high).contains(&change.at));
-    }
-
-    /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
-    /// point: the one is u over the Hadamard ratio, the other u times the rate.
-    fn is_delicate(&self, node: &Node) -> bool {
-        let per_turn = self.unit() / if self.drive.turns { TAU } else { 1.0 };
-        (0..node.determinants.len()).any(|group| {
-            let rate = fastest(self, node, group) * per_turn;
-            // The squared ratio is a product of a sine for each pair of unknowns, squared; this is their mean.
-            let sine = libm::pow(node.determinants[group][1], 1.0 / self.kernel.unknowns[group].len() as f64);
-            sine * rate.max(1.0) < DELICATE
-        })
     }
 
     /// The drive's value in the scene.
@@ -251,15 +262,6 @@ impl<'a> Path<'a> {
     #[must_use]
     pub fn node_count(&self) -> usize {
         self.nodes.len()
-    }
-
-    /// All events between the path's ends and at them, in the order of the drive's value.
-    #[must_use]
-    pub fn events(&self) -> Vec<Event> {
-        let mut events = extreme_positions(self);
-        events.extend(self.changes.iter().chain(self.ends.iter().flatten()).cloned());
-        events.sort_by(|a, b| a.at.total_cmp(&b.at));
-        events
     }
 
     /// The event that ends the path above, or below; `None` where it can go on.
@@ -293,25 +295,6 @@ impl<'a> Path<'a> {
         let near = if matches!(event.what, Happening::Change { .. }) { BLANK * self.unit() } else { 0.0 };
         let [low, high] = [range[0].min(range[1]), range[0].max(range[1])];
         (low - near..=high + near).contains(&event.at)
-    }
-
-    /// A walker, one position at a time.
-    #[must_use]
-    pub fn walker(&self) -> Walker<'_> {
-        Walker::new(self, &self.kernel)
-    }
-
-    /// A walker, [`MANY`](crate::geometry::MANY) positions at a time.
-    #[must_use]
-    pub fn many_walker(&self) -> Walker<'_, Many> {
-        Walker::many(self, &self.kernel)
-    }
-
-    /// As [`Self::many_walker`], for angles, slides and their rates only: places and motions of points are left out,
-    /// but for the joints between groups.
-    #[must_use]
-    pub fn many_walker_without_places(&self) -> Walker<'_, Many> {
-        Walker::many(self, &self.bare)
     }
 
     /// One position of a block.

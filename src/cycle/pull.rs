@@ -1,4 +1,4 @@
-use super::walker::BLANK;
+use super::path::BLANK;
 use super::{CycleError, Drive, Event, Path, alone};
 use crate::construction::Solution;
 use crate::geometry::Point;

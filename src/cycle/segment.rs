@@ -1,4 +1,3 @@
-use super::Path;
 use crate::geometry::{Lanes, MANY, Number, Pair, Row, UNIT_ROUNDOFF, Vector, portions, quarter_turn};
 use crate::kernel::{Block, Kernel, Single, Unknown, unit, vector};
 
@@ -13,8 +12,8 @@ pub(super) struct Node {
 }
 
 impl Node {
-    pub fn new(path: &Path, value: f64, block: Single) -> Node {
-        Node { value, determinants: path.kernel.determinants(&block), block }
+    pub fn new(kernel: &Kernel, value: f64, block: Single) -> Node {
+        Node { value, determinants: kernel.determinants(&block), block }
     }
 }
 

@@ -1,7 +1,15 @@
+use super::path::{Event, Happening, Path};
 use super::segment::{Node, Segment, rates};
-use super::{Event, Happening, Path};
 use crate::geometry::OneByOne;
 use crate::kernel::{Correction, Unknown};
+use std::f64::consts::TAU;
+
+/// Distance that the branch is first followed the other way, in turns: enough for the longest leap.
+const RUN_UP: f64 = 0.01;
+
+/// Mean sine of a group's equations, times the rate of the fastest link where that is more than one, below which positions
+/// are closed with twice the digits.
+const DELICATE: f64 = 0.1;
 
 /// Largest error of the interpolated middle of a step after one Newton step, in unit roundoffs: far less than one.
 const DOUBT: f64 = 0.02;
@@ -45,9 +53,68 @@ const GROWTH: f64 = 1.3;
 /// Largest first correction after a leap, in radians or parts of the group's size.
 const LEAP_OFF: f64 = 1e-5;
 
+impl Path<'_> {
+    /// Follows the branch until the drive's value is reached or an event ends the path; [`Self::end`] then returns the
+    /// event.
+    pub fn follow_to(&mut self, value: f64) {
+        if self.nodes.len() == 1 && value.is_finite() {
+            // A leap over a change point close ahead needs nodes before it, so the branch is first followed a little
+            // the other way. If there is a change point on that side too, those nodes are dropped: it is crossed later,
+            // with nodes before it.
+            let single = self.clone();
+            self.extend(self.origin + RUN_UP.copysign(self.origin - value) * self.unit());
+            let singular = |end: &Event| matches!(end.what, Happening::Singular { .. });
+            if !self.changes.is_empty() || self.ends.iter().flatten().any(singular) {
+                *self = single;
+            }
+        }
+        self.extend(value);
+    }
+
+    /// Follows the branch beyond the nodes found so far.
+    fn extend(&mut self, value: f64) {
+        let up = value > self.high();
+        if !up && value >= self.low() || self.ends[usize::from(up)].is_some() {
+            return;
+        }
+        let mut nodes = std::mem::take(&mut self.nodes);
+        if !up {
+            nodes.reverse();
+        }
+        let (changes, end) = trace(self, &mut nodes, value);
+        if !up {
+            nodes.reverse();
+        }
+        self.nodes = nodes;
+        self.changes.extend(changes);
+        self.ends[usize::from(up)] = end;
+        let segment = |pair: &[Node]| {
+            let mut segment = Segment::new(&self.kernel, &pair[0], &pair[1]);
+            segment.delicate = pair.iter().any(|node| self.is_delicate(node));
+            if self.changes.iter().any(|c| segment.holds(c.at)) {
+                segment.sure = 0.0;
+            }
+            segment
+        };
+        self.segments = self.nodes.windows(2).map(segment).collect();
+    }
+
+    /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
+    /// point: the one is u over the Hadamard ratio, the other u times the rate.
+    fn is_delicate(&self, node: &Node) -> bool {
+        let per_turn = self.unit() / if self.drive.turns { TAU } else { 1.0 };
+        (0..node.determinants.len()).any(|group| {
+            let rate = fastest(self, node, group) * per_turn;
+            // The squared ratio is a product of a sine for each pair of unknowns, squared; this is their mean.
+            let sine = libm::pow(node.determinants[group][1], 1.0 / self.kernel.unknowns[group].len() as f64);
+            sine * rate.max(1.0) < DELICATE
+        })
+    }
+}
+
 /// Follows the branch from the last of `nodes` to the drive's value `target`, or as far as it goes, and appends the nodes
 /// found. Returns the change points that were crossed, and the event that ends the path.
-pub(super) fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option<Event>) {
+fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option<Event>) {
     let forward = (target - nodes[nodes.len() - 1].value).signum();
     let unit = path.unit();
     let mut step = unit / 36.0;
@@ -125,7 +192,7 @@ fn advance(path: &Path, last: &Node, to: f64) -> Option<(Node, Correction)> {
         return None;
     }
     path.unit_rates(&mut block);
-    let node = Node::new(path, to, block);
+    let node = Node::new(&path.kernel, to, block);
     let mut pairs = last.determinants.iter().zip(&node.determinants);
     if !pairs.all(|([old, _], [new, _])| new / old >= DETERMINANT_LEFT) {
         return None;
@@ -161,7 +228,7 @@ fn relative_rates(path: &Path, node: &Node, unknown: Unknown) -> [f64; 2] {
 }
 
 /// The fastest rate of a group's unknowns; slides count in parts of the mechanism's size.
-pub(super) fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
+fn fastest(path: &Path, node: &Node, group: usize) -> f64 {
     let rate = |unknown: &Unknown| relative_rates(path, node, *unknown)[0].abs();
     path.kernel.unknowns[group].iter().map(rate).fold(0.0, f64::max)
 }
@@ -260,7 +327,7 @@ fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(No
         path.set_inputs(OneByOne, &mut block, &[value]);
         segment.predict(OneByOne, &[value], &mut block);
         let found = path.kernel.assemble(&mut block, 0.0);
-        (found.closed && found.first <= LEAP_OFF).then(|| Node::new(path, value, block))
+        (found.closed && found.first <= LEAP_OFF).then(|| Node::new(&path.kernel, value, block))
     };
     let mut node = land(zero + width, &segment)?;
     path.unit_rates(&mut node.block);

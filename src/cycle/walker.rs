@@ -1,11 +1,29 @@
-use super::{Path, Position};
+use super::path::{BLANK, Path};
+use super::position::Position;
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
 use crate::kernel::{Block, Correction, Kernel, Single};
 use fearless_simd::{Level, dispatch};
 
-/// Distance from a change point within which there are no results, in turns: the rounding error of accelerations is
-/// about u / distance², that of groups with ties u / distance³.
-pub(super) const BLANK: f64 = 1e-4;
+impl Path<'_> {
+    /// A walker, one position at a time.
+    #[must_use]
+    pub fn walker(&self) -> Walker<'_> {
+        Walker::new(self, &self.kernel)
+    }
+
+    /// A walker, [`MANY`](crate::geometry::MANY) positions at a time.
+    #[must_use]
+    pub fn many_walker(&self) -> Walker<'_, Many> {
+        Walker::many(self, &self.kernel)
+    }
+
+    /// As [`Self::many_walker`], for angles, slides and their rates only: places and motions of points are left out,
+    /// but for the joints between groups.
+    #[must_use]
+    pub fn many_walker_without_places(&self) -> Walker<'_, Many> {
+        Walker::many(self, &self.bare)
+    }
+}
 
 /// Computes positions and rates anywhere on a path, one position at a time or [`MANY`]; it owns the memory for them.
 #[derive(Clone, Debug)]
