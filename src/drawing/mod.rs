@@ -8,7 +8,7 @@
 //! - `figure` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
 //!   scales while a mechanism moves, a canvas where names were in the picture before.
 //! - A sheet is put together of `panel`s with their layers, a `table` beside them, the `legend` and `words` below;
-//!   `compose` makes a sheet of it with a `layout`. `exercise`, `correction`, `over_photo` and `curves` are other sheets.
+//!   `compose` makes a sheet of it with a `layout`. `exercise`, `correction` and `curves` are other sheets.
 //! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
 //!   `style`, its `text`, the places of its `labels` off all obstacles, which a `grid` finds.
@@ -74,7 +74,6 @@ mod lines;
 mod look;
 pub mod markers;
 mod markup;
-mod over_photo;
 #[doc(hidden)] // for tests
 pub mod overlay;
 mod panel;
@@ -92,7 +91,7 @@ mod view;
 mod words;
 mod worksheet;
 
-pub use correction::{overlay, overlay_words};
+pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use facts::Steps;
@@ -103,7 +102,6 @@ pub use held_layout::{Handle, HeldLayout, HeldPanel};
 pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};
-pub use over_photo::{SeenPoint, over_photo};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use shape::Shape;
 pub use sheet::{Drawing, Emphasis, Mark};
