@@ -19,7 +19,6 @@
 
 mod assemble;
 mod closing;
-mod error;
 mod frames;
 #[doc(hidden)] // for tests
 pub mod legs;
@@ -27,7 +26,6 @@ mod listing;
 mod modes;
 mod nearest;
 mod platform;
-mod pose;
 #[doc(hidden)] // for tests
 pub mod roots;
 mod search;
@@ -35,7 +33,152 @@ mod tree;
 
 pub(crate) use assemble::first_poses;
 pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses, with_nearest_sides};
-pub use error::AssemblyError;
 pub use listing::Count;
-pub use pose::{Assembly, Pose};
 pub(crate) use tree::search_warnings;
+
+use crate::Problem;
+use crate::geometry::{Point, Vector, span};
+use crate::mechanism::{PointId, SliderId};
+
+/// Distance of points that counts as none, in sizes of the mechanism.
+const SAME: f64 = 1e-6;
+
+/// The position of a mechanism, in the fixed frame and in the scene's unit of length.
+#[derive(Clone, Debug)]
+pub struct Pose {
+    /// By point: its place.
+    pub points: Vec<Point>,
+    /// By slider: the unit direction of its guide.
+    pub guides: Vec<Vector>,
+    /// By slider: the position along its guide, from the guide's `through`; none in a drawn configuration.
+    pub slides: Vec<Option<f64>>,
+    /// By body: the direction of its x axis, of any length; in a drawn configuration that of the line through its first
+    /// two points, or of its guide. None for bodies without a name.
+    pub axes: Vec<Option<Vector>>,
+    /// By group: its assembly mode; none in a drawn configuration.
+    pub assemblies: Vec<Option<Assembly>>,
+    /// Warnings on the choice of the mode.
+    pub warnings: Vec<String>,
+}
+
+/// An assembly mode of a group.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Assembly {
+    /// Its number, from 1.
+    pub mode: usize,
+    /// Number of modes of the group.
+    pub modes: usize,
+}
+
+impl Pose {
+    /// The place of a point.
+    #[inline]
+    #[must_use]
+    pub fn point(&self, id: PointId) -> Point {
+        self.points[id.0]
+    }
+
+    /// Whether the points are in the same places, apart from rounding.
+    #[must_use]
+    pub fn is_same_as(&self, other: &Pose) -> bool {
+        let size = span(self.points.iter().copied());
+        self.points.iter().zip(&other.points).all(|(a, b)| (a - b).norm() <= SAME * size)
+    }
+
+    /// The vector from one point to another.
+    #[inline]
+    #[must_use]
+    pub fn arm(&self, from: PointId, to: PointId) -> Vector {
+        self.points[to.0] - self.points[from.0]
+    }
+
+    /// The unit direction of a slider's guide.
+    #[inline]
+    #[must_use]
+    pub fn guide(&self, id: SliderId) -> Vector {
+        self.guides[id.0]
+    }
+}
+
+/// Reasons why a mechanism cannot be assembled.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.problem())]
+#[non_exhaustive]
+pub enum AssemblyError {
+    /// No real assembly mode exists.
+    NoMode {
+        /// The group's links.
+        links: String,
+        /// The drive angles, in words, as in ` at angle(1) = 150°`.
+        at: String,
+        /// The distance by which its links fail to meet, in words.
+        miss: String,
+    },
+    /// Lengths too large or too small: closing a loop takes fourth powers, which leave the range of f64.
+    Size {
+        /// The largest length, in the scene's unit.
+        size: f64,
+        /// `large` or `small`.
+        how: &'static str,
+    },
+    /// There is no assembly mode of this number.
+    NoSuchMode {
+        /// The number asked for.
+        mode: usize,
+        /// Number of modes.
+        count: usize,
+    },
+    /// The assembly modes are too many to go through them up to this number.
+    TooManyModes {
+        /// The number asked for.
+        mode: usize,
+        /// Number of modes counted.
+        count: usize,
+    },
+    /// No assembly was found among many ways to put the first groups together.
+    TooMuchWork,
+    /// The search has found no assembly mode of a group of higher class.
+    NotFound {
+        /// The group's links.
+        links: String,
+        /// The drive angles, in words, as in ` at angle(1) = 150°`.
+        at: String,
+        /// The number of starts and the smallest gap, in words.
+        tried: String,
+    },
+}
+
+impl AssemblyError {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        let (message, hint) = match self {
+            AssemblyError::NoMode { links, at, miss } => {
+                (format!("links {links} cannot be assembled{at}: {miss}"), "another drive angle, or other lengths")
+            }
+            AssemblyError::Size { size, how } => (
+                format!(
+                    "lengths of about {size:e} are too {how} to assemble from: their fourth powers leave the range of numbers"
+                ),
+                "another unit of length",
+            ),
+            AssemblyError::NoSuchMode { mode, count } => {
+                (format!("there is no assembly mode {mode}: there are {count}"), "`kinegon modes` lists them")
+            }
+            AssemblyError::TooManyModes { mode, count } => (
+                format!("assembly mode {mode} is too far on: counting was stopped after {count}"),
+                "rough places in `near`, which choose without counting",
+            ),
+            AssemblyError::TooMuchWork => (
+                "no way to assemble all links was found: the first ones can be put together in too many ways"
+                    .to_owned(),
+                "rough places of their points in `near`",
+            ),
+            AssemblyError::NotFound { links, at, tried } => (
+                format!("no way to assemble links {links}{at} was found: {tried}"),
+                "rough places of their points in `near`, another drive angle, or other lengths",
+            ),
+        };
+        Problem::new(message).hint(hint)
+    }
+}
