@@ -16,14 +16,12 @@
 //! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
 //! grow (a change point), the polynomial is followed to the other side.
 
-mod circuit;
 mod curve;
 mod drive;
 mod error;
 mod event;
 mod locus;
 mod mover;
-mod other_modes;
 mod path;
 mod position;
 mod pull;
@@ -32,7 +30,6 @@ mod reading;
 mod sampled;
 #[doc(hidden)] // for tests
 pub mod segment;
-mod steps;
 mod sweep;
 mod trace;
 mod traces;
@@ -44,14 +41,12 @@ pub use drive::{Drive, alone};
 pub use error::CycleError;
 pub use locus::{Hodograph, Hodographs, PointPath, PointPaths, Tick};
 pub use mover::Mover;
-pub use other_modes::OtherModes;
 pub use path::{Event, Happening, Path};
 pub use position::Position;
 pub use pull::{Pull, Pulled};
-pub use range::Detour;
+pub use range::{Detour, Steps};
 pub use sampled::Sampled;
-pub use steps::Steps;
 pub use sweep::{Numbers, Sweep, every_name};
-pub use traces::{Animation, Times, Traces};
+pub use traces::{Animation, OtherModes, Times, Traces};
 pub use variants::{Kept, Variants};
 pub use walker::Walker;
