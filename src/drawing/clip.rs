@@ -46,7 +46,7 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
 /// The part of the segment between two points that lies in `area`; `None` where it misses.
 pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, Point)> {
     let d = b - a;
-    let (mut low, mut high) = (0.0, 1.0);
+    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for (start, step, near, far) in [(a.x, d.x, area.x0, area.x1), (a.y, d.y, area.y0, area.y1)] {
         if step == 0.0 {
             if start < near || start > far {
@@ -54,11 +54,13 @@ pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, 
             }
         } else {
             let (enters, leaves) = ((near - start) / step, (far - start) / step);
-            low = enters.min(leaves).max(low);
-            high = enters.max(leaves).min(high);
+            low = low.max(enters.min(leaves));
+            high = high.min(enters.max(leaves));
         }
     }
-    (low < high && d.hypot2() > 0.0 && d.is_finite()).then(|| (a + d * low, a + d * high))
+    let share = |at: f64| ((a + d * at - a).dot(d) / d.hypot2()).clamp(0.0, 1.0);
+    let (from, to) = (share(low), share(high));
+    (low < high && low.is_finite() && high.is_finite() && from < to).then(|| (a + d * from, a + d * to))
 }
 
 /// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).
