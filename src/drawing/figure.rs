@@ -204,7 +204,7 @@ impl<'a> FigureSheets<'a> {
         let extents = extents(&context);
         let laid_out = |table: Option<TablePlace>| {
             let contents = Contents { steps, only_step: None, table };
-            (contents, composed_on(&context, &extents, contents).layout())
+            (contents, composed(&context, &extents, contents).layout())
         };
         let (contents, layout) = if !context.figure().worksheet {
             laid_out(None)
@@ -254,13 +254,8 @@ impl Solution {
 
 impl LaidOut<'_> {
     fn composition(&self) -> Composition<'_> {
-        described(&self.context, composed_on(&self.context, &self.extents, self.contents))
+        described(&self.context, composed(&self.context, &self.extents, self.contents))
     }
-}
-
-/// A sheet, with the code of one that has markers.
-fn composed_on<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    composed(context, extents, contents).with_code(1, context.title().for_comparing())
 }
 
 /// Scales at which the content fits on every sheet: of the sets between those that the sheets themselves would have, the
@@ -366,7 +361,8 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     });
     let worksheet = table.filter(|place| *place != TablePlace::Apart);
     let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
-    let sheet = Composition::new(context, panels).with_optional(worksheet);
+    let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());
+    let sheet = sheet.with_optional(worksheet);
     let Some(steps) = steps else {
         // A work sheet has all values in its table.
         let values = if table.is_none() { value_list(context, None) } else { None };

@@ -4,7 +4,7 @@
 //! A tree of boxes (as in the crate `rstar`) would find less well here: rays cross a whole panel aslant, so that their
 //! boxes all overlap, and labels move often. A grid takes lines cell by cell, and a move costs a few cells.
 
-use super::shape::{crosses_line, distance_to_box, overlap};
+use super::shape::{crosses_line, distance_to_box};
 use kurbo::{Line, ParamCurveNearest, Point, Rect};
 use smallvec::SmallVec;
 use std::cell::RefCell;
@@ -208,7 +208,7 @@ impl Obstacles {
 
     /// Whether a box overlaps one of the boxes.
     pub(super) fn overlaps(&self, area: Rect) -> bool {
-        self.any_box(area, |other| overlap(other, area))
+        self.any_box(area, |other| other.overlaps(area))
     }
 
     /// Whether a circle is off all of them.

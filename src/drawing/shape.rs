@@ -194,7 +194,7 @@ impl Shape {
                 (nearest - *center).hypot2() <= radius * radius && radius * radius <= farthest.hypot2()
             }
             _ => {
-                let head = self.head_box().is_some_and(|head| overlap(head, area));
+                let head = self.head_box().is_some_and(|head| head.overlaps(area));
                 head || self.lines().into_iter().any(|(a, b)| crosses(a, b, area))
             }
         }
@@ -239,18 +239,13 @@ fn head_at(tip: Point, unit: Vec2, length: f64) -> [Point; 4] {
     [tip, back + across, tip - unit * (HEAD_NOTCH * length), back - across]
 }
 
-/// Whether two boxes have a point in common.
-pub(super) fn overlap(a: Rect, b: Rect) -> bool {
-    a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1
-}
-
 /// Whether a line crosses a box: their projections overlap on both axes, and the box has corners on both sides.
 fn crosses(a: Point, b: Point, area: Rect) -> bool {
     let along = b - a;
     let sides = [area.x0, area.x1].map(|x| [area.y0, area.y1].map(|y| along.cross(Point::new(x, y) - a)));
     let (some_left, some_right) =
         (sides.as_flattened().iter().any(|&side| side >= 0.0), sides.as_flattened().iter().any(|&side| side <= 0.0));
-    overlap(Rect::from_points(a, b), area) && some_left && some_right
+    Rect::from_points(a, b).overlaps(area) && some_left && some_right
 }
 
 /// The distance of a point from a box; 0 inside.

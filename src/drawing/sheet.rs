@@ -4,7 +4,7 @@ use super::grid::Grid;
 use super::look::Look;
 pub use super::look::Pen;
 use super::markers::SheetCode;
-use super::shape::{Shape, overlap};
+use super::shape::Shape;
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};
 use crate::text::Untrusted;
@@ -149,7 +149,7 @@ impl Drawing {
         };
         let halo = self.look(mark).halo;
         let area = text.ink_box().inflate(0.5 * halo, 0.5 * halo);
-        let crosses = |shape: &Shape| overlap(shape.bounds(), area) && shape.lines_cross(area);
+        let crosses = |shape: &Shape| shape.bounds().overlaps(area) && shape.lines_cross(area);
         halo > 0.0 && below.any(area, |other| crosses(&self.marks[other].shape))
     }
 }

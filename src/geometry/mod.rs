@@ -105,8 +105,8 @@ pub fn span(points: impl IntoIterator<Item = Point>) -> f64 {
 
 /// The corners of the convex hull of points, counter-clockwise, by Andrew's monotone chain (1979).
 ///
-/// `is_corner` says of three points on the way round whether the second is a corner: there the way turns to the left, by as
-/// much as the caller asks.
+/// `is_corner` says of three points in order round it whether the second is a corner: there the outline turns to the left, by
+/// as much as the caller asks.
 pub fn hull(mut points: Vec<Point>, is_corner: impl Fn([Point; 3]) -> bool) -> Vec<Point> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let mut hull: Vec<Point> = Vec::new();

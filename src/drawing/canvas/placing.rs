@@ -4,7 +4,7 @@ use super::{Canvas, Wanted};
 use crate::drawing::clip::{clipped, clipped_segment, holds, is_within};
 use crate::drawing::labels::{LabelRequest, place, place_near};
 use crate::drawing::layout::HEADING;
-use crate::drawing::shape::{Shape, overlap};
+use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::{CAPTION, PlacedText, RichText};
 use crate::text::Untrusted;
@@ -89,7 +89,7 @@ impl Canvas<'_> {
         let mut left_out = Vec::new();
         for mark in labels {
             match &mark.shape {
-                Shape::Text(text) if overlap(text.ink_box(), area) => {
+                Shape::Text(text) if text.ink_box().overlaps(area) => {
                     left_out.push(text.text.content());
                     // Its leader comes before it.
                     let marks = &mut self.drawing.marks;
@@ -114,7 +114,7 @@ impl Canvas<'_> {
         let covered = |from: &Point| {
             let ink = place(*from).ink_box().inflate(0.5, 0.5);
             let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some());
-            lines.count() + 4 * self.obstacles.boxes.iter().filter(|area| overlap(**area, ink)).count()
+            lines.count() + 4 * self.obstacles.boxes.iter().filter(|area| area.overlaps(ink)).count()
         };
         let text = place(corners.into_iter().min_by_key(covered).expect("a panel has four corners"));
         let area = text.ink_box();

@@ -55,7 +55,7 @@ impl<'a> SchemeOnPaper<'a> {
         // links and guides at its point.
         let turned = |degrees: f64| {
             let turn = geometry::direction_of_degrees(degrees);
-            Vec2::new(turn.x * outward.x - turn.y * outward.y, turn.y * outward.x + turn.x * outward.y)
+            Vec2::new(turn.x, turn.y).rotate_scale(outward)
         };
         let turns = [0.0, 30.0, -30.0, 60.0, -60.0, 90.0, -90.0, 120.0, -120.0];
         let bounds = canvas.obstacles.bounds;
