@@ -54,7 +54,9 @@ fn extreme_positions(path: &Path) -> Vec<Event> {
             for k in 0..PARTS {
                 let (low, high) = (place(k), place(k + 1).min(segment.to));
                 let (first, last) = (segment.rate(unknown, low), segment.rate(unknown, high));
-                if (first < 0.0) == (last < 0.0) || !turns_back(&mut walker, unknown, [low, high], fastest(unknown)) {
+                if (first < 0.0) == (last < 0.0)
+                    || !turns_back(path, &mut walker, unknown, [low, high], fastest(unknown))
+                {
                     continue;
                 }
                 let Some(at) = standstill(&mut walker, unknown, low, high, path.unit()) else {
@@ -87,11 +89,12 @@ fn extreme_positions(path: &Path) -> Vec<Event> {
 
 /// Whether the rate of an unknown has different signs at these values of the drive, by more than its error: of the
 /// `fastest` rate about u over the squared Hadamard ratio. `false` where one of them has no motion.
-fn turns_back(walker: &mut Walker, unknown: Unknown, ends: [f64; 2], fastest: f64) -> bool {
+fn turns_back(path: &Path, walker: &mut Walker, unknown: Unknown, ends: [f64; 2], fastest: f64) -> bool {
     let mut sign = |value: f64| -> Option<f64> {
-        let (block, squared_ratio) = walker.unit_motion_with_ratio(value)?;
+        let block = walker.unit_motion(value)?;
         let [rate, _] = rates(block, unknown);
-        let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / squared_ratio;
+        let ratios = path.kernel.determinants(block).into_iter().map(|[_, squared_ratio]| squared_ratio);
+        let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / ratios.fold(1.0, f64::min);
         (rate.abs() > error).then_some(rate.signum())
     };
     let [low, high] = ends.map(&mut sign);

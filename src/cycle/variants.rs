@@ -129,7 +129,19 @@ impl<'a> Variants<'a> {
     /// Where all mechanisms are now, with their rates.
     #[must_use]
     pub fn kept(&self) -> Kept {
-        Kept(self.blocks.iter().map(|block| Rates::of(&self.kernels[0], block)).collect())
+        let kernel = &self.kernels[0];
+        let inverses = |block: &Block<Many>| {
+            (0..kernel.unknowns.len()).map(|group| kernel.inverse_determinants(block, group)).collect()
+        };
+        let rates = |block: &Block<Many>| Rates {
+            stand: Stand { turns: block.turns.clone(), slides: block.slides.clone() },
+            omegas: block.omegas.clone(),
+            alphas: block.alphas.clone(),
+            speeds: block.speeds.clone(),
+            accelerations: block.accelerations.clone(),
+            inverse_determinants: inverses(block),
+        };
+        Kept(self.blocks.iter().map(rates).collect())
     }
 
     /// Puts a mechanism where it was; its drives must then be set to values near those it had.
@@ -166,7 +178,8 @@ impl<'a> Variants<'a> {
     pub fn compute(&mut self) {
         for first in (0..self.count()).step_by(MANY) {
             let block = first..self.count().min(first + MANY);
-            self.left.take(&self.blocks[first / MANY]);
+            self.left.turns.clone_from(&self.blocks[first / MANY].turns);
+            self.left.slides.clone_from(&self.blocks[first / MANY].slides);
             self.closed[block.clone()].fill(true);
             if self.compute_block(first) {
                 continue;
@@ -256,12 +269,6 @@ struct Stand {
 }
 
 impl Stand {
-    /// Notes where they are.
-    fn take(&mut self, block: &Block<Many>) {
-        self.turns.clone_from(&block.turns);
-        self.slides.clone_from(&block.slides);
-    }
-
     /// Puts all of them back.
     fn give(&self, block: &mut Block<Many>) {
         block.turns.clone_from(&self.turns);
@@ -278,21 +285,6 @@ struct Rates {
     accelerations: Vec<Many>,
     /// By group.
     inverse_determinants: Vec<Many>,
-}
-
-impl Rates {
-    fn of(kernel: &Kernel, block: &Block<Many>) -> Rates {
-        Rates {
-            stand: Stand { turns: block.turns.clone(), slides: block.slides.clone() },
-            omegas: block.omegas.clone(),
-            alphas: block.alphas.clone(),
-            speeds: block.speeds.clone(),
-            accelerations: block.accelerations.clone(),
-            inverse_determinants: (0..kernel.unknowns.len())
-                .map(|group| kernel.inverse_determinants(block, group))
-                .collect(),
-        }
-    }
 }
 
 /// As [`Variants::kept_branch`], for the mechanisms of a block.

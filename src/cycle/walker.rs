@@ -130,14 +130,6 @@ impl Walker<'_> {
         self.path.unit_rates(&mut self.block);
         Some(&self.block)
     }
-
-    /// [`Self::unit_motion`] with the least squared Hadamard ratio of a group: 1 far from singular positions, 0 in them.
-    pub(super) fn unit_motion_with_ratio(&mut self, value: f64) -> Option<(&Single, f64)> {
-        self.unit_motion(value)?;
-        let determinants = self.kernel.determinants(&self.block);
-        let least = determinants.iter().fold(1.0, |least: f64, [_, squared]| least.min(*squared));
-        Some((&self.block, least))
-    }
 }
 
 /// [`MANY`] positions at a time, in the widest registers that the processor has.

@@ -109,7 +109,8 @@ impl SheetCode {
         if panels.iter().enumerate().any(is_twice) {
             return None;
         }
-        let number = whole(number)?;
+        // Without sign and zeros before it.
+        let number = number.parse().ok().filter(|read: &u16| *read > 0 && read.to_string() == number)?;
         let page = pages().find(|known| page_sign(*known) == page)?;
         Some(SheetCode { page, number, scene: scene.to_owned(), panels, name: name.to_owned() })
     }
@@ -161,12 +162,6 @@ pub(crate) fn pages() -> impl Iterator<Item = Page> {
 fn shortest(x: f64) -> String {
     let [plain, power] = [x.to_string(), format!("{x:E}")];
     if power.len() < plain.len() { power } else { plain }
-}
-
-/// A number without sign and zeros before it; not 0.
-fn whole(text: &str) -> Option<u16> {
-    let number: u16 = text.parse().ok()?;
-    (number > 0 && number.to_string() == text).then_some(number)
 }
 
 /// A finite number as it is written in a code.
