@@ -6,6 +6,7 @@ use super::sheet::{Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
 use crate::words::{NumberStyle, Wording};
 use kurbo::{Point, Vec2};
+use petgraph::unionfind::UnionFind;
 use std::f64::consts::PI;
 
 /// Points closer than this, in mm, belong to one crowd: their names would cover them.
@@ -160,24 +161,18 @@ impl Inset {
 
 /// Centre of the largest crowd, and the largest distance of its points from it.
 fn crowd(places: &[Point]) -> Option<(Point, f64)> {
-    let mut left: Vec<Point> = places.to_vec();
-    let mut largest: Vec<Point> = Vec::new();
-    while let Some(first) = left.pop() {
-        let mut crowd = vec![first];
-        let mut next = 0;
-        while let Some(&here) = crowd.get(next) {
-            let near: Vec<Point>;
-            (near, left) = left.into_iter().partition(|p| (*p - here).hypot() < NEAR);
-            crowd.extend(near);
-            next += 1;
-        }
-        if crowd.len() > largest.len() {
-            largest = crowd;
+    let mut joined = UnionFind::new(places.len());
+    for (index, place) in places.iter().enumerate() {
+        for other in (0..index).filter(|other| (places[*other] - *place).hypot() < NEAR) {
+            joined.union(index, other);
         }
     }
-    if largest.len() < CROWD {
-        return None;
-    }
+    let crowds = joined.into_labeling();
+    let mut sizes = vec![0; places.len()];
+    crowds.iter().for_each(|crowd| sizes[*crowd] += 1);
+    let most = crowds.iter().max_by_key(|crowd| sizes[**crowd]).filter(|crowd| sizes[**crowd] >= CROWD)?;
+    let members = places.iter().zip(&crowds).filter(|(_, crowd)| *crowd == most);
+    let largest: Vec<Point> = members.map(|(place, _)| *place).collect();
     let middle = around(&largest).center();
     let reach = largest.iter().map(|p| (*p - middle).hypot());
     Some((middle, reach.fold(0.0, f64::max)))

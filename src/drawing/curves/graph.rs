@@ -77,12 +77,9 @@ impl<'a> Graph<'a> {
         };
         let (name, prefix) = names(context.words.language, self.kind);
         let heading = numbered(index, &context.words.language.in_unit(name, &unit));
-        let frame = Frame {
-            heading: Line::new(vec![RichText::plain(&heading)]),
-            short: None,
-            pen: Pen::Heading,
-            at: Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]),
-        };
+        let heading = Line::new(vec![RichText::plain(&heading)]);
+        let at = Vec2::new(0.0, self.rows[0] + 5.2 - self.rows[1]);
+        let frame = Frame { at, ..Frame::new(heading, Pen::Heading) };
         let area = Rect::new(drive.places[0], self.rows[1], drive.places[1], self.rows[2]);
         let mut canvas = Canvas::new(drawing, [name, prefix], area, &context.scene.figure.labels, context.dims);
         self.grid(canvas.drawing, area, drive);

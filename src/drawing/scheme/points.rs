@@ -5,7 +5,7 @@ use super::sliders::BLOCK;
 use crate::construction::{Special, display};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
-use crate::drawing::grid::Grid;
+use crate::drawing::grid::Obstacles;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
@@ -24,7 +24,7 @@ const RIGHT_ANGLE: f64 = 2.4;
 impl SchemeOnPaper<'_> {
     /// Draws circles at pins, dots at other points, and their labels.
     pub(super) fn joints(&self, canvas: &mut Canvas<'_>) {
-        let mut named = Near::new(canvas.obstacles.bounds);
+        let mut named = Obstacles::new(canvas.obstacles.bounds);
         for point in self.mechanism.point_ids() {
             let center = self.at(point);
             let slides = self.context.facts.slides[point.0];
@@ -36,9 +36,9 @@ impl SchemeOnPaper<'_> {
             canvas.draw_named(&format!("point-{name}"), pen, Shape::Circle { center, radius });
             let clearance = if slides { BLOCK.y + 0.8 } else { self.dims().joint + 0.9 };
             // Of two coincident points the second has the lower priority.
-            let twin = named.distance(center, 0.3).is_some_and(|distance| distance < 0.3);
+            let twin = distance(&named, center, 0.3).is_some_and(|distance| distance < 0.3);
             let priority = if twin { 1 } else { 2 };
-            named.add(center);
+            named.add_boxes([Rect::from_points(center, center)]);
             canvas.label(name, &display(name), center, clearance, self.outward(center), priority);
         }
     }
@@ -47,8 +47,9 @@ impl SchemeOnPaper<'_> {
     pub(super) fn link_names(&self, canvas: &mut Canvas<'_>) {
         /// Room beside a link's name, in mm.
         const ROOM: f64 = 8.0;
-        let mut joints = Near::new(canvas.obstacles.bounds);
-        self.pose.points.iter().for_each(|&p| joints.add(self.view.at(p)));
+        let mut joints = Obstacles::new(canvas.obstacles.bounds);
+        let places = self.pose.points.iter().map(|&point| self.view.at(point));
+        joints.add_boxes(places.map(|place| Rect::from_points(place, place)));
         for (id, body) in self.mechanism.links() {
             if body.role == Role::Unsolved {
                 continue;
@@ -56,7 +57,7 @@ impl SchemeOnPaper<'_> {
             let (anchor, clearance, prefer) = match self.shape(id) {
                 LinkShape::Bars(bars) => {
                     let [a, b] = bars[bars.len() - 1];
-                    let free = |share: f64| joints.distance(a.lerp(b, share), ROOM).unwrap_or(f64::INFINITY);
+                    let free = |share: f64| distance(&joints, a.lerp(b, share), ROOM).unwrap_or(f64::INFINITY);
                     let shares = [0.5, 0.4, 0.6, 0.3, 0.7, 0.22, 0.78];
                     // The middle, unless a joint is nearby.
                     let good = shares.into_iter().find(|&s| free(s) > ROOM);
@@ -195,26 +196,9 @@ impl SchemeOnPaper<'_> {
     }
 }
 
-/// Points on the sheet, and which of them are near a place.
-pub(super) struct Near {
-    points: Vec<Point>,
-    grid: Grid,
-}
-
-impl Near {
-    /// No points yet, on the sheet around an area.
-    pub(super) fn new(area: Rect) -> Self {
-        Self { points: Vec::new(), grid: Grid::new(area) }
-    }
-    pub(super) fn add(&mut self, point: Point) {
-        self.grid.add(self.points.len(), Rect::from_points(point, point));
-        self.points.push(point);
-    }
-
-    /// The distance of the nearest point, if it is at most `most`.
-    pub(super) fn distance(&self, place: Point, most: f64) -> Option<f64> {
-        let area = Rect::from_center_size(place, (2.0 * most, 2.0 * most)).inflate(1e-6, 1e-6);
-        let near = self.grid.near(area).into_iter().map(|index| (self.points[index] - place).hypot());
-        near.filter(|distance| *distance <= most).reduce(f64::min)
-    }
+/// The distance of the nearest of some points, kept as boxes without size, if it is at most `most`.
+fn distance(points: &Obstacles, place: Point, most: f64) -> Option<f64> {
+    let area = Rect::from_center_size(place, (2.0 * most, 2.0 * most)).inflate(1e-6, 1e-6);
+    let near = points.boxes_near(area).map(|point| (point.origin() - place).hypot());
+    near.filter(|distance| *distance <= most).reduce(f64::min)
 }
