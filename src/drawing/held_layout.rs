@@ -243,7 +243,7 @@ impl HeldLayout {
     }
 
     fn scheme_view(&self) -> Option<View> {
-        Some(self.placed(Sheet::Scheme)?.view(self.scheme))
+        Some(self.layout.placed(Sheet::Scheme)?.view(self.scheme))
     }
 
     /// The plans that are shown, with their views.
@@ -251,13 +251,9 @@ impl HeldLayout {
         let shown = Sheet::PLANS.into_iter().filter_map(|sheet| {
             let plan = solution.construction.plan_on(sheet)?;
             let content = plan::on_paper::extent(plan, solution.scene.figure.construction);
-            Some((sheet, plan, self.placed(sheet)?.view(Some(content))))
+            Some((sheet, plan, self.layout.placed(sheet)?.view(Some(content))))
         });
         shown.collect()
-    }
-
-    fn placed(&self, panel: Sheet) -> Option<&Placed> {
-        self.layout.panels.iter().find(|placed| placed.needs.sheet == panel)
     }
 
     /// From units of the layout to mm of paper.

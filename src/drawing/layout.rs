@@ -8,7 +8,7 @@ use kurbo::{Affine, Rect};
 /// White between panels, in mm.
 const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm.
-pub(super) const WHITE: f64 = 7.0;
+const WHITE: f64 = 7.0;
 /// That white where contents need the room at given scales: around a plan, and around the scheme, where the feet of pivots
 /// stand in it.
 pub(super) const LEAST_WHITE: [f64; 2] = [4.8, 6.4];
@@ -151,9 +151,14 @@ impl Layout {
         Rect { y0: self.legend.y0 + self.scales, ..self.legend }
     }
 
+    /// The place of the panel of a sheet.
+    pub(super) fn placed(&self, sheet: Sheet) -> Option<&Placed> {
+        self.panels.iter().find(|placed| placed.needs.sheet == sheet)
+    }
+
     /// The scale of the panel of a sheet, in units per mm.
     pub(super) fn mu_of(&self, sheet: Sheet) -> Option<f64> {
-        self.panels.iter().find(|placed| placed.needs.sheet == sheet).map(|placed| placed.mu)
+        self.placed(sheet).map(|placed| placed.mu)
     }
 
     /// The scales of the panels, in units per mm.

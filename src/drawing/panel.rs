@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Held};
 use super::context::SheetContext;
 use super::dims::Dims;
-use super::layout::{HEADING, Needs, Placed, WHITE};
+use super::layout::{HEADING, Needs, Placed};
 use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::overlay::OwnLayer;
@@ -193,24 +193,17 @@ pub(super) fn panels<'a>(
         let name = context.words.language.sheet(sheet);
         let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
         let frame = |index| Frame { short: Some(line(name)), ..Frame::new(line(&numbered(index, name)), Pen::Heading) };
+        let needs = Needs {
+            above: if sheet == Sheet::Scheme { scheme::above(context) } else { 0.0 },
+            mu: context.surface.mu[sheet],
+            weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
+            // The width of the first panel's heading: it must not depend on the panel's letter.
+            ..Needs::usual(sheet, extent, frame(0).width())
+        };
         Panel {
-            name: name.to_owned(),
-            prefix: sheet.as_str().to_owned(),
-            needs: Needs {
-                sheet,
-                extent,
-                // The width of the first panel's heading: it must not depend on the panel's letter.
-                heading: frame(0).width(),
-                above: if sheet == Sheet::Scheme { scheme::above(context) } else { 0.0 },
-                mu: context.surface.mu[sheet],
-                white: WHITE,
-                weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
-            },
             language: Some(context.words.language),
             content: context.plan(sheet).map(|plan| plan::on_paper::extent(plan, context.figure().construction)),
-            frame: Some(frame(index)),
-            layers: layers(sheet),
-            own: None,
+            ..Panel::plain(name, sheet.as_str(), needs, frame(index), layers(sheet))
         }
     };
     extents.iter().enumerate().map(panel).collect()

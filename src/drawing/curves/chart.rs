@@ -150,14 +150,9 @@ fn name_verticals(drawing: &mut Drawing, context: &CurveContext<'_>, y: f64, dri
             Pen::Change => language.change(),
             _ => language.scene(),
         };
-        LabelRequest {
-            text: RichText::plain(&format!("{word} {}", context.drive_value(value))),
-            size: CAPTION,
-            anchor: Point::new(drive.at(value), y),
-            clearance: 0.7,
-            prefer: Some(Vec2::new(0.0, -1.0)),
-            priority: 1,
-        }
+        let text = RichText::plain(&format!("{word} {}", context.drive_value(value)));
+        let (anchor, prefer) = (Point::new(drive.at(value), y), Some(Vec2::new(0.0, -1.0)));
+        LabelRequest { size: CAPTION, ..LabelRequest::new(text, anchor, 0.7, prefer, 1) }
     };
     let requests: Vec<LabelRequest> = context.verticals().into_iter().map(request).collect();
     // All names are on one baseline.

@@ -158,14 +158,9 @@ impl<'a> Graph<'a> {
                 continue;
             };
             let up = if greatest { -1.0 } else { 1.0 };
-            let request = LabelRequest {
-                text: RichText::plain(&self.axis.value(first.value)),
-                size: CAPTION,
-                anchor: place(first.at, first.value),
-                clearance: DOT + 0.5,
-                prefer: Some(Vec2::new(0.0, up)),
-                priority: 2,
-            };
+            let text = RichText::plain(&self.axis.value(first.value));
+            let (anchor, prefer) = (place(first.at, first.value), Some(Vec2::new(0.0, up)));
+            let request = LabelRequest { size: CAPTION, ..LabelRequest::new(text, anchor, DOT + 0.5, prefer, 2) };
             let size = request.text.ink_box(request.size).size();
             let middle = Vec2::new(0.0, up * (request.clearance + 0.5 * size.height));
             taken.push(Rect::from_center_size(request.anchor + middle, size));
