@@ -1,8 +1,6 @@
 use crate::refused::Refused;
 use crate::solution::{Solution, tolerance};
-use kinegon::check::{
-    AnswerKey, Awarded, Checked, Feedback, Marks, Measured, WrittenForm, check, check_result, redrawn, report,
-};
+use kinegon::check::{AnswerKey, Awarded, Checked, Feedback, Marks, Measured, check, check_result, redrawn, report};
 use kinegon::drawing::{Drawing, overlay};
 use kinegon::format::json_line;
 use pyo3::FromPyObject;
@@ -34,8 +32,8 @@ struct Judged<'a> {
 impl Solution {
     pub fn empty_form(&self, is_table: bool) -> Result<String, Refused> {
         let solution = self.by_hand()?;
-        let form = WrittenForm::empty(solution, solution.scales(), None);
-        Ok(if is_table { form.csv() } else { form.json() })
+        let form = Measured::empty(solution.scales(), None);
+        Ok(if is_table { form.csv(solution) } else { form.json(solution) })
     }
 
     fn judged(&self, form: &str, options: &CheckOptions) -> Result<Judged<'_>, Refused> {

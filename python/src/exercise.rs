@@ -69,7 +69,7 @@ impl Exercise {
     /// The empty form of the exercise with that name: JSON or a table.
     fn form(&self, name: &str, is_table: bool) -> String {
         let form = self.0.form(name);
-        if is_table { form.csv() } else { form.json() }
+        if is_table { form.csv(&self.0.solution) } else { form.json(&self.0.solution) }
     }
 
     /// The drawn key.

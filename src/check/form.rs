@@ -14,7 +14,6 @@ use indexmap::{IndexMap, IndexSet};
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
-use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -108,23 +107,19 @@ impl<'de> Deserialize<'de> for Value {
             }
 
             fn visit_i64<E: Error>(self, number: i64) -> Result<Value, E> {
-                self.visit_string(number.to_string())
+                self.visit_str(&number.to_string())
             }
 
             fn visit_u64<E: Error>(self, number: u64) -> Result<Value, E> {
-                self.visit_string(number.to_string())
+                self.visit_str(&number.to_string())
             }
 
             fn visit_f64<E: Error>(self, number: f64) -> Result<Value, E> {
-                self.visit_string(number.to_string())
+                self.visit_str(&number.to_string())
             }
 
             fn visit_str<E: Error>(self, text: &str) -> Result<Value, E> {
-                self.visit_string(text.to_owned())
-            }
-
-            fn visit_string<E: Error>(self, text: String) -> Result<Value, E> {
-                Ok(Value { text, unit: None })
+                Ok(Value { text: text.to_owned(), unit: None })
             }
 
             fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Value, A::Error> {
@@ -209,54 +204,40 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     crate::format::json(&form)
 }
 
-/// A form to be written by the names of the scene's own form: all its boxes, empty or with somebody's values.
-#[derive(Clone, Debug)]
-pub struct WrittenForm<'a> {
-    measured: Cow<'a, Measured>,
-    solution: &'a Solution,
-}
-
-impl<'a> WrittenForm<'a> {
-    /// A form without values for the quantities of a scene: with the scales that stand in it, and the name of the exercise
-    /// that it belongs to. Counter-clockwise is positive in every such form, as in scenes and results; a slide is positive
-    /// along its guide.
+impl Measured {
+    /// A form without values: with the scales that stand in it, and the name of the exercise that it belongs to.
+    /// Counter-clockwise is positive in every such form, as in scenes and results; a slide is positive along its guide.
     #[must_use]
-    pub fn empty(solution: &'a Solution, scales: Scales, exercise: Option<&str>) -> WrittenForm<'a> {
-        let measured = Measured {
+    pub fn empty(scales: Scales, exercise: Option<&str>) -> Measured {
+        Measured {
             name: Some(Untrusted::default()),
             exercise: exercise.map(Untrusted::from),
             mu: scales,
             positive: Some(Positive::CounterClockwise),
             ..Measured::default()
-        };
-        WrittenForm { measured: Cow::Owned(measured), solution }
+        }
     }
 
-    /// A form with the values of somebody.
+    /// The form of a scene as JSON, with all its boxes: where one is empty, its value is to be written between the
+    /// quotes, or as a number in place of them.
     #[must_use]
-    pub fn filled(solution: &'a Solution, measured: &'a Measured) -> WrittenForm<'a> {
-        WrittenForm { measured: Cow::Borrowed(measured), solution }
+    pub fn json(&self, solution: &Solution) -> String {
+        written(self, &self.boxes(solution))
     }
 
-    /// The form as JSON: where it is empty, values are to be written between the quotes, or as numbers in place of them.
+    /// The form of a scene as a table, with all its boxes.
     #[must_use]
-    pub fn json(&self) -> String {
-        written(&self.measured, &self.values())
+    pub fn csv(&self, solution: &Solution) -> String {
+        let boxes = self.boxes(solution);
+        let cells = boxes.iter().map(|(name, value)| [name, &value.text, value.unit.as_deref().unwrap_or("")]);
+        table::written(self, cells)
     }
 
-    /// The form as a table.
-    #[must_use]
-    pub fn csv(&self) -> String {
-        let values = self.values();
-        let cells = values.iter().map(|(name, value)| [name, &value.text, value.unit.as_deref().unwrap_or("")]);
-        table::written(&self.measured, cells)
-    }
-
-    /// All boxes in their order, then the values that the form does not ask for. Of two values for one box the second
-    /// keeps its name.
-    fn values(&self) -> IndexMap<String, Value> {
-        let names = Names::new(self.solution);
-        let names_ground = self.measured.names_ground();
+    /// All boxes of a scene's form in their order, empty or with a value, then the values that the form does not ask
+    /// for. Of two values for one box the second keeps its name.
+    fn boxes(&self, solution: &Solution) -> IndexMap<String, Value> {
+        let names = Names::new(solution);
+        let names_ground = self.names_ground();
         let named = |given: &Given| {
             let (name, is_on_paper) = given.plain_name();
             let row = names.meant(&name, names_ground).ok()?.row;
@@ -264,7 +245,7 @@ impl<'a> WrittenForm<'a> {
         };
         let boxes = names.rows().map(|name| (names.in_form(name), Vec::new()));
         let mut filled: IndexMap<String, Vec<(String, Value)>> = boxes.collect();
-        for given in &self.measured.values {
+        for given in &self.values {
             let (row, name) = match named(given) {
                 Some((row, true)) => (row.clone(), format!("{row}{ON_PAPER}")),
                 Some((row, false)) => (row.clone(), row),

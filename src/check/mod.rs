@@ -89,7 +89,7 @@ pub use checked::{Accuracy, BANDS, Checked, Diagnosis, Explanation, Finding, Jud
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
 pub use entry::{Entry, entries, faults};
 pub use feedback::Feedback;
-pub use form::{FormBox, WrittenForm, form_boxes, further_boxes, plan_points};
+pub use form::{FormBox, form_boxes, further_boxes, plan_points};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
 pub use mistakes::{Blank, Candidate, Mistake, Told};

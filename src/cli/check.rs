@@ -7,7 +7,7 @@ use super::options::{Hand, Words};
 use super::output::FileSet;
 use super::pieces::caught;
 use super::solve::{Mode, show_warnings, solve};
-use crate::check::{self, AnswerKey, ClassColumns, Feedback, MarkScheme, Marks, Measured, Prepared, WrittenForm};
+use crate::check::{self, AnswerKey, ClassColumns, Feedback, MarkScheme, Marks, Measured, Prepared};
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
@@ -95,9 +95,9 @@ impl Check {
         }
         let solution = self.solved(&self.scene)?;
         let Some(path) = &self.measured else {
-            let form = WrittenForm::empty(&solution, solution.scales(), None);
+            let form = Measured::empty(solution.scales(), None);
             let is_csv = matches!(self.template, Some(TemplateFormat::Csv));
-            return files::print(if is_csv { form.csv() } else { form.json() }.as_bytes());
+            return files::print(if is_csv { form.csv(&solution) } else { form.json(&solution) }.as_bytes());
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
         if path.is_dir() {

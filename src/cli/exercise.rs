@@ -154,8 +154,8 @@ fn add_files(files: &mut FileSet, exercise: &Exercise, style: &GivenStyle, folde
         add(&format!("{name}.pdf"), &format::pdf_pages(&sheets, None).map_err(Failure::unclear)?)?;
     }
     let form = exercise.form(&own_name);
-    add("form.json", form.json().as_bytes())?;
-    add("form.csv", form.csv().as_bytes())?;
+    add("form.json", form.json(&exercise.solution).as_bytes())?;
+    add("form.csv", form.csv(&exercise.solution).as_bytes())?;
     add("key.json", format::json(&exercise.key()).as_bytes())
 }
 

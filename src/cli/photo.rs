@@ -5,7 +5,7 @@ use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use super::pieces::caught;
-use crate::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, WrittenForm, aligned, proposed};
+use crate::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, aligned, proposed};
 use crate::construction::Solution;
 use crate::drawing::markers::SheetCode;
 use crate::drawing::{Drawing, SeenPoint, over_photo};
@@ -131,7 +131,7 @@ impl PhotoResult {
             }
         }
         let form = folder.join(format!("{name}.json"));
-        files.add(&form, WrittenForm::filled(key.solution, &self.measured).json().as_bytes())?;
+        files.add(&form, self.measured.json(key.solution).as_bytes())?;
         Ok(form)
     }
 

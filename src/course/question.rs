@@ -74,7 +74,7 @@ impl Question {
             key: picture(&key),
             fields: fields(exercise, &words)?,
             scene: exercise.text.clone(),
-            form: exercise.form(name).json(),
+            form: exercise.form(name).json(&exercise.solution),
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::judge::Exercise;
 use super::sheets::key_rows;
-use crate::check::{BANDS, WrittenForm};
+use crate::check::{BANDS, Measured};
 use crate::drawing::{Drawing, key_sheet};
 use crate::scene::schema_of;
 use crate::sheet::Scales;
@@ -96,8 +96,8 @@ impl Exercise {
 
     /// The empty form of the exercise with that name.
     #[must_use]
-    pub fn form(&self, name: &str) -> WrittenForm<'_> {
-        WrittenForm::empty(&self.solution, self.scales, Some(name))
+    pub fn form(&self, name: &str) -> Measured {
+        Measured::empty(self.scales, Some(name))
     }
 }
 

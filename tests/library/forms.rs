@@ -1,8 +1,6 @@
 //! Forms as a page shows and writes them.
 
-use kinegon::check::{
-    Measured, WrittenForm, check, faults, form_boxes, further_boxes, plan_points, report, report_parts,
-};
+use kinegon::check::{Measured, check, faults, form_boxes, further_boxes, plan_points, report, report_parts};
 use serde_json::Value;
 use support::files;
 use support::stages::{answer_key, solved};
@@ -11,8 +9,8 @@ use support::stages::{answer_key, solved};
 fn boxes_are_those_of_the_empty_form() {
     for (name, text) in files::templates() {
         let solution = solved(&text).expect("a starting scene is sound");
-        let form = WrittenForm::empty(&solution, solution.scales(), None);
-        let file: Value = serde_json::from_str(&form.json()).expect("JSON");
+        let form = Measured::empty(solution.scales(), None);
+        let file: Value = serde_json::from_str(&form.json(&solution)).expect("JSON");
         let asked: Vec<&str> = file["values"].as_object().expect("values").keys().map(String::as_str).collect();
         let boxes: Vec<String> = form_boxes(&solution).into_iter().map(|found| found.name).collect();
         assert_eq!(boxes, asked, "{name}");
@@ -34,12 +32,11 @@ fn a_form_that_is_written_and_read_again_has_the_same_verdicts() {
     let own = papers();
     let words = solution.wording();
     let told = |measured: &Measured| report(&check(measured, &key).expect("values that are understood"), &key, &words);
-    let filled = WrittenForm::filled(key.solution, &own);
-    let again = Measured::read_json(&filled.json()).expect("a form");
+    let again = Measured::read_json(&own.json(&solution)).expect("a form");
     assert_eq!(told(&again), told(&own));
-    assert_eq!(told(&Measured::read_csv(&filled.csv()).expect("a table")), told(&own));
+    assert_eq!(told(&Measured::read_csv(&own.csv(&solution)).expect("a table")), told(&own));
     // A second time nothing changes any more.
-    assert_eq!(WrittenForm::filled(key.solution, &again).json(), filled.json());
+    assert_eq!(again.json(&solution), own.json(&solution));
 }
 
 #[test]
@@ -47,7 +44,7 @@ fn every_verdict_has_its_box() {
     let solution = solved(&files::read("examples/figure-2.json")).expect("a sound scene");
     let key = answer_key(&solution, 2);
     let own = papers();
-    let written = WrittenForm::filled(key.solution, &own).json();
+    let written = own.json(&solution);
     let own = Measured::read_json(&written).expect("a form");
     let mut boxes: Vec<String> = form_boxes(&solution).into_iter().map(|found| found.name).collect();
     let further: Vec<String> = further_boxes(&own, &key).into_iter().map(|found| found.name).collect();

@@ -188,11 +188,11 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
     let off = checked.values.iter().filter(|v| v.verdict == Verdict::Off);
     let off: Vec<&str> = off.map(|v| v.entry.asked.name()).collect();
     assert!(off.is_empty(), "{kind}: {off:?}");
-    let empty = Measured::read_json(&exercise.form("one-1-1").json()).expect("a form");
+    let empty = Measured::read_json(&exercise.form("one-1-1").json(&exercise.solution)).expect("a form");
     assert_eq!(empty.exercise, Some("one-1-1".into()), "{kind}");
     let error = check(&empty, &answers).expect_err("nothing is filled in");
     assert!(error.message.contains("empty"), "{kind}: {error}");
-    let empty = Measured::read_csv(&exercise.form("one-1-1").csv()).expect("a form");
+    let empty = Measured::read_csv(&exercise.form("one-1-1").csv(&exercise.solution)).expect("a form");
     assert_eq!(empty.exercise, Some("one-1-1".into()), "{kind}");
     assert!(check(&empty, &answers).is_err(), "{kind}");
     let boxes = exercise.sheet.marks.iter().filter_map(|m| m.id.as_deref());

@@ -121,8 +121,8 @@ impl Exercise {
             key: letters(&key),
             key_width: key.width,
             key_height: key.height,
-            form: form.json(),
-            form_csv: form.csv(),
+            form: form.json(&found.solution),
+            form_csv: form.csv(&found.solution),
             key_values: format::json(&found.key()),
             name,
         }

@@ -1,10 +1,9 @@
 use crate::desk::Desk;
 use crate::refused::Refused;
-use kinegon::Sheet;
-use kinegon::Solution;
-use kinegon::check::{AnswerKey, FormBox, Measured, WrittenForm, form_boxes, further_boxes, plan_points};
+use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
 use kinegon::quantity::Head;
+use kinegon::{Sheet, Solution};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -101,15 +100,15 @@ impl Desk {
             rows.extend(further.into_iter().map(row(false)));
         }
         let scales = solution.scales();
-        let empty = WrittenForm::empty(solution, scales, None);
+        let empty = Measured::empty(scales, None);
         let point = |(name, label)| PlanPoint { name, label: html_text(&label) };
         let points = Sheet::PLANS.into_iter().zip(plan_points(solution));
         Ok(Form {
             rows,
             scales: Sheet::ALL.into_iter().map(|sheet| (sheet, scales[sheet])).collect(),
             points: points.map(|(plan, points)| (plan, points.into_iter().map(point).collect())).collect(),
-            json: empty.json(),
-            csv: empty.csv(),
+            json: empty.json(solution),
+            csv: empty.csv(solution),
         })
     }
 
@@ -119,13 +118,13 @@ impl Desk {
         let fault = measured.faults.first().cloned();
         fault.map_or(Ok(()), |fault| Err(Refused::from(fault)))?;
         let solution = self.solution(text)?;
-        Ok(WrittenForm::filled(solution, &measured).json())
+        Ok(measured.json(solution))
     }
 
     /// A form as a table.
     pub fn write_form(&mut self, text: &str, form: &str) -> Result<String, Refused> {
         let measured = measured(form)?;
         let solution = self.solution(text)?;
-        Ok(WrittenForm::filled(solution, &measured).csv())
+        Ok(measured.csv(solution))
     }
 }
