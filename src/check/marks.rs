@@ -75,16 +75,15 @@ impl Marks {
     /// # Errors
     /// A quantity that the scene does not have, or that stands there twice; marks or parts that are no such numbers; a scheme without any marks.
     pub fn of(&self, key: &AnswerKey<'_>) -> Result<MarkScheme, CheckError> {
-        let part = |key: &str, given: Option<f64>, usual: f64| {
-            let part = given.unwrap_or(usual);
-            let hint = "write a number from 0 (no marks) to 1 (all marks of the quantity)";
-            let wrong = || CheckError::new(format!("{part} is no part of marks"), hint).at(key);
-            Some(part).filter(|p| (0.0..=1.0).contains(p)).ok_or_else(wrong)
+        let within = |most: f64, key: &str, number: f64, what: &str, hint: &str| match (0.0..=most).contains(&number) {
+            true => Ok(number),
+            false => Err(CheckError::new(format!("{number} is no {what}"), hint).at(key)),
+        };
+        let part = |key: &str, part: f64| {
+            within(1.0, key, part, "part of marks", "write a number from 0 (no marks) to 1 (all marks of the quantity)")
         };
         let marks = |key: &str, marks: f64| {
-            let hint = format!("write a number from 0 to {MOST}");
-            let wrong = || CheckError::new(format!("{marks} is no number of marks"), hint).at(key);
-            Some(marks).filter(|m| (0.0..=MOST).contains(m)).ok_or_else(wrong)
+            within(MOST, key, marks, "number of marks", &format!("write a number from 0 to {MOST}"))
         };
         let each = match self.each {
             Some(each) => Some(marks("each", each)?),
@@ -119,8 +118,8 @@ impl Marks {
         }
         Ok(MarkScheme {
             worth,
-            follow_through: part("follow_through", self.follow_through, 1.0)?,
-            missing: part("missing", self.missing, 0.0)?,
+            follow_through: part("follow_through", self.follow_through.unwrap_or(1.0))?,
+            missing: part("missing", self.missing.unwrap_or(0.0))?,
         })
     }
 }
