@@ -37,18 +37,15 @@ impl FormRow {
     }
 }
 
-/// The two places between which a segment of a plan lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Segment(Sheet, [PlaceId; 2]);
+/// The two places of a sheet between which a segment lies.
+type Segment = (Sheet, [PlaceId; 2]);
 
-impl Segment {
-    /// The segment of that name; `None` for other quantities.
-    fn of(construction: &Construction, name: &str) -> Option<Segment> {
-        let (name, sheet) = between(name).filter(|(name, _)| name.is_plain())?;
-        let place = |name: &String| construction.place(sheet, construction.plan_name(sheet, name));
-        let (a, b) = (place(name.arguments.first()?)?, place(name.arguments.get(1)?)?);
-        Some(Segment(sheet, if a.0 <= b.0 { [a, b] } else { [b, a] }))
-    }
+/// The segment of that name; `None` for other quantities.
+fn segment(construction: &Construction, name: &str) -> Option<Segment> {
+    let (name, sheet) = between(name).filter(|(name, _)| name.is_plain())?;
+    let place = |name: &String| construction.place(sheet, construction.plan_name(sheet, name));
+    let (a, b) = (place(name.arguments.first()?)?, place(name.arguments.get(1)?)?);
+    Some((sheet, if a.0 <= b.0 { [a, b] } else { [b, a] }))
 }
 
 /// A name that asks for the distance of two points of a sheet, and the sheet.
@@ -66,7 +63,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
         let is_measured = step.action.is_measured();
         for name in step.names() {
             let name = construction.same_rates.get(&name).cloned().unwrap_or(name);
-            let segment = Segment::of(construction, &name);
+            let segment = segment(construction, &name);
             match rows.iter().position(|row| row.is(&name, segment)) {
                 Some(row) if is_measured && !rows[row].is_measured => drop(rows.remove(row)),
                 Some(_) => continue,
@@ -121,7 +118,7 @@ impl<'a> Names<'a> {
     /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the
     /// two are one point, and the sheet shows the pole.
     fn row_with_pole(&self, name: &str) -> Option<&str> {
-        let segment = Segment::of(&self.solution.construction, name)?;
+        let segment = segment(&self.solution.construction, name)?;
         let row = self.rows.iter().find(|row| row.segment == Some(segment))?;
         (row.name != name && row.name.contains(UNDER_SLIDER)).then_some(row.name.as_str())
     }
@@ -134,7 +131,7 @@ impl<'a> Names<'a> {
         if self.rows().any(|row| row == name) {
             return name;
         }
-        let segment = Segment::of(construction, name);
+        let segment = segment(construction, name);
         self.rows.iter().find(|row| row.is(name, segment)).map_or(name, |row| row.name.as_str())
     }
 
