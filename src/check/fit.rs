@@ -3,11 +3,9 @@
 
 use super::covariance::{CAREFUL, Covariances, Habit, Hand, SIZES, SLIPS};
 use super::mistakes::Candidate;
-use super::model::{COMPUTING, TOGETHER};
+use super::model::{COMPUTING, TOGETHER, drawn_on};
 use super::score::{Compared, Scorer, Walk};
-
-/// The kind of errors of the velocity plan.
-const VELOCITY: usize = 2;
+use crate::sheet::Sheet;
 
 /// Difference in −2 ln of the likelihood below which two explanations fit equally well: a factor of two.
 const SAME_FIT: f64 = 1.4;
@@ -92,7 +90,7 @@ impl Hands<'_> {
     fn search_each(&mut self, level: usize) {
         let mut program = Hand::alike(SIZES[SIZES.len() - 1]);
         program.errors[TOGETHER] = SIZES[level];
-        program.errors[VELOCITY] = SIZES[level];
+        program.errors[drawn_on(Sheet::Velocity)] = SIZES[level];
         self.consider(program);
         for _ in 0..2 {
             let before = self.cost;

@@ -13,19 +13,22 @@ use crate::sheet::{PerSheet, Scales, Sheet};
 use nalgebra::DMatrix;
 use smallvec::SmallVec;
 
-/// Number of kinds of errors; a hand has a size for each. The kinds: joints plotted, the rest of the scheme, the
-/// velocity plan, the acceleration plan, displacements of all joints together that leave every link its shape, as
-/// with a drawing program, and slips in computed numbers.
-pub(super) const GROUPS: usize = 6;
-
 /// The kind of errors of joints plotted, each by itself.
 pub(super) const PLOTTED: usize = 0;
 
-/// The kind of errors of joints displaced together.
-pub(super) const TOGETHER: usize = 4;
+/// The kind of errors of what else is drawn on a sheet.
+pub(super) const fn drawn_on(sheet: Sheet) -> usize {
+    1 + sheet as usize
+}
+
+/// The kind of errors of joints displaced together so that every link keeps its shape, as with a drawing program.
+pub(super) const TOGETHER: usize = 1 + Sheet::ALL.len();
 
 /// The kind of slips in computed numbers.
-pub(super) const COMPUTING: usize = 5;
+pub(super) const COMPUTING: usize = TOGETHER + 1;
+
+/// Number of kinds of errors; a hand has a size for each.
+pub(super) const GROUPS: usize = COMPUTING + 1;
 
 /// The construction as a student carries it out, with the facts that mistakes are made from.
 #[derive(Clone, Debug)]
@@ -184,10 +187,8 @@ impl Model {
     pub fn errors(&self, tolerance: &Tolerance) -> Vec<(usize, usize, f64, usize)> {
         let all = self.construction.operations.iter().enumerate().flat_map(|(index, operation)| {
             let group = match (operation.sheet, &operation.kind) {
-                (Sheet::Scheme, OperationKind::Plot { .. }) => 0,
-                (Sheet::Scheme, _) => 1,
-                (Sheet::Velocity, _) => 2,
-                (Sheet::Acceleration, _) => 3,
+                (Sheet::Scheme, OperationKind::Plot { .. }) => PLOTTED,
+                (sheet, _) => drawn_on(sheet),
             };
             let errors = operation.kind.errors().iter().enumerate();
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))
