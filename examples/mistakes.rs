@@ -50,7 +50,7 @@ fn drawable(text: &str) -> Option<Solution> {
     let solution = kinegon::solve(&Scene::read(text).ok()?).ok()?;
     let construction = &solution.construction;
     let is_drawn = construction.agreement.iter().all(Option::is_some);
-    let sines = construction.plans().flat_map(|plan| &plan.steps).filter_map(|action| match action {
+    let sines = construction.steps.iter().flat_map(|(_, actions)| actions).filter_map(|action| match action {
         kinegon::construction::Action::Cross { sine, .. } => Some(sine.abs()),
         _ => None,
     });

@@ -3,6 +3,7 @@
 //! A further sheet is a variant of [`Sheet`] and an entry of `FACTS`; neither compiles without the other. What is kept
 //! for every sheet stands in a [`PerSheet`], so it has a place for the new one at once, and files, forms and options
 //! have its scale. Only code with something of its own to say of a sheet matches on [`Sheet`], and the compiler names it.
+//! What holds for the plans alone asks for an [`Order`], so a further sheet does not concern it.
 
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
@@ -12,8 +13,7 @@ use std::ops::{Index, IndexMut};
 
 /// A sheet of the construction, and the panel of the figure that shows it; each has its own scale.
 ///
-/// Sheets are ordered as they are drawn, and each needs those before it: motion that is computed up to
-/// [`Sheet::Velocity`] has no accelerations.
+/// Sheets are ordered as they are drawn, and each needs those before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
 #[schemars(rename = "Panel", description = "A part of the figure.")]
 #[serde(rename_all = "lowercase")]
@@ -24,6 +24,16 @@ pub enum Sheet {
     /// The velocity plan.
     Velocity,
     /// The acceleration plan.
+    Acceleration,
+}
+
+/// The order of a derivative of the position by time. Each has a plan, which is drawn from a pole, and needs those before
+/// it: motion that is computed up to [`Order::Velocity`] has no accelerations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Order {
+    /// The first.
+    Velocity,
+    /// The second.
     Acceleration,
 }
 
@@ -67,18 +77,8 @@ struct Facts {
     scaled_units: &'static str,
     /// How names of distances on it begin, as in `vplan(b,s3)`.
     segment: &'static str,
-    /// What is only said of plans.
-    plan: Option<PlanFacts>,
-}
-
-/// What there is to say of a plan beyond what is said of any sheet.
-struct PlanFacts {
-    /// The name of its pole.
-    pole: &'static str,
-    /// The letter of its vectors.
-    vector: &'static str,
-    /// The letter of the rates of links that are computed from it.
-    rate: &'static str,
+    /// What it shows, if it is a plan.
+    order: Option<Order>,
 }
 
 /// The sheets in the order of their variants, which is that in which they are drawn.
@@ -93,7 +93,7 @@ const FACTS: [Facts; 3] = [
         scale_symbol: "μ_l",
         scaled_units: "units of length",
         segment: "L",
-        plan: None,
+        order: None,
     },
     Facts {
         sheet: Sheet::Velocity,
@@ -105,7 +105,7 @@ const FACTS: [Facts; 3] = [
         scale_symbol: "μ_v",
         scaled_units: "units of velocity",
         segment: "vplan",
-        plan: Some(PlanFacts { pole: "p", vector: "v", rate: "ω" }),
+        order: Some(Order::Velocity),
     },
     Facts {
         sheet: Sheet::Acceleration,
@@ -117,7 +117,7 @@ const FACTS: [Facts; 3] = [
         scale_symbol: "μ_a",
         scaled_units: "units of acceleration",
         segment: "aplan",
-        plan: Some(PlanFacts { pole: "π", vector: "a", rate: "α" }),
+        order: Some(Order::Acceleration),
     },
 ];
 
@@ -131,13 +131,6 @@ impl Sheet {
             at += 1;
         }
         all
-    };
-
-    /// The sheets that are drawn from a pole.
-    pub const PLANS: [Sheet; 2] = {
-        let [scheme, plans @ ..] = Sheet::ALL;
-        assert!(FACTS[scheme as usize].plan.is_none() && FACTS[plans[0] as usize].plan.is_some());
-        plans
     };
 
     /// The compiler asks for a further sheet here, and refuses an index that [`FACTS`] does not have.
@@ -197,41 +190,10 @@ impl Sheet {
         self.facts().scaled_units
     }
 
-    /// Whether it is drawn from a pole.
+    /// Whether it is a plan, and of what: of velocities or of accelerations.
     #[must_use]
-    pub fn is_plan(self) -> bool {
-        self.facts().plan.is_some()
-    }
-
-    /// The name of its pole in results, in every notation; empty for the scheme, which has none.
-    #[must_use]
-    pub fn pole(self) -> &'static str {
-        self.facts().plan.as_ref().map_or("", |plan| plan.pole)
-    }
-
-    /// Which of a rate and its derivative it shows: 0 for velocities, 1 for accelerations.
-    #[must_use]
-    pub fn order(self) -> usize {
-        usize::from(self == Sheet::Acceleration)
-    }
-
-    /// The letter of its vectors, as `v`; empty for the scheme.
-    #[must_use]
-    pub fn vector(self) -> &'static str {
-        self.facts().plan.as_ref().map_or("", |plan| plan.vector)
-    }
-
-    /// The letter of the rates of links that are computed from it, as `ω`; empty for the scheme.
-    #[must_use]
-    pub fn rate(self) -> &'static str {
-        self.facts().plan.as_ref().map_or("", |plan| plan.rate)
-    }
-
-    /// The plans up to this sheet, in the order in which they are drawn.
-    #[must_use]
-    pub fn plans_up_to(self) -> &'static [Sheet] {
-        const PLANS: &[Sheet] = &Sheet::PLANS;
-        &PLANS[..PLANS.partition_point(|plan| *plan <= self)]
+    pub fn order(self) -> Option<Order> {
+        self.facts().order
     }
 
     /// How names of distances on it begin: `vplan` for segments of the velocity plan, `L` for lengths of the scheme.
@@ -244,6 +206,77 @@ impl Sheet {
     #[must_use]
     pub fn segment_name(self, from: &str, to: &str) -> String {
         format!("{}({from},{to})", self.segment_head())
+    }
+}
+
+impl Order {
+    /// Both, in the order in which their plans are drawn.
+    pub const ALL: [Order; 2] = [Order::Velocity, Order::Acceleration];
+
+    /// Its plan.
+    #[must_use]
+    pub const fn sheet(self) -> Sheet {
+        match self {
+            Order::Velocity => Sheet::Velocity,
+            Order::Acceleration => Sheet::Acceleration,
+        }
+    }
+
+    /// All up to this one.
+    #[must_use]
+    pub fn and_lower(self) -> &'static [Order] {
+        match self {
+            Order::Velocity => &[Order::Velocity],
+            Order::Acceleration => &Order::ALL,
+        }
+    }
+
+    /// The name of the pole of its plan in results, in every notation.
+    #[must_use]
+    pub fn pole(self) -> &'static str {
+        match self {
+            Order::Velocity => "p",
+            Order::Acceleration => "π",
+        }
+    }
+
+    /// The letter of its vectors.
+    #[must_use]
+    pub fn vector(self) -> &'static str {
+        match self {
+            Order::Velocity => "v",
+            Order::Acceleration => "a",
+        }
+    }
+
+    /// The letter of the rates of links that are computed from its plan.
+    #[must_use]
+    pub fn rate(self) -> &'static str {
+        match self {
+            Order::Velocity => "ω",
+            Order::Acceleration => "α",
+        }
+    }
+}
+
+impl From<Order> for Sheet {
+    fn from(order: Order) -> Sheet {
+        order.sheet()
+    }
+}
+
+/// A velocity and an acceleration, by which of them is meant.
+impl<T> Index<Order> for [T; 2] {
+    type Output = T;
+
+    fn index(&self, order: Order) -> &T {
+        &self[order as usize]
+    }
+}
+
+impl<T> IndexMut<Order> for [T; 2] {
+    fn index_mut(&mut self, order: Order) -> &mut T {
+        &mut self[order as usize]
     }
 }
 

@@ -3,7 +3,7 @@ use crate::construction::Solution;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, numbered_pose, pose, with_nearest_sides};
 use crate::scene::{QuantityName, Scene, SizeLimit};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 
 /// Solves a scene: position, velocities, accelerations and both plans.
 ///
@@ -19,7 +19,7 @@ use crate::sheet::Sheet;
 /// It is no mechanism, cannot be assembled, or is in a singular position.
 pub fn solve(scene: &Scene) -> Result<Solution, Error> {
     let (mechanism, pose) = posed(scene, SizeLimit::NUMBERS, None)?;
-    Ok(Solution::new(scene.clone(), mechanism, pose, Sheet::Acceleration)?)
+    Ok(Solution::new(scene.clone(), mechanism, pose, Order::Acceleration)?)
 }
 
 /// The mechanism of a scene in its position: in the assembly mode of that number, else in the one that `near` picks.
@@ -38,19 +38,20 @@ pub fn posed(scene: &Scene, limit: SizeLimit, mode: Option<usize>) -> Result<(Me
 
 /// The order of the motion that a scene's result needs: accelerations unless `want` names only quantities without them.
 #[must_use]
-pub fn order_of_result(scene: &Scene) -> Sheet {
+pub fn order_of_result(scene: &Scene) -> Order {
     match &scene.want {
         Some(want)
             if !want.iter().filter_map(|name| QuantityName::parse(name)).any(|name| name.needs_accelerations()) =>
         {
-            Sheet::Velocity
+            Order::Velocity
         }
-        _ => Sheet::Acceleration,
+        _ => Order::Acceleration,
     }
 }
 
 /// The order of the motion that a scene's figure needs: accelerations only if it shows them.
 #[must_use]
-pub fn order_of_figure(scene: &Scene) -> Sheet {
-    if scene.figure.shown_panels().contains(&Sheet::Acceleration) { Sheet::Acceleration } else { Sheet::Velocity }
+pub fn order_of_figure(scene: &Scene) -> Order {
+    let shows_accelerations = scene.figure.shown_panels().contains(&Sheet::Acceleration);
+    if shows_accelerations { Order::Acceleration } else { Order::Velocity }
 }

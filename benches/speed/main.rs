@@ -15,7 +15,7 @@ use kinegon::motion::motion;
 use kinegon::position::{Pose, pose};
 use kinegon::quantity::{QuantityRequest, pencil, read_by_hand, readable_names};
 use kinegon::scene::Scene;
-use kinegon::{PerSheet, Sheet};
+use kinegon::{Order, PerSheet};
 use kinegon::{Solution, solve};
 
 const FIGURE_1: &str = include_str!("../../examples/figure-1.json");
@@ -199,7 +199,7 @@ fn position(bencher: Bencher) {
 #[divan::bench]
 fn motion_with_bounds(bencher: Bencher) {
     let Solution { mechanism, pose, .. } = solved(FIGURE_2);
-    bencher.bench(|| motion(&mechanism, black_box(&pose), Sheet::Acceleration));
+    bencher.bench(|| motion(&mechanism, black_box(&pose), Order::Acceleration));
 }
 
 #[divan::bench]

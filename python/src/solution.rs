@@ -1,6 +1,6 @@
 use crate::refused::Refused;
 use crate::scene::Scene;
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::accuracy::bounds;
 use kinegon::construction::{Action, NumberedStep, Teller, Tolerance, shown_text};
 use kinegon::cycle::Traces;
@@ -48,8 +48,8 @@ impl Solution {
     }
 
     /// The scene solved for this order of motion.
-    pub fn solved(&self, order: Sheet) -> Result<&kinegon::Solution, Refused> {
-        let kept = &self.solved[usize::from(order == Sheet::Acceleration)];
+    pub fn solved(&self, order: Order) -> Result<&kinegon::Solution, Refused> {
+        let kept = &self.solved[order];
         if let Some(solution) = kept.get() {
             return Ok(solution);
         }
@@ -62,7 +62,7 @@ impl Solution {
     /// Solved for what is drawn by hand.
     pub fn by_hand(&self) -> Result<&kinegon::Solution, Refused> {
         self.allow(SizeLimit::HAND)?;
-        self.solved(Sheet::Acceleration)
+        self.solved(Order::Acceleration)
     }
 
     fn allow(&self, limit: SizeLimit) -> Result<(), Refused> {
@@ -70,7 +70,7 @@ impl Solution {
     }
 
     pub fn value(&self, name: &str) -> Result<ValueOf, Refused> {
-        let solution = self.solved(Sheet::Acceleration)?;
+        let solution = self.solved(Order::Acceleration)?;
         let asked = QuantityRequest::new(name, &solution.mechanism)?;
         let scales = asked.is_on_paper().then(|| solution.scales());
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref())?;
@@ -142,7 +142,7 @@ fn steps(solution: &kinegon::Solution) -> Vec<Value> {
     let teller = Teller::new(solution, &words);
     let equation = |step: &NumberedStep<'_>| match &step.action {
         Action::Solve { equations, .. } => {
-            let told: Vec<String> = equations.iter().map(|equation| teller.equation(step.sheet, equation)).collect();
+            let told: Vec<String> = equations.iter().map(|equation| teller.equation(equation)).collect();
             told.join("; ")
         }
         _ => teller.formula(step).markup(),

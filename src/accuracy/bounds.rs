@@ -1,11 +1,12 @@
 use super::enclosure::Enclosure;
 use crate::construction::{Rate, Special};
-use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, Vector, degrees_of};
+use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
-use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Snapshot, Spot, What};
+use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Snapshot, Spot, State, What};
 use crate::scene::Scene;
+use crate::sheet::Order;
 use std::f64::consts::SQRT_2;
 
 /// Roundings in a number that is read from a pose and its motion.
@@ -36,6 +37,10 @@ pub fn bounds<'a>(scene: &Scene, mechanism: &'a Mechanism, pose: &'a Pose, motio
 }
 
 impl Bounds<'_> {
+    fn snapshot(&self) -> Snapshot<'_> {
+        Snapshot { pose: self.pose, motion: self.motion }
+    }
+
     /// The bound that the enclosure gives; infinite where it gives none.
     fn from<T>(&self, of: impl Fn(&Enclosure) -> Option<T>, error: impl Fn(T) -> f64) -> f64 {
         let bound = self.enclosure.as_ref().and_then(of).map_or(f64::INFINITY, error);
@@ -76,38 +81,32 @@ impl Bounds<'_> {
     /// Of a body's angular velocity and acceleration.
     #[must_use]
     pub fn angular_rates(&self, body: BodyId) -> [f64; 2] {
-        let motion = self.motion.body(body);
-        [(0, motion.omega), (1, motion.alpha)].map(|(order, rate)| {
-            self.from(
-                |e| Some([e.state.body(body).omega, e.state.body(body).alpha][order]),
-                |ball| of_number(ball, rate),
-            )
+        let rates = self.snapshot().angular_rates(body);
+        Order::ALL.map(|order| {
+            let of = |e: &Enclosure| Some([e.state.body(body).omega, e.state.body(body).alpha][order]);
+            self.from(of, |ball| of_number(ball, rates[order]))
         })
     }
 
     /// Of a slider's velocity and acceleration along its guide.
     #[must_use]
     pub fn slide(&self, slider: SliderId) -> [f64; 2] {
-        let slide = self.motion.slide(slider);
-        let slide_rates = |e: &Enclosure| [e.state.slide(slider).velocity, e.state.slide(slider).acceleration];
-        [(0, slide.velocity), (1, slide.acceleration)]
-            .map(|(order, rate)| self.from(|e| Some(slide_rates(e)[order]), |ball| of_number(ball, rate)))
+        let rates = self.snapshot().slide_rates(slider);
+        Order::ALL.map(|order| {
+            let of = |e: &Enclosure| Some([e.state.slide(slider).velocity, e.state.slide(slider).acceleration][order]);
+            self.from(of, |ball| of_number(ball, rates[order]))
+        })
     }
 
     /// Of velocity and acceleration of a point that moves with a body.
     #[must_use]
     pub(crate) fn motion_of(&self, body: BodyId, point: PointId) -> [f64; 2] {
-        let (motion, at) = (self.motion.body(body), self.pose.point(point));
-        self.motion_at(body, |e| Some(e.place(point)), [motion.velocity_at(at), motion.acceleration_at(at)])
+        self.motion_at(body, self.pose.point(point), |e| Some(e.place(point)))
     }
 
-    fn motion_at(
-        &self,
-        body: BodyId,
-        place: impl Fn(&Enclosure) -> Option<Pair<Ball>>,
-        values: [Vector; 2],
-    ) -> [f64; 2] {
-        [0, 1].map(|order| {
+    fn motion_at(&self, body: BodyId, at: Point, place: impl Fn(&Enclosure) -> Option<Pair<Ball>>) -> [f64; 2] {
+        let values = self.snapshot().motion_at(body, at);
+        Order::ALL.map(|order| {
             let of = |e: &Enclosure| Some(e.motion_at(body, place(e)?)[order]);
             self.from(of, |ball| of_vector(ball, values[order]))
         })
@@ -117,10 +116,8 @@ impl Bounds<'_> {
     #[must_use]
     pub fn special(&self, special: &Special) -> Option<[f64; 3]> {
         let at = special.place.finite()?;
-        let motion = self.motion.body(special.link);
         let place = |e: &Enclosure| e.special(special);
-        let [velocity, acceleration] =
-            self.motion_at(special.link, place, [motion.velocity_at(at), motion.acceleration_at(at)]);
+        let [velocity, acceleration] = self.motion_at(special.link, at, place);
         Some([self.from(place, |ball| of_vector(ball, at.coords)), velocity, acceleration])
     }
 
@@ -137,8 +134,7 @@ impl Bounds<'_> {
     /// `None` for special points and for what is measured on a plan, and for the direction of a vector that may be zero.
     #[must_use]
     pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
-        let state = Snapshot { pose: self.pose, motion: self.motion };
-        let whole = asked.without_component().value(&state, None, None).ok()?;
+        let whole = asked.without_component().value(&self.snapshot(), None, None).ok()?;
         let rounding = |whole: &Quantity| match whole {
             Quantity::Number(x) => x.abs() * ROUNDINGS,
             Quantity::Vector(v) => v.norm() * ROUNDINGS,
@@ -149,14 +145,14 @@ impl Bounds<'_> {
                     Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates(link),
                     Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide(slider),
                 };
-                bounds[rate.sheet().order()]
+                bounds[rate.order()]
             }
             What::Angle(link) => self.angle(*link)?,
             What::SlidePosition(slider) => self.slide_position(*slider)?,
             What::Coriolis(slider, _) => self.coriolis(*slider),
             What::Coordinate(_, spot) => self.of_place(spot)?,
             What::Length(a, b) => SQRT_2 * (self.of_place(a)? + self.of_place(b)?) + rounding(&whole),
-            What::Motion(sheet, a, b) => self.of_motion(sheet.order(), a, b.as_ref())?,
+            What::Motion(order, a, b) => self.of_motion(*order, a, b.as_ref())?,
             What::Part(part, a, b, link) => self.of_part(*part, a, b, (*link)?)?,
             What::Segment { .. } => return None,
         };
@@ -180,16 +176,15 @@ impl Bounds<'_> {
         Some(self.place(*point))
     }
 
-    /// Bound of the error of a velocity (order 0) or acceleration (order 1), or of the difference of two.
-    fn of_motion(&self, order: usize, a: &Spot, b: Option<&Spot>) -> Option<f64> {
+    /// Bound of the error of a velocity or an acceleration, or of the difference of two.
+    fn of_motion(&self, order: Order, a: &Spot, b: Option<&Spot>) -> Option<f64> {
         // The bound and the size of one.
         let of = |spot: &Spot| {
             let Spot::Point(body, point, _) = spot else {
                 return None;
             };
-            let (motion, at) = (self.motion.body(*body), self.pose.point(*point));
-            let size = [motion.velocity_at(at), motion.acceleration_at(at)][order].norm();
-            Some((self.motion_of(*body, *point)[order], size))
+            let motion = self.snapshot().motion_at(*body, self.pose.point(*point));
+            Some((self.motion_of(*body, *point)[order], motion[order].norm()))
         };
         let (error, size) = of(a)?;
         let Some(b) = b else {

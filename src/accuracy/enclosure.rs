@@ -6,7 +6,7 @@ use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::motion::{Places, State, bounded_motion};
 use crate::position::Pose;
 use crate::scene::Scene;
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 /// The true position and motion of a scene's mechanism near a pose, each number with a bound of its error.
 ///
@@ -25,7 +25,7 @@ impl Enclosure {
     /// Bounds are infinite where nothing can be said: the errors of what the scene gives reach a limit position or a
     /// singular one, or numbers leave the range of f64. In a chain bounds about double from group to group: they do not
     /// know that errors with one cause cancel. `None` where a drive has no position.
-    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Option<Enclosure> {
+    pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order) -> Option<Enclosure> {
         let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
         let points = relative(&placed.points);
         let guides: Vec<geometry::Vector> = placed.guides.iter().map(|guide| guide.rounded()).collect();

@@ -99,7 +99,7 @@ pub(super) fn entries_by(
 /// name. A distance that is written already keeps its value.
 fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
     for points in &measured.points {
-        let sheet = points.kind;
+        let sheet = points.order.sheet();
         let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
         let Some(mu) = measured.mu[sheet] else {
             let mu = sheet.scale_key();
@@ -108,7 +108,7 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
                 format!("add {mu}, the scale of your {}", sheet.name()),
             ));
         };
-        let pole = sheet.pole();
+        let pole = points.order.pole();
         let Some(own_pole) = points.pole() else {
             return Err(CheckError::new(
                 format!("the places of the {} do not have its pole {pole}", sheet.name()),

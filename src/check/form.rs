@@ -8,7 +8,7 @@ use crate::construction::{Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{FileKind, SceneError, read_as};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{Order, Scales, Sheet};
 use crate::text::{Untrusted, shown};
 use indexmap::{IndexMap, IndexSet};
 use serde::de::{Error, MapAccess, Visitor};
@@ -48,15 +48,15 @@ enum Paper {
 
 /// The key of a plan, under which the places of its points stand.
 #[derive(Debug, PartialEq, Eq, Hash)]
-struct PlanKey(Sheet);
+struct PlanKey(Order);
 
-static PLAN_WORDS: LazyLock<Vec<&str>> = LazyLock::new(|| Sheet::PLANS.map(Sheet::as_str).to_vec());
+static PLAN_WORDS: LazyLock<Vec<&str>> = LazyLock::new(|| Order::ALL.map(|order| order.sheet().as_str()).to_vec());
 
 impl<'de> Deserialize<'de> for PlanKey {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<PlanKey, D::Error> {
         let word = String::deserialize(deserializer)?;
-        let plan = Sheet::PLANS.into_iter().find(|plan| plan.as_str() == word);
-        plan.map(PlanKey).ok_or_else(|| D::Error::unknown_variant(&word, &PLAN_WORDS))
+        let order = Sheet::from_word(&word).and_then(Sheet::order);
+        order.map(PlanKey).ok_or_else(|| D::Error::unknown_variant(&word, &PLAN_WORDS))
     }
 }
 
@@ -163,7 +163,10 @@ impl Measured {
             name,
         });
         let mut places = file.points.unwrap_or_default();
-        let points = Sheet::PLANS.into_iter().filter_map(|plan| Some((plan, places.swap_remove(&PlanKey(plan))?)));
+        let points = Order::ALL.into_iter().filter_map(|order| {
+            let places = places.swap_remove(&PlanKey(order))?;
+            (!places.is_empty()).then_some(PointsOf { order, places })
+        });
         Ok(Measured {
             name: file.name,
             exercise: file.exercise.map(|name| Untrusted::from(name.trim())).filter(|name| !name.is_blank()),
@@ -172,10 +175,7 @@ impl Measured {
             faults: Vec::new(),
             in_mm: file.written_in == Some(Paper::Mm),
             values: given.collect(),
-            points: points
-                .filter(|(_, places)| !places.is_empty())
-                .map(|(kind, places)| PointsOf { kind, places })
-                .collect(),
+            points: points.collect(),
         })
     }
 }
@@ -195,10 +195,10 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     put("positive", json!(measured.positive));
     put("in", json!(measured.in_mm.then_some(Paper::Mm)));
     put("values", json!(values));
-    let places_on = |sheet: Sheet| -> IndexMap<&String, &PlacedPoint> {
-        measured.points.iter().filter(|plan| plan.kind == sheet).flat_map(|plan| &plan.places).collect()
+    let places_of = |order: Order| -> IndexMap<&String, &PlacedPoint> {
+        measured.points.iter().filter(|plan| plan.order == order).flat_map(|plan| &plan.places).collect()
     };
-    let points = Sheet::PLANS.into_iter().map(|plan| (plan.as_str(), places_on(plan)));
+    let points = Order::ALL.into_iter().map(|order| (order.sheet().as_str(), places_of(order)));
     let points: IndexMap<_, _> = points.filter(|(_, places)| !places.is_empty()).collect();
     put("points", json!((!measured.points.is_empty()).then_some(points)));
     crate::format::json(&form)
@@ -318,10 +318,10 @@ pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
     let labels = SheetLabels::of(solution);
     let boxes = form_boxes(solution);
     let of_plan = |plan: &Plan| {
-        let mut names = vec![plan.sheet.pole().to_owned()];
+        let mut names = vec![plan.order.pole().to_owned()];
         for found in &boxes {
-            if let What::Segment { kind, from, to, .. } = found.asked.what()
-                && *kind == plan.sheet
+            if let What::Segment { order, from, to, .. } = found.asked.what()
+                && *order == plan.order
             {
                 names.extend([from, to].map(ToString::to_string));
             }
@@ -330,5 +330,5 @@ pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
         names.into_iter().map(|name| (name.clone(), labels.plan_point(plan, &name))).collect()
     };
     let construction = &solution.construction;
-    Sheet::PLANS.map(|sheet| construction.plan_on(sheet).map_or_else(Vec::new, of_plan))
+    Order::ALL.map(|order| construction.plan(order).map_or_else(Vec::new, of_plan))
 }

@@ -4,7 +4,7 @@
 use crate::construction::{Plan, Solution, Tolerance};
 use crate::geometry::Vector;
 use crate::scene::Figure;
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{Order, Scales};
 use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
@@ -139,8 +139,8 @@ impl Given {
 /// Places of a plan's points on paper in millimetres, x right, y up; the origin and the sheet's rotation are arbitrary.
 #[derive(Clone, Debug)]
 pub struct PointsOf {
-    /// Which plan.
-    pub kind: Sheet,
+    /// Of which plan.
+    pub order: Order,
     /// The places by the points' names, the pole's among them.
     pub places: IndexMap<String, PlacedPoint>,
 }
@@ -160,8 +160,8 @@ pub(super) const WIDEST: f64 = 100.0;
 impl PointsOf {
     /// A plan without places.
     #[must_use]
-    pub fn new(kind: Sheet) -> PointsOf {
-        PointsOf { kind, places: IndexMap::new() }
+    pub fn new(order: Order) -> PointsOf {
+        PointsOf { order, places: IndexMap::new() }
     }
 
     /// Sets the place of a point, with its radius, if it has one.

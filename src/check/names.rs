@@ -8,7 +8,7 @@ use super::measured::{CheckError, UNDER_SLIDER};
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
 use crate::quantity::{Quantity, QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
 use crate::words::{Notation, Wording, with_prime};
 use indexmap::IndexMap;
@@ -230,7 +230,7 @@ impl<'a> Names<'a> {
             format!("{from} {to}")
         };
         match asked.what() {
-            What::Segment { kind, from, to, .. } => between(*kind, from, to),
+            What::Segment { order, from, to, .. } => between(order.sheet(), from, to),
             What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
             _ => plain(&asked.symbol(&self.solution.mechanism, self.words.notation, &|name| self.label(name))),
         }
@@ -307,13 +307,13 @@ impl<'a> Names<'a> {
 
 /// The plan point with that name in any notation.
 fn in_other_notation(plan: &Plan, name: &str) -> Option<String> {
-    let is_pole = |notation: &&Notation| plain(notation.pole(plan.sheet)).replace('′', "'") == name;
-    if Notation::ALL.iter().any(is_pole) || (plan.sheet == Sheet::Acceleration && name == "pi") {
-        return Some(plan.sheet.pole().to_owned());
+    let is_pole = |notation: &&Notation| plain(notation.pole(plan.order)).replace('′', "'") == name;
+    if Notation::ALL.iter().any(is_pole) || (plan.order == Order::Acceleration && name == "pi") {
+        return Some(plan.order.pole().to_owned());
     }
     // Images in an acceleration plan may bear a prime.
     let primed = plan.points.keys().find(|point| with_prime(point).replace('′', "'") == name);
-    primed.filter(|_| plan.sheet == Sheet::Acceleration).cloned()
+    primed.filter(|_| plan.order == Order::Acceleration).cloned()
 }
 
 /// Markup without its braces.

@@ -3,7 +3,7 @@
 use super::measured::PlacedPoint;
 use crate::geometry::Point;
 use crate::photo::{PhotoSheet, Stroke, crossing};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -14,7 +14,7 @@ const AIMED: f64 = 0.5;
 #[derive(Clone, Copy)]
 pub struct PencilledPlan<'a> {
     /// Which plan.
-    pub kind: Sheet,
+    pub order: Order,
     /// Its scale, in units of the scene per millimetre.
     pub mu: f64,
     /// The place of its pole on the sheet, in mm, y down.
@@ -66,8 +66,10 @@ impl PointVerdict {
 impl<'a> PencilledPlan<'a> {
     /// The plans that a photographed sheet says are on it.
     pub fn on(sheet: &'a PhotoSheet, strokes: &'a [Stroke]) -> impl Iterator<Item = PencilledPlan<'a>> {
-        let plans = sheet.code.panels.iter().filter(|panel| panel.panel.is_plan());
-        plans.map(move |plan| PencilledPlan { kind: plan.panel, mu: plan.mu, pole: plan.origin, strokes, sheet })
+        sheet.code.panels.iter().filter_map(move |placed| {
+            let order = placed.panel.order()?;
+            Some(PencilledPlan { order, mu: placed.mu, pole: placed.origin, strokes, sheet })
+        })
     }
 
     /// A place on the sheet from the pole, in mm, y up.

@@ -45,6 +45,16 @@ struct Ready {
     groups: OnceLock<Groups>,
 }
 
+impl Ready {
+    /// The right construction, and those of the other assembly modes; `entries` are of a form with these quantities.
+    fn models(&self, key: &AnswerKey<'_>, entries: &[Entry]) -> &[Model] {
+        self.models.get_or_init(|| {
+            let others = other_modes(key, self.mu, entries);
+            [self.right.clone()].into_iter().chain(others).collect()
+        })
+    }
+}
+
 impl<'a> Prepared<'a> {
     /// Makes an answer key ready for many forms.
     #[must_use]
@@ -76,19 +86,7 @@ impl<'a> Prepared<'a> {
         }
         Ok(ready)
     }
-}
 
-impl Ready {
-    /// The right construction, and those of the other assembly modes; `entries` are of a form with these quantities.
-    fn models(&self, key: &AnswerKey<'_>, entries: &[Entry]) -> &[Model] {
-        self.models.get_or_init(|| {
-            let others = other_modes(key, self.mu, entries);
-            [self.right.clone()].into_iter().chain(others).collect()
-        })
-    }
-}
-
-impl Prepared<'_> {
     /// The verdicts on the values of one of many forms, and the mistakes that explain them, as by [`check`].
     ///
     /// # Errors
@@ -120,7 +118,7 @@ impl Prepared<'_> {
         };
         let plans = key.solution.construction.plans();
         let mirrored = plans.filter(|plan| {
-            let mut places = measured.points.iter().filter(|p| p.kind == plan.sheet);
+            let mut places = measured.points.iter().filter(|p| p.order == plan.order);
             places.any(|points| points.is_mirrored(plan))
         });
         let Tolerance { mm, degrees } = key.tolerance;
@@ -129,14 +127,14 @@ impl Prepared<'_> {
             degrees: hand.worst() * degrees,
             percent: SLIP * hand.errors[COMPUTING],
         });
-        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.sheet).collect() })
+        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.sheet()).collect() })
     }
 
     /// The values with the usual names of plan points, which may be written in any notation.
     fn with_usual_points(&self, measured: &Measured) -> Measured {
         let mut measured = measured.clone();
-        for PointsOf { kind, places } in &mut measured.points {
-            *places = places.iter().map(|(name, at)| (self.names.usual_point(*kind, name), *at)).collect();
+        for PointsOf { order, places } in &mut measured.points {
+            *places = places.iter().map(|(name, at)| (self.names.usual_point(order.sheet(), name), *at)).collect();
         }
         measured
     }

@@ -1,7 +1,7 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
 use super::measured::{CheckError, Given, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, shown};
 
 impl Measured {
@@ -42,14 +42,14 @@ impl Measured {
 
     /// Adds a line of a table.
     fn cells(&mut self, [name, value, third, fourth]: [&str; 4], place: &str) -> Result<(), CheckError> {
-        if let Some((kind, point)) = plan_point(name) {
+        if let Some((order, point)) = plan_point(name) {
             let at = [value, third].map(with_point);
             if at.iter().any(|c| !c.is_empty()) {
                 let [x, y] = at;
                 let band = (!fourth.is_empty()).then(|| radius(&with_point(fourth))).transpose()?;
                 let at = [coordinate(&x)?, coordinate(&y)?];
-                let plan = self.points.iter().position(|p| p.kind == kind).unwrap_or_else(|| {
-                    self.points.push(PointsOf::new(kind));
+                let plan = self.points.iter().position(|p| p.order == order).unwrap_or_else(|| {
+                    self.points.push(PointsOf::new(order));
                     self.points.len() - 1
                 });
                 self.points[plan].put(point, at, band);
@@ -119,7 +119,7 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
     for plan in &measured.points {
         let line = |(name, PlacedPoint { at, band }): (&String, &PlacedPoint)| {
             let numbers: String = at.iter().chain(band).map(|x| format!(",{x}")).collect();
-            quoted(&format!("{}:{name}", plan.kind.as_str())) + &numbers
+            quoted(&format!("{}:{name}", plan.order.sheet().as_str())) + &numbers
         };
         lines.extend(plan.places.iter().map(line));
     }
@@ -132,10 +132,9 @@ fn quoted(text: &str) -> String {
 }
 
 /// The plan and the point that the name of a place means, as `velocity:b`; `None` for other names.
-fn plan_point(name: &str) -> Option<(Sheet, &str)> {
+fn plan_point(name: &str) -> Option<(Order, &str)> {
     let (plan, point) = name.split_once(':')?;
-    let plan = Sheet::from_word(plan.trim()).filter(|sheet| sheet.is_plan())?;
-    Some((plan, point.trim()))
+    Some((Sheet::from_word(plan.trim())?.order()?, point.trim()))
 }
 
 /// What separates the cells of a table: what its first line with text has, a semicolon, a tab, or else a comma.

@@ -12,7 +12,7 @@ use crate::construction::Solution;
 use crate::cores::on_all_cores;
 use crate::format;
 use crate::scene::{Figure, SizeLimit};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use crate::words::Wording;
 use clap::{Args, ValueEnum};
 use std::collections::BTreeSet;
@@ -118,7 +118,7 @@ impl Check {
 
     pub(super) fn solved(&self, scene: &Path) -> Result<Solution, Failure> {
         let source = files::read(scene)?;
-        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Sheet::Acceleration)
+        solve(&source, SizeLimit::HAND, self.mode.number, |figure| self.words.put_into(figure), |_| Order::Acceleration)
     }
 
     /// Reads one form.

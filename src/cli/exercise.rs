@@ -8,7 +8,7 @@ use crate::course::{Question, canvas, moodle, scorm};
 use crate::exercise::{Exercise, Exercises};
 use crate::format::{self, Text};
 use crate::scene::{Figure, Kind, SizeLimit};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
@@ -65,7 +65,7 @@ impl ExerciseCommand {
             self.markers.put_into(figure);
             style.put_into(figure);
         };
-        let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Sheet::Acceleration)?;
+        let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
         let (figure, construction) = (&solution.scene.figure, &solution.construction);
         let page = self.look.paper.is_given().then_some(figure.page);
         let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);

@@ -5,7 +5,7 @@ use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use super::pieces::caught;
-use crate::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, aligned, proposed};
+use crate::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, aligned, proposed, proposed_form};
 use crate::construction::Solution;
 use crate::drawing::markers::SheetCode;
 use crate::drawing::{Drawing, SeenPoint, over_photo};
@@ -93,23 +93,28 @@ impl PhotoResult {
             );
         }
         for (index, (photo, plan)) in all.iter().enumerate() {
-            if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.kind == plan.kind) {
+            if let Some((other, _)) = all[..index].iter().find(|(_, other)| other.order == plan.order) {
                 return refuse(
-                    format!("{} and {} both show the {}", other.path.display(), photo.path.display(), plan.kind.name()),
+                    format!(
+                        "{} and {} both show the {}",
+                        other.path.display(),
+                        photo.path.display(),
+                        plan.order.sheet().name()
+                    ),
                     "give one photograph of each sheet",
                 );
             }
         }
         let plans: Vec<PencilledPlan<'_>> = all.iter().map(|(_, plan)| *plan).collect();
         let proposals = proposed(key, &plans)?;
-        let measured = proposals.measured(&plans, key);
+        let measured = proposed_form(&proposals, &plans, key);
         let sheet = |photo: &Photo| {
-            let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals.points)).collect();
+            let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals)).collect();
             let code = &photo.sheet.code;
             (photo.path.clone(), code.clone(), photo.backdrop(), over_photo(solution, code, &seen))
         };
         let sheets = photos.iter().map(sheet).collect();
-        Ok(PhotoResult { points: proposals.points, measured, sheets })
+        Ok(PhotoResult { points: proposals, measured, sheets })
     }
 
     /// Adds the pictures and the form to a set of files in a folder; `name` is that of the form.
@@ -151,7 +156,7 @@ impl PhotoResult {
         let head = language.photo_columns().map(str::to_owned);
         let mut rows = vec![head];
         for point in &self.points {
-            let pole = point.kind.pole();
+            let pole = point.order.pole();
             let mm = |x: f64| words.write(x, NumberStyle::decimals(1));
             let distance = |[x, y]: [f64; 2]| libm::hypot(x, y);
             let found = point.found.map(|found| {
@@ -185,11 +190,11 @@ fn pictures(backdrop: &Backdrop, drawing: &Drawing) -> Result<Vec<(&'static str,
 
 /// The points of a plan that were found, on the sheet.
 fn seen(plan: &PencilledPlan<'_>, points: &[Proposal]) -> Vec<SeenPoint> {
-    let own = points.iter().filter(|point| point.kind == plan.kind);
+    let own = points.iter().filter(|point| point.order == plan.order);
     own.filter_map(|point| {
         let found = point.found?;
         Some(SeenPoint {
-            panel: plan.kind,
+            panel: plan.order.sheet(),
             name: point.name.clone(),
             at: plan.on_sheet(found.at),
             band: found.band,

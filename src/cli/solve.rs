@@ -10,7 +10,7 @@ use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, counted_poses, with_nearest_sides};
 use crate::quantity::{QuantityRequest, readable_names, step_pencil};
 use crate::scene::{Figure, Scene, SizeLimit};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use crate::words::Wording;
 use crate::{Error, format, order_of_result, posed};
 use clap::{Args, ValueEnum};
@@ -40,7 +40,7 @@ pub(super) fn solve(
     most: SizeLimit,
     mode: Option<usize>,
     override_figure: impl Fn(&mut Figure),
-    order: impl Fn(&Scene) -> Sheet,
+    order: impl Fn(&Scene) -> Order,
 ) -> Result<Solution, Failure> {
     let (mut scene, mechanism, pose) = read(source, most, mode)?;
     override_figure(&mut scene.figure);
@@ -200,7 +200,7 @@ impl Steps {
     pub(super) fn run(&self) -> Result<(), Failure> {
         let source = files::read(&self.scene)?;
         let (mode, override_figure) = (self.mode.number, |figure: &mut Figure| self.look.put_into(figure));
-        let solution = solve(&source, SizeLimit::HAND, mode, override_figure, |_| Sheet::Acceleration)?;
+        let solution = solve(&source, SizeLimit::HAND, mode, override_figure, |_| Order::Acceleration)?;
         let pencil = source.checked(step_pencil(&solution, self.hand.tolerance()))?;
         let text = solution.steps(&pencil);
         show_warnings(&solution);

@@ -3,13 +3,13 @@
 
 use super::constructed::{Anchor, LaidOff};
 use super::name::{coriolis_name, point_on, slide_name};
-use super::number::{NumberKind, Product, ProductKind, Rate};
+use super::number::{NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
 use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
 use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 impl Writer<'_> {
     /// Takes the given rates of bodies and of driven sliders from the scene.
@@ -22,79 +22,83 @@ impl Writer<'_> {
                 Role::Driver { omega, alpha, .. } | Role::Moving { omega, alpha, .. } => [omega, alpha],
                 Role::Pushed { .. } | Role::Carrier { .. } | Role::Unsolved | Role::Member => continue,
             };
-            let omega = self.take(true, Sheet::Velocity, NumberKind::Rate(Rate::Omega(body)), rates[0]);
-            let alpha = self.take(true, Sheet::Acceleration, NumberKind::Rate(Rate::Alpha(body)), rates[1]);
+            let omega = self.take_given(Rate::Omega(body), rates[0]);
+            let alpha = self.take_given(Rate::Alpha(body), rates[1]);
             self.construction.angular_rates[body.0] = Some([omega, alpha]);
         }
         for id in mechanism.slider_ids() {
             if let Some(drive) = mechanism.slider(id).drive {
-                let velocity = self.take(true, Sheet::Velocity, NumberKind::Rate(Rate::SlideVelocity(id)), drive.speed);
-                let rate = NumberKind::Rate(Rate::SlideAcceleration(id));
-                let acceleration = self.take(true, Sheet::Acceleration, rate, drive.acceleration);
+                let velocity = self.take_given(Rate::SlideVelocity(id), drive.speed);
+                let acceleration = self.take_given(Rate::SlideAcceleration(id), drive.acceleration);
                 self.construction.slide_rates[id.0] = Some([velocity, acceleration]);
             }
         }
     }
 
+    /// The number of a rate that the scene gives; none for zero.
+    fn take_given(&mut self, rate: Rate, value: f64) -> Option<NumberId> {
+        self.take(true, rate.order(), NumberKind::Rate(rate), value)
+    }
+
     /// The end of the velocity or acceleration of the body's point at `point` in a plan.
-    pub(crate) fn motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
-        if let Some(place) = self.place_of_motion(sheet, body, point) {
+    pub(crate) fn motion(&mut self, order: Order, body: BodyId, point: PointId) -> PlaceId {
+        if let Some(place) = self.place_of_motion(order, body, point) {
             return place;
         }
         let place = match self.mechanism.is_known(body) {
-            true => self.known_motion(sheet, body, point),
-            false => self.connected_motion(sheet, body, point),
+            true => self.known_motion(order, body, point),
+            false => self.connected_motion(order, body, point),
         };
         // No construction reaches it: it is taken from the computed motion.
-        let place = place.unwrap_or_else(|| self.computed_motion(false, sheet, body, point));
-        self.construction.record.note_motion(sheet, body, point, place);
+        let place = place.unwrap_or_else(|| self.computed_motion(false, order, body, point));
+        self.construction.record.note_motion(order, body, point, place);
         place
     }
 
-    pub(crate) fn place_of_motion(&self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
-        self.construction.record.motions.get(&(sheet, body, point)).copied()
+    pub(crate) fn place_of_motion(&self, order: Order, body: BodyId, point: PointId) -> Option<PlaceId> {
+        self.construction.record.motions.get(&(order, body, point)).copied()
     }
 
-    fn known_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
-        let (mechanism, pole) = (self.mechanism, self.pole_of(sheet)?);
+    fn known_motion(&mut self, order: Order, body: BodyId, point: PointId) -> Option<PlaceId> {
+        let (mechanism, pole) = (self.mechanism, self.pole_of(order)?);
         match mechanism.body(body).role {
             Role::Ground => Some(pole),
-            Role::Driver { pivot, .. } => self.add_rotation(sheet, body, (pivot, pole), point),
+            Role::Driver { pivot, .. } => self.add_rotation(order, body, (pivot, pole), point),
             Role::Pushed { .. } => {
                 let root = mechanism.root(body);
-                let start = self.motion(sheet, root, point);
-                self.add_slides(sheet, start, &mechanism.slides_between(root, body))
+                let start = self.motion(order, root, point);
+                self.add_slides(order, start, &mechanism.slides_between(root, body))
             }
             // The scene gives the vector itself.
-            _ => Some(self.computed_motion(true, sheet, body, point)),
+            _ => Some(self.computed_motion(true, order, body, point)),
         }
     }
 
     /// Lays off a vector from the pole with size and direction of the computed motion; `by_hand` where the scene gives
     /// it.
-    fn computed_motion(&mut self, by_hand: bool, sheet: Sheet, body: BodyId, point: PointId) -> PlaceId {
+    fn computed_motion(&mut self, by_hand: bool, order: Order, body: BodyId, point: PointId) -> PlaceId {
         let (motion, at) = (self.motion.body(body), self.pose.point(point));
         let errors = self.motion.error(body);
         let arm = (at - motion.at).norm();
         // The vector, the error that it inherits from the motion, and the size of the relative motion in it, which adds
         // rounding.
-        let (vector, error, size) = match sheet {
-            Sheet::Scheme | Sheet::Velocity => {
+        let (vector, error, size) = match order {
+            Order::Velocity => {
                 let error = errors.velocity.norm() + errors.omega * arm;
                 (motion.velocity_at(at), error, motion.swing(at).norm())
             }
-            Sheet::Acceleration => {
+            Order::Acceleration => {
                 let turned = motion.normal(at).norm() + motion.tangential(at).norm();
                 let error = errors.acceleration.norm() + (errors.alpha + 2.0 * motion.omega.abs() * errors.omega) * arm;
                 (motion.acceleration_at(at), error, turned)
             }
         };
-        let pole = self.pole_of(sheet).expect("every plan has a pole");
-        let Some(number) = self.take(by_hand, sheet, NumberKind::Size, vector.norm()) else {
+        let pole = self.pole_of(order).expect("every plan has a pole");
+        let Some(number) = self.take(by_hand, order, NumberKind::Size, vector.norm()) else {
             return pole;
         };
         let along = Along::given(unit(vector).unwrap_or_default());
-        let place = self.lay_off(sheet, pole, vec![Product::plain(number)], along);
+        let place = self.lay_off(order, pole, vec![Product::plain(number)], along);
         let error = error + 8.0 * UNIT_ROUNDOFF * (vector.norm() + size);
         let Pair { x, y } = Pair::<Ball>::from(vector);
         self.construction.record.exact.places[place.0] = Pair { x: x.widened(error), y: y.widened(error) };
@@ -103,38 +107,38 @@ impl Writer<'_> {
 
     /// Constructs the point's motion from another point of the body, from the neighbour to which the body is anchored,
     /// or from a link of the same compound link; `None` where the motion of none of these is in the plan.
-    fn connected_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId) -> Option<PlaceId> {
+    fn connected_motion(&mut self, order: Order, body: BodyId, point: PointId) -> Option<PlaceId> {
         self.construction.angular_rates[body.0]?;
         let mechanism = self.mechanism;
-        if let Some(&(from, place)) = self.construction.record.first_motions.get(&(sheet, body)) {
-            return self.add_rotation(sheet, body, (from, place), point);
+        if let Some(&(from, place)) = self.construction.record.first_motions.get(&(order, body)) {
+            return self.add_rotation(order, body, (from, place), point);
         }
         if let Some(&Anchor { joint, from }) = self.construction.record.anchors.get(&body) {
             let at = mechanism.joint_point(joint);
-            let mut place = self.motion(sheet, from, at);
+            let mut place = self.motion(order, from, at);
             if let Some(slider) = mechanism.joint(joint).slider {
                 let guide_first = mechanism.slider(slider).on == from;
                 let slide = DrivenSlide { slider, from, to: body, sign: if guide_first { 1.0 } else { -1.0 } };
-                place = self.add_slides(sheet, place, &[slide])?;
+                place = self.add_slides(order, place, &[slide])?;
             }
-            self.construction.record.note_motion(sheet, body, at, place);
-            return self.add_rotation(sheet, body, (at, place), point);
+            self.construction.record.note_motion(order, body, at, place);
+            return self.add_rotation(order, body, (at, place), point);
         }
         // Driven sliders connect the body with an anchored link of its compound link.
         let root = mechanism.root(body);
         let mut others = mechanism.compound(root).into_iter();
         let record = &self.construction.record;
-        let is_there = |b: &BodyId| record.anchors.contains_key(b) || record.first_motions.contains_key(&(sheet, *b));
+        let is_there = |b: &BodyId| record.anchors.contains_key(b) || record.first_motions.contains_key(&(order, *b));
         let other = others.find(|b| *b != body && is_there(b))?;
-        let start = self.motion(sheet, other, point);
-        self.add_slides(sheet, start, &mechanism.slides_between(other, body))
+        let start = self.motion(order, other, point);
+        self.add_slides(order, start, &mechanism.slides_between(other, body))
     }
 
     /// Adds the relative motion of two points of one body, ω × r or α × r − ω² r, to `place`; `None` where the body's
     /// rates are unknown.
     fn add_rotation(
         &mut self,
-        sheet: Sheet,
+        order: Order,
         body: BodyId,
         (from, place): (PointId, PlaceId),
         to: PointId,
@@ -152,23 +156,21 @@ impl Writer<'_> {
         let turned = |rate: Option<_>| {
             rate.map(|rate| Product::new(ProductKind::Turning, 1.0, &[rate, length])).into_iter().collect()
         };
-        let place = match sheet {
-            Sheet::Scheme | Sheet::Velocity => {
-                self.lay_off_part(sheet, place, turned(omega), line.turned(1), of(VectorPart::Relative))
-            }
-            Sheet::Acceleration => {
+        let place = match order {
+            Order::Velocity => self.lay_off_part(order, place, turned(omega), line.turned(1), of(VectorPart::Relative)),
+            Order::Acceleration => {
                 let normal = omega.map(|omega| Product::new(ProductKind::Normal, -1.0, &[omega, omega, length]));
                 let normal = normal.into_iter().collect();
-                let place = self.lay_off_part(sheet, place, normal, line, of(VectorPart::Normal));
-                self.lay_off_part(sheet, place, turned(alpha), line.turned(1), of(VectorPart::Tangential))
+                let place = self.lay_off_part(order, place, normal, line, of(VectorPart::Normal));
+                self.lay_off_part(order, place, turned(alpha), line.turned(1), of(VectorPart::Tangential))
             }
         };
         Some(place)
     }
 
     /// Lays off a vector and notes its meaning.
-    fn lay_off_part(&mut self, sheet: Sheet, start: PlaceId, sum: Vec<Product>, along: Along, of: VectorOf) -> PlaceId {
-        let end = self.lay_off(sheet, start, sum, along);
+    fn lay_off_part(&mut self, order: Order, start: PlaceId, sum: Vec<Product>, along: Along, of: VectorOf) -> PlaceId {
+        let end = self.lay_off(order, start, sum, along);
         if end != start {
             self.construction.record.laid_off.entry(end).or_insert(LaidOff { start, end, of });
         }
@@ -176,10 +178,10 @@ impl Writer<'_> {
     }
 
     /// Adds the relative motions of driven sliders, one after another; `None` where a rate is unknown.
-    fn add_slides(&mut self, sheet: Sheet, mut place: PlaceId, slides: &[DrivenSlide]) -> Option<PlaceId> {
+    fn add_slides(&mut self, order: Order, mut place: PlaceId, slides: &[DrivenSlide]) -> Option<PlaceId> {
         for slide in slides {
-            for &part in VectorPart::of_slide(sheet) {
-                place = self.lay_off_slide_part(sheet, place, slide, part)?;
+            for &part in VectorPart::of_slide(order) {
+                place = self.lay_off_slide_part(order, place, slide, part)?;
             }
         }
         Some(place)
@@ -190,7 +192,7 @@ impl Writer<'_> {
     /// plan and zero vectors are not laid off.
     pub(super) fn driven_slides(
         &mut self,
-        sheet: Sheet,
+        order: Order,
         start: (String, PlaceId),
         slides: &[DrivenSlide],
         role: PointRole,
@@ -200,9 +202,9 @@ impl Writer<'_> {
         let mut vectors: Vec<(String, DrivenSlide, VectorPart)> = Vec::new();
         for slide in slides {
             entered.push_str(&self.mechanism.body(slide.to).name);
-            for &part in VectorPart::of_slide(sheet) {
+            for &part in VectorPart::of_slide(order) {
                 let name = if part == VectorPart::Coriolis { coriolis_name } else { slide_name };
-                if self.slide_part_size(sheet, slide, part).is_some_and(|sum| !sum.is_empty()) {
+                if self.slide_part_size(order, slide, part).is_some_and(|sum| !sum.is_empty()) {
                     vectors.push((name(&start.0, &entered), *slide, part));
                 }
             }
@@ -212,15 +214,15 @@ impl Writer<'_> {
         }
         let (mut from, mut place) = start;
         for (to, slide, part) in vectors {
-            let known = self.construction.place(sheet, &to).filter(|_| self.shows(sheet, &to));
+            let known = self.construction.place(order, &to).filter(|_| self.shows(order, &to));
             place = match known {
                 Some(known) => known,
                 None => {
                     let of = VectorOf::Passed(slide, part);
-                    let step = self.begin(sheet);
-                    let place = self.lay_off_slide_part(sheet, place, &slide, part).unwrap_or(place);
-                    self.show(sheet, &to, place, role);
-                    self.finish(step, Action::LayOff(Arrow { from, to: to.clone(), of }));
+                    let step = self.begin(order);
+                    let place = self.lay_off_slide_part(order, place, &slide, part).unwrap_or(place);
+                    self.show(order, &to, place, role);
+                    self.finish(step, Action::LayOff(Arrow { order, from, to: to.clone(), of }));
                     place
                 }
             };
@@ -232,20 +234,20 @@ impl Writer<'_> {
     /// Lays off a slider's relative velocity or acceleration from `place`; returns its end.
     pub(super) fn lay_off_slide_part(
         &mut self,
-        sheet: Sheet,
+        order: Order,
         place: PlaceId,
         slide: &DrivenSlide,
         part: VectorPart,
     ) -> Option<PlaceId> {
         let guide = Along::line(self.guide(slide.slider));
         let along = if part == VectorPart::Coriolis { guide.turned(1) } else { guide };
-        let sum = self.slide_part_size(sheet, slide, part)?;
-        Some(self.lay_off_part(sheet, place, sum, along, VectorOf::Passed(*slide, part)))
+        let sum = self.slide_part_size(order, slide, part)?;
+        Some(self.lay_off_part(order, place, sum, along, VectorOf::Passed(*slide, part)))
     }
 
     /// The signed size of a slider's relative velocity or acceleration: an empty sum for zero, `None` where a rate is
     /// unknown.
-    pub(super) fn slide_part_size(&self, sheet: Sheet, slide: &DrivenSlide, part: VectorPart) -> Option<Vec<Product>> {
+    pub(super) fn slide_part_size(&self, order: Order, slide: &DrivenSlide, part: VectorPart) -> Option<Vec<Product>> {
         let rates = self.construction.slide_rates[slide.slider.0]?;
         let product = match part {
             VectorPart::Coriolis => {
@@ -255,7 +257,7 @@ impl Writer<'_> {
                 let both = omega.zip(rates[0]);
                 both.map(|(omega, rate)| Product::new(ProductKind::Coriolis, 2.0 * slide.sign, &[omega, rate]))
             }
-            _ => rates[sheet.order()].map(|rate| Product::new(ProductKind::Sliding, slide.sign, &[rate])),
+            _ => rates[order].map(|rate| Product::new(ProductKind::Sliding, slide.sign, &[rate])),
         };
         Some(product.into_iter().collect())
     }

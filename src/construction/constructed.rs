@@ -2,10 +2,10 @@ use super::cut::{Special, SpecialId};
 use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{Along, LineId, Operation, PlaceId, StepId};
 use super::run::{Disturbance, Values};
-use super::step::{Action, Plan, VectorOf};
+use super::step::{Action, Arrow, NumberedStep, Plan, Ray, VectorOf};
 use crate::geometry::{Ball, Point};
 use crate::mechanism::{BodyId, JointId, Mechanism, PointId, SliderId};
-use crate::sheet::{PerSheet, Sheet};
+use crate::sheet::{Order, PerSheet, Sheet};
 use indexmap::IndexMap;
 
 /// Everything that is drawn for a mechanism: the special points, the plans step by step, and the manual operations
@@ -18,8 +18,10 @@ pub struct Construction {
     pub special: Vec<Special>,
     /// By group: how the construction's rates compare with the loop equations'; none where there is no construction.
     pub agreement: Vec<Option<Agreement>>,
-    /// What is drawn on each sheet; nothing on one that was not asked for.
-    pub sheets: PerSheet<Plan>,
+    /// The steps by which each sheet is drawn, in order; none on one that was not asked for.
+    pub steps: PerSheet<Vec<Action>>,
+    /// The plans; one that was not asked for has no points.
+    pub plans: [Plan; 2],
     /// The operations of ruler, pencil and calculator, each after those whose results it uses.
     pub operations: Vec<Operation>,
     /// Origin of the places of the scheme, the mechanism's first point: coordinates that count from a far origin would
@@ -70,7 +72,8 @@ impl Construction {
             extent,
             special: Vec::new(),
             agreement: Vec::new(),
-            sheets: PerSheet::from_fn(Plan::new),
+            steps: PerSheet::default(),
+            plans: Order::ALL.map(Plan::new),
             operations: Vec::new(),
             origin,
             numbers: Vec::new(),
@@ -95,7 +98,7 @@ impl Construction {
             Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates[link.0],
             Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide_rates[slider.0],
         };
-        numbers.map(|numbers| numbers[rate.sheet().order()])
+        numbers.map(|numbers| numbers[rate.order()])
     }
 
     pub(super) fn set_rate(&mut self, rate: Rate, number: NumberId) {
@@ -103,7 +106,7 @@ impl Construction {
             Rate::Omega(link) | Rate::Alpha(link) => &mut self.angular_rates[link.0],
             Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => &mut self.slide_rates[slider.0],
         };
-        numbers.get_or_insert_default()[rate.sheet().order()] = Some(number);
+        numbers.get_or_insert_default()[rate.order()] = Some(number);
     }
 
     /// A special point by name.
@@ -114,19 +117,41 @@ impl Construction {
 
     /// The plans that were asked for, in the order in which they are drawn.
     pub fn plans(&self) -> impl Iterator<Item = &Plan> {
-        Sheet::PLANS.into_iter().filter_map(|sheet| self.plan_on(sheet))
+        self.plans.iter().filter(|plan| !plan.points.is_empty())
     }
 
-    /// The plan on a sheet; none on the scheme, which has no points of a plan.
+    /// The plan of velocities or of accelerations, if it was asked for.
+    #[must_use]
+    pub fn plan(&self, order: Order) -> Option<&Plan> {
+        self.plans().find(|plan| plan.order == order)
+    }
+
+    /// The plan on a sheet, if it shows one that was asked for.
     #[must_use]
     pub fn plan_on(&self, sheet: Sheet) -> Option<&Plan> {
-        Some(&self.sheets[sheet]).filter(|plan| !plan.points.is_empty())
+        self.plan(sheet.order()?)
+    }
+
+    /// The vectors that the steps of a plan lay off, in order.
+    pub fn arrows(&self, sheet: impl Into<Sheet>) -> impl Iterator<Item = &Arrow> {
+        self.steps[sheet.into()].iter().filter_map(|action| match action {
+            Action::LayOff(arrow) => Some(arrow),
+            _ => None,
+        })
+    }
+
+    /// The rays that the steps of a plan draw, in order.
+    pub fn rays(&self, order: Order) -> impl Iterator<Item = &Ray> {
+        self.steps[order.sheet()].iter().filter_map(|action| match action {
+            Action::Ray(ray) => Some(ray),
+            _ => None,
+        })
     }
 
     /// The groups without a construction: for each the names of its special points at infinity; empty where these are
     /// not the reason.
     pub fn without(&self) -> impl Iterator<Item = &[String]> {
-        self.sheets[Sheet::Velocity].steps.iter().filter_map(|action| match action {
+        self.steps[Sheet::Velocity].iter().filter_map(|action| match action {
             Action::NoConstruction { far } => Some(far.as_slice()),
             _ => None,
         })
@@ -141,15 +166,16 @@ impl Construction {
     /// The name of a plan point that may be called as if every leg had a normal part: `n_b3` also is the end of a
     /// Coriolis acceleration alone, or the start of a leg without a known part. Other names stay.
     #[must_use]
-    pub fn plan_name<'a>(&'a self, sheet: Sheet, name: &'a str) -> &'a str {
-        let end = self.known_parts.get(name).filter(|_| sheet == Sheet::Acceleration);
+    pub fn plan_name<'a>(&'a self, sheet: impl Into<Sheet>, name: &'a str) -> &'a str {
+        let has_parts = sheet.into() == Sheet::Acceleration;
+        let end = self.known_parts.get(name).filter(|_| has_parts);
         end.map_or(name, |[_, end]| end)
     }
 
     /// A point of a sheet by its name, as in `S3` of the scheme or `n_b3` of the acceleration plan.
     #[must_use]
-    pub fn place(&self, sheet: Sheet, name: &str) -> Option<PlaceId> {
-        self.places.get(&(sheet, name.to_owned())).copied()
+    pub fn place(&self, sheet: impl Into<Sheet>, name: &str) -> Option<PlaceId> {
+        self.places.get(&(sheet.into(), name.to_owned())).copied()
     }
 
     /// The named points of the sheets, in the order in which they got their names; a place may have several names.
@@ -165,7 +191,7 @@ impl Construction {
                 let [a, b] = ends.map(|end| self.end_name(mechanism, end));
                 format!("L({a},{b})")
             }
-            NumberKind::Segment(sheet, [from, to]) => sheet.segment_name(from, to),
+            NumberKind::Segment(order, [from, to]) => order.sheet().segment_name(from, to),
             NumberKind::Rate(rate) => rate.name(mechanism),
             NumberKind::Reading(name) => name.clone(),
             NumberKind::Size => String::new(),
@@ -183,7 +209,7 @@ impl Construction {
 
     /// All steps, numbered from 1 through the sheets.
     pub fn numbered_steps(&self) -> impl Iterator<Item = NumberedStep<'_>> {
-        let steps = self.sheets.iter().flat_map(|(sheet, plan)| plan.steps.iter().map(move |action| (sheet, action)));
+        let steps = self.steps.iter().flat_map(|(sheet, actions)| actions.iter().map(move |action| (sheet, action)));
         (1..).zip(steps).map(|(number, (sheet, action))| {
             let plan = self.plan_on(sheet);
             NumberedStep { number, sheet, plan, action }
@@ -193,7 +219,7 @@ impl Construction {
     /// How many steps there are.
     #[must_use]
     pub fn step_count(&self) -> usize {
-        self.sheets.iter().map(|(_, plan)| plan.steps.len()).sum()
+        self.steps.iter().map(|(_, actions)| actions.len()).sum()
     }
 
     /// The step of that number.
@@ -205,14 +231,14 @@ impl Construction {
     /// The number of a step.
     #[must_use]
     pub fn step_number(&self, StepId { sheet, index }: StepId) -> usize {
-        let earlier = self.sheets.iter().filter(|(other, _)| *other < sheet);
-        earlier.map(|(_, plan)| plan.steps.len()).sum::<usize>() + index + 1
+        let earlier = self.steps.iter().filter(|(other, _)| *other < sheet);
+        earlier.map(|(_, actions)| actions.len()).sum::<usize>() + index + 1
     }
 
     /// A step by its sheet and index.
     #[must_use]
     pub fn step(&self, StepId { sheet, index }: StepId) -> Option<&Action> {
-        self.sheets[sheet].steps.get(index)
+        self.steps[sheet].get(index)
     }
 
     /// For each quantity, by name, the first step that yields it.
@@ -239,40 +265,6 @@ impl Construction {
     }
 }
 
-/// A step of the construction with its number.
-#[derive(Clone, Copy, Debug)]
-pub struct NumberedStep<'a> {
-    /// Number of the step, from 1 through all sheets.
-    pub number: usize,
-    /// The sheet on which it is drawn.
-    pub sheet: Sheet,
-    /// The plan to which it belongs; none for the scheme.
-    pub plan: Option<&'a Plan>,
-    /// What is done.
-    pub action: &'a Action,
-}
-
-impl NumberedStep<'_> {
-    /// Names of the quantities that the step yields.
-    #[must_use]
-    pub fn names(&self) -> Vec<String> {
-        let sheet = self.sheet;
-        match self.action {
-            Action::MeasureLength { from, to, .. } | Action::Measure { from, to, .. } => {
-                vec![sheet.segment_name(from, to)]
-            }
-            Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
-            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                vec![sheet.segment_name(sheet.pole(), point)]
-            }
-            Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
-            Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {
-                Vec::new()
-            }
-        }
-    }
-}
-
 /// The results of the operations written so far, by what they are results of.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Record {
@@ -291,9 +283,9 @@ pub(super) struct Record {
     /// By place: the lines drawn through it in a direction.
     pub rays: IndexMap<PlaceId, Vec<(Along, LineId)>>,
     /// By plan, body and point: the place of that motion in the plan.
-    pub motions: IndexMap<(Sheet, BodyId, PointId), PlaceId>,
+    pub motions: IndexMap<(Order, BodyId, PointId), PlaceId>,
     /// By plan and body: the point whose motion was there first, and its place.
-    pub first_motions: IndexMap<(Sheet, BodyId), (PointId, PlaceId)>,
+    pub first_motions: IndexMap<(Order, BodyId), (PointId, PlaceId)>,
     /// The vectors laid off between images of points, by their ends.
     pub laid_off: IndexMap<PlaceId, LaidOff>,
     /// The joint by which the motion of a body follows from a known one.
@@ -324,8 +316,8 @@ impl Record {
     }
 
     /// Notes the place of the motion of a body's point in a plan; an earlier one stays.
-    pub fn note_motion(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        self.motions.entry((sheet, body, point)).or_insert(place);
-        self.first_motions.entry((sheet, body)).or_insert((point, place));
+    pub fn note_motion(&mut self, order: Order, body: BodyId, point: PointId, place: PlaceId) {
+        self.motions.entry((order, body, point)).or_insert(place);
+        self.first_motions.entry((order, body)).or_insert((point, place));
     }
 }

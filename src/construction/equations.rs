@@ -7,27 +7,27 @@ use super::sentence::Teller;
 use super::step::{LegEquation, Ray, RayOf, Relation, VectorPart};
 use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, DrivenSlide, GROUND, PointId};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 impl Teller<'_> {
     /// The vector equation behind a ray: motion of the sought point relative to the leg's start, or of a further point
     /// of a link relative to one with an image.
-    pub(super) fn ray_equation(&self, sheet: Sheet, ray: &Ray) -> Formula {
+    pub(super) fn ray_equation(&self, ray: &Ray) -> Formula {
         let (special, side) = match ray.of {
             RayOf::Leg(special, side) => (self.construction.special(special), side),
             // At an angle to a line of images no equation is needed.
             RayOf::Arm { .. } if ray.relation == Relation::Angle => return Formula::default(),
             RayOf::Arm { link, from, to, .. } => {
                 let [from, to] = [from, to].map(|point| point_on(self.mechanism, link, point));
-                let mut formula = Formula::equal(sheet, &to, &from);
-                let relative = sheet.vector().to_owned() + &subscript(&[&to, &from]);
+                let mut formula = Formula::equal(ray.order, &to, &from);
+                let relative = ray.order.vector().to_owned() + &subscript(&[&to, &from]);
                 formula.add('+', relative, Known::Direction, None);
                 return formula;
             }
         };
         let cut = &special.cuts[side];
         let start = cut.start().map(|point| point_on(self.mechanism, cut.leg.base, point)).unwrap_or_default();
-        let mut formula = self.leg_equation(sheet, special, cut, &start);
+        let mut formula = self.leg_equation(ray.order, special, cut, &start);
         // A point of the ground has no velocity: its term is left out, with one of the plus signs beside it.
         let ground = self.mechanism.body(GROUND);
         let is_under = cut.leg.base == GROUND && cut.start().is_some_and(|start| !ground.points.contains(&start));
@@ -40,15 +40,15 @@ impl Teller<'_> {
 
     /// The vector equation behind the ray of a leg: what the sliders of the leg add, then what the ray carries. Parts
     /// that are zero in every position are left out.
-    fn leg_equation(&self, sheet: Sheet, point: &Special, cut: &CutLine, start: &str) -> Formula {
+    fn leg_equation(&self, order: Order, point: &Special, cut: &CutLine, start: &str) -> Formula {
         let notation = self.words.notation;
-        let mut formula = Formula::equal(sheet, &point.name, start);
+        let mut formula = Formula::equal(order, &point.name, start);
         let add_slide = |formula: &mut Formula, slide: &DrivenSlide, known: Known, part: VectorPart| {
             let index = if part == VectorPart::Coriolis { notation.coriolis } else { notation.relative };
-            let markup = format!("{}_{index}({})", sheet.vector(), self.mechanism.slider_name(slide.slider));
+            let markup = format!("{}_{index}({})", order.vector(), self.mechanism.slider_name(slide.slider));
             formula.add(if slide.sign < 0.0 { '−' } else { '+' }, markup, known, Some(part));
         };
-        let has_coriolis = |slide: &DrivenSlide| sheet == Sheet::Acceleration && self.has_coriolis(slide);
+        let has_coriolis = |slide: &DrivenSlide| order == Order::Acceleration && self.has_coriolis(slide);
         for slide in &cut.slides {
             add_slide(&mut formula, slide, Known::Entirely, VectorPart::Sliding);
             if has_coriolis(slide) {
@@ -61,13 +61,13 @@ impl Teller<'_> {
         }
         let points = subscript(&[&point.name, start]);
         let turning: Vec<BodyId> = cut.terms.iter().filter_map(|term| self.turning(point, term)).collect();
-        match sheet {
+        match order {
             // Turning and sliding together are one velocity along the ray.
-            Sheet::Scheme | Sheet::Velocity => match passed.filter(|_| turning.is_empty()) {
+            Order::Velocity => match passed.filter(|_| turning.is_empty()) {
                 Some(slide) => add_slide(&mut formula, &slide, Known::Direction, VectorPart::Sliding),
                 None => formula.add('+', format!("v{points}"), Known::Direction, None),
             },
-            Sheet::Acceleration => {
+            Order::Acceleration => {
                 if turning.iter().any(|&link| self.turns(link)) {
                     let normal = format!("a^{}{points}", notation.normal);
                     formula.add('+', normal, Known::Entirely, Some(VectorPart::Normal));
@@ -150,8 +150,8 @@ impl Teller<'_> {
     ///
     /// Each term has the sign of its component along the segment from its start to the special point's image.
     #[must_use]
-    pub fn equation(&self, sheet: Sheet, LegEquation { special, side, from, segment }: &LegEquation) -> String {
-        let (rate, slide) = (sheet.rate(), sheet.vector());
+    pub fn equation(&self, LegEquation { order, special, side, from, segment }: &LegEquation) -> String {
+        let (rate, slide) = (order.rate(), order.vector());
         let mechanism = self.mechanism;
         let point = self.construction.special(*special);
         let cut = &point.cuts[*side];
@@ -185,6 +185,6 @@ impl Teller<'_> {
             });
             left.push_str(&written);
         }
-        format!("{left} = {}", measured(sheet, from, &image_name(&point.name)))
+        format!("{left} = {}", measured(order.sheet(), from, &image_name(&point.name)))
     }
 }

@@ -10,8 +10,9 @@ use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
 use crate::geometry::{Vector, quarter_turn, span};
-use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role};
-use crate::sheet::Sheet;
+use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
+use crate::motion::{BodyMotion, Motion, SlideMotion};
+use crate::sheet::{Order, Sheet};
 use core::cmp::Reverse;
 
 /// The ray of a leg.
@@ -19,18 +20,6 @@ struct DrawnRay {
     /// Its first point in the plan: name and place.
     from: (String, PlaceId),
     line: LineId,
-}
-
-/// An unknown rate of a group.
-#[derive(Clone, Copy)]
-pub(super) struct UnknownRate {
-    /// Its index among the unknowns of the group's equations.
-    pub index: usize,
-    /// The rate; several links may have the same.
-    pub rate: Rate,
-    /// Its value in the computed motion, with the bound of its error.
-    pub value: f64,
-    error: f64,
 }
 
 impl Writer<'_> {
@@ -97,54 +86,54 @@ impl Writer<'_> {
     }
 
     /// Lays off the known vector of the point from which a ray starts.
-    pub(super) fn known_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId) {
+    pub(super) fn known_vector(&mut self, order: Order, base: BodyId, point: PointId) {
         let name = self.start_name(base, point);
         // An earlier group may have constructed it.
-        if let Some(shown) = self.plan(sheet).points.get_mut(&name).filter(|shown| shown.role != PointRole::Pole) {
+        if let Some(shown) = self.plan(order).points.get_mut(&name).filter(|shown| shown.role != PointRole::Pole) {
             shown.role = PointRole::Known;
             return;
         }
         match self.mechanism.body(base).role {
             Role::Pushed { from, .. } if from != GROUND && self.mechanism.is_known(base) => {
-                self.pushed_vector(sheet, base, point, &name);
+                self.pushed_vector(order, base, point, &name);
             }
             // A fixed point: its image is the pole, with a name of its own where the point coincides with a slider's.
             Role::Ground => {
-                let pole = self.motion(sheet, base, point);
-                self.show(sheet, &name, pole, PointRole::Pole);
+                let pole = self.motion(order, base, point);
+                self.show(order, &name, pole, PointRole::Pole);
             }
             _ => {
-                let from = sheet.pole().to_owned();
+                let from = order.pole().to_owned();
                 let of = VectorOf::Point(base, point);
-                let step = self.begin(sheet);
-                let place = self.motion(sheet, base, point);
+                let step = self.begin(order);
+                let place = self.motion(order, base, point);
                 // The start of a ray has the role of a known point, even if it was another point's image before.
-                self.show(sheet, &name, place, PointRole::Known);
-                if let Some(shown) = self.plan(sheet).points.get_mut(&name) {
+                self.show(order, &name, place, PointRole::Known);
+                if let Some(shown) = self.plan(order).points.get_mut(&name) {
                     shown.role = PointRole::Known;
                 }
-                self.finish(step, Action::LayOff(Arrow { from, to: name, of }));
+                self.finish(step, Action::LayOff(Arrow { order, from, to: name, of }));
             }
         }
     }
 
     /// Lays off the vector of a body that driven sliders connect with one of known motion: first the coincident point
     /// of that body, then the sliders' relative motions.
-    fn pushed_vector(&mut self, sheet: Sheet, base: BodyId, point: PointId, name: &str) {
+    fn pushed_vector(&mut self, order: Order, base: BodyId, point: PointId, name: &str) {
         let root = self.mechanism.root(base);
-        self.known_vector(sheet, root, point);
-        let start = (self.start_name(root, point), self.motion(sheet, root, point));
+        self.known_vector(order, root, point);
+        let start = (self.start_name(root, point), self.motion(order, root, point));
         let slides = self.mechanism.slides_between(root, base);
-        let (_, place) = self.driven_slides(sheet, start, &slides, PointRole::Known, Some(name));
-        self.show(sheet, name, place, PointRole::Known);
-        self.construction.record.note_motion(sheet, base, point, place);
+        let (_, place) = self.driven_slides(order, start, &slides, PointRole::Known, Some(name));
+        self.show(order, name, place, PointRole::Known);
+        self.construction.record.note_motion(order, base, point, place);
     }
 
     /// Draws rays, crosses them, measures segments, and solves for the rates with the equations of relations between
     /// angles. `None` where rays are parallel or the equations have no solution.
     pub(super) fn rays(
         &mut self,
-        sheet: Sheet,
+        order: Order,
         group: &Group,
         equations: &LoopEquations,
         drawn: &[DrawnSpecial<'_>],
@@ -152,38 +141,39 @@ impl Writer<'_> {
         let (mut rows, mut written) = (Vec::new(), Vec::new());
         for point in drawn {
             let image = image_name(&point.special.name);
-            let rays = [self.ray(sheet, point, 0)?, self.ray(sheet, point, 1)?];
+            let rays = [self.ray(order, point, 0)?, self.ray(order, point, 1)?];
             let from = rays.each_ref().map(|ray| ray.from.0.clone());
             let sine = point.special.crossing.sine();
-            let step = self.begin(sheet);
-            let crossing = self.cross(true, sheet, OperationRole::Image, rays.each_ref().map(|ray| ray.line))?;
+            let step = self.begin(order);
+            let crossing = self.cross(true, order, OperationRole::Image, rays.each_ref().map(|ray| ray.line))?;
             self.finish(step, Action::Cross { point: image.clone(), from, sine });
             let role = if point.special.is_assur { PointRole::Special } else { PointRole::Image };
-            self.show(sheet, &image, crossing, role);
+            self.show(order, &image, crossing, role);
             for (side, DrawnRay { from: (from, start), line }) in rays.into_iter().enumerate() {
-                let kind = NumberKind::Segment(sheet, [from.clone(), image.clone()]);
-                let step = self.begin(sheet);
-                let segment = self.measure(sheet, kind, [start, crossing], MeasuredAs::Along(line));
+                let kind = NumberKind::Segment(order, [from.clone(), image.clone()]);
+                let step = self.begin(order);
+                let segment = self.measure(order, kind, [start, crossing], MeasuredAs::Along(line));
                 let length = self.construction.record.exact.numbers[segment.0].high;
                 let measured = Action::Measure { from: from.clone(), to: image.clone(), value: length.abs() };
                 self.finish(step, measured);
-                rows.push(self.equation(sheet, equations, point, side, segment)?);
-                written.push(LegEquation { special: point.id, side, from, segment: length });
+                rows.push(self.equation(order, equations, point, side, segment)?);
+                written.push(LegEquation { order, special: point.id, side, from, segment: length });
             }
-            self.note_joint_motion(sheet, point, crossing);
+            self.note_joint_motion(order, point, crossing);
         }
         for terms in &equations.angular {
-            rows.push(self.angular_equation(sheet, terms)?);
+            rows.push(self.angular_equation(order, terms)?);
         }
-        let unknown = self.unknown_rates(sheet, group, equations);
+        let unknown = self.unknown_rates(order, group, equations);
         // Links with one angular rate have one unknown: it has the name of the last of them.
         let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
-        unknown.iter().for_each(|unknown| rates[unknown.index] = unknown.rate);
-        let step = self.begin(sheet);
-        let numbers = self.solve(sheet, &rates, rows)?;
+        unknown.iter().for_each(|&(index, rate)| rates[index] = rate);
+        let step = self.begin(order);
+        let numbers = self.solve(order, &rates, rows)?;
         // Rates that follow from relations between angles alone are computed without a step.
         if !written.is_empty() {
-            let unknowns = unknown.iter().map(|unknown| (unknown.rate.name(self.mechanism), unknown.value)).collect();
+            let named = |&(_, rate): &(usize, Rate)| (rate.name(self.mechanism), self.computed_rate(rate)[0]);
+            let unknowns = unknown.iter().map(named).collect();
             self.finish(step, Action::Solve { equations: written, unknowns });
         }
         self.note_rates(&unknown, &numbers);
@@ -192,72 +182,74 @@ impl Writer<'_> {
 
     /// Notes the image of a dyad's inner joint: it is the image of a pin for both links, of a slider's point for its
     /// own link only.
-    fn note_joint_motion(&mut self, sheet: Sheet, point: &DrawnSpecial<'_>, place: PlaceId) {
+    fn note_joint_motion(&mut self, order: Order, point: &DrawnSpecial<'_>, place: PlaceId) {
         let Some(target) = point.special.target else { return };
-        self.construction.record.note_motion(sheet, point.special.link, target, place);
+        self.construction.record.note_motion(order, point.special.link, target, place);
         for Carried { carrier, inner } in point.special.cuts.iter().filter_map(|cut| cut.leg.carried) {
             if self.mechanism.joint(inner).pin.is_some() {
                 let side = self.mechanism.side(inner, carrier);
-                self.construction.record.note_motion(sheet, side, target, place);
+                self.construction.record.note_motion(order, side, target, place);
             }
         }
     }
 
     /// Draws the ray of a leg, after the driven sliders' vectors and the normal part that lead to its start.
-    fn ray(&mut self, sheet: Sheet, point: &DrawnSpecial<'_>, side: usize) -> Option<DrawnRay> {
+    fn ray(&mut self, order: Order, point: &DrawnSpecial<'_>, side: usize) -> Option<DrawnRay> {
         let (cut, leg) = (&point.special.cuts[side], &point.legs[side]);
         let base = cut.leg.base;
         let start = cut.start()?;
-        let start = (self.start_name(base, start), self.motion(sheet, base, start));
-        let mut from = self.driven_slides(sheet, start, &cut.slides, PointRole::Slid, None);
-        if sheet == Sheet::Acceleration {
+        let start = (self.start_name(base, start), self.motion(order, base, start));
+        let mut from = self.driven_slides(order, start, &cut.slides, PointRole::Slid, None);
+        if order == Order::Acceleration {
             from = self.known_parts(point, side, from)?;
         }
         // The ray is drawn against the guide where there is one, else against the line through two joints.
         let relation = if cut.guide().is_some() { Relation::Parallel } else { Relation::Perpendicular };
         let ray = Ray {
+            order,
             through: from.0.clone(),
             to: image_name(&point.special.name),
             direction: quarter_turn(cut.line.direction().unwrap_or_else(Vector::x)),
             relation,
             of: RayOf::Leg(point.id, side),
         };
-        let step = self.begin(sheet);
+        let step = self.begin(order);
         // Two special points may have a ray in common.
         let drawn = self.drawn(from.1, leg.ray);
-        let line = drawn.unwrap_or_else(|| self.draw(sheet, OperationRole::Ray, from.1, leg.ray));
+        let line = drawn.unwrap_or_else(|| self.draw(order, OperationRole::Ray, from.1, leg.ray));
         self.finish(step, Action::Ray(ray));
         Some(DrawnRay { from, line })
     }
 
-    /// The rates of links, then of sliders, that the equations of a plan are solved for.
-    pub(super) fn unknown_rates(&self, sheet: Sheet, group: &Group, equations: &LoopEquations) -> Vec<UnknownRate> {
-        let (motion, order) = (self.motion, sheet.order());
-        let links = group.bodies.iter().filter_map(|&link| {
-            let (body, errors) = (motion.body(link), motion.error(link));
-            let omega = (Rate::Omega(link), body.omega, errors.omega);
-            let alpha = (Rate::Alpha(link), body.alpha, errors.alpha);
-            Some((equations.angular_unknown(link)?, [omega, alpha]))
-        });
-        let sliders = self.mechanism.slider_ids().filter_map(|id| {
-            let slide = motion.slide(id);
-            let velocity = (Rate::SlideVelocity(id), slide.velocity, slide.velocity_error);
-            let acceleration = (Rate::SlideAcceleration(id), slide.acceleration, slide.acceleration_error);
-            Some((equations.slide_unknown(id)?, [velocity, acceleration]))
-        });
-        let of_order = |(index, rates): (usize, [(Rate, f64, f64); 2])| {
-            let (rate, value, error) = rates[order];
-            UnknownRate { index, rate, value, error }
+    /// The rates of links, then of sliders, that the equations of a plan are solved for, each with its index among the
+    /// unknowns; several links may have the same.
+    fn unknown_rates(&self, order: Order, group: &Group, equations: &LoopEquations) -> Vec<(usize, Rate)> {
+        let (of_link, of_slider): (fn(BodyId) -> Rate, fn(SliderId) -> Rate) = match order {
+            Order::Velocity => (Rate::Omega, Rate::SlideVelocity),
+            Order::Acceleration => (Rate::Alpha, Rate::SlideAcceleration),
         };
-        links.chain(sliders).map(of_order).collect()
+        let links = group.bodies.iter().filter_map(|&link| Some((equations.angular_unknown(link)?, of_link(link))));
+        let sliders = self.mechanism.slider_ids();
+        links.chain(sliders.filter_map(|id| Some((equations.slide_unknown(id)?, of_slider(id))))).collect()
+    }
+
+    /// A rate in the computed motion, and the bound of its error.
+    fn computed_rate(&self, rate: Rate) -> [f64; 2] {
+        let motion = self.motion;
+        match rate {
+            Rate::Omega(link) => [motion.body(link).omega, motion.error(link).omega],
+            Rate::Alpha(link) => [motion.body(link).alpha, motion.error(link).alpha],
+            Rate::SlideVelocity(id) => [motion.slide(id).velocity, motion.slide(id).velocity_error],
+            Rate::SlideAcceleration(id) => [motion.slide(id).acceleration, motion.slide(id).acceleration_error],
+        }
     }
 
     /// Notes the numbers of solved rates. Of links that turn alike the one with most points gives the rate its name.
-    pub(super) fn note_rates(&mut self, unknown: &[UnknownRate], numbers: &[NumberId]) {
-        for &UnknownRate { index, rate, .. } in unknown {
+    fn note_rates(&mut self, unknown: &[(usize, Rate)], numbers: &[NumberId]) {
+        for &(index, rate) in unknown {
             self.construction.set_rate(rate, numbers[index]);
-            let alike = unknown.iter().filter(|other| other.index == index);
-            let alike = alike.filter_map(|other| Some((other.rate, other.rate.link()?)));
+            let alike = unknown.iter().filter(|(other, _)| *other == index);
+            let alike = alike.filter_map(|&(_, rate)| Some((rate, rate.link()?)));
             let most = alike.min_by_key(|(_, link)| Reverse(self.mechanism.body(*link).points.len()));
             if let Some((most, _)) = most.filter(|(most, _)| *most != rate) {
                 let [name, most] = [rate, most].map(|rate| rate.name(self.mechanism));
@@ -268,11 +260,12 @@ impl Writer<'_> {
 
     /// Takes the rates of a group without a construction from the motion; marked as not found by hand.
     pub(super) fn take_computed_rates(&mut self, group: &Group, equations: &LoopEquations) {
-        let both = Sheet::PLANS.map(|sheet| self.unknown_rates(sheet, group, equations));
+        let both = Order::ALL.map(|order| self.unknown_rates(order, group, equations));
         for at in 0..both[0].len() {
-            for (sheet, unknown) in Sheet::PLANS.into_iter().zip(&both) {
-                let UnknownRate { rate, value, error, .. } = unknown[at];
-                let number = self.take_computed(sheet, rate, value, error);
+            for unknown in &both {
+                let (_, rate) = unknown[at];
+                let [value, error] = self.computed_rate(rate);
+                let number = self.take_computed(rate, value, error);
                 self.construction.set_rate(rate, number);
             }
         }
@@ -282,13 +275,14 @@ impl Writer<'_> {
     pub(super) fn agreement(&self, group: &Group, equations: &LoopEquations) -> Agreement {
         let mut result = Agreement { difference: 0.0, allowed: 0.0 };
         let size = span(self.pose.points.iter().copied());
-        for &sheet in self.plans() {
-            let scale = self.largest_rate(sheet.order(), size);
+        for &order in self.orders() {
+            let scale = self.largest_rate(order, size);
             // Subnormal rates have lost digits: they count as zero.
             if scale < f64::MIN_POSITIVE {
                 continue;
             }
-            for UnknownRate { rate, value, error, .. } in self.unknown_rates(sheet, group, equations) {
+            for (_, rate) in self.unknown_rates(order, group, equations) {
+                let [value, error] = self.computed_rate(rate);
                 let Some(number) = self.construction.rate(rate).flatten() else { continue };
                 let scale = if rate.link().is_some() { scale } else { scale * size };
                 let constructed = self.construction.record.exact.numbers[number.0];
@@ -306,16 +300,14 @@ impl Writer<'_> {
 
     /// The mechanism's largest angular velocity or acceleration; it also counts other velocities and accelerations, over
     /// the mechanism's size, and ω². A group that stands still has no measure of its own.
-    fn largest_rate(&self, order: usize, size: f64) -> f64 {
-        let bodies = self.motion.bodies.iter().map(|body| {
-            [body.omega.abs().max(body.velocity.norm() / size), {
-                let turning = body.alpha.abs().max(body.omega * body.omega);
-                turning.max(body.acceleration.norm() / size)
-            }]
-        });
-        let slides = self.motion.slides.iter();
-        let slides = slides.map(|slide| [slide.velocity.abs() / size, slide.acceleration.abs() / size]);
+    fn largest_rate(&self, order: Order, size: f64) -> f64 {
+        let of_body = |body: &BodyMotion| match order {
+            Order::Velocity => body.omega.abs().max(body.velocity.norm() / size),
+            Order::Acceleration => body.alpha.abs().max(body.omega * body.omega).max(body.acceleration.norm() / size),
+        };
+        let of_slide = |slide: &SlideMotion| [slide.velocity, slide.acceleration][order].abs() / size;
+        let Motion { bodies, slides, .. } = self.motion;
         // `max` ignores NaN, as of a mechanism without size.
-        bodies.chain(slides).fold(0.0, |largest: f64, rates| largest.max(rates[order]))
+        bodies.iter().map(of_body).chain(slides.iter().map(of_slide)).fold(0.0, f64::max)
     }
 }

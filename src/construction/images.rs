@@ -8,7 +8,7 @@ use super::step::{Action, Arrow, PointRole, Ray, RayOf, Relation, VectorOf, Vect
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, cross};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, Leg, Mechanism, PointId, SliderId};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 /// Least sine of the angle at a point between its arms to two others, for its image to be crossed by two rays.
 const LEAST_SINE: f64 = 0.3;
@@ -44,22 +44,22 @@ impl Writer<'_> {
     /// Constructs the images of all points of a link that have none yet, in all plans.
     pub(super) fn further_images(&mut self, body: BodyId) {
         let mechanism = self.mechanism;
-        for &sheet in self.plans() {
+        for &order in self.orders() {
             for &point in &mechanism.body(body).points {
                 let name = image_name(mechanism.point_name(point));
-                if self.shows(sheet, &name) {
+                if self.shows(order, &name) {
                     continue;
                 }
-                let made = self.similar_image(sheet, body, point, &name);
+                let made = self.similar_image(order, body, point, &name);
                 if made.is_none() {
-                    self.relative_image(sheet, body, point);
+                    self.relative_image(order, body, point);
                 }
             }
         }
     }
 
     /// The first points of a body that have an image in a plan.
-    fn imaged(&mut self, sheet: Sheet, body: BodyId) -> Vec<Imaged> {
+    fn imaged(&mut self, order: Order, body: BodyId) -> Vec<Imaged> {
         let mechanism = self.mechanism;
         let under = mechanism.sliders.iter().filter(|slider| slider.on == body).map(|slider| slider.at);
         let mut found: Vec<Imaged> = Vec::new();
@@ -68,8 +68,8 @@ impl Writer<'_> {
                 break;
             }
             let name = image_name(&point_on(mechanism, body, point));
-            let is_there = self.shows(sheet, &name) && found.iter().all(|f| f.point != point);
-            if let (true, Some(place)) = (is_there, self.construction.place(sheet, &name)) {
+            let is_there = self.shows(order, &name) && found.iter().all(|f| f.point != point);
+            if let (true, Some(place)) = (is_there, self.construction.place(order, &name)) {
                 found.push(Imaged { point, name, place });
             }
         }
@@ -77,8 +77,8 @@ impl Writer<'_> {
     }
 
     /// The image of a point from those of two others of its link; `None` without two that give it well.
-    fn similar_image(&mut self, sheet: Sheet, body: BodyId, point: PointId, name: &str) -> Option<()> {
-        let imaged = self.imaged(sheet, body);
+    fn similar_image(&mut self, order: Order, body: BodyId, point: PointId, name: &str) -> Option<()> {
+        let imaged = self.imaged(order, body);
         let arm = |from: PointId| self.pose.arm(from, point);
         let mut best: Option<(f64, [&Imaged; 2])> = None;
         for (index, first) in imaged.iter().enumerate() {
@@ -86,7 +86,7 @@ impl Writer<'_> {
                 let (a, b) = (arm(first.point), arm(second.point));
                 let between = self.pose.arm(first.point, second.point);
                 let coincide = [a, b, between].iter().any(|arm| arm.norm() <= self.near);
-                if coincide || !self.are_apart(sheet, first.place, second.place) {
+                if coincide || !self.are_apart(order, first.place, second.place) {
                     continue;
                 }
                 let on_line = (cross(a, between) / between.norm()).abs() <= self.near;
@@ -100,26 +100,26 @@ impl Writer<'_> {
         }
         let (worth, pair) = best?;
         let place = match worth >= 2.0 {
-            true => self.divided_image(sheet, body, point, name, pair),
-            false => self.crossed_image(sheet, body, point, name, pair)?,
+            true => self.divided_image(order, body, point, name, pair),
+            false => self.crossed_image(order, body, point, name, pair)?,
         };
-        self.construction.record.note_motion(sheet, body, point, place);
+        self.construction.record.note_motion(order, body, point, place);
         Some(())
     }
 
     /// Narrows the bounds of an image to those of the rotation about another point of its link, with the constructed
     /// rates. From crossing to crossing bounds would grow; the place that a hand draws stays the same.
-    fn narrow(&mut self, sheet: Sheet, body: BodyId, point: PointId, place: PlaceId) {
-        let base = self.construction.record.first_motions.get(&(sheet, body)).copied();
+    fn narrow(&mut self, order: Order, body: BodyId, point: PointId, place: PlaceId) {
+        let base = self.construction.record.first_motions.get(&(order, body)).copied();
         let (Some((from, base)), Some(rates)) = (base, self.construction.angular_rates[body.0]) else {
             return;
         };
         let [omega, alpha] =
             rates.map(|rate| rate.map_or(Ball::default(), |rate| self.construction.record.exact.numbers[rate.0]));
         let arm = Pair::between(self.pose.point(from), self.pose.point(point));
-        let turned = match sheet {
-            Sheet::Scheme | Sheet::Velocity => arm.quarter_turn() * omega,
-            Sheet::Acceleration => arm.quarter_turn() * alpha - arm * (omega * omega),
+        let turned = match order {
+            Order::Velocity => arm.quarter_turn() * omega,
+            Order::Acceleration => arm.quarter_turn() * alpha - arm * (omega * omega),
         };
         let rotated = self.construction.record.exact.places[base.0] + turned;
         if rotated.errors().norm() < self.construction.record.exact.places[place.0].errors().norm() {
@@ -129,22 +129,22 @@ impl Writer<'_> {
 
     /// Whether two plan points are so far apart that the image of their link can be drawn from them, in parts of the
     /// plan drawn so far.
-    fn are_apart(&mut self, sheet: Sheet, a: PlaceId, b: PlaceId) -> bool {
+    fn are_apart(&mut self, order: Order, a: PlaceId, b: PlaceId) -> bool {
         let between =
             (self.construction.record.exact.places[b.0] - self.construction.record.exact.places[a.0]).rounded();
-        between.norm() > LEAST_BASE * self.plan(sheet).largest
+        between.norm() > LEAST_BASE * self.plan(order).largest
     }
 
     /// The image of a point on the line of two others, by division of the line of their images.
-    fn divided_image(&mut self, sheet: Sheet, body: BodyId, point: PointId, name: &str, pair: [&Imaged; 2]) -> PlaceId {
+    fn divided_image(&mut self, order: Order, body: BodyId, point: PointId, name: &str, pair: [&Imaged; 2]) -> PlaceId {
         let [first, second] = pair;
         let points = [first.point, second.point, point];
         let between = [first.name.clone(), second.name.clone()];
-        let step = self.begin(sheet);
+        let step = self.begin(order);
         let like = points.map(|point| self.plot(point));
-        let place = self.divide(sheet, [first.place, second.place], like);
-        self.narrow(sheet, body, point, place);
-        self.show(sheet, name, place, PointRole::Image);
+        let place = self.divide(order, [first.place, second.place], like);
+        self.narrow(order, body, point, place);
+        self.show(order, name, place, PointRole::Image);
         self.finish(step, Action::Divide { point: name.to_owned(), between, points });
         place
     }
@@ -152,7 +152,7 @@ impl Writer<'_> {
     /// The image of a point by two rays from the images of two others; `None` where they do not cross.
     fn crossed_image(
         &mut self,
-        sheet: Sheet,
+        order: Order,
         body: BodyId,
         point: PointId,
         name: &str,
@@ -165,57 +165,57 @@ impl Writer<'_> {
         let side = self.join(pair[0].point, pair[1].point);
         let rays = [(pair[0], pair[1]), (pair[1], pair[0])].map(|(end, other)| {
             let arm = self.join(end.point, point);
-            let (along, relation) = match sheet {
-                Sheet::Scheme | Sheet::Velocity => (Along::line(arm).turned(1), Relation::Perpendicular),
-                Sheet::Acceleration => (Along::angle(base, [side, arm]), Relation::Angle),
+            let (along, relation) = match order {
+                Order::Velocity => (Along::line(arm).turned(1), Relation::Perpendicular),
+                Order::Acceleration => (Along::angle(base, [side, arm]), Relation::Angle),
             };
             let of = RayOf::Arm { link: body, from: end.point, to: point, other: other.point };
             let (through, to) = (end.name.clone(), name.to_owned());
-            let step = self.begin(sheet);
-            let line = self.draw(sheet, OperationRole::Ray, end.place, along);
+            let step = self.begin(order);
+            let line = self.draw(order, OperationRole::Ray, end.place, along);
             let direction = self.construction.record.exact.lines[line.0].1.rounded();
-            (line, step, self.construction.operations.len(), Ray { through, to, direction, relation, of })
+            (line, step, self.construction.operations.len(), Ray { order, through, to, direction, relation, of })
         });
         let [a, b] = pair.map(|end| self.pose.arm(end.point, point));
         let sine = cross(a, b) / (a.norm() * b.norm());
         let from = pair.map(|end| end.name.clone());
-        let step = self.begin(sheet);
-        let place = self.cross(true, sheet, OperationRole::Image, rays.each_ref().map(|(line, ..)| *line))?;
+        let step = self.begin(order);
+        let place = self.cross(true, order, OperationRole::Image, rays.each_ref().map(|(line, ..)| *line))?;
         for (_, step, end, ray) in rays {
             self.take_step(step, end, Action::Ray(ray));
         }
         self.finish(step, Action::Cross { point: name.to_owned(), from, sine });
-        self.narrow(sheet, body, point, place);
-        self.show(sheet, name, place, PointRole::Image);
+        self.narrow(order, body, point, place);
+        self.show(order, name, place, PointRole::Image);
         Some(place)
     }
 
     /// The image of a body's point by its motion relative to points that have one, each part of it in a step of its
     /// own. Those that lead to the body's own joint come first.
-    pub(super) fn relative_image(&mut self, sheet: Sheet, body: BodyId, point: PointId) {
+    pub(super) fn relative_image(&mut self, order: Order, body: BodyId, point: PointId) {
         let mechanism = self.mechanism;
         let name = image_name(&point_on(mechanism, body, point));
-        if self.shows(sheet, &name) {
+        if self.shows(order, &name) {
             return;
         }
         if body == GROUND {
-            let pole = self.motion(sheet, body, point);
-            self.show(sheet, &name, pole, PointRole::Pole);
+            let pole = self.motion(order, body, point);
+            self.show(order, &name, pole, PointRole::Pole);
             return;
         }
         if let Some(anchor) = self.construction.record.anchors.get(&body).copied() {
             let at = mechanism.joint_point(anchor.joint);
             if at != point {
                 for body in [anchor.from, body] {
-                    self.relative_image(sheet, body, at);
+                    self.relative_image(order, body, at);
                 }
             }
         }
-        let place = self.motion(sheet, body, point);
+        let place = self.motion(order, body, point);
         // Back to a plan point that is there.
         let (mut at, mut vectors) = (place, Vec::new());
         let start = loop {
-            if let Some(name) = self.shown_name(sheet, at) {
+            if let Some(name) = self.shown_name(order, at) {
                 break Some(name);
             }
             match self.construction.record.laid_off.get(&at).cloned() {
@@ -228,14 +228,14 @@ impl Writer<'_> {
         };
         let Some(mut from) = start else {
             // The scene gives the vector, or no construction does.
-            self.show(sheet, &name, place, PointRole::Image);
-            let (from, of) = (sheet.pole().to_owned(), VectorOf::Point(body, point));
-            self.add_step_of(sheet, Arrow { from, to: name, of }, place);
+            self.show(order, &name, place, PointRole::Image);
+            let (from, of) = (order.pole().to_owned(), VectorOf::Point(body, point));
+            self.add_step_of(order, Arrow { order, from, to: name, of }, place);
             return;
         };
         if vectors.is_empty() {
-            self.show(sheet, &name, place, PointRole::Image);
-            let step = self.begin(sheet);
+            self.show(order, &name, place, PointRole::Image);
+            let step = self.begin(order);
             self.finish(step, Action::Coincide { point: name, with: from, link: body });
             return;
         }
@@ -244,25 +244,25 @@ impl Writer<'_> {
                 true => (name.clone(), PointRole::Image),
                 false => {
                     let (name, role) = part_end(mechanism, &from, &laid.of);
-                    (self.free_name(sheet, name), role)
+                    (self.free_name(order, name), role)
                 }
             };
-            self.show(sheet, &to, laid.end, role);
-            self.add_step_of(sheet, Arrow { from, to: to.clone(), of: laid.of }, laid.end);
+            self.show(order, &to, laid.end, role);
+            self.add_step_of(order, Arrow { order, from, to: to.clone(), of: laid.of }, laid.end);
             from = to;
         }
     }
 
     /// Adds the step of a vector that has been laid off to a place already.
-    fn add_step_of(&mut self, sheet: Sheet, arrow: Arrow, end: PlaceId) {
-        let step = self.begin(sheet);
+    fn add_step_of(&mut self, order: Order, arrow: Arrow, end: PlaceId) {
+        let step = self.begin(order);
         let step = self.finish(step, Action::LayOff(arrow));
         self.claim(step, end);
     }
 
     /// The name, with primes if another plan point has it.
-    pub(super) fn free_name(&mut self, sheet: Sheet, mut name: String) -> String {
-        while self.shows(sheet, &name) {
+    pub(super) fn free_name(&mut self, order: Order, mut name: String) -> String {
+        while self.shows(order, &name) {
             name = match name.contains('_') {
                 true => name.replacen('_', "'_", 1),
                 false => format!("{name}'"),
@@ -290,7 +290,7 @@ impl Writer<'_> {
     }
 
     fn image_step_of_leg(&mut self, leg: &Leg, second: &Carried) {
-        let (mechanism, sheet) = (self.mechanism, Sheet::Velocity);
+        let (mechanism, order) = (self.mechanism, Order::Velocity);
         let outer = mechanism.joint_point(leg.outer);
         // The links of the carrying compound link at the outer and at the inner joint.
         let [outer_link, inner_link] = [leg.outer, second.inner].map(|joint| mechanism.side(joint, second.carrier));
@@ -301,26 +301,26 @@ impl Writer<'_> {
         }
         let slides = leg.carrier_slides(mechanism);
         if !slides.is_empty() {
-            let start = (from, self.motion(sheet, outer_link, outer));
-            let (name, place) = self.driven_slides(sheet, start, &slides, PointRole::Slid, None);
-            self.construction.record.note_motion(sheet, inner_link, outer, place);
+            let start = (from, self.motion(order, outer_link, outer));
+            let (name, place) = self.driven_slides(order, start, &slides, PointRole::Slid, None);
+            self.construction.record.note_motion(order, inner_link, outer, place);
             from = name;
         }
         let inner = mechanism.joint_point(second.inner);
         let end = point_on(mechanism, inner_link, inner);
         let to = image_name(&end);
         // A dyad's inner joint has its image already, the crossing of its rays.
-        if !self.shows(sheet, &to) {
+        if !self.shows(order, &to) {
             let of = VectorOf::Relative {
                 link: inner_link,
                 from: mechanism.point_name(outer).to_owned(),
                 to: end,
                 part: VectorPart::Relative,
             };
-            let step = self.begin(sheet);
-            let place = self.motion(sheet, inner_link, inner);
-            self.show(sheet, &to, place, PointRole::Image);
-            let step = self.finish(step, Action::LayOff(Arrow { from, to, of }));
+            let step = self.begin(order);
+            let place = self.motion(order, inner_link, inner);
+            self.show(order, &to, place, PointRole::Image);
+            let step = self.finish(step, Action::LayOff(Arrow { order, from, to, of }));
             self.claim(step, place);
         }
         if let Some(slider) = mechanism.joint(second.inner).slider {
@@ -331,36 +331,36 @@ impl Writer<'_> {
     /// Adds the step of a sliding velocity, from the image of the guide's point to that of the slider's; returns both
     /// names.
     fn sliding_velocity_step(&mut self, id: SliderId) -> [String; 2] {
-        let (mechanism, sheet) = (self.mechanism, Sheet::Velocity);
+        let (mechanism, order) = (self.mechanism, Order::Velocity);
         let slider = mechanism.slider(id);
         let at = mechanism.point_name(slider.at);
         let under = coincident_name(at, &mechanism.body(slider.on).name);
         let names = [image_name(&under), image_name(at)];
         let of = VectorOf::Sliding(id, under);
-        let step = self.begin(sheet);
-        let image = self.motion(sheet, slider.link, slider.at);
-        let guide_image = self.motion(sheet, slider.on, slider.at);
-        self.show(sheet, &names[0], guide_image, PointRole::Image);
-        self.show(sheet, &names[1], image, PointRole::Image);
+        let step = self.begin(order);
+        let image = self.motion(order, slider.link, slider.at);
+        let guide_image = self.motion(order, slider.on, slider.at);
+        self.show(order, &names[0], guide_image, PointRole::Image);
+        self.show(order, &names[1], image, PointRole::Image);
         let [from, to] = names.clone();
-        let step = self.finish(step, Action::LayOff(Arrow { from, to, of }));
+        let step = self.finish(step, Action::LayOff(Arrow { order, from, to, of }));
         self.claim(step, image);
         names
     }
 
     /// Constructs the images of the group's joints by relative motions: first of pins, then of sliders.
-    pub(super) fn relative_images(&mut self, sheet: Sheet, group: &Group) {
+    pub(super) fn relative_images(&mut self, order: Order, group: &Group) {
         let mechanism = self.mechanism;
         for joint in mechanism.joints_of(group) {
             if let Some(point) = mechanism.joint(joint).pin {
                 let bodies = mechanism.joint(joint).bodies;
-                let body = bodies.into_iter().find(|&body| self.place_of_motion(sheet, body, point).is_some());
+                let body = bodies.into_iter().find(|&body| self.place_of_motion(order, body, point).is_some());
                 let anchored = || bodies.into_iter().find(|&body| self.construction.record.anchors.contains_key(&body));
                 if let Some(body) = body.or_else(anchored) {
-                    self.relative_image(sheet, body, point);
-                    let place = self.motion(sheet, body, point);
+                    self.relative_image(order, body, point);
+                    let place = self.motion(order, body, point);
                     for other in bodies {
-                        self.construction.record.note_motion(sheet, other, point, place);
+                        self.construction.record.note_motion(order, other, point, place);
                     }
                 }
             }
@@ -368,28 +368,28 @@ impl Writer<'_> {
         for slider in mechanism.joints_of(group).into_iter().filter_map(|joint| mechanism.joint(joint).slider) {
             let ends = mechanism.slider(slider);
             for body in [ends.on, ends.link] {
-                self.relative_image(sheet, body, ends.at);
+                self.relative_image(order, body, ends.at);
             }
         }
     }
 
     /// Names the images of the group's joints: first of pins, each by the motion of its carrying link, then of sliders.
-    pub(super) fn images(&mut self, sheet: Sheet, group: &Group) {
+    pub(super) fn images(&mut self, order: Order, group: &Group) {
         let mechanism = self.mechanism;
         for (special, leg) in group.special.iter().flat_map(|s| s.legs.map(|leg| (s, leg))) {
             let Some(Carried { carrier, inner }) = leg.carried else { continue };
             if let Some(point) = mechanism.joint(inner).pin {
-                let place = self.motion(sheet, mechanism.side(inner, carrier), point);
-                self.name_place(sheet, &image_name(mechanism.point_name(point)), place);
+                let place = self.motion(order, mechanism.side(inner, carrier), point);
+                self.name_place(order, &image_name(mechanism.point_name(point)), place);
                 let other = mechanism.side(inner, mechanism.lead(special.link));
-                self.construction.record.note_motion(sheet, other, point, place);
+                self.construction.record.note_motion(order, other, point, place);
             }
         }
         for slider in mechanism.joints_of(group).into_iter().filter_map(|joint| mechanism.joint(joint).slider) {
             let ends = mechanism.slider(slider);
             for body in [ends.link, ends.on] {
-                let place = self.motion(sheet, body, ends.at);
-                self.name_place(sheet, &image_name(&point_on(mechanism, body, ends.at)), place);
+                let place = self.motion(order, body, ends.at);
+                self.name_place(order, &image_name(&point_on(mechanism, body, ends.at)), place);
             }
         }
     }

@@ -8,7 +8,7 @@ use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::quarter_turn;
 use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, PointId};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 
 /// Directions of a leg on the sheets.
 #[derive(Clone, Copy)]
@@ -74,7 +74,7 @@ impl Writer<'_> {
     /// The equation of a measured segment, which is the sum of the leg's terms.
     pub(super) fn equation(
         &mut self,
-        sheet: Sheet,
+        order: Order,
         equations: &LoopEquations,
         drawn: &DrawnSpecial<'_>,
         side: usize,
@@ -88,7 +88,7 @@ impl Writer<'_> {
                 (Term::Turn { link, .. }, Some(length)) => match equations.angular_unknown(link) {
                     Some(unknown) => left.push((unknown, Product::plain(length))),
                     None => {
-                        if let Some(rate) = self.construction.angular_rates[link.0]?[sheet.order()] {
+                        if let Some(rate) = self.construction.angular_rates[link.0]?[order] {
                             right.push(Product::new(ProductKind::Turning, -1.0, &[rate, length]));
                         }
                     }
@@ -108,13 +108,13 @@ impl Writer<'_> {
     }
 
     /// The equation of a relation between angles, as of gears; `None` where the rate of a known body has no number.
-    pub(super) fn angular_equation(&self, sheet: Sheet, terms: &AngularTerms) -> Option<Equation> {
+    pub(super) fn angular_equation(&self, order: Order, terms: &AngularTerms) -> Option<Equation> {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         for &(rate, weight) in terms {
             match rate {
                 AngularRate::Unknown(unknown) => left.push((unknown, Product::new(ProductKind::Plain, weight, &[]))),
                 AngularRate::Known(body) => {
-                    let rate = self.construction.angular_rates[body.0]?[sheet.order()];
+                    let rate = self.construction.angular_rates[body.0]?[order];
                     right.extend(rate.map(|rate| Product::new(ProductKind::Plain, -weight, &[rate])));
                 }
             }
@@ -131,29 +131,29 @@ impl Writer<'_> {
         side: usize,
         from: (String, PlaceId),
     ) -> Option<(String, PlaceId)> {
-        let sheet = Sheet::Acceleration;
+        let order = Order::Acceleration;
         let usual = drawn.special.normal_names(self.mechanism)[side].clone();
         let start = from.0.clone();
         let mut at = from;
         if let Some(slide) = drawn.special.cuts[side].slide(self.mechanism)
-            && self.slide_part_size(sheet, &slide, VectorPart::Coriolis).is_some_and(|sum| !sum.is_empty())
+            && self.slide_part_size(order, &slide, VectorPart::Coriolis).is_some_and(|sum| !sum.is_empty())
         {
             let name = drawn.special.coriolis_name(self.mechanism, side);
-            let name = self.free_name(sheet, name);
+            let name = self.free_name(order, name);
             let of = VectorOf::Passed(slide, VectorPart::Coriolis);
-            let step = self.begin(sheet);
-            let end = self.lay_off_slide_part(sheet, at.1, &slide, VectorPart::Coriolis)?;
-            self.show(sheet, &name, end, PointRole::Slid);
-            self.finish(step, Action::LayOff(Arrow { from: at.0, to: name.clone(), of }));
+            let step = self.begin(order);
+            let end = self.lay_off_slide_part(order, at.1, &slide, VectorPart::Coriolis)?;
+            self.show(order, &name, end, PointRole::Slid);
+            self.finish(step, Action::LayOff(Arrow { order, from: at.0, to: name.clone(), of }));
             at = (name, end);
         }
         let normal = self.normal_part(drawn, side)?;
         if !normal.is_empty() {
             let of = VectorOf::Normal(drawn.id, side);
-            let step = self.begin(sheet);
-            let end = self.lay_off(sheet, at.1, normal, drawn.legs[side].along);
-            self.show(sheet, &usual, end, PointRole::Normal);
-            self.finish(step, Action::LayOff(Arrow { from: at.0, to: usual.clone(), of }));
+            let step = self.begin(order);
+            let end = self.lay_off(order, at.1, normal, drawn.legs[side].along);
+            self.show(order, &usual, end, PointRole::Normal);
+            self.finish(step, Action::LayOff(Arrow { order, from: at.0, to: usual.clone(), of }));
             at = (usual.clone(), end);
         }
         self.construction.known_parts.insert(usual, [start, at.0.clone()]);

@@ -3,7 +3,7 @@
 
 use super::step::{Plan, VectorPart};
 use crate::scene::{Head, QuantityName};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use crate::words::Wording;
 
 /// A point's name, marked for a caption.
@@ -57,8 +57,8 @@ pub(super) fn subscript(names: &[&str]) -> String {
 pub(crate) fn rate_symbol(name: &str) -> String {
     let parsed = QuantityName::parse(name);
     match parsed.as_ref().map(|name| (name.head, name.arguments.as_slice())) {
-        Some((Head::Omega, [link])) => format!("{}_{{{link}}}", Sheet::Velocity.rate()),
-        Some((Head::Alpha, [link])) => format!("{}_{{{link}}}", Sheet::Acceleration.rate()),
+        Some((Head::Omega, [link])) => format!("{}_{{{link}}}", Order::Velocity.rate()),
+        Some((Head::Alpha, [link])) => format!("{}_{{{link}}}", Order::Acceleration.rate()),
         _ => name.to_owned(),
     }
 }
@@ -142,11 +142,11 @@ impl Formula {
     }
 
     /// The equation of the motion of a point: its vector, and that of the point from which it follows.
-    pub(super) fn equal(sheet: Sheet, point: &str, start: &str) -> Formula {
+    pub(super) fn equal(order: Order, point: &str, start: &str) -> Formula {
         let mut formula = Formula::default();
-        formula.vector(sheet.vector().to_owned() + &subscript(&[point]), Known::Nothing, None);
+        formula.vector(order.vector().to_owned() + &subscript(&[point]), Known::Nothing, None);
         formula.sign(" = ");
-        formula.vector(sheet.vector().to_owned() + &subscript(&[start]), Known::Entirely, None);
+        formula.vector(order.vector().to_owned() + &subscript(&[start]), Known::Entirely, None);
         formula
     }
 

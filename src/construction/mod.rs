@@ -60,7 +60,7 @@ mod solution;
 mod step;
 mod writer;
 
-pub use constructed::{Agreement, Construction, Extent, NumberedStep};
+pub use constructed::{Agreement, Construction, Extent};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
 pub use markup::{Formula, FormulaTerm, Known, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
@@ -75,6 +75,7 @@ pub use run::{Change, Disturbance, Tolerance, Values};
 pub use sentence::{PlanVector, Teller};
 pub use solution::{Solution, construct};
 pub use step::{
-    Action, Arrow, LegEquation, NOTHING, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart,
+    Action, Arrow, LegEquation, NOTHING, NumberedStep, Plan, PlanPoint, PointRole, Ray, RayOf, Relation, VectorOf,
+    VectorPart,
 };
 pub(crate) use writer::Writer;

@@ -2,7 +2,7 @@
 
 use super::cut::SpecialId;
 use crate::mechanism::{BodyId, Mechanism, PointId, SliderId};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use smallvec::SmallVec;
 
 /// Index of a number: given, measured or computed.
@@ -51,8 +51,8 @@ pub struct Equation {
 pub enum NumberKind {
     /// The distance of two points of the scheme.
     Length([End; 2]),
-    /// A segment of the plan on this sheet, with the names of its ends.
-    Segment(Sheet, [String; 2]),
+    /// A segment of the plan of velocities or accelerations, with the names of its ends.
+    Segment(Order, [String; 2]),
     /// A rate: given, or solved for.
     Rate(Rate),
     /// The signed size of a vector that is laid off.
@@ -84,12 +84,12 @@ pub enum Rate {
 }
 
 impl Rate {
-    /// The plan from which it is found.
+    /// Whether it is found from velocities or from accelerations.
     #[must_use]
-    pub fn sheet(self) -> Sheet {
+    pub fn order(self) -> Order {
         match self {
-            Rate::Omega(_) | Rate::SlideVelocity(_) => Sheet::Velocity,
-            Rate::Alpha(_) | Rate::SlideAcceleration(_) => Sheet::Acceleration,
+            Rate::Omega(_) | Rate::SlideVelocity(_) => Order::Velocity,
+            Rate::Alpha(_) | Rate::SlideAcceleration(_) => Order::Acceleration,
         }
     }
 

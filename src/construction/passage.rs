@@ -1,9 +1,9 @@
 //! Steps that a lecturer shows together: each passage reaches one aim of the construction.
 
-use super::constructed::{Construction, NumberedStep};
+use super::constructed::Construction;
 use super::markup::{marked, rate_symbol};
 use super::sentence::Teller;
-use super::step::{Action, Arrow, PointRole, Ray, RayOf, Relation, VectorOf};
+use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
 use crate::words::Language;
 
@@ -196,7 +196,7 @@ impl Teller<'_> {
     /// The image that a step makes first; not the end of a part of a vector that leads there.
     fn image_made<'a>(&self, step: &NumberedStep<'a>) -> Option<&'a str> {
         let (plan, name) = (step.plan?, step.action.image()?);
-        let maker = plan.steps.iter().find(|action| action.image() == Some(name))?;
+        let maker = self.construction.steps[step.sheet].iter().find(|action| action.image() == Some(name))?;
         (plan.points.get(name)?.role == PointRole::Image && std::ptr::eq(maker, step.action)).then_some(name)
     }
 }

@@ -1,15 +1,15 @@
 //! Captions of steps, the equations that are said with them, and the vectors of a plan by their symbols.
 
-use super::constructed::{Construction, NumberedStep};
+use super::constructed::Construction;
 use super::cut::Special;
 use super::markup::{Formula, Known, marked, measured, no_construction, rate_symbol, subscript};
 use super::name::{coincident_name, image_name, point_on};
 use super::solution::Solution;
-use super::step::{Action, Arrow, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
+use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use crate::geometry::{Place, degrees_of};
 use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
 use crate::position::Pose;
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use crate::words::{Language, NumberStyle, Wording};
 
 /// Writes steps in a language and a notation.
@@ -46,13 +46,13 @@ impl<'a> Teller<'a> {
 
     /// The caption of a step, one line; names of points between backticks, the rest in markup.
     #[must_use]
-    pub fn caption(&self, NumberedStep { sheet, action, .. }: &NumberedStep<'_>) -> String {
+    pub fn caption(&self, NumberedStep { action, .. }: &NumberedStep<'_>) -> String {
         let language = self.words.language;
         match action {
-            Action::Pole { images } => self.pole(*sheet, images),
+            Action::Pole { order, images } => self.pole(*order, images),
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
             Action::MeasureLength { from, to, .. } => language.measure_length(&marked(from), &marked(to)),
-            Action::LayOff(arrow) => self.lay_off(*sheet, arrow).1,
+            Action::LayOff(arrow) => self.lay_off(arrow).1,
             Action::Ray(ray) => {
                 let sentence = match ray.relation {
                     Relation::Perpendicular => Language::ray_normal,
@@ -84,8 +84,8 @@ impl<'a> Teller<'a> {
     pub fn formula(&self, &NumberedStep { sheet, action, .. }: &NumberedStep<'_>) -> Formula {
         match action {
             Action::MeasureLength { from, to, .. } => format!("L{}", subscript(&[from, to])).into(),
-            Action::LayOff(arrow) => self.lay_off(sheet, arrow).0,
-            Action::Ray(ray) => self.ray_equation(sheet, ray),
+            Action::LayOff(arrow) => self.lay_off(arrow).0,
+            Action::Ray(ray) => self.ray_equation(ray),
             Action::Measure { from, to, .. } => measured(sheet, from, to).into(),
             Action::Divide { point, between: [from, to], points } => {
                 let [first, second, third] = points.map(|point| self.mechanism.point_name(point));
@@ -119,8 +119,8 @@ impl<'a> Teller<'a> {
         }
     }
 
-    fn pole(&self, sheet: Sheet, images: &[String]) -> String {
-        let (pole, scale) = (self.words.notation.pole(sheet), sheet.scale_symbol());
+    fn pole(&self, order: Order, images: &[String]) -> String {
+        let (pole, scale) = (self.words.notation.pole(order), order.sheet().scale_symbol());
         if images.is_empty() {
             return self.words.language.choose_pole(pole, scale);
         }
@@ -142,10 +142,10 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of a vector that is laid off.
-    pub(super) fn lay_off(&self, sheet: Sheet, arrow: &Arrow) -> (Formula, String) {
-        let Arrow { from, to, of } = arrow;
+    pub(super) fn lay_off(&self, arrow: &Arrow) -> (Formula, String) {
+        let Arrow { order, from, to, of } = arrow;
         match of {
-            VectorOf::Point(body, point) => self.known_vector(*body, *point, sheet),
+            VectorOf::Point(body, point) => self.known_vector(*order, *body, *point),
             VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
             VectorOf::Relative { link, from, to, part } => self.relative(*link, [from, to], *part),
             VectorOf::Sliding(slider, under) => {
@@ -155,7 +155,7 @@ impl<'a> Teller<'a> {
                 let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
                 (format!("v_{}({name})", notation.relative).into(), caption)
             }
-            VectorOf::Passed(slide, part) => self.passed_part(sheet, slide, *part, arrow),
+            VectorOf::Passed(slide, part) => self.passed_part(slide, *part, arrow),
         }
     }
 
@@ -180,31 +180,31 @@ impl<'a> Teller<'a> {
     }
 
     /// Equation and caption of the known velocity or acceleration of body `base` at a point.
-    fn known_vector(&self, base: BodyId, point: PointId, sheet: Sheet) -> (Formula, String) {
+    fn known_vector(&self, order: Order, base: BodyId, point: PointId) -> (Formula, String) {
         let (mechanism, language, notation) = (self.mechanism, self.words.language, self.words.notation);
         let body = mechanism.body(base);
         let under = mechanism.point_name(point);
         let name = &point_on(mechanism, base, point);
-        let letter = sheet.vector();
+        let letter = order.vector();
         match &body.role {
             Role::Driver { pivot, alpha, .. } => {
                 let (k, link) = (mechanism.point_name(*pivot), &body.name);
                 let (arm, line) = (format!("L{}", subscript(&[k, name])), format!("{k}{name}"));
                 let (end, pair) = (subscript(&[name]), subscript(&[name, k]));
                 let (n, t) = (notation.normal, notation.tangential);
-                match sheet {
-                    Sheet::Acceleration if *alpha == 0.0 => (
+                match order {
+                    Order::Acceleration if *alpha == 0.0 => (
                         format!("a{end} = a^{n}{pair} = ω_{link}^2 {arm}").into(),
                         language.lay_off_normal_acceleration(name, k, link),
                     ),
-                    Sheet::Acceleration => (
+                    Order::Acceleration => (
                         format!(
                             "a{end} = a^{n}{pair} + a^{t}{pair}, a^{n}{pair} = ω_{link}^2 {arm}, a^{t}{pair} = α_{link} {arm}"
                         )
                         .into(),
                         language.lay_off_whole_acceleration(name, k, &line),
                     ),
-                    Sheet::Scheme | Sheet::Velocity => (
+                    Order::Velocity => (
                         format!("v{end} = ω_{link} {arm}").into(),
                         language.lay_off_velocity(name, &line, link),
                     ),
@@ -229,7 +229,7 @@ impl<'a> Teller<'a> {
     ///
     /// A chain may pass the slider from the sliding link to the guide: then the vector is laid off backwards, so that
     /// its head is where the chain has come from.
-    fn passed_part(&self, sheet: Sheet, slide: &DrivenSlide, part: VectorPart, arrow: &Arrow) -> (Formula, String) {
+    fn passed_part(&self, slide: &DrivenSlide, part: VectorPart, arrow: &Arrow) -> (Formula, String) {
         let mechanism = self.mechanism;
         let name = mechanism.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
@@ -237,18 +237,18 @@ impl<'a> Teller<'a> {
         let (r, c) = (notation.relative, notation.coriolis);
         let equation = match part {
             VectorPart::Coriolis => format!("a_{c}({name}) = 2 ω_{on} v_{r}({name})"),
-            _ => format!("{}_{r}({name})", sheet.vector()),
+            _ => format!("{}_{r}({name})", arrow.order.vector()),
         };
         let [from, to] = arrow.ends().map(marked);
         let caption = match (part, arrow.is_backwards()) {
             (VectorPart::Coriolis, false) => language.lay_off_coriolis(&name, on, &from, &to),
             (VectorPart::Coriolis, true) => language.lay_off_coriolis_backwards(&name, on, &from, &to),
             (_, is_backwards) => {
-                let sentence = match (sheet, is_backwards) {
-                    (Sheet::Acceleration, false) => Language::lay_off_sliding_acceleration,
-                    (Sheet::Acceleration, true) => Language::lay_off_sliding_acceleration_backwards,
-                    (Sheet::Scheme | Sheet::Velocity, false) => Language::lay_off_sliding_velocity,
-                    (Sheet::Scheme | Sheet::Velocity, true) => Language::lay_off_sliding_velocity_backwards,
+                let sentence = match (arrow.order, is_backwards) {
+                    (Order::Acceleration, false) => Language::lay_off_sliding_acceleration,
+                    (Order::Acceleration, true) => Language::lay_off_sliding_acceleration_backwards,
+                    (Order::Velocity, false) => Language::lay_off_sliding_velocity,
+                    (Order::Velocity, true) => Language::lay_off_sliding_velocity_backwards,
                 };
                 sentence(language, &name, &from, &to)
             }
@@ -260,14 +260,14 @@ impl<'a> Teller<'a> {
     #[must_use]
     pub fn vectors(&self, plan: &Plan) -> Vec<PlanVector> {
         let mut vectors = self.whole_vectors(plan);
-        for action in &plan.steps {
+        for action in &self.construction.steps[plan.sheet()] {
             let (ends, made, formula, part, link) = match action {
                 Action::LayOff(arrow) if matches!(arrow.of, VectorOf::Point(..)) => continue,
                 Action::LayOff(arrow) => {
                     if matches!(arrow.of, VectorOf::Normal(special, _) if self.construction.special(special).is_assur) {
                         continue;
                     }
-                    (arrow.ends(), &arrow.to, self.lay_off(plan.sheet, arrow).0, arrow.part(), None)
+                    (arrow.ends(), &arrow.to, self.lay_off(arrow).0, arrow.part(), None)
                 }
                 Action::Ray(ray) => {
                     let RayOf::Leg(special, side) = ray.of else { continue };
@@ -275,7 +275,7 @@ impl<'a> Teller<'a> {
                     if special.is_assur {
                         continue;
                     }
-                    let formula = self.ray_equation(plan.sheet, ray);
+                    let formula = self.ray_equation(ray);
                     let link = Some(special.cuts[side].carrier);
                     ([ray.through.as_str(), ray.to.as_str()], &ray.to, formula, VectorPart::Relative, link)
                 }
@@ -306,7 +306,7 @@ impl<'a> Teller<'a> {
 
     /// The velocities or accelerations of all points with images, and of the points under sliders.
     fn whole_vectors(&self, plan: &Plan) -> Vec<PlanVector> {
-        let letter = plan.sheet.vector();
+        let letter = plan.order.vector();
         let is_image = |name: &str| {
             let role = plan.points.get(name).map(|point| point.role);
             matches!(role, Some(PointRole::Image | PointRole::Known))
@@ -316,7 +316,7 @@ impl<'a> Teller<'a> {
         let under = under.map(|s| coincident_name(mechanism.point_name(s.at), &mechanism.body(s.on).name));
         let names = mechanism.points.iter().cloned().chain(under).filter(|name| is_image(&image_name(name)));
         let vector = |name: String| PlanVector {
-            ends: [plan.sheet.pole().to_owned(), image_name(&name)],
+            ends: [plan.order.pole().to_owned(), image_name(&name)],
             symbol: format!("{letter}_{{{name}}}"),
             part: VectorPart::Whole,
             made: image_name(&name),

@@ -10,7 +10,7 @@ use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, Poi
 use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
 use crate::scene::{ConstructionShown, Scene};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use crate::words::Wording;
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
@@ -31,7 +31,7 @@ pub struct Solution {
 
 impl Solution {
     /// Motion and plans of a mechanism at a pose.
-    pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Sheet) -> Result<Self, MotionError> {
+    pub fn new(scene: Scene, mechanism: Mechanism, pose: Pose, order: Order) -> Result<Self, MotionError> {
         let motion = motion(&mechanism, &pose, order)?;
         let extent = match scene.figure.construction {
             ConstructionShown::Paper => Extent::Rates,
@@ -111,7 +111,7 @@ impl Writer<'_> {
         for (base, point) in legs.chain(hanging.map(|(joint, base, _)| (base, self.mechanism.joint_point(joint)))) {
             if !starts.contains(&(base, point)) {
                 starts.push((base, point));
-                self.plans().iter().for_each(|&sheet| self.known_vector(sheet, base, point));
+                self.orders().iter().for_each(|&order| self.known_vector(order, base, point));
             }
         }
         let drawn: Option<Vec<DrawnSpecial<'_>>> = drawn.into_iter().collect();
@@ -126,18 +126,18 @@ impl Writer<'_> {
 
     /// Constructs both plans; `None` where rays are parallel or the equations have no solution.
     fn rates(&mut self, group: &Group, equations: &LoopEquations, drawn: &[DrawnSpecial<'_>]) -> Option<()> {
-        for &sheet in self.plans() {
-            self.rays(sheet, group, equations, drawn)?;
-            if sheet == Sheet::Velocity {
+        for &order in self.orders() {
+            self.rays(order, group, equations, drawn)?;
+            if order == Order::Velocity {
                 self.note_anchors(group);
             }
-            if sheet == Sheet::Velocity || self.construction.extent == Extent::Rates {
-                self.images(sheet, group);
+            if order == Order::Velocity || self.construction.extent == Extent::Rates {
+                self.images(order, group);
             }
         }
         self.image_steps(group);
-        if self.construction.extent == Extent::Points && self.plans().contains(&Sheet::Acceleration) {
-            self.relative_images(Sheet::Acceleration, group);
+        if self.construction.extent == Extent::Points && self.motion.order == Order::Acceleration {
+            self.relative_images(Order::Acceleration, group);
         }
         Some(())
     }
@@ -146,14 +146,14 @@ impl Writer<'_> {
     fn without_construction(&mut self, group: &Group, equations: &LoopEquations, special: &[Special]) {
         let far = special.iter().filter(|s| s.place.finite().is_none()).map(|s| s.name.clone());
         let far: Vec<String> = far.collect();
-        for &sheet in self.plans() {
-            let step = self.begin(sheet);
+        for &order in self.orders() {
+            let step = self.begin(order);
             self.finish(step, Action::NoConstruction { far: far.clone() });
         }
         self.take_computed_rates(group, equations);
         self.note_anchors(group);
-        for &sheet in self.plans() {
-            self.relative_images(sheet, group);
+        for &order in self.orders() {
+            self.relative_images(order, group);
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::cut::SpecialId;
 use crate::geometry::Vector;
 use crate::mechanism::{BodyId, DrivenSlide, PointId, SliderId};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
 
@@ -13,6 +13,8 @@ use indexmap::IndexMap;
 pub enum Action {
     /// Choose a pole; it is the image of all fixed points.
     Pole {
+        /// Of the plan of velocities or of accelerations.
+        order: Order,
         /// Names of the images that coincide with the pole.
         images: Vec<String>,
     },
@@ -106,9 +108,45 @@ impl Action {
     }
 }
 
+/// A step of the construction with its number.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberedStep<'a> {
+    /// Number of the step, from 1 through all sheets.
+    pub number: usize,
+    /// The sheet on which it is drawn.
+    pub sheet: Sheet,
+    /// The plan to which it belongs; none on other sheets.
+    pub plan: Option<&'a Plan>,
+    /// What is done.
+    pub action: &'a Action,
+}
+
+impl NumberedStep<'_> {
+    /// Names of the quantities that the step yields.
+    #[must_use]
+    pub fn names(&self) -> Vec<String> {
+        let sheet = self.sheet;
+        match self.action {
+            Action::MeasureLength { from, to, .. } | Action::Measure { from, to, .. } => {
+                vec![sheet.segment_name(from, to)]
+            }
+            Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
+            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
+                self.plan.map(|plan| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()
+            }
+            Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
+            Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {
+                Vec::new()
+            }
+        }
+    }
+}
+
 /// The equation of a measured segment, which is the sum of the terms of a leg.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LegEquation {
+    /// Whether the segment shows a velocity or an acceleration.
+    pub order: Order,
     /// The sought point …
     pub special: SpecialId,
     /// … and the leg, 0 or 1.
@@ -122,6 +160,8 @@ pub struct LegEquation {
 /// A vector that is laid off in a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
+    /// Whether it shows a velocity or an acceleration.
+    pub order: Order,
     /// The plan point at which it is laid off …
     pub from: String,
     /// … and the one that it makes. [`Arrow::ends`] says where its head is.
@@ -174,12 +214,11 @@ pub enum VectorPart {
 }
 
 impl VectorPart {
-    /// The parts of the relative motion at a slider that are laid off on a sheet, in order.
-    pub(super) fn of_slide(sheet: Sheet) -> &'static [VectorPart] {
-        match sheet {
-            Sheet::Scheme => &[],
-            Sheet::Velocity => &[VectorPart::Sliding],
-            Sheet::Acceleration => &[VectorPart::Sliding, VectorPart::Coriolis],
+    /// The parts of the relative motion at a slider that are laid off in a plan, in order.
+    pub(super) fn of_slide(order: Order) -> &'static [VectorPart] {
+        match order {
+            Order::Velocity => &[VectorPart::Sliding],
+            Order::Acceleration => &[VectorPart::Sliding, VectorPart::Coriolis],
         }
     }
 }
@@ -217,6 +256,8 @@ impl Arrow {
 /// A line of known direction through a plan point, for a crossing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ray {
+    /// Whether it is a ray of the plan of velocities or of accelerations.
+    pub order: Order,
     /// The plan point.
     pub through: String,
     /// The sought plan point on it.
@@ -258,15 +299,13 @@ pub enum Relation {
     Angle,
 }
 
-/// A velocity or acceleration plan: its points and the steps by which it is drawn. The scheme has steps alone.
+/// The points of a velocity or acceleration plan.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The sheet on which it is drawn.
-    pub sheet: Sheet,
+    /// Whether it shows velocities or accelerations.
+    pub order: Order,
     /// Its points by name, in order of construction; vectors from the pole, in units of the plan.
     pub points: IndexMap<String, PlanPoint>,
-    /// The steps by which it is drawn, in order.
-    pub steps: Vec<Action>,
     /// The length of the longest vector from the pole to a point.
     pub(super) largest: f64,
 }
@@ -302,8 +341,14 @@ pub enum PointRole {
 pub const NOTHING: f64 = 1e-12;
 
 impl Plan {
-    pub(super) fn new(sheet: Sheet) -> Plan {
-        Plan { sheet, points: IndexMap::new(), steps: Vec::new(), largest: 0.0 }
+    pub(super) fn new(order: Order) -> Plan {
+        Plan { order, points: IndexMap::new(), largest: 0.0 }
+    }
+
+    /// The sheet on which it is drawn.
+    #[must_use]
+    pub fn sheet(&self) -> Sheet {
+        self.order.sheet()
     }
 
     /// The vector from one plan point to another; `None` for an unknown name.
@@ -329,16 +374,16 @@ impl Plan {
     #[must_use]
     pub fn shown(&self, name: &str, written: String, notation: &Notation) -> String {
         use PointRole::{Image, Known, Pole, Special};
-        let pole = notation.pole(self.sheet);
+        let pole = notation.pole(self.order);
         let Some(point) = self.points.get(name) else {
             return written;
         };
         // A point of the ground under a slider has no name of its own in a plan.
         let is_under = point.role == PointRole::Pole && name.ends_with("_ground");
-        if name == self.sheet.pole() || is_under {
+        if name == self.order.pole() || is_under {
             return pole.to_owned();
         }
-        let primes = notation.primes && self.sheet == Sheet::Acceleration;
+        let primes = notation.primes && self.order == Order::Acceleration;
         let shown = match point.role {
             Pole | Known | Special | Image if primes => with_prime(&written),
             _ => written,
@@ -348,20 +393,5 @@ impl Plan {
             true => with_prime(&shown),
             false => shown,
         }
-    }
-    /// The vectors that the steps lay off, in order.
-    pub fn arrows(&self) -> impl Iterator<Item = &Arrow> {
-        self.steps.iter().filter_map(|action| match action {
-            Action::LayOff(arrow) => Some(arrow),
-            _ => None,
-        })
-    }
-
-    /// The rays that the steps draw, in order.
-    pub fn rays(&self) -> impl Iterator<Item = &Ray> {
-        self.steps.iter().filter_map(|action| match action {
-            Action::Ray(ray) => Some(ray),
-            _ => None,
-        })
     }
 }

@@ -9,7 +9,7 @@ use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 
 /// Number of roundings in a guide's unit direction, computed from the scene's direction.
 const GUIDE_ROUNDINGS: f64 = 4.0;
@@ -42,8 +42,8 @@ impl<'a> Writer<'a> {
         let origin = pose.points.first().copied().unwrap_or_default();
         let empty = Construction::empty(mechanism, origin, extent);
         let mut writer = Writer::continued(mechanism, pose, motion, empty);
-        for &sheet in writer.plans() {
-            writer.begin_plan(sheet);
+        for &order in writer.orders() {
+            writer.begin_plan(order);
         }
         writer.take_known_rates();
         writer
@@ -61,42 +61,42 @@ impl<'a> Writer<'a> {
     }
 
     /// Draws the pole of a plan, the image of all fixed points.
-    fn begin_plan(&mut self, sheet: Sheet) {
+    fn begin_plan(&mut self, order: Order) {
         let grounded = &self.mechanism.body(GROUND).points;
         let images: Vec<String> = grounded.iter().map(|&p| image_name(self.mechanism.point_name(p))).collect();
-        let place = self.pole(sheet, sheet.pole(), Vector::zeros());
-        self.show(sheet, sheet.pole(), place, PointRole::Pole);
+        let place = self.pole(order, order.pole(), Vector::zeros());
+        self.show(order, order.pole(), place, PointRole::Pole);
         for image in &images {
-            self.show(sheet, image, place, PointRole::Pole);
+            self.show(order, image, place, PointRole::Pole);
         }
-        let step = self.begin(sheet);
-        self.finish(step, Action::Pole { images });
+        let step = self.begin(order);
+        self.finish(step, Action::Pole { order, images });
     }
 
-    /// The plans that are drawn.
-    pub(super) fn plans(&self) -> &'static [Sheet] {
-        self.motion.order.plans_up_to()
+    /// The orders of motion whose plans are drawn.
+    pub(super) fn orders(&self) -> &'static [Order] {
+        self.motion.order.and_lower()
     }
 
-    /// The plan of a sheet.
-    pub(super) fn plan(&mut self, sheet: Sheet) -> &mut Plan {
-        &mut self.construction.sheets[sheet]
+    /// The plan of velocities or of accelerations.
+    pub(super) fn plan(&mut self, order: Order) -> &mut Plan {
+        &mut self.construction.plans[order]
     }
 
     /// Whether a plan shows a point of that name.
-    pub(super) fn shows(&self, sheet: Sheet, name: &str) -> bool {
-        self.construction.sheets[sheet].points.contains_key(name)
+    pub(super) fn shows(&self, order: Order, name: &str) -> bool {
+        self.construction.plans[order].points.contains_key(name)
     }
 
     /// Begins a step on a sheet.
-    pub(super) fn begin(&self, sheet: Sheet) -> Begun {
-        Begun { sheet, first: self.construction.operations.len() }
+    pub(super) fn begin(&self, sheet: impl Into<Sheet>) -> Begun {
+        Begun { sheet: sheet.into(), first: self.construction.operations.len() }
     }
 
     /// Adds a step that has done this to its sheet; its operations, up to that index, belong to it, unless several steps
     /// may use them.
     pub(super) fn take_step(&mut self, Begun { sheet, first }: Begun, end: usize, action: Action) -> StepId {
-        let steps = &mut self.plan(sheet).steps;
+        let steps = &mut self.construction.steps[sheet];
         let id = StepId { sheet, index: steps.len() };
         steps.push(action);
         for operation in &mut self.construction.operations[first..end] {
@@ -119,10 +119,10 @@ impl<'a> Writer<'a> {
     }
 
     /// Adds a point to a plan; an existing point of that name stays.
-    pub(super) fn show(&mut self, sheet: Sheet, name: &str, place: PlaceId, role: PointRole) {
-        self.name_place(sheet, name, place);
+    pub(super) fn show(&mut self, order: Order, name: &str, place: PlaceId, role: PointRole) {
+        self.name_place(order, name, place);
         let point = PlanPoint { vector: self.construction.record.exact.places[place.0].rounded(), role };
-        let plan = self.plan(sheet);
+        let plan = self.plan(order);
         if !plan.points.contains_key(name) {
             plan.largest = plan.largest.max(point.vector.norm());
             plan.points.insert(name.to_owned(), point);
@@ -130,13 +130,13 @@ impl<'a> Writer<'a> {
     }
 
     /// Adds an operation and carries it out.
-    fn push(&mut self, sheet: Sheet, role: OperationRole, kind: OperationKind) {
+    fn push(&mut self, sheet: impl Into<Sheet>, role: OperationRole, kind: OperationKind) {
         self.push_by(true, sheet, role, kind);
     }
 
     /// Adds an operation and carries it out. `by_hand` says whether a hand can do it with what it uses; if that is not
     /// found by hand, neither is this.
-    fn push_by(&mut self, by_hand: bool, sheet: Sheet, role: OperationRole, kind: OperationKind) {
+    fn push_by(&mut self, by_hand: bool, sheet: impl Into<Sheet>, role: OperationRole, kind: OperationKind) {
         let Construction { operations, record, .. } = &mut self.construction;
         let [of_places, of_lines, of_numbers] = &record.makers;
         let (places, lines) = kind.places_and_lines_read();
@@ -150,7 +150,7 @@ impl<'a> Writer<'a> {
         record.makers[2].extend(kind.numbers().iter().map(|_| index));
         record.exact.resize(record.counts());
         record.exact.run(&kind, [0.0; 2], 1.0);
-        operations.push(Operation { sheet, step: None, role, kind, by_hand });
+        operations.push(Operation { sheet: sheet.into(), step: None, role, kind, by_hand });
     }
 
     /// Whether a number can be found with ruler and pencil.
@@ -179,9 +179,9 @@ impl<'a> Writer<'a> {
     }
 
     /// Names a place. A place may have several names; a name keeps its first place.
-    pub(super) fn name_place(&mut self, sheet: Sheet, name: &str, place: PlaceId) {
+    pub(super) fn name_place(&mut self, sheet: impl Into<Sheet>, name: &str, place: PlaceId) {
         let Construction { places, record, .. } = &mut self.construction;
-        let key = (sheet, name.to_owned());
+        let key = (sheet.into(), name.to_owned());
         if !places.contains_key(&key) {
             record.names.resize(record.names.len().max(place.0 + 1), Vec::new());
             record.names[place.0].push(places.len());
@@ -190,13 +190,14 @@ impl<'a> Writer<'a> {
     }
 
     /// The name of the plan point at a place.
-    pub(super) fn shown_name(&self, sheet: Sheet, place: PlaceId) -> Option<String> {
+    pub(super) fn shown_name(&self, order: Order, place: PlaceId) -> Option<String> {
         let names = self.construction.record.names.get(place.0)?.iter();
         let mut names = names.filter_map(|&index| Some(self.construction.places.get_index(index)?.0));
-        names.find(|(on, name)| *on == sheet && self.shows(sheet, name)).map(|(_, name)| name.clone())
+        names.find(|(on, name)| *on == order.sheet() && self.shows(order, name)).map(|(_, name)| name.clone())
     }
 
-    pub(crate) fn pole(&mut self, sheet: Sheet, name: &str, at: Vector) -> PlaceId {
+    pub(crate) fn pole(&mut self, sheet: impl Into<Sheet>, name: &str, at: Vector) -> PlaceId {
+        let sheet = sheet.into();
         let place = self.next_place();
         self.push(sheet, OperationRole::Pole, OperationKind::Pole { place, at });
         self.name_place(sheet, name, place);
@@ -204,8 +205,8 @@ impl<'a> Writer<'a> {
     }
 
     /// The pole of a plan.
-    pub(crate) fn pole_of(&self, sheet: Sheet) -> Option<PlaceId> {
-        self.construction.place(sheet, sheet.pole())
+    pub(crate) fn pole_of(&self, order: Order) -> Option<PlaceId> {
+        self.construction.place(order, order.pole())
     }
 
     /// A joint on the scheme.
@@ -240,7 +241,13 @@ impl<'a> Writer<'a> {
         line
     }
 
-    pub(super) fn draw(&mut self, sheet: Sheet, role: OperationRole, through: PlaceId, along: Along) -> LineId {
+    pub(super) fn draw(
+        &mut self,
+        sheet: impl Into<Sheet>,
+        role: OperationRole,
+        through: PlaceId,
+        along: Along,
+    ) -> LineId {
         let line = self.next_line();
         self.construction.record.rays.entry(through).or_default().push((along, line));
         self.push(sheet, role, OperationKind::Draw { line, through, along });
@@ -257,7 +264,7 @@ impl<'a> Writer<'a> {
     pub(super) fn cross(
         &mut self,
         by_hand: bool,
-        sheet: Sheet,
+        sheet: impl Into<Sheet>,
         role: OperationRole,
         lines: [LineId; 2],
     ) -> Option<PlaceId> {
@@ -268,15 +275,15 @@ impl<'a> Writer<'a> {
     }
 
     /// The point that divides the line between two plan points as the third of `like` divides that of the other two.
-    pub(super) fn divide(&mut self, sheet: Sheet, ends: [PlaceId; 2], like: [PlaceId; 3]) -> PlaceId {
+    pub(super) fn divide(&mut self, order: Order, ends: [PlaceId; 2], like: [PlaceId; 3]) -> PlaceId {
         let place = self.next_place();
-        self.push(sheet, OperationRole::Image, OperationKind::Divide { place, ends, like });
+        self.push(order, OperationRole::Image, OperationKind::Divide { place, ends, like });
         place
     }
 
     pub(crate) fn measure(
         &mut self,
-        sheet: Sheet,
+        sheet: impl Into<Sheet>,
         kind: NumberKind,
         [from, to]: [PlaceId; 2],
         how: MeasuredAs,
@@ -287,44 +294,44 @@ impl<'a> Writer<'a> {
     }
 
     /// Takes a number of the scene, or with `by_hand` false one of the computed motion; none for zero.
-    pub(super) fn take(&mut self, by_hand: bool, sheet: Sheet, kind: NumberKind, value: f64) -> Option<NumberId> {
+    pub(super) fn take(&mut self, by_hand: bool, order: Order, kind: NumberKind, value: f64) -> Option<NumberId> {
         if value == 0.0 {
             return None;
         }
         let number = self.new_number(kind);
-        self.push_by(by_hand, sheet, OperationRole::Number, OperationKind::Take { number, value });
+        self.push_by(by_hand, order, OperationRole::Number, OperationKind::Take { number, value });
         Some(number)
     }
 
-    pub(crate) fn compute(&mut self, sheet: Sheet, kind: NumberKind, sum: Vec<Product>) -> NumberId {
+    pub(crate) fn compute(&mut self, order: Order, kind: NumberKind, sum: Vec<Product>) -> NumberId {
         let number = self.new_number(kind);
-        self.push(sheet, OperationRole::Number, OperationKind::Compute { number, sum });
+        self.push(order, OperationRole::Number, OperationKind::Compute { number, sum });
         number
     }
 
     /// Takes a rate from the computed motion, with the bound of its error.
-    pub(super) fn take_computed(&mut self, sheet: Sheet, rate: Rate, value: f64, error: f64) -> NumberId {
+    pub(super) fn take_computed(&mut self, rate: Rate, value: f64, error: f64) -> NumberId {
         let number = self.new_number(NumberKind::Rate(rate));
-        self.push_by(false, sheet, OperationRole::Number, OperationKind::Take { number, value });
+        self.push_by(false, rate.order(), OperationRole::Number, OperationKind::Take { number, value });
         self.construction.record.exact.numbers[number.0] = Ball::from(value).widened(error);
         number
     }
 
     /// Solves linear equations for rates; `None` where they are singular.
-    pub(super) fn solve(&mut self, sheet: Sheet, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
+    pub(super) fn solve(&mut self, order: Order, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
         let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
-        self.push(sheet, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
+        self.push(order, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
         unknowns.iter().all(|&number| is_known(self.construction.record.exact.numbers[number.0])).then_some(unknowns)
     }
 
     /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
-    pub(crate) fn lay_off(&mut self, sheet: Sheet, from: PlaceId, sum: Vec<Product>, along: Along) -> PlaceId {
+    pub(crate) fn lay_off(&mut self, order: Order, from: PlaceId, sum: Vec<Product>, along: Along) -> PlaceId {
         if sum.is_empty() {
             return from;
         }
-        let size = self.compute(sheet, NumberKind::Size, sum);
+        let size = self.compute(order, NumberKind::Size, sum);
         let place = self.next_place();
-        self.push(sheet, OperationRole::Vector, OperationKind::LayOff { place, from, size, along });
+        self.push(order, OperationRole::Vector, OperationKind::LayOff { place, from, size, along });
         place
     }
 

@@ -7,7 +7,7 @@ use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
 use crate::motion::motion;
 use crate::position::Pose;
 use crate::quantity::State;
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 /// Squared Hadamard ratio of a group's equations below which a position is singular.
 const SINGULAR: f64 = 1e-18;
@@ -48,7 +48,7 @@ impl<R: Row> Position<'_, R> {
     /// The construction at this position; `None` where it is singular.
     pub(super) fn construction(&self) -> Option<Construction> {
         let (mechanism, pose) = (self.mechanism, self.pose());
-        let motion = motion(mechanism, &pose, Sheet::Acceleration).ok()?;
+        let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
         Some(construct(mechanism, &pose, &motion, Extent::Points))
     }
 }

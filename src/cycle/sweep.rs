@@ -6,7 +6,7 @@ use crate::mechanism::{GROUND, Mechanism, SliderId};
 use crate::motion::motion;
 use crate::quantity::{Quantity, QuantityError, QuantityRequest, Snapshot};
 use crate::scene::Scene;
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -158,7 +158,7 @@ impl<'a> Sweep<'a> {
         let mechanism = &self.path.mechanism_at(value);
         let moved = position.and_then(|position| {
             let pose = position.pose();
-            let motion = motion(mechanism, &pose, Sheet::Acceleration).ok()?;
+            let motion = motion(mechanism, &pose, Order::Acceleration).ok()?;
             let built = self.constructs.then(|| construct(mechanism, &pose, &motion, Extent::Points));
             Some((pose, motion, built))
         });

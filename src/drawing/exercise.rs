@@ -17,7 +17,7 @@ use super::sheet_notes::Fields;
 use super::text::RichText;
 use super::view::{Extent, View};
 use super::worksheet::{KeyRow, Ruler, TablePlace, Worksheet};
-use crate::construction::Solution;
+use crate::construction::{Plan, Solution};
 use crate::geometry;
 use crate::quantity::QuantityRequest;
 use crate::scene::{ConstructionShown, Page, PageSize, ValuesShown};
@@ -177,9 +177,9 @@ fn plan_sheets(solution: &Solution, scales: &Scales, name: &str, first: u16) -> 
     let context = SheetContext::new(solution, Purpose::Drawing);
     let own = context.figure().page;
     let shown = context.figure().shown_panels();
-    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet.is_plan()));
-    let is_wanted = |sheet: &Sheet| shown.contains(sheet) && context.plan(*sheet).is_some() && mu[*sheet].is_some();
-    let plans: Vec<Sheet> = Sheet::PLANS.into_iter().filter(is_wanted).collect();
+    let mu = PerSheet::from_fn(|sheet| scales[sheet].filter(|_| sheet.order().is_some()));
+    let is_wanted = |sheet: &Sheet| shown.contains(sheet) && mu[*sheet].is_some();
+    let plans: Vec<Sheet> = context.construction().plans().map(Plan::sheet).filter(is_wanted).collect();
     let sheet = |page: Page, plans: &[Sheet], number: u16| {
         sheet_of_plans(&context.on_page(page, mu).with_markers(), plans, number, name)
     };
@@ -222,7 +222,7 @@ fn panel<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
         white: AROUND_PLAN,
         ..Needs::usual(sheet, extent(plan, ConstructionShown::Whole), frame.width())
     };
-    let pole = plan.sheet.pole();
+    let pole = plan.order.pole();
     let layer = move |canvas: &mut Canvas<'_>, view: &View| {
         let (center, radius) = (view.at(geometry::Point::origin()), 2.0 * context.surface.dims.dot);
         canvas.draw_named(&format!("point-{pole}"), Pen::Pole, Shape::Circle { center, radius });

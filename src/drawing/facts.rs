@@ -4,7 +4,7 @@ use super::view::Extent;
 use crate::construction::{Action, Construction, NumberedStep, Solution, Special, display, image_name, point_on};
 use crate::geometry;
 use crate::mechanism::{BodyId, Mark, Mechanism};
-use crate::sheet::{PerSheet, Sheet};
+use crate::sheet::PerSheet;
 use indexmap::IndexMap;
 
 /// Answers by name, by body and by point.
@@ -47,7 +47,7 @@ impl Facts {
             if let Action::SpecialPoint { point, .. } = action {
                 special_steps.insert(point.clone(), number as u16);
             }
-            plan_steps[sheet].add(number as u16, sheet, action);
+            plan_steps[sheet].add(number as u16, action);
         }
         let extent = Extent::of(pose.points.iter().copied());
         Self {
@@ -130,14 +130,14 @@ pub(super) struct PlanSteps {
 
 impl PlanSteps {
     /// Adds the next step of a sheet.
-    fn add(&mut self, number: u16, sheet: Sheet, action: &Action) {
+    fn add(&mut self, number: u16, action: &Action) {
         self.last = number;
         let mut made = |point: &str| {
             self.points.entry(point.to_owned()).or_insert(number);
         };
         match action {
-            Action::Pole { images } => {
-                made(sheet.pole());
+            Action::Pole { order, images } => {
+                made(order.pole());
                 images.iter().for_each(|image| made(image));
             }
             // The start of a vector may have no step of its own.

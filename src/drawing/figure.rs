@@ -391,12 +391,7 @@ pub(super) fn described<'a>(context: &SheetContext<'_>, mut sheet: Composition<'
 /// One sentence about the figure, for readers who cannot see it.
 fn description(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> String {
     let language = context.words.language;
-    let described = |panel: &Panel<'_>| match panel.needs.sheet {
-        Sheet::Scheme => language.described_scheme(),
-        Sheet::Velocity => language.described_velocity_plan(),
-        Sheet::Acceleration => language.described_acceleration_plan(),
-    };
-    let panels: Vec<&str> = panels.iter().map(described).collect();
+    let panels: Vec<&str> = panels.iter().map(|panel| language.described_sheet(panel.needs.sheet)).collect();
     let groups = context.mechanism().groups.iter();
     let groups = groups
         .map(|group| language.described_group(group.class.in_words(language), &group.link_names(context.mechanism())));

@@ -207,7 +207,7 @@ impl HeldLayout {
                 panel,
                 name: name.clone(),
                 at: self.enlarged() * view.at(point.vector.into()),
-                is_fixed: name == plan.sheet.pole(),
+                is_fixed: name == plan.order.pole(),
             })
         });
         handles.collect()
@@ -248,8 +248,8 @@ impl HeldLayout {
 
     /// The plans that are shown, with their views.
     fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a Plan, View)> {
-        let shown = Sheet::PLANS.into_iter().filter_map(|sheet| {
-            let plan = solution.construction.plan_on(sheet)?;
+        let shown = solution.construction.plans().filter_map(|plan| {
+            let sheet = plan.sheet();
             let content = plan::on_paper::extent(plan, solution.scene.figure.construction);
             Some((sheet, plan, self.layout.placed(sheet)?.view(Some(content))))
         });

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 use std::fmt;
 
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 /// An sRGB colour of the screen; black by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -188,10 +188,10 @@ impl Pen {
     }
 
     /// The pens of a plan's vectors: from its pole, and from one image to another.
-    pub(super) fn of_vectors(plan: Sheet) -> [Pen; 2] {
-        match plan {
-            Sheet::Scheme | Sheet::Velocity => [Pen::Velocity, Pen::Image],
-            Sheet::Acceleration => [Pen::Acceleration, Pen::Tangential],
+    pub(super) fn of_vectors(order: Order) -> [Pen; 2] {
+        match order {
+            Order::Velocity => [Pen::Velocity, Pen::Image],
+            Order::Acceleration => [Pen::Acceleration, Pen::Tangential],
         }
     }
 

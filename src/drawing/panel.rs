@@ -103,7 +103,7 @@ impl Placed {
         if let Some(content) = content.filter(|content| self.holds(content)) {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
-        if self.needs.sheet.is_plan() {
+        if self.needs.sheet.order().is_some() {
             view = view.holding(geometry::Point::origin(), self.room_of_pole());
         }
         view
@@ -168,9 +168,14 @@ pub(super) type Extents = Vec<(Sheet, Extent)>;
 
 /// The panels that a figure shows.
 pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
-    let extent = |&sheet: &Sheet| match sheet {
-        Sheet::Scheme => Some((sheet, scheme::on_paper::extent(context))),
-        plan => context.plan(plan).map(|drawn| (plan, plan::on_paper::extent(drawn, context.figure().construction))),
+    let extent = |&sheet: &Sheet| {
+        let extent = match sheet {
+            Sheet::Scheme => scheme::on_paper::extent(context),
+            Sheet::Velocity | Sheet::Acceleration => {
+                plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
+            }
+        };
+        Some((sheet, extent))
     };
     context.figure().shown_panels().iter().filter_map(extent).collect()
 }
@@ -179,7 +184,9 @@ pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
 pub(super) fn extent_of_images(solution: &Solution, sheet: Sheet) -> Option<Extent> {
     match sheet {
         Sheet::Scheme => Some(Extent::of(scheme::on_paper::places(solution))),
-        plan => solution.construction.plan_on(plan).map(plan::on_paper::extent_of_images),
+        Sheet::Velocity | Sheet::Acceleration => {
+            solution.construction.plan_on(sheet).map(plan::on_paper::extent_of_images)
+        }
     }
 }
 
@@ -226,9 +233,12 @@ fn layer<'a>(
     of_scheme: fn(&mut Canvas<'_>, &View, &SheetContext<'_>),
     of_plan: fn(&mut Canvas<'_>, &View, &SheetContext<'_>, &Plan),
 ) -> Layer<'a> {
-    Box::new(move |canvas: &mut Canvas<'_>, view: &View| match (sheet, context.plan(sheet)) {
-        (Sheet::Scheme, _) => of_scheme(canvas, view, context),
-        (_, Some(plan)) => of_plan(canvas, view, context, plan),
-        (_, None) => {}
+    Box::new(move |canvas: &mut Canvas<'_>, view: &View| match sheet {
+        Sheet::Scheme => of_scheme(canvas, view, context),
+        Sheet::Velocity | Sheet::Acceleration => {
+            if let Some(plan) = context.plan(sheet) {
+                of_plan(canvas, view, context, plan);
+            }
+        }
     })
 }

@@ -11,7 +11,7 @@ use super::text::{CAPTION, RichText};
 use crate::construction::{Plan, Rate, Solution};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{ConstructionShown, Page, PageSize};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use crate::words::NumberStyle;
 use kurbo::Point;
 
@@ -53,7 +53,7 @@ impl SheetContext<'_> {
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
     pub(super) fn quantity(&self, asked: &QuantityRequest) -> String {
         let plan = match asked.what() {
-            What::Segment { kind, .. } => self.construction().plans().find(|plan| plan.sheet == *kind),
+            What::Segment { order, .. } => self.construction().plan(*order),
             _ => None,
         };
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
@@ -87,7 +87,7 @@ impl SheetContext<'_> {
         let language = self.words.language;
         let is_named = |plan: &Plan, name: &str| {
             asked.iter().any(|asked| match asked.what() {
-                What::Segment { kind, from, to, .. } => *kind == plan.sheet && (from == name || to == name),
+                What::Segment { order, from, to, .. } => *order == plan.order && (from == name || to == name),
                 _ => false,
             })
         };
@@ -97,7 +97,9 @@ impl SheetContext<'_> {
             for plan in self.construction().plans() {
                 let own =
                     |name: &str| name.split_once('_').is_some_and(|(own, _)| own.trim_end_matches('\'') == letter);
-                for arrow in plan.arrows().filter(|arrow| own(&arrow.to) && is_named(plan, &arrow.to)) {
+                for arrow in
+                    self.construction().arrows(plan.order).filter(|arrow| own(&arrow.to) && is_named(plan, &arrow.to))
+                {
                     let shown = self.shown(&arrow.to, Some(plan));
                     if !points.contains(&shown) {
                         points.push(shown);
@@ -119,9 +121,9 @@ impl SheetContext<'_> {
     /// The sizes of both plans on paper, and the paper on which each of them has room; none without their scales.
     pub(super) fn note_on_paper(&self) -> Option<String> {
         let mut largest = [0.0_f64; 2];
-        let sizes = Sheet::PLANS.map(|panel| {
-            let mu = self.figure().mu[panel]?;
-            let size = extent(self.plan(panel)?, ConstructionShown::Whole).size() / mu;
+        let sizes = Order::ALL.map(|order| {
+            let mu = self.figure().mu[order.sheet()]?;
+            let size = extent(self.construction().plan(order)?, ConstructionShown::Whole).size() / mu;
             let (short, long) = (size.x.min(size.y), size.x.max(size.y));
             largest = [largest[0].max(short), largest[1].max(long)];
             let [x, y] = [size.x, size.y].map(|mm| self.words.on_paper(libm::ceil(mm), 1.0, NumberStyle::shortest()));

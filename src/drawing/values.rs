@@ -16,7 +16,7 @@ use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::QuantityKind;
 use crate::scene::{Shape as Given, Units, ValuesShown};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
@@ -92,10 +92,12 @@ impl List<'_> {
     fn of_scheme(&self) -> Vec<Value> {
         // Rates that are computed from a plan belong to it; angular velocities are shown without it, too.
         let shown = self.context.figure().shown_panels();
-        let has_rates =
-            |plan: &Sheet| *plan == Sheet::Velocity || (shown.contains(plan) && self.context.plan(*plan).is_some());
+        let has_rates = |order: &Order| {
+            let is_shown = || shown.contains(&order.sheet()) && self.context.construction().plan(*order).is_some();
+            *order == Order::Velocity || is_shown()
+        };
         let mut values: Vec<Value> =
-            Sheet::PLANS.into_iter().filter(has_rates).flat_map(|plan| self.rates(plan)).collect();
+            Order::ALL.into_iter().filter(has_rates).flat_map(|order| self.rates(order)).collect();
         let mechanism = self.context.mechanism();
         for (_, body) in mechanism.links() {
             let link = self.context.solution.scene.links.get(&body.name);
@@ -112,13 +114,12 @@ impl List<'_> {
     }
 
     /// Angular velocities or accelerations of the links; links that turn together share a value.
-    fn rates(&self, plan: Sheet) -> Vec<Value> {
+    fn rates(&self, order: Order) -> Vec<Value> {
         let Solution { mechanism, motion, .. } = self.context.solution;
         type Rate = (&'static str, QuantityKind, fn(&BodyMotion) -> f64);
-        let (name, kind, rate): Rate = match plan {
-            Sheet::Scheme => return Vec::new(),
-            Sheet::Velocity => ("omega", QuantityKind::AngularVelocity, |motion| motion.omega),
-            Sheet::Acceleration => ("alpha", QuantityKind::AngularAcceleration, |motion| motion.alpha),
+        let (name, kind, rate): Rate = match order {
+            Order::Velocity => ("omega", QuantityKind::AngularVelocity, |motion| motion.omega),
+            Order::Acceleration => ("alpha", QuantityKind::AngularAcceleration, |motion| motion.alpha),
         };
         let all = || mechanism.links().map(|(link, body)| (link, body, rate(motion.body(link))));
         let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
@@ -131,7 +132,8 @@ impl List<'_> {
                 same.symbol = format!("{} = {symbol}", same.symbol);
                 continue;
             }
-            let since = if mechanism.is_known(link) { 0 } else { self.context.facts.plan_steps[plan].rate(&quantity) };
+            let since =
+                if mechanism.is_known(link) { 0 } else { self.context.facts.plan_steps[order.sheet()].rate(&quantity) };
             values.push(self.value(Sheet::Scheme, symbol, number, kind, since, ValueOf::Rate(link)));
         }
         values
@@ -142,14 +144,14 @@ impl List<'_> {
         let Some(plan) = self.context.plan(panel) else {
             return Vec::new();
         };
-        let kind = plan.sheet.drawn();
+        let kind = panel.drawn();
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
-        let steps = &self.context.facts.plan_steps[plan.sheet];
+        let steps = &self.context.facts.plan_steps[panel];
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);
         let mut values: Vec<Value> = Vec::new();
         for vector in self.context.teller().vectors(plan) {
             let Some(segment) = plan.segment(&vector.ends[0], &vector.ends[1]) else { continue };
-            let is_whole = vector.ends[0] == plan.sheet.pole();
+            let is_whole = vector.ends[0] == plan.order.pole();
             let is_nothing = segment.norm() <= NOTHING * largest;
             if vector.ends.iter().any(hides) || (is_nothing && !is_whole) {
                 continue;

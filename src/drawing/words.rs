@@ -173,7 +173,7 @@ pub(crate) fn drawn_vector<'s>(step: &NumberedStep<'s>) -> Option<([&'s str; 2],
     let [from, to] = match step.action {
         Action::LayOff(arrow) => arrow.ends(),
         Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-            [plan.sheet.pole(), point]
+            [plan.order.pole(), point]
         }
         _ => return None,
     };
@@ -240,7 +240,7 @@ impl Writer<'_> {
     pub(super) fn details(&mut self, step: &NumberedStep<'_>) {
         let plan = step.plan;
         let from = Point::new(self.area.x0, self.area.y0 + SECOND);
-        let sheet = plan.map_or(Sheet::Scheme, |plan| plan.sheet);
+        let sheet = step.sheet;
         let formula = self.context.teller().formula(step);
         let action = &step.action;
         let end = match action {
@@ -250,8 +250,7 @@ impl Writer<'_> {
         };
         let drawn = drawn_vector(step);
         let value = match (action, drawn) {
-            (Action::Measure { value, .. }, _) => self.size(*value, sheet),
-            (Action::MeasureLength { value, .. }, _) => self.size(*value, Sheet::Scheme),
+            (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => self.size(*value, sheet),
             (_, Some((_, vector))) => self.vector(vector, sheet),
             _ => return,
         };
@@ -279,9 +278,7 @@ impl Writer<'_> {
 
     /// The equations of the step, at least two in a line, and their solution.
     fn solution(&mut self, equations: &[LegEquation], unknowns: &[(String, f64)], plan: Option<&Plan>) {
-        let kind = plan.map_or(Sheet::Velocity, |plan| plan.sheet);
-        let set =
-            |equation: &LegEquation| self.pieces(&self.context.teller().equation(kind, equation), plan, RichText::math);
+        let set = |equation: &LegEquation| self.pieces(&self.context.teller().equation(equation), plan, RichText::math);
         let written: Vec<Vec<RichText>> = equations.iter().map(set).collect();
         let widest = written.iter().map(|pieces| width_of(pieces, EQUATION)).fold(0.0, f64::max);
         let fitting = (self.area.width() / (widest + BETWEEN)) as usize;

@@ -11,7 +11,7 @@ use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Heading, Table};
 use super::text::{CAPTION, RichText};
-use crate::construction::{Action, Plan};
+use crate::construction::{Action, NumberedStep, Plan};
 use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
 use crate::words::{Medium, NumberStyle, Wording};
@@ -73,8 +73,7 @@ impl Worksheet {
         let (words, page) = (context.words, context.surface.page.size_mm());
         let mut lengths = Vec::new();
         let mut rows = Vec::new();
-        for (step, plan, [from, to], value) in measured(context) {
-            let sheet = plan.map_or(Sheet::Scheme, |plan| plan.sheet);
+        for (NumberedStep { number, sheet, plan, .. }, [from, to], value) in measured(context) {
             let Some(panel) = panels.iter().find(|panel| panel.needs.sheet == sheet) else {
                 continue;
             };
@@ -83,7 +82,7 @@ impl Worksheet {
             let mm = millimetres(&words, value, least(panel, page));
             let unit = sheet.drawn().unit(context.solution.scene.units);
             let texts = row(&name, &mm, sheet.scale_symbol(), &words.write(value, VALUE), &unit);
-            rows.push(Cells { since: step, ..Cells::new(texts, format!("measured-{}", lengths.len())) });
+            rows.push(Cells { since: number as u16, ..Cells::new(texts, format!("measured-{}", lengths.len())) });
         }
         for value in context.values.iter() {
             let panel = panels.iter().find(|panel| panel.needs.sheet.drawn() == value.kind);
@@ -201,7 +200,7 @@ fn millimetres(words: &Wording, value: f64, mu: f64) -> String {
 }
 
 /// The measurements between visible points, in the order of the construction: step, plan, ends, value.
-fn measured<'a>(context: &'a SheetContext<'_>) -> impl Iterator<Item = (u16, Option<&'a Plan>, [&'a str; 2], f64)> {
+fn measured<'a>(context: &'a SheetContext<'_>) -> impl Iterator<Item = (NumberedStep<'a>, [&'a str; 2], f64)> {
     let is_hidden = |plan: Option<&Plan>, name: &str| match plan {
         Some(plan) => is_hidden(context.figure(), plan, name),
         None => !context.figure().special_points && context.construction().special_point(name).is_some(),
@@ -209,7 +208,7 @@ fn measured<'a>(context: &'a SheetContext<'_>) -> impl Iterator<Item = (u16, Opt
     context.construction().numbered_steps().filter_map(move |step| match &step.action {
         Action::MeasureLength { from, to, value } | Action::Measure { from, to, value } => {
             let hidden = is_hidden(step.plan, from) || is_hidden(step.plan, to);
-            (!hidden).then_some((step.number as u16, step.plan, [from.as_str(), to.as_str()], *value))
+            (!hidden).then_some((step, [from.as_str(), to.as_str()], *value))
         }
         _ => None,
     })

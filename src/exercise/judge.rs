@@ -10,7 +10,7 @@ use crate::mechanism::mechanism;
 use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Pencil, Quantity, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{Order, Scales, Sheet};
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -91,7 +91,7 @@ impl Exercise {
         let mechanism = mechanism(&scene).map_err(|_| Refusal::Numbers)?;
         let mechanism = with_nearest_sides(&scene, mechanism);
         let pose = pose(&mechanism, &scene.near).map_err(|_| Refusal::Assembly)?;
-        let mut solution = Solution::new(scene, mechanism, pose, Sheet::Acceleration).map_err(|_| Refusal::Singular)?;
+        let mut solution = Solution::new(scene, mechanism, pose, Order::Acceleration).map_err(|_| Refusal::Singular)?;
         let conditions = solution.motion.conditions.iter().copied();
         if conditions.fold(1.0, f64::max) > CONDITION {
             return Err(Refusal::Singular);

@@ -70,7 +70,7 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
         let unit = plan.drawn().unit(scene.units);
         format!("{} = {} ({unit})/mm", plan.scale_symbol(), teller.number(mu))
     };
-    let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.is_plan()).map(scale).collect();
+    let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.order().is_some()).map(scale).collect();
     vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]
 }
 

@@ -4,7 +4,7 @@ use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
 use crate::scene::{SceneError, Units};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{Order, Scales};
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -218,8 +218,8 @@ pub struct BandResult {
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
     Scales::schema(generator, |sheet| {
-        let units =
-            if sheet.is_plan() { String::new() } else { format!(": {} per millimetre of paper", sheet.scaled_units()) };
+        let per_mm = || format!(": {} per millimetre of paper", sheet.scaled_units());
+        let units = sheet.order().map_or_else(per_mm, |_| String::new());
         json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
     })
 }
@@ -235,7 +235,7 @@ impl Solution {
     #[must_use]
     pub fn result(&self) -> ResultFile {
         let Solution { scene, mechanism, pose, motion, construction } = self;
-        let second = |value: f64| (motion.order == Sheet::Acceleration).then_some(value);
+        let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
         let bounds = &bounds(scene, mechanism, pose, motion);
         let links = mechanism.links().filter(|(_, body)| body.role != Role::Unsolved).map(|(id, body)| {
             let (rates, at_position) = (motion.body(id), motion.errors[id.0]);
@@ -330,7 +330,7 @@ impl Solution {
 fn points(solution: &Solution, bounds: &Bounds<'_>) -> IndexMap<String, PointResult> {
     let Solution { mechanism, pose, motion, construction, .. } = solution;
     let mut points = IndexMap::new();
-    let has_accelerations = motion.order == Sheet::Acceleration;
+    let has_accelerations = motion.order == Order::Acceleration;
     let moving = |body: BodyId, place: Point, on: Option<BodyId>, errors: [f64; 3]| PointResult {
         position: Some([place.x, place.y]),
         position_error: Some(errors[0]),

@@ -185,7 +185,6 @@ impl StepList<'_> {
             [first].into_iter().filter(|line| !line.is_empty()).chain(drawn).collect()
         };
         match step.action {
-            Action::Pole { .. } | Action::NoConstruction { .. } => Vec::new(),
             Action::SpecialPoint { sine, .. } => vec![self.crossing(*sine)],
             Action::MeasureLength { from, to, value } => {
                 let band = self.segment_band(sheet, from, to);
@@ -203,7 +202,7 @@ impl StepList<'_> {
                 vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(value, sheet))]
             }
             Action::Solve { equations, unknowns } => {
-                let shown = |e| shown_text(&self.teller.equation(sheet, e), plan, self.words);
+                let shown = |e| shown_text(&self.teller.equation(e), plan, self.words);
                 let mut lines: Vec<String> = equations.iter().map(shown).collect();
                 let largest = unknowns.iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
                 lines.extend(unknowns.iter().map(|(name, value)| {
@@ -215,6 +214,8 @@ impl StepList<'_> {
                 }));
                 lines
             }
+            // Other steps have neither equation nor value.
+            _ => Vec::new(),
         }
     }
 }

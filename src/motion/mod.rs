@@ -51,7 +51,7 @@ pub(crate) use solve::bounded_motion;
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};
 use crate::position::Pose;
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 /// The motion of a rigid body: its rotation, and the motion of a reference point, in the fixed frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,11 +60,11 @@ pub struct BodyMotion {
     pub at: Point,
     /// Velocity of the body's point at `at`.
     pub velocity: Vector,
-    /// Acceleration of the body's point at `at`; zero for [`Sheet::Velocity`].
+    /// Acceleration of the body's point at `at`; zero for [`Order::Velocity`].
     pub acceleration: Vector,
     /// Angular velocity, counter-clockwise positive, rad per unit of time.
     pub omega: f64,
-    /// Angular acceleration, rad per unit of time squared; zero for [`Sheet::Velocity`].
+    /// Angular acceleration, rad per unit of time squared; zero for [`Order::Velocity`].
     pub alpha: f64,
 }
 
@@ -130,8 +130,8 @@ pub struct SlideMotion {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Motion {
-    /// The highest derivative computed.
-    pub order: Sheet,
+    /// Up to which order it is computed.
+    pub order: Order,
     /// By body. For an unsolved link or a carrier only the motion of the carried point has a meaning.
     pub bodies: Vec<BodyMotion>,
     /// By body: bounds on its errors.

@@ -1,7 +1,7 @@
 use super::{BodyMotion, Motion, MotionErrors, SlideMotion};
 use crate::geometry::{Ball, Pair, Point};
 use crate::mechanism::{BodyId, SliderId};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 
 /// A [`BodyMotion`] before rounding, with bounds of its errors.
 #[derive(Clone, Copy, Debug, Default)]
@@ -95,9 +95,9 @@ impl State {
         &self.slides[id.0]
     }
 
-    /// All motions rounded to f64; with [`Sheet::Velocity`] accelerations are zero.
-    pub fn rounded(mut self, order: Sheet, conditions: Vec<f64>, warnings: Vec<String>) -> Motion {
-        if order == Sheet::Velocity {
+    /// All motions rounded to f64; with [`Order::Velocity`] accelerations are zero.
+    pub fn rounded(mut self, order: Order, conditions: Vec<f64>, warnings: Vec<String>) -> Motion {
+        if order == Order::Velocity {
             for body in &mut self.bodies {
                 (body.acceleration, body.alpha) = Default::default();
             }

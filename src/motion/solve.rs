@@ -9,7 +9,7 @@ use crate::mechanism::{
     AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
 };
 use crate::position::Pose;
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use smallvec::smallvec;
 
 /// Condition number from which a group counts as singular: with coordinates rounded to f64 no digit of its rates is
@@ -23,12 +23,12 @@ const NEARLY_SINGULAR_CONDITION: f64 = 1e-8 / UNIT_ROUNDOFF;
 /// The largest velocity, acceleration or rate of a result: squares and their sums must not overflow.
 const LARGEST: f64 = 1e150;
 
-/// Velocities and, for [`Sheet::Acceleration`], accelerations of every body of `mechanism` at `pose`.
+/// Velocities and, for [`Order::Acceleration`], accelerations of every body of `mechanism` at `pose`.
 ///
 /// # Errors
 /// [`MotionError::Singular`] names the links and the critical lines of a group in a singular position;
 /// [`MotionError::Overflow`] the links whose rates leave the range of f64.
-pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Result<Motion, MotionError> {
+pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion, MotionError> {
     let mut state = known_state(mechanism, pose);
     let (mut conditions, mut warnings) = (Vec::new(), Vec::new());
     for group in &mechanism.groups {
@@ -54,7 +54,7 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Sheet) -> Result<Motion
 
 /// All motions with bounds of their errors, before rounding; with infinite bounds for a group that is singular within
 /// the bounds of the places, or whose numbers leave the range of f64.
-pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order: Sheet) -> State {
+pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order: Order) -> State {
     let mut state = known_state(mechanism, places);
     for group in &mechanism.groups {
         if move_group(mechanism, group, places, order, &mut state).is_err() {
@@ -106,7 +106,7 @@ fn move_group(
     mechanism: &Mechanism,
     group: &Group,
     places: &impl Places,
-    order: Sheet,
+    order: Order,
     state: &mut State,
 ) -> Result<f64, Unsolved> {
     let equations = LoopEquations::new(mechanism, group);
@@ -123,8 +123,8 @@ fn move_group(
     let solver = Solver::new(&equations, &system, places);
     let rates = solver.solve(&velocity_sides(&equations, places, state));
     let accelerations = match order {
-        Sheet::Acceleration => solver.solve(&acceleration_sides(&equations, places, state, &rates)),
-        _ => smallvec![Ball::default(); equations.unknowns],
+        Order::Acceleration => solver.solve(&acceleration_sides(&equations, places, state, &rates)),
+        Order::Velocity => smallvec![Ball::default(); equations.unknowns],
     };
     let mut all = rates.iter().chain(&accelerations);
     if !all.all(|x| x.is_known()) {

@@ -4,7 +4,7 @@ use crate::Problem;
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::scene::{Component, Head, QuantityName};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use crate::text::shown;
 
 /// Why a quantity has no value.
@@ -82,15 +82,15 @@ pub enum What {
     Coordinate(usize, Spot),
     /// Distance of two places.
     Length(Spot, Spot),
-    /// The vector of a place in this plan, its velocity or its acceleration, relative to the second place if there is one.
-    Motion(Sheet, Spot, Option<Spot>),
+    /// The velocity or the acceleration of a place, relative to the second place if there is one.
+    Motion(Order, Spot, Option<Spot>),
     /// Normal or tangential part of the acceleration of the first place relative to the second; the link to which both
     /// belong.
     Part(AccelerationPart, Spot, Spot, Option<BodyId>),
     /// A segment of a plan.
     Segment {
-        /// The plan.
-        kind: Sheet,
+        /// Of which plan.
+        order: Order,
         /// The plan point where it begins.
         from: String,
         /// The plan point where it ends.
@@ -201,7 +201,7 @@ impl Finder<'_> {
     fn what(&self, QuantityName { head, arguments, on_paper, .. }: &QuantityName) -> Result<What, QuantityError> {
         let (first, second) = (arguments.first().map_or("", String::as_str), arguments.get(1).map(String::as_str));
         let motion =
-            |sheet| Ok(What::Motion(sheet, self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
+            |order| Ok(What::Motion(order, self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
         let two_spots = || Ok((self.spot(first)?, self.spot(second.ok_or_else(|| self.form())?)?));
         Ok(match *head {
             Head::Omega => What::Rate(Rate::Omega(self.link(first)?)),
@@ -216,24 +216,26 @@ impl Finder<'_> {
             }
             Head::X => What::Coordinate(0, self.spot(first)?),
             Head::Y => What::Coordinate(1, self.spot(first)?),
-            Head::Velocity => return motion(Sheet::Velocity),
-            Head::Acceleration => return motion(Sheet::Acceleration),
+            Head::Velocity => return motion(Order::Velocity),
+            Head::Acceleration => return motion(Order::Acceleration),
             Head::Normal | Head::Tangential => {
                 let part = if *head == Head::Normal { AccelerationPart::Normal } else { AccelerationPart::Tangential };
                 let (a, b) = two_spots()?;
                 let link = self.common_link(&a, &b);
                 What::Part(part, a, b, link)
             }
-            // Only segments of plans are known in millimetres of paper.
-            Head::Between(Sheet::Scheme) if *on_paper => return Err(self.form()),
-            Head::Between(Sheet::Scheme) => {
-                let (a, b) = two_spots()?;
-                What::Length(a, b)
-            }
-            Head::Between(kind) => {
-                let to = second.ok_or_else(|| self.form())?;
-                What::Segment { kind, from: first.to_owned(), to: to.to_owned(), on_paper: *on_paper }
-            }
+            Head::Between(sheet) => match sheet.order() {
+                Some(order) => {
+                    let to = second.ok_or_else(|| self.form())?;
+                    What::Segment { order, from: first.to_owned(), to: to.to_owned(), on_paper: *on_paper }
+                }
+                // Only segments of plans are known in millimetres of paper.
+                None if sheet == Sheet::Scheme && !on_paper => {
+                    let (a, b) = two_spots()?;
+                    What::Length(a, b)
+                }
+                None => return Err(self.form()),
+            },
         })
     }
 
@@ -322,7 +324,7 @@ pub fn readable_names(solution: &Solution) -> Vec<String> {
             names.extend(["size", "angle"].map(|part| format!("{head}({point}).{part}")));
         }
     }
-    if motion.order == Sheet::Velocity {
+    if motion.order == Order::Velocity {
         names.retain(|name| !QuantityName::parse(name).is_some_and(|name| name.needs_accelerations()));
     }
     names

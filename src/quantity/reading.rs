@@ -7,7 +7,7 @@ use crate::construction::{
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::scene::Component;
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
 
 /// How a quantity is read: a number of the construction, and the meaning of its sign.
@@ -110,9 +110,9 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
-            What::Segment { kind, from, to, .. } => return self.segment(*kind, from, to),
-            What::Motion(sheet, a, b) => {
-                let drawn = self.vector(*sheet, a, b.as_ref())?;
+            What::Segment { order, from, to, .. } => return self.segment(*order, from, to),
+            What::Motion(order, a, b) => {
+                let drawn = self.vector(*order, a, b.as_ref())?;
                 return self.component(asked, drawn);
             }
             What::Coriolis(id, on) => {
@@ -129,15 +129,16 @@ impl Reader<'_> {
 
     /// One number of a vector: measured from the segment, or computed.
     fn component(&mut self, asked: &QuantityRequest, drawn: VectorSource) -> Result<(NumberId, Sense), Unread> {
-        let component = asked.component().ok_or(Unread::Vector)?;
-        let sheet = asked.sheet();
+        let (Some(component), Some(order)) = (asked.component(), asked.order()) else {
+            return Err(Unread::Vector);
+        };
         let ends = match (drawn, component) {
             (VectorSource::Segment(ends), _) => self.drawn(ends)?,
             (VectorSource::Computed(size, _), Component::Size) => return Ok((size, Sense::Magnitude)),
             // Its direction and components are measured after it has been laid off.
             (VectorSource::Computed(size, along), _) => {
-                let pole = self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?;
-                [pole, self.writer.lay_off(sheet, pole, vec![Product::plain(size)], along)]
+                let pole = self.writer.pole_of(order).ok_or(Unread::NotDrawn)?;
+                [pole, self.writer.lay_off(order, pole, vec![Product::plain(size)], along)]
             }
         };
         let (how, sense) = match component {
@@ -146,7 +147,7 @@ impl Reader<'_> {
             Component::Size => (MeasuredAs::Size, Sense::Distance),
             Component::Angle => (MeasuredAs::Direction, Sense::Angle),
         };
-        Ok((self.measure(sheet, asked.name(), ends, how), sense))
+        Ok((self.measure(order, asked.name(), ends, how), sense))
     }
 
     /// The ends of a segment that a hand can draw. One of zero length, as of a point at rest, is not measured.
@@ -159,7 +160,8 @@ impl Reader<'_> {
     }
 
     /// Measures a number with errors of its own, as part of the step that gives the quantity `name`.
-    fn measure(&mut self, sheet: Sheet, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
+    fn measure(&mut self, sheet: impl Into<Sheet>, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
+        let sheet = sheet.into();
         let construction = &self.writer.construction;
         let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());
         let step = steps.get(name).copied();
@@ -171,11 +173,11 @@ impl Reader<'_> {
     }
 
     /// The vector of a place in a plan, relative to another place if there is one.
-    fn vector(&mut self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<VectorSource, Unread> {
-        let to = self.plan_point(sheet, a)?;
+    fn vector(&mut self, order: Order, a: &Spot, b: Option<&Spot>) -> Result<VectorSource, Unread> {
+        let to = self.plan_point(order, a)?;
         let from = match b {
-            Some(b) => self.plan_point(sheet, b)?,
-            None => self.writer.pole_of(sheet).ok_or(Unread::NotDrawn)?,
+            Some(b) => self.plan_point(order, b)?,
+            None => self.writer.pole_of(order).ok_or(Unread::NotDrawn)?,
         };
         Ok(VectorSource::Segment([from, to]))
     }
@@ -187,7 +189,7 @@ impl Reader<'_> {
             return Err(Unread::Given);
         };
         let product = Product::new(ProductKind::Coriolis, 2.0, &[omega, velocity]);
-        let size = self.writer.compute(Sheet::Acceleration, NumberKind::Size, vec![product]);
+        let size = self.writer.compute(Order::Acceleration, NumberKind::Size, vec![product]);
         Ok(VectorSource::Computed(size, Along::line(self.writer.guide(id)).turned(1)))
     }
 
@@ -267,17 +269,17 @@ impl Reader<'_> {
     }
 
     /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
-    fn segment(&mut self, sheet: Sheet, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
+    fn segment(&mut self, order: Order, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
         let construction = &self.writer.construction;
-        let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name).to_owned());
+        let [from, to] = [from, to].map(|name| construction.plan_name(order, name).to_owned());
         let [from, to] = [from.as_str(), to.as_str()];
-        let segment = NumberKind::Segment(sheet, [from, to].map(str::to_owned));
+        let segment = NumberKind::Segment(order, [from, to].map(str::to_owned));
         if let Some(number) = self.measured(&segment) {
             return Ok((number, Sense::Magnitude));
         }
-        let place = |name: &str| self.writer.construction.place(sheet, name).ok_or(Unread::NoConstruction);
+        let place = |name: &str| self.writer.construction.place(order, name).ok_or(Unread::NoConstruction);
         let ends = self.drawn([place(from)?, place(to)?])?;
-        Ok((self.measure(sheet, &sheet.segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
+        Ok((self.measure(order, &order.sheet().segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
     }
 
     /// The number of this kind that the construction measures.
@@ -310,13 +312,13 @@ impl Reader<'_> {
     }
 
     /// The end of a place's vector in a plan: the image that the construction has found, else one laid off.
-    fn plan_point(&mut self, sheet: Sheet, spot: &Spot) -> Result<PlaceId, Unread> {
-        let named = self.writer.construction.place(sheet, &image_name(spot.name()));
+    fn plan_point(&mut self, order: Order, spot: &Spot) -> Result<PlaceId, Unread> {
+        let named = self.writer.construction.place(order, &image_name(spot.name()));
         match (named.filter(|&place| self.writer.is_place_by_hand(place)), spot) {
             (Some(place), _) => Ok(place),
             (None, Spot::Point(body, point, _)) => {
-                let holder = self.holder(sheet, *body, *point);
-                Ok(self.writer.motion(sheet, holder, *point))
+                let holder = self.holder(order, *body, *point);
+                Ok(self.writer.motion(order, holder, *point))
             }
             (None, Spot::Special(_)) => Err(Unread::NoConstruction),
         }
@@ -324,12 +326,12 @@ impl Reader<'_> {
 
     /// The body with which a point's vector is laid off: one of known motion, else one whose point is found already,
     /// else `body`.
-    fn holder(&self, sheet: Sheet, body: BodyId, point: PointId) -> BodyId {
+    fn holder(&self, order: Order, body: BodyId, point: PointId) -> BodyId {
         let mechanism = self.writer.mechanism;
         let is_on_body = mechanism.body(body).points.contains(&point);
         let holders = || mechanism.body_ids().filter(|&b| is_on_body && mechanism.body(b).points.contains(&point));
         let known = holders().find(|&b| mechanism.is_known(b));
-        known.or_else(|| holders().find(|&b| self.writer.place_of_motion(sheet, b, point).is_some())).unwrap_or(body)
+        known.or_else(|| holders().find(|&b| self.writer.place_of_motion(order, b, point).is_some())).unwrap_or(body)
     }
 
     /// A part of a relative acceleration: a segment if the construction lays it off, else computed.
@@ -341,7 +343,7 @@ impl Reader<'_> {
         b: &Spot,
         link: Option<BodyId>,
     ) -> Result<VectorSource, Unread> {
-        let sheet = Sheet::Acceleration;
+        let order = Order::Acceleration;
         if let Spot::Special(special) = a {
             let construction = &self.writer.construction;
             if let Some([start, end]) = construction.known_parts.get(&normal_name(b.name(), special)) {
@@ -350,7 +352,7 @@ impl Reader<'_> {
                     AccelerationPart::Normal => [start, end],
                     AccelerationPart::Tangential => [end, &image],
                 };
-                let place = |name: &str| construction.place(sheet, name);
+                let place = |name: &str| construction.place(order, name);
                 let ends = place(from).zip(place(to)).ok_or(Unread::NoConstruction)?;
                 return Ok(VectorSource::Segment([ends.0, ends.1]));
             }
@@ -365,7 +367,7 @@ impl Reader<'_> {
             AccelerationPart::Normal => (Product::new(ProductKind::Normal, -1.0, &[rate, rate, length]), 0),
             AccelerationPart::Tangential => (Product::new(ProductKind::Turning, 1.0, &[rate, length]), 1),
         };
-        let size = self.writer.compute(sheet, NumberKind::Size, vec![product]);
+        let size = self.writer.compute(order, NumberKind::Size, vec![product]);
         Ok(VectorSource::Computed(size, Along::line(line).turned(turns)))
     }
 }

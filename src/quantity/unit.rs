@@ -2,7 +2,7 @@ use super::name::{AccelerationPart, QuantityRequest, Spot, What};
 use crate::construction::Rate;
 use crate::mechanism::Mechanism;
 use crate::scene::Component;
-use crate::sheet::{QuantityKind, Sheet};
+use crate::sheet::{Order, QuantityKind, Sheet};
 use crate::words::Notation;
 
 /// The parts of a symbol: letter, upper and lower index, text behind them.
@@ -55,15 +55,21 @@ impl QuantityRequest {
         }
     }
 
+    /// The plan from which it is read; `None` where the scheme is enough.
+    #[must_use]
+    pub fn order(&self) -> Option<Order> {
+        match &self.what {
+            What::Rate(rate) => Some(rate.order()),
+            What::Motion(order, ..) | What::Segment { order, .. } => Some(*order),
+            What::Part(..) | What::Coriolis(..) => Some(Order::Acceleration),
+            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => None,
+        }
+    }
+
     /// The sheet from which it is read.
     #[must_use]
     pub fn sheet(&self) -> Sheet {
-        match &self.what {
-            What::Rate(rate) => rate.sheet(),
-            What::Motion(sheet, ..) | What::Segment { kind: sheet, .. } => *sheet,
-            What::Part(..) | What::Coriolis(..) => Sheet::Acceleration,
-            What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => Sheet::Scheme,
-        }
+        self.order().map_or(Sheet::Scheme, Order::sheet)
     }
 
     /// Whether it is a length on its sheet; rates are computed from lengths.
@@ -112,9 +118,9 @@ impl QuantityRequest {
             Symbol { after: format!("({})", parts.join("/")), ..plain(letter, lower.to_owned()) }
         };
         let symbol = match &self.what {
-            What::Rate(rate @ (Rate::Omega(id) | Rate::Alpha(id))) => plain(rate.sheet().rate(), link(*id)),
+            What::Rate(rate @ (Rate::Omega(id) | Rate::Alpha(id))) => plain(rate.order().rate(), link(*id)),
             What::Rate(rate @ (Rate::SlideVelocity(id) | Rate::SlideAcceleration(id))) => {
-                slider(rate.sheet().vector(), notation.relative, *id)
+                slider(rate.order().vector(), notation.relative, *id)
             }
             What::Angle(id) => plain("φ", link(*id)),
             What::SlidePosition(id) => slider("s", "", *id),
@@ -122,7 +128,7 @@ impl QuantityRequest {
             What::Coordinate(0, spot) => plain("x", shown(spot.name())),
             What::Coordinate(_, spot) => plain("y", shown(spot.name())),
             What::Length(a, b) => relative("L", "", a.name(), Some(b.name())),
-            What::Motion(sheet, a, b) => relative(sheet.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
+            What::Motion(order, a, b) => relative(order.vector(), "", a.name(), b.as_ref().map(|b| b.name())),
             What::Part(part, a, b, _) => {
                 let part = match part {
                     AccelerationPart::Normal => notation.normal,
@@ -130,9 +136,9 @@ impl QuantityRequest {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Segment { kind, from, to, .. } => Symbol {
+            What::Segment { order, from, to, .. } => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
-                ..plain(kind.scale_symbol(), String::new())
+                ..plain(order.sheet().scale_symbol(), String::new())
             },
         };
         let axis = match self.written.component {

@@ -7,7 +7,7 @@ use crate::mechanism::{BodyId, PointId, SliderId};
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::scene::Component;
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{Order, Scales};
 
 /// The value of a quantity, in the scene's units; angles in degrees, rates in rad per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +59,7 @@ impl QuantityRequest {
                     Rate::Omega(link) | Rate::Alpha(link) => state.angular_rates(link),
                     Rate::SlideVelocity(id) | Rate::SlideAcceleration(id) => state.slide_rates(id),
                 };
-                Number(rates[rate.sheet().order()])
+                Number(rates[rate.order()])
             }
             What::Angle(link) => {
                 let axis = state.axis(*link);
@@ -76,7 +76,7 @@ impl QuantityRequest {
             }
             What::Coordinate(axis, spot) => Number(reader.place(spot)?.1[*axis]),
             What::Length(a, b) => Number((reader.place(b)?.1 - reader.place(a)?.1).norm()),
-            What::Motion(sheet, a, b) => Vector(reader.difference(*sheet, a, b.as_ref())?),
+            What::Motion(order, a, b) => Vector(reader.difference(*order, a, b.as_ref())?),
             What::Part(part, a, b, link) => {
                 let [normal, tangential] = reader.parts(a, b, *link)?;
                 Vector(match part {
@@ -84,10 +84,10 @@ impl QuantityRequest {
                     AccelerationPart::Tangential => tangential,
                 })
             }
-            What::Segment { kind, from, to, on_paper: false } => Number(reader.segment(*kind, from, to)?),
-            What::Segment { kind, from, to, on_paper: true } => {
-                let length = reader.segment(*kind, from, to)?;
-                let mu = scales.and_then(|scales| scales[*kind]);
+            What::Segment { order, from, to, on_paper: false } => Number(reader.segment(*order, from, to)?),
+            What::Segment { order, from, to, on_paper: true } => {
+                let length = reader.segment(*order, from, to)?;
+                let mu = scales.and_then(|scales| scales[order.sheet()]);
                 let mm = length / mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
                 Number(if mm.is_finite() { mm } else { return Err(self.none("the scale is too small for it")) })
             }
@@ -131,17 +131,17 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// The vector of place `a` in a plan, its velocity or its acceleration, minus that of `b`.
-    fn difference(&self, sheet: Sheet, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
+    fn difference(&self, order: Order, a: &Spot, b: Option<&Spot>) -> Result<Vector, QuantityError> {
         let of = |spot: &Spot| -> Result<Vector, QuantityError> {
             let (body, place) = self.place(spot)?;
-            Ok(self.state.motion_at(body, place)[sheet.order()])
+            Ok(self.state.motion_at(body, place)[order])
         };
         Ok(of(a)? - b.map_or(Ok(Vector::zeros()), of)?)
     }
 
     /// Normal and tangential part of the acceleration of `a` relative to `b`.
     fn parts(&self, a: &Spot, b: &Spot, link: Option<BodyId>) -> Result<[Vector; 2], QuantityError> {
-        let plan = self.construction.and_then(|c| c.plan_on(Sheet::Acceleration));
+        let plan = self.construction.and_then(|c| c.plan(Order::Acceleration));
         if let (Spot::Special(special), Some(plan)) = (a, plan) {
             // The normal part starts at the image of `b`, or at the end of the parts of driven sliders laid off from
             // there; the Coriolis acceleration of the leg's slider, along the same line, counts with it.
@@ -159,10 +159,10 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// The length of a plan segment, in the plan's units.
-    fn segment(&self, sheet: Sheet, from: &str, to: &str) -> Result<f64, QuantityError> {
+    fn segment(&self, order: Order, from: &str, to: &str) -> Result<f64, QuantityError> {
         let construction = self.construction.ok_or_else(|| self.asked.none("there is no construction"))?;
-        let plan = construction.plan_on(sheet).ok_or_else(|| self.asked.none("there is no such plan"))?;
-        let [from, to] = [from, to].map(|name| construction.plan_name(sheet, name));
+        let plan = construction.plan(order).ok_or_else(|| self.asked.none("there is no such plan"))?;
+        let [from, to] = [from, to].map(|name| construction.plan_name(order, name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
                 let known = plan.points.keys().map(String::as_str);
@@ -204,7 +204,7 @@ pub struct Snapshot<'a> {
 
 impl State for Snapshot<'_> {
     fn has_accelerations(&self) -> bool {
-        self.motion.order == Sheet::Acceleration
+        self.motion.order == Order::Acceleration
     }
 
     fn place(&self, point: PointId) -> Point {

@@ -186,7 +186,8 @@ impl Figure {
             }
         }
         if self.panels.is_empty() {
-            let hint = r#"name some of "scheme", "velocity", "acceleration", or leave `panels` out"#;
+            let words = Sheet::ALL.map(|sheet| format!("\"{}\"", sheet.as_str()));
+            let hint = format!("name some of {}, or leave `panels` out", words.join(", "));
             return Err(Wrong::value(&["panels"], "a figure without panels shows nothing").hint(hint));
         }
         let is_doubled = |&index: &usize| self.panels[..index].contains(&self.panels[index]);

@@ -19,7 +19,7 @@ pub use catalogue::Language;
 pub use number::{Medium, NumberStyle, power_of_ten};
 
 use crate::scene::{DecimalMark, Figure, LanguageName};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use catalogue::{Read, read};
 use sentences::DECLARED;
 use std::sync::LazyLock;
@@ -116,7 +116,7 @@ impl Wording {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Notation {
     /// The poles that are not written as in results.
-    poles: &'static [(Sheet, &'static str)],
+    poles: &'static [(Order, &'static str)],
     /// Whether images of points bear a prime in the acceleration plan: `b′` beside `b` of the velocity plan.
     pub primes: bool,
     /// Index of the normal part of an acceleration.
@@ -135,8 +135,8 @@ impl Notation {
 
     /// The symbol of a plan's pole, in markup.
     #[must_use]
-    pub fn pole(&self, plan: Sheet) -> &'static str {
-        self.poles.iter().find(|(sheet, _)| *sheet == plan).map_or(plan.pole(), |(_, pole)| pole)
+    pub fn pole(&self, plan: Order) -> &'static str {
+        self.poles.iter().find(|(order, _)| *order == plan).map_or(plan.pole(), |(_, pole)| pole)
     }
 }
 
@@ -146,13 +146,13 @@ const PAPER: Notation =
 
 /// C. E. Wilson, J. P. Sadler, *Kinematics and Dynamics of Machinery*, 3rd ed., Pearson 2003.
 const ENGLISH: Notation =
-    Notation { poles: &[(Sheet::Velocity, "o"), (Sheet::Acceleration, "o′")], primes: true, ..PAPER };
+    Notation { poles: &[(Order::Velocity, "o"), (Order::Acceleration, "o′")], primes: true, ..PAPER };
 
 /// K. V. Frolov (ed.), *Теория механизмов и машин*, Высшая школа, Moscow 1987.
 const RUSSIAN: Notation = Notation { tangential: "τ", coriolis: "k", ..PAPER };
 
 /// H. Kerle, B. Corves, M. Hüsing, *Getriebetechnik*, 5th ed., Springer Vieweg 2015.
-const GERMAN: Notation = Notation { poles: &[(Sheet::Velocity, "P_{v}"), (Sheet::Acceleration, "P_{a}")], ..PAPER };
+const GERMAN: Notation = Notation { poles: &[(Order::Velocity, "P_{v}"), (Order::Acceleration, "P_{a}")], ..PAPER };
 
 /// A name with a prime after its letter: `b′`, `d′_2`, `s′3`.
 #[must_use]

@@ -397,10 +397,21 @@ impl Language {
     /// Heading of a sheet.
     #[must_use]
     pub fn sheet(&self, sheet: Sheet) -> &str {
+        self.of_sheet(sheet)[0]
+    }
+
+    /// A sheet in the description of a figure, for readers who cannot see it.
+    #[must_use]
+    pub fn described_sheet(&self, sheet: Sheet) -> &str {
+        self.of_sheet(sheet)[1]
+    }
+
+    /// Heading and description of a sheet.
+    fn of_sheet(&self, sheet: Sheet) -> [&str; 2] {
         match sheet {
-            Sheet::Scheme => self.scheme(),
-            Sheet::Velocity => self.velocity_plan(),
-            Sheet::Acceleration => self.acceleration_plan(),
+            Sheet::Scheme => [self.scheme(), self.described_scheme()],
+            Sheet::Velocity => [self.velocity_plan(), self.described_velocity_plan()],
+            Sheet::Acceleration => [self.acceleration_plan(), self.described_acceleration_plan()],
         }
     }
 

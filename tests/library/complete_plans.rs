@@ -1,7 +1,7 @@
 //! Every point of every link has its image in both plans: at the end of its velocity and its acceleration, and so that
 //! the image of a link is similar to the link.
 
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::Solution;
 use kinegon::construction::{Plan, image_name};
 use kinegon::geometry::Vector;
@@ -76,8 +76,8 @@ fn image(solution: &Solution, plan: &Plan, link: BodyId) -> Image {
             continue;
         };
         let rates = motion.body(link);
-        let truth = match plan.sheet {
-            Sheet::Velocity => rates.velocity_at(place),
+        let truth = match plan.order {
+            Order::Velocity => rates.velocity_at(place),
             _ => rates.acceleration_at(place),
         };
         let error = (drawn.vector - truth).norm();
@@ -99,10 +99,10 @@ fn every_point_has_an_image_at_the_end_of_its_vector() {
                 points += image.images.len();
                 if !image.missing.is_empty() {
                     faults
-                        .push(format!("{name}, {:?}, link {}: no image of {:?}", plan.sheet, body.name, image.missing));
+                        .push(format!("{name}, {:?}, link {}: no image of {:?}", plan.order, body.name, image.missing));
                 }
                 if image.worst > MOST || image.worst.is_nan() {
-                    faults.push(format!("{name}, {:?}, link {}: off by {:e}", plan.sheet, body.name, image.worst));
+                    faults.push(format!("{name}, {:?}, link {}: off by {:e}", plan.order, body.name, image.worst));
                 }
             }
         }
@@ -131,7 +131,7 @@ fn the_image_of_a_link_is_similar_to_it() {
                     if off > allowed {
                         faults.push(format!(
                             "{name}, {:?}, link {}: {off:e}, allowed {allowed:e}",
-                            plan.sheet, body.name
+                            plan.order, body.name
                         ));
                     }
                 }

@@ -3,7 +3,7 @@
 use kinegon::construction::{Action, Plan, Teller, VectorOf, VectorPart};
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{GROUND, SliderId};
-use kinegon::{Sheet, Solution};
+use kinegon::{Order, Sheet, Solution};
 use support::files;
 use support::stages::solved;
 
@@ -24,7 +24,7 @@ fn solution(scene: &str) -> Solution {
 }
 
 fn accelerations(solution: &Solution) -> &Plan {
-    solution.construction.plan_on(Sheet::Acceleration).expect("accelerations were asked for")
+    solution.construction.plan(Order::Acceleration).expect("accelerations were asked for")
 }
 
 /// 2 ω ẑ × v_r by the loop equations.
@@ -41,7 +41,7 @@ fn arrows_have_the_direction_of_the_results() {
     for scene in SCENES {
         let solution = solution(scene);
         let plan = accelerations(&solution);
-        for arrow in plan.arrows() {
+        for arrow in solution.construction.arrows(plan.order) {
             let VectorOf::Passed(slide, VectorPart::Coriolis) = arrow.of else {
                 assert_ne!(arrow.part(), VectorPart::Coriolis, "{scene}: {arrow:?}");
                 continue;
@@ -60,7 +60,7 @@ fn arrows_have_the_direction_of_the_results() {
 fn nothing_is_laid_off_that_is_always_zero() {
     for scene in SCENES {
         let solution = solution(scene);
-        for arrow in accelerations(&solution).arrows() {
+        for arrow in solution.construction.arrows(Order::Acceleration) {
             let of = format!("{:?}", arrow.of);
             let length = accelerations(&solution).segment(&arrow.from, &arrow.to).expect("both ends are there").norm();
             assert!(length > 0.0, "{scene}: {of}");

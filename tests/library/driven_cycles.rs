@@ -1,6 +1,6 @@
 //! Sliders driven along moving links: rates on the way against the loop equations, and against differences of positions.
 
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::cycle::{Drive, Path, alone};
 use kinegon::geometry::{Point, Vector, span};
 use kinegon::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
@@ -70,7 +70,7 @@ fn rates_on_the_way_are_those_of_the_loop_equations() {
             let value = middle + 0.25 * f64::from(part) * width;
             let position = walker.position(value).expect("it is on the path");
             let pose = position.pose();
-            let motion = motion(mechanism, &pose, Sheet::Acceleration)
+            let motion = motion(mechanism, &pose, Order::Acceleration)
                 .unwrap_or_else(|error| panic!("{name} at {value}: {error}"));
             // A group's errors are enlarged by its condition, and by those of the groups on which it hangs.
             let condition: f64 = motion.conditions.iter().product();

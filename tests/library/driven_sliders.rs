@@ -3,7 +3,7 @@
 //!
 //! `tests/driven_sliders/README.md` says where the true numbers come from. A new case is a new pair of files.
 
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::Solution;
 use kinegon::construction::{Action, Plan, VectorPart, image_name};
 use kinegon::format::ResultFile;
@@ -190,10 +190,10 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
     // The image of a point at rest under a slider is there from the beginning.
     let is_there =
         |reached: &[&str], point: &str| reached.contains(&point) || plan.points[point].vector == Vector::zeros();
-    for action in &plan.steps {
+    for action in &solution.construction.steps[plan.sheet()] {
         match action {
-            Action::Pole { images } => {
-                reached.push(plan.sheet.pole());
+            Action::Pole { images, .. } => {
+                reached.push(plan.order.pole());
                 reached.extend(images.iter().map(String::as_str));
             }
             Action::LayOff(arrow) => {
@@ -220,9 +220,9 @@ fn demand_closed(name: &str, solution: &Solution, plan: &Plan) {
         let holds = |b: &kinegon::mechanism::Body| b.points.iter().any(|p| p.0 == index);
         for (body, _) in bodies.enumerate().filter(|(_, b)| holds(b)) {
             let (motion, at) = (&solution.motion.bodies[body], solution.pose.points[index]);
-            let truth = match plan.sheet {
-                Sheet::Velocity => motion.velocity_at(at),
-                _ => motion.acceleration_at(at),
+            let truth = match plan.order {
+                Order::Velocity => motion.velocity_at(at),
+                Order::Acceleration => motion.acceleration_at(at),
             };
             let off = (image.vector - truth).norm();
             assert!(!exceeds(off, bound), "{name}: the image of {point} is {off:e} off");
@@ -243,13 +243,13 @@ fn plans_close_and_show_what_drives_add() {
                 continue;
             }
             let has = |kind: VectorPart, length: f64| {
-                let arrows = plan.arrows().filter(|arrow| arrow.part() == kind);
+                let arrows = solution.construction.arrows(plan.order).filter(|arrow| arrow.part() == kind);
                 let mut lengths = arrows.filter_map(|a| Some(plan.segment(&a.from, &a.to)?.norm()));
                 let close = |l: f64| (l - length).abs() <= 1e-13 * condition * length;
                 assert!(
                     length == 0.0 || lengths.any(close),
                     "{name}: no {kind:?} vector of {length} in the {:?} plan",
-                    plan.sheet
+                    plan.order
                 );
             };
             for slider in case.scene["sliders"].as_array().into_iter().flatten() {
@@ -257,9 +257,9 @@ fn plans_close_and_show_what_drives_add() {
                     continue;
                 };
                 let rate = |key: &str| drive[key].as_f64().unwrap_or(0.0).abs();
-                match plan.sheet {
-                    Sheet::Velocity => has(VectorPart::Sliding, rate("speed")),
-                    _ => {
+                match plan.order {
+                    Order::Velocity => has(VectorPart::Sliding, rate("speed")),
+                    Order::Acceleration => {
                         has(VectorPart::Sliding, rate("acceleration"));
                         let key = ["link", "on"].map(|key| slider[key].as_str().expect("a name"));
                         let truth = &case.expect["sliders"][key.join("/")];

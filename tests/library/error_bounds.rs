@@ -4,7 +4,7 @@
 
 use support::survey::{BOUNDED, on_all_cores};
 
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::Solution;
 use kinegon::mechanism::{Mechanism, Role, mechanism};
 use kinegon::motion::motion;
@@ -42,7 +42,7 @@ struct Seen {
 impl Seen {
     /// Compares a mechanism's motion with the truth; `guides` are directions by slider of any length.
     fn see(&mut self, name: &str, mechanism: &Mechanism, pose: &Pose, guides: &[[f64; 2]]) {
-        let Ok(motion) = motion(mechanism, pose, Sheet::Acceleration) else {
+        let Ok(motion) = motion(mechanism, pose, Order::Acceleration) else {
             self.refused += 1;
             return;
         };

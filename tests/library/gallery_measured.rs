@@ -4,7 +4,7 @@
 //! Styles move nothing, so only what they change is measured in each.
 
 use indexmap::IndexMap;
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::construction::{Construction, Plan, PointRole};
 use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Shape, Style};
@@ -73,8 +73,8 @@ fn figures_are_readable_in_every_position() {
         let before = wrong.len();
         wrong.extend(faults(drawing).iter().map(|fault| format!("{name}: {fault}")));
         for plan in construction.plans() {
-            let panel = match plan.sheet {
-                Sheet::Velocity => "velocity",
+            let panel = match plan.order {
+                Order::Velocity => "velocity",
                 _ => "acceleration",
             };
             let (shown, wanted) = (names_in(drawing, panel), names_of(plan, labels));

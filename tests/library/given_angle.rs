@@ -2,7 +2,7 @@
 //! links in turn: the drive must come back to where it stood.
 
 use kinegon::Error;
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::format::{listed_modes, structure};
 use kinegon::geometry::degrees_of;
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -59,7 +59,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
     for (name, scene) in templates() {
         let Some(open) = opened(&scene) else { continue };
         let (_, plain, truth) = solved(&scene).unwrap_or_else(|e| panic!("{name}: {e}"));
-        let rates = motion(&plain, &truth, Sheet::Velocity).expect("it moves");
+        let rates = motion(&plain, &truth, Order::Velocity).expect("it moves");
         let places = || (0..plain.points.len()).map(|p| (p, truth.points[p]));
         let size = places().fold(0.0, |m: f64, (_, p)| m.max(p.coords.norm()));
         for (id, body) in plain.links().filter(|(id, _)| plain.is_sought(*id)) {
@@ -90,7 +90,7 @@ fn the_drive_comes_back_from_the_angle_of_any_link() {
                     let count = Count { number: all.len() as u64, is_exact: true };
                     let listed = listed_modes(&scene, &again, &Listed { poses: all, count });
                     assert!(listed.contains(&format!("{number:3}. ")));
-                    let moved = motion(&again, &pose, Sheet::Acceleration).expect("it moves");
+                    let moved = motion(&again, &pose, Order::Acceleration).expect("it moves");
                     let error = (moved.body(id).omega - rates.body(id).omega).abs() / fastest;
                     assert!(error <= 100.0 * bound, "{what}: rate wrong by {error:.1e}");
                 }

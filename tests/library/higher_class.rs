@@ -1,6 +1,6 @@
 //! Groups of higher class: random ones of six links, written down by lengths from an assembly that is known, and a platform of bars.
 
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::Solution;
 use kinegon::geometry::Vector;
 use kinegon::mechanism::{Mechanism, mechanism};
@@ -127,7 +127,7 @@ fn velocities_are_derivatives_of_positions() {
     for _ in 0..groups().div_ceil(4) {
         let (planted, scene, mechanism) = next(&mut random);
         let start = pose(&mechanism, &scene.near).expect("it can be assembled");
-        let moves = motion(&mechanism, &start, Sheet::Velocity).expect("it moves");
+        let moves = motion(&mechanism, &start, Order::Velocity).expect("it moves");
         let text: Value = serde_json::from_str(&planted.scene()).expect("JSON");
         // In radians; the crank makes 1 rad in a unit of time.
         let at = |turn: f64| -> Vec<Vector> {
@@ -182,7 +182,7 @@ fn a_group_that_can_move_is_not_searched_for_long() {
     let mechanism = mechanism(&scene).expect("a mechanism");
     let all = poses(&mechanism, &scene.near).expect("it can be assembled");
     assert!((2..30).contains(&all.len()), "{} modes", all.len());
-    let refused = motion(&mechanism, &all[0], Sheet::Velocity);
+    let refused = motion(&mechanism, &all[0], Order::Velocity);
     assert!(matches!(refused, Err(MotionError::Singular { .. })));
 }
 

@@ -133,13 +133,7 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
     let off =
         dot.map(|dot| (dot - Point::from((panel.origin[0], panel.origin[1]))).hypot()).fold(f64::INFINITY, f64::min);
     assert!(off < 1e-9, "{name}: the pole is {off} mm off");
-    let plan = solution.construction.plans().find(|plan| {
-        matches!(
-            (plan.sheet, panel.panel),
-            (kinegon::Sheet::Velocity, Sheet::Velocity) | (kinegon::Sheet::Acceleration, Sheet::Acceleration)
-        )
-    });
-    for (point, at) in &plan.expect("a plan").points {
+    for (point, at) in &solution.construction.plan_on(panel.panel).expect("a plan").points {
         let [x, y] = panel.at([at.vector.x, at.vector.y]);
         assert!(frame.inset(-2.0).contains(Point::new(x, y)), "{name}: {point} at {x}, {y} in {frame:?}");
     }

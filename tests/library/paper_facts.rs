@@ -8,7 +8,7 @@
 
 use kinegon::construction::Plan;
 use kinegon::quantity::Quantity;
-use kinegon::{Sheet, Solution};
+use kinegon::{Order, Solution};
 use support::stages::solved;
 
 const FIGURE_1: &str = r#"{ "kinegon": 1,
@@ -125,8 +125,8 @@ fn figure_1_positions_and_rates() {
 #[test]
 fn figure_1_measured_segments() {
     let board = board(FIGURE_1);
-    let velocity = &board.construction.sheets[Sheet::Velocity];
-    let acceleration = &board.construction.sheets[Sheet::Acceleration];
+    let velocity = &board.construction.plans[Order::Velocity];
+    let acceleration = &board.construction.plans[Order::Acceleration];
     // Equation of the paper; plan; segment; the cut line from the outer joint to the special point.
     let segments = [
         ("Eq. 7", velocity, ("b", "s3"), ("B", "S3"), "477.132368"),

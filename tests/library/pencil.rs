@@ -158,7 +158,7 @@ fn compare(scene: &str, sheets: &Sheets, within: f64, wrong: &mut Vec<String>) -
     for plan in sheets.solution.construction.plans() {
         let size = plan.points.values().map(|p| p.vector.norm());
         let size = size.fold(0.0, f64::max);
-        let sheet = plan.sheet;
+        let sheet = plan.sheet();
         for (name, point) in &plan.points {
             let Some(place) = sheets.drawn.place(sheet, name) else {
                 wrong.push(format!("{scene}: no {name} in the {}", sheet.name()));

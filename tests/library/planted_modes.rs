@@ -6,7 +6,7 @@
 //! are not far enough apart. The Jacobian that says so, and gives the velocities, is made here from the joints of all links, apart from
 //! the library.
 
-use kinegon::Sheet;
+use kinegon::Order;
 use std::collections::BTreeMap;
 use support::survey::PLANTED_GROUPS;
 
@@ -120,7 +120,7 @@ fn find(planted: &Planted, class: &str) -> Result<(f64, usize), String> {
 
 /// Whether the angular velocities are those of the Jacobian, and the second route finds the same rates.
 fn moves(planted: &Planted, mechanism: &Mechanism, pose: &Pose) -> Result<(), String> {
-    let motion = motion(mechanism, pose, Sheet::Acceleration).map_err(|e| e.to_string())?;
+    let motion = motion(mechanism, pose, Order::Acceleration).map_err(|e| e.to_string())?;
     let (matrix, right) = planted.jacobian();
     let rates = matrix.lu().solve(&right).ok_or("no velocities")?;
     let links = planted.bodies.len() - 3;

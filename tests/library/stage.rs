@@ -106,12 +106,12 @@ fn handles_are_where_points_are_drawn() {
             }
             for handle in stage.plan_handles(&moved) {
                 same(&handle);
-                let plan = &moved.construction.sheets[handle.panel];
+                let plan = moved.construction.plan_on(handle.panel).expect("there is a plan");
                 let back = stage.plan_place(&moved, handle.panel, handle.at).expect("there is a panel");
                 let mu = stage.mu(handle.panel).expect("there is a scale");
                 let off = back * mu - plan.points[&handle.name].vector;
                 assert!(off.norm() <= 1e-9 * (mu + plan.points[&handle.name].vector.norm()), "{name}: {}", handle.name);
-                assert_eq!(handle.is_fixed, handle.name == plan.sheet.pole());
+                assert_eq!(handle.is_fixed, handle.name == plan.order.pole());
             }
         }
     }

@@ -46,7 +46,7 @@ fn labels(drawing: &Drawing, panel: &(String, Rect)) -> Vec<String> {
 /// The names of plan points that an action puts on the sheet.
 fn made(action: &Action, pole: &str) -> Vec<String> {
     match action {
-        Action::Pole { images } => [vec![pole.to_owned()], images.clone()].concat(),
+        Action::Pole { images, .. } => [vec![pole.to_owned()], images.clone()].concat(),
         Action::LayOff(arrow) => vec![arrow.from.clone(), arrow.to.clone()],
         Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
             vec![point.clone()]
@@ -72,8 +72,8 @@ fn wrong_names(solution: &Solution, all: &Drawing, step: usize) -> Vec<String> {
         |name: &str| solution.scene.figure.labels.get(name).map_or_else(|| name.to_owned(), Untrusted::for_terminal);
     let mut wrong = Vec::new();
     for (plan, panel) in construction.plans().zip(&drawing.panels[1..]) {
-        let steps = construction.numbered_steps().filter(|one| one.plan.is_some_and(|of| of.sheet == plan.sheet));
-        let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(one.action, plan.sheet.pole()));
+        let steps = construction.numbered_steps().filter(|one| one.sheet == plan.sheet());
+        let so_far = steps.filter(|one| one.number <= step).flat_map(|one| made(one.action, plan.order.pole()));
         let mut names: Vec<String> = so_far.filter(|name| !is_unnamed(plan, name)).map(|name| renamed(&name)).collect();
         names.sort();
         names.dedup();

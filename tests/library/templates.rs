@@ -71,8 +71,9 @@ fn both_routes_agree() {
 fn every_ray_runs_through_both_its_points() {
     let mut seen = 0;
     for (name, text) in templates() {
-        for plan in solution(&name, &text).construction.plans() {
-            for ray in plan.rays() {
+        let construction = solution(&name, &text).construction;
+        for plan in construction.plans() {
+            for ray in construction.rays(plan.order) {
                 let along = plan.segment(&ray.through, &ray.to).expect("both are there");
                 let off = along.perp(&ray.direction) / ray.direction.norm();
                 let size = plan.points.values().map(|p| p.vector.norm());

@@ -1,7 +1,7 @@
 //! Relations between angles that are no part of a slider, through all stages: wheels that mesh, against closed forms and
 //! differences.
 
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::Solution;
 use kinegon::accuracy::bounds;
 use kinegon::cycle::{Drive, Path};
@@ -62,7 +62,7 @@ fn derivatives(f: impl Fn(f64) -> Vector) -> [Vector; 2] {
 
 fn solved(scene: &Scene, mechanism: Mechanism) -> Solution {
     let pose = pose(&mechanism, &scene.near).expect("it can be assembled");
-    Solution::new(scene.clone(), mechanism, pose, Sheet::Acceleration).expect("it is not singular")
+    Solution::new(scene.clone(), mechanism, pose, Order::Acceleration).expect("it is not singular")
 }
 
 fn number(solution: &Solution, name: &str) -> f64 {
@@ -99,7 +99,7 @@ fn a_geared_five_bar_is_where_its_lengths_and_wheels_put_it() {
             let agreement = agreement.expect("there is a construction");
             assert!(agreement.difference <= agreement.allowed && agreement.allowed < 1e-12, "{agreement:?}");
         }
-        let drawn = s.construction.sheets[kinegon::Sheet::Acceleration].points["c"].vector;
+        let drawn = s.construction.plans[kinegon::Order::Acceleration].points["c"].vector;
         assert!((drawn - acceleration).norm() < 1e-6 * acceleration.norm());
     }
 }

@@ -84,7 +84,7 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
     let mut crossings = 0;
     for plan in solution.construction.plans() {
         let mut rays: Vec<(&str, Vector)> = Vec::new();
-        for action in &plan.steps {
+        for action in &solution.construction.steps[plan.sheet()] {
             match action {
                 Action::Ray(ray) => rays.push((&ray.to, ray.direction)),
                 Action::Cross { point, .. } => {
@@ -114,8 +114,8 @@ fn lines_cross_well(kind: &str, solution: &Solution) {
 fn segments_are_long(kind: &str, solution: &Solution) {
     let figure = &solution.scene.figure;
     for plan in solution.construction.plans() {
-        let mu = figure.mu[plan.sheet];
-        for action in &plan.steps {
+        let mu = figure.mu[plan.sheet()];
+        for action in &solution.construction.steps[plan.sheet()] {
             if let Action::Measure { from, to, .. } = action {
                 let way = plan.points[to].vector - plan.points[from].vector;
                 let mm = way.norm() / mu.expect("a scale");

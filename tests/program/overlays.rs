@@ -4,7 +4,7 @@ use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::scene::PageSize;
-use kinegon::{PerSheet, Sheet};
+use kinegon::{Order, PerSheet, Sheet};
 use support::faults::{faults, id};
 use support::files;
 use support::program::{kinegon, scratch, stderr};
@@ -64,19 +64,19 @@ fn points(solution: &Solution, moved: [f64; 2]) -> Measured {
     let (sin, cos) = libm::sincos(12.0_f64.to_radians());
     let scales = answer_key(solution, 1).scales;
     let points = solution.construction.plans().map(|plan| {
-        let mu = scales[plan.sheet].expect("a panel");
-        let names = [plan.sheet.pole(), "b", "c"];
+        let mu = scales[plan.sheet()].expect("a panel");
+        let names = [plan.order.pole(), "b", "c"];
         let places = names.map(|name| {
             let v = plan.points[name].vector / mu;
             let mut at = [v.x, v.y];
-            if name == "c" && plan.sheet == Sheet::Velocity {
+            if name == "c" && plan.order == Order::Velocity {
                 at = [at[0] + moved[0], at[1] + moved[1]];
             }
             let [x, y] = at;
             let turned = [30.0 + cos * x - sin * y, 50.0 + sin * x + cos * y];
             (name.to_owned(), turned)
         });
-        let mut points = PointsOf::new(plan.sheet);
+        let mut points = PointsOf::new(plan.order);
         places.into_iter().for_each(|(name, at)| points.put(name, at, None));
         points
     });
@@ -192,8 +192,7 @@ fn text(drawing: &Drawing, name: &str) -> String {
 #[test]
 fn points_from_paper_lie_over_the_right_ones() {
     let right = |solution: &Solution, kind: Sheet, name: &str| {
-        let mut plans = solution.construction.plans();
-        plans.find(|p| p.sheet == kind).expect("a plan").points[name].vector
+        solution.construction.plan_on(kind).expect("a plan").points[name].vector
     };
     let base = solution(FOUR_BAR);
     let exact = drawn(solution(FOUR_BAR), &points(&base, [0.0, 0.0]), 1);

@@ -2,7 +2,7 @@
 //! α over −ω² and √(α² + ω⁴) times as large in the acceleration plan (Mehmke's theorem).
 
 use super::changes::{ACCELERATION_BOUND, BOUND, Sizes, U};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::Solution;
 use kinegon::construction::{Plan, coincident_name, image_name};
 use kinegon::format::ResultFile;
@@ -62,8 +62,8 @@ pub fn dissimilarity(solution: &Solution, result: &ResultFile, condition: f64) -
                     let far = (side.norm() / sizes.length).max(1.0);
                     let is_special = [p, q].iter().any(|x| x.name.starts_with('S'));
                     let blur = sizes.length * if is_special { far * far } else { 0.0 };
-                    let (expected, size, error, bound) = match plan.sheet {
-                        Sheet::Velocity => {
+                    let (expected, size, error, bound) = match plan.order {
+                        Order::Velocity => {
                             (quarter_turn(side) * omega, sizes.velocity + 2.0 * sizes.omega * blur, omega_error, BOUND)
                         }
                         _ => (
@@ -78,7 +78,7 @@ pub fn dissimilarity(solution: &Solution, result: &ResultFile, condition: f64) -
                     pairs += 1;
                     let part = if gap == 0.0 { 0.0 } else { gap / allowed };
                     if part.is_nan() || part > worst.0 {
-                        worst = (part, format!("{:?}, link {}, {}{}", plan.sheet, body.name, p.name, q.name));
+                        worst = (part, format!("{:?}, link {}, {}{}", plan.order, body.name, p.name, q.name));
                     }
                 }
             }

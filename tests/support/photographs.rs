@@ -13,13 +13,13 @@ use super::students::script;
 use super::students::sheet::ends_of;
 use super::students::task::{Planned, Task};
 use image::{DynamicImage, ImageDecoder, ImageReader};
-use kinegon::Sheet;
 use kinegon::check::{
-    AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposals, check, check_result, proposed,
+    AnswerKey, Measured, PencilledPlan, PointVerdict, PointsOf, Proposal, check, check_result, proposed,
 };
 use kinegon::drawing::markers::SheetCode;
 use kinegon::exercise::Exercises;
 use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
+use kinegon::{Order, Sheet};
 use std::io::Cursor;
 use std::sync::{Mutex, PoisonError};
 
@@ -137,7 +137,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     let key = answer_key(&task.solution, 5);
     let codes: Vec<SheetCode> = given.sheets.iter().map(|sheet| sheet.0.clone()).collect();
     let mut photos: Vec<(PhotoSheet, Vec<Stroke>)> = Vec::new();
-    let mut truth: Vec<(Sheet, String, [f64; 2])> = Vec::new();
+    let mut truth: Vec<(Order, String, [f64; 2])> = Vec::new();
     for sheet in given.sheets.iter().filter(|sheet| !panels(&sheet.0).is_empty()) {
         let panels = panels(&sheet.0);
         let drawing = drawn(task, planned.as_ref(), skill, number, &panels);
@@ -154,7 +154,7 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
         let lines = found.strokes(&picture);
         for (plan, point) in &drawing.points {
             let pole = panels.iter().find(|panel| panel.plan == *plan).expect("its panel").pole;
-            truth.push((kind_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
+            truth.push((order_of(*plan), point.name.clone(), [point.mm[0] - pole[0], pole[1] - point.mm[1]]));
         }
         photos.push((found, lines));
     }
@@ -163,9 +163,9 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     let Ok(proposals) = proposed(&key, &plans) else { return };
     let mut points = compare(&proposals, &truth, task, tally);
     for plan in &plans {
-        if points.iter().all(|points| points.kind != plan.kind) {
-            let mut own = PointsOf::new(plan.kind);
-            own.put(plan.kind.pole(), [0.0; 2], Some(0.1));
+        if points.iter().all(|points| points.order != plan.order) {
+            let mut own = PointsOf::new(plan.order);
+            own.put(plan.order.pole(), [0.0; 2], Some(0.1));
             points.push(own);
         }
     }
@@ -177,15 +177,11 @@ pub fn tally(number: u64, kind: Kind, edge: usize, tally: &mut Tally) {
     typed.values.retain(|value| !(value.name.starts_with("vplan") || value.name.starts_with("aplan")));
     typed.points = points;
     for plan in &plans {
-        typed.mu[plan.kind] = Some(plan.mu);
+        typed.mu[plan.order.sheet()] = Some(plan.mu);
     }
     tally.named[1] += usize::from(told(&typed) == Class::Named);
-    let left: Vec<(Sheet, String)> = proposals
-        .points
-        .iter()
-        .filter(|point| point.found.is_none())
-        .map(|point| (point.kind, point.name.clone()))
-        .collect();
+    let left: Vec<(Order, String)> =
+        proposals.iter().filter(|point| point.found.is_none()).map(|point| (point.order, point.name.clone())).collect();
     tap(&mut typed.points, &plans, &left, &truth, task, &mut random);
     tally.named[2] += usize::from(told(&typed) == Class::Named);
 }
@@ -207,16 +203,16 @@ fn are_drawn(task: &Task, planned: &Planned) -> bool {
 fn tap(
     points: &mut [PointsOf],
     plans: &[PencilledPlan<'_>],
-    left: &[(Sheet, String)],
-    truth: &[(Sheet, String, [f64; 2])],
+    left: &[(Order, String)],
+    truth: &[(Order, String, [f64; 2])],
     task: &Task,
     random: &mut Random,
 ) {
-    for (kind, name) in left {
-        let own = |(other, same, _): &&(Sheet, String, [f64; 2])| kind == other && is_same(task, *kind, name, same);
+    for (order, name) in left {
+        let own = |(other, same, _): &&(Order, String, [f64; 2])| order == other && is_same(task, *order, name, same);
         let Some((_, _, at)) = truth.iter().find(own) else { continue };
-        let Some(plan) = plans.iter().find(|plan| plan.kind == *kind) else { continue };
-        let Some(own) = points.iter_mut().find(|points| points.kind == *kind) else { continue };
+        let Some(plan) = plans.iter().find(|plan| plan.order == *order) else { continue };
+        let Some(own) = points.iter_mut().find(|points| points.order == *order) else { continue };
         let finger = plan.on_sheet([at[0] + random.between(-0.7, 0.7), at[1] + random.between(-0.7, 0.7)]);
         let (place, band) = match photo::crossing(plan.strokes, kinegon::geometry::Point::from(finger), 1.5) {
             Some(crossing) => ([crossing.at.x, crossing.at.y], crossing.band.max(0.2)),
@@ -227,9 +223,9 @@ fn tap(
 }
 
 /// Whether two names mean one point of a plan.
-fn is_same(task: &Task, kind: Sheet, one: &str, other: &str) -> bool {
+fn is_same(task: &Task, order: Order, one: &str, other: &str) -> bool {
     let construction = &task.solution.construction;
-    let place = |name: &str| construction.place(kind, construction.plan_name(kind, name));
+    let place = |name: &str| construction.place(order, construction.plan_name(order, name));
     place(one) == place(other)
 }
 
@@ -239,21 +235,21 @@ fn class_of(form: &Measured, key: &AnswerKey<'_>, planned: &Planned) -> Class {
     class(&Said::new(&check_result(&checked, key, &key.solution.wording(), None)), planned)
 }
 
-fn kind_of(plan: usize) -> Sheet {
-    if plan == 1 { Sheet::Velocity } else { Sheet::Acceleration }
+fn order_of(plan: usize) -> Order {
+    if plan == 1 { Order::Velocity } else { Order::Acceleration }
 }
 
 /// Compares proposals with the truth; the places of the points that were proposed.
 fn compare(
-    proposals: &Proposals,
-    truth: &[(Sheet, String, [f64; 2])],
+    proposals: &[Proposal],
+    truth: &[(Order, String, [f64; 2])],
     task: &Task,
     tally: &mut Tally,
 ) -> Vec<PointsOf> {
     let mut found: Vec<PointsOf> = Vec::new();
-    for point in &proposals.points {
-        let own = |(kind, name, _): &&(Sheet, String, [f64; 2])| {
-            *kind == point.kind && is_same(task, *kind, name, &point.name)
+    for point in proposals {
+        let own = |(order, name, _): &&(Order, String, [f64; 2])| {
+            *order == point.order && is_same(task, *order, name, &point.name)
         };
         let Some((_, _, at)) = truth.iter().find(own) else { continue };
         let distance = |a: [f64; 2], b: [f64; 2]| libm::hypot(a[0] - b[0], a[1] - b[1]);
@@ -274,9 +270,9 @@ fn compare(
             PointVerdict::Off => tally.misjudged += usize::from(off <= point.tolerance),
             PointVerdict::CannotTell => tally.untold += 1,
         }
-        let index = found.iter().position(|points| points.kind == point.kind).unwrap_or_else(|| {
-            let mut points = PointsOf::new(point.kind);
-            points.put(point.kind.pole(), [0.0; 2], Some(0.1));
+        let index = found.iter().position(|points| points.order == point.order).unwrap_or_else(|| {
+            let mut points = PointsOf::new(point.order);
+            points.put(point.order.pole(), [0.0; 2], Some(0.1));
             found.push(points);
             found.len() - 1
         });

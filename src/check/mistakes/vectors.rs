@@ -9,7 +9,7 @@ use crate::construction::{
 };
 use crate::geometry::quarter_turn;
 use crate::mechanism::{GROUND, SliderId};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 
 /// The reversed vectors that have no name of their own: a normal part alone is laid off outward, a Coriolis
 /// acceleration alone is turned the wrong way, and the velocity of a crank has the wrong sense of its ω.
@@ -21,7 +21,7 @@ pub(super) fn reversed(site: &Site<'_>) -> Vec<Candidate> {
     });
     let laid = vectors.map(|vector| {
         let [start, end] = vector.ends;
-        let mut arrows = site.key.solution.construction.sheets[vector.sheet].arrows();
+        let mut arrows = site.key.solution.construction.arrows(vector.sheet);
         let laid = arrows.find(|arrow| (arrow.from.as_str(), arrow.to.as_str()) == (start, end));
         let [from, to] = laid.map_or([start, end], |arrow| arrow.ends()).map(Blank::from);
         site.candidate(tell::reversed_vector(from, to), vector.turned(vector.along.turned(2)))
@@ -138,7 +138,7 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
             NumberKind::Length([_, end]) => image_name(solution.construction.end_name(&solution.mechanism, *end)),
             _ => continue,
         };
-        let images = &solution.construction.sheets[Sheet::Velocity].points;
+        let images = &solution.construction.plans[Order::Velocity].points;
         let absolute = images.get(&end).map(|point| point.vector.norm());
         let segments = velocities(site, term.vector.maker);
         let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(exact(*number).abs(), velocity));
@@ -166,7 +166,7 @@ fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, String)> {
     let vectors = site.vectors().into_iter().filter(|v| v.sheet == Sheet::Velocity && v.operation < before);
     let laid = vectors.map(|vector| (vector.size, vector.ends.join(" – ")));
     let measured = site.numbers_before(before).filter_map(|(number, kind)| match kind {
-        NumberKind::Segment(Sheet::Velocity, ends) => Some((number, ends.join(" – "))),
+        NumberKind::Segment(Order::Velocity, ends) => Some((number, ends.join(" – "))),
         _ => None,
     });
     for (number, name) in laid.chain(measured) {
@@ -212,7 +212,7 @@ pub(super) fn from_wrong_point(site: &Site<'_>) -> Vec<Candidate> {
         if !(is_part && is_named && vector.sheet == Sheet::Acceleration) {
             continue;
         }
-        let pole = site.model.construction.place(vector.sheet, vector.sheet.pole());
+        let pole = site.model.construction.place(vector.sheet, Order::Acceleration.pole());
         let (before, after) = (at.checked_sub(1).map(|before| &vectors[before]), vectors.get(at + 1));
         let beside = [before.map(|v| v.from), before.map(|v| v.place), after.map(|v| v.from)];
         let mut starts: Vec<PlaceId> = Vec::new();

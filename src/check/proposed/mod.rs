@@ -11,7 +11,7 @@ use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use track::{Track, Tracker};
 
 /// Where a point seems to be, by the pencil lines.
@@ -29,7 +29,7 @@ pub struct Found {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal {
     /// Of which plan.
-    pub kind: Sheet,
+    pub order: Order,
     /// Its name, as in `b` or `n_b3`.
     pub name: String,
     /// Its right place from the pole, in mm, y up.
@@ -40,31 +40,22 @@ pub struct Proposal {
     pub found: Option<Found>,
 }
 
-/// The points of some plans as pencil lines tell them.
-#[derive(Clone, Debug, Default)]
-pub struct Proposals {
-    /// All points of the plans, in the order of the construction.
-    pub points: Vec<Proposal>,
-}
-
-impl Proposals {
-    /// The form that they make: by plan the places that were found, with the radii that hold them, to 0.01 mm.
-    #[must_use]
-    pub fn measured(&self, plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
-        let mut measured = Measured { mu: key.scales, ..Measured::default() };
-        for plan in plans {
-            measured.mu[plan.kind] = Some(plan.mu);
-            let mut points = PointsOf::new(plan.kind);
-            points.put(plan.kind.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
-            for point in self.points.iter().filter(|point| point.kind == plan.kind) {
-                if let Some(found) = point.found {
-                    points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
-                }
+/// The form that proposals make: by plan the places that were found, with the radii that hold them, to 0.01 mm.
+#[must_use]
+pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
+    let mut measured = Measured { mu: key.scales, ..Measured::default() };
+    for plan in plans {
+        measured.mu[plan.order.sheet()] = Some(plan.mu);
+        let mut points = PointsOf::new(plan.order);
+        points.put(plan.order.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
+        for point in proposals.iter().filter(|point| point.order == plan.order) {
+            if let Some(found) = point.found {
+                points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
             }
-            measured.points.push(points);
         }
-        measured
+        measured.points.push(points);
     }
+    measured
 }
 
 /// Cost of a mistake, in lines that must agree with it: most sheets have none.
@@ -80,15 +71,16 @@ const CLEARLY: f64 = 1.5;
 /// Distance of two places that are not the same point, in mm.
 const APART: f64 = 0.5;
 
-/// The plan points that the pencil lines of a student's sheets show. They are proposals: lines may mislead.
+/// The points of some plans, in the order of the construction, as the pencil lines of a student's sheets show them. They
+/// are proposals: lines may mislead.
 ///
 /// # Errors
 /// The scene's figure lacks a sheet.
-pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Proposals, CheckError> {
+pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<Proposal>, CheckError> {
     let mut points = right_points(key, plans)?;
     let mut mu = key.scales;
     for plan in plans {
-        mu[plan.kind] = Some(plan.mu);
+        mu[plan.order.sheet()] = Some(plan.mu);
     }
     let model = Model::new(key, key.solution, mu, &[])?;
     let tracker = Tracker::new(&model, plans);
@@ -113,7 +105,7 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Prop
         point.found = agreed(&rivals, &model, plans, point);
     }
     leave_coincident(&mut points);
-    Ok(Proposals { points })
+    Ok(points)
 }
 
 /// Whether a mistake shows in what is drawn, by an amount that is known.
@@ -139,9 +131,8 @@ impl Tried {
 /// Where all explanations that come into question have a point: `None` where they disagree, or the best one has not found
 /// it.
 fn agreed(rivals: &[&Track], model: &Model, plans: &[PencilledPlan<'_>], point: &Proposal) -> Option<Found> {
-    let sheet = point.kind;
-    let place = model.construction.place(sheet, model.construction.plan_name(sheet, &point.name))?;
-    let plan = plans.iter().find(|plan| plan.kind == point.kind)?;
+    let place = model.construction.place(point.order, model.construction.plan_name(point.order, &point.name))?;
+    let plan = plans.iter().find(|plan| plan.order == point.order)?;
     let spot = rivals.first()?.spot(place)?;
     let mut others = rivals[1..].iter().filter_map(|rival| rival.spot(place));
     if others.any(|other| (other.at - spot.at).norm() > APART) {
@@ -160,7 +151,7 @@ fn leave_coincident(points: &mut [Proposal]) {
     for i in 0..points.len() {
         let is_taken = (0..points.len()).any(|j| {
             let both = places[i].zip(places[j]).is_some_and(|(a, b)| apart(a, b) < 1.0);
-            i != j && points[i].kind == points[j].kind && both && apart(points[i].right, points[j].right) > 2.0
+            i != j && points[i].order == points[j].order && both && apart(points[i].right, points[j].right) > 2.0
         });
         if is_taken {
             points[i].found = None;
@@ -172,14 +163,14 @@ fn leave_coincident(points: &mut [Proposal]) {
 fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<Proposal>, CheckError> {
     let mut points = Vec::new();
     for pencilled in plans {
-        let mut shown = key.solution.construction.plans();
-        let Some(plan) = shown.find(|plan| plan.sheet == pencilled.kind) else { continue };
+        let order = pencilled.order;
+        let Some(plan) = key.solution.construction.plan(order) else { continue };
         let mut measured = Measured { mu: key.scales, ..Measured::default() };
-        measured.mu[pencilled.kind] = Some(pencilled.mu);
-        let mut own = PointsOf::new(plan.sheet);
+        measured.mu[order.sheet()] = Some(pencilled.mu);
+        let mut own = PointsOf::new(order);
         let right = |vector: crate::geometry::Vector| [vector.x / pencilled.mu, vector.y / pencilled.mu];
-        own.put(plan.sheet.pole(), [0.0; 2], None);
-        for (name, point) in plan.points.iter().filter(|(name, _)| *name != plan.sheet.pole()) {
+        own.put(order.pole(), [0.0; 2], None);
+        for (name, point) in plan.points.iter().filter(|(name, _)| *name != order.pole()) {
             own.put(name.as_str(), right(point.vector), None);
         }
         measured.points.push(own);
@@ -188,12 +179,11 @@ fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
         let model = Model::new(key, key.solution, measured.mu, &asked)?;
         let bands = model.bands(&key.tolerance);
         for (name, point) in &plan.points {
-            let segment = plan.sheet.segment_name(plan.sheet.pole(), name);
+            let segment = order.sheet().segment_name(order.pole(), name);
             let asked = asked.iter().zip(&bands).find(|(entry, _)| entry.asked.name() == segment);
             let Some((entry, Some(band))) = asked else { continue };
             let tolerance = (BANDS * band.band + entry.rounding) / pencilled.mu;
-            let kind = plan.sheet;
-            points.push(Proposal { kind, name: name.clone(), right: right(point.vector), tolerance, found: None });
+            points.push(Proposal { order, name: name.clone(), right: right(point.vector), tolerance, found: None });
         }
     }
     Ok(points)

@@ -53,7 +53,7 @@ impl Track {
 impl<'a> Tracker<'a> {
     pub(super) fn new(model: &'a Model, plans: &[PencilledPlan<'_>]) -> Tracker<'a> {
         let strokes = PerSheet::from_fn(|sheet| {
-            let plan = plans.iter().find(|plan| plan.kind == sheet)?;
+            let plan = plans.iter().find(|plan| plan.order.sheet() == sheet)?;
             let turned = |at: Point| Point::from(plan.from_pole([at.x, at.y]));
             Some(plan.strokes.iter().map(|stroke| Stroke { ends: stroke.ends.map(turned), ..*stroke }).collect())
         });

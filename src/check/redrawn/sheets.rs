@@ -70,7 +70,7 @@ impl<'a> Sheets<'a> {
     pub(super) fn lay_points(&mut self, measured: &Measured) -> Vec<(Sheet, f64)> {
         let mut turns = Vec::new();
         for points in &measured.points {
-            let sheet = points.kind;
+            let sheet = points.order.sheet();
             let (Some(pole), Some(mu)) = (points.pole(), measured.mu[sheet]) else {
                 continue;
             };
@@ -85,7 +85,7 @@ impl<'a> Sheets<'a> {
             let degrees = best_turn(&pairs, SEEN * mu);
             for (name, place) in &points.places {
                 let is_pole = name == pole;
-                let name = if is_pole { points.kind.pole() } else { self.own.construction.plan_name(sheet, name) };
+                let name = if is_pole { points.order.pole() } else { self.own.construction.plan_name(sheet, name) };
                 let place: Vector = turn_of_degrees(degrees).transform_vector(&from_pole(place));
                 self.given.insert((sheet, name.to_owned()), place);
             }
@@ -186,7 +186,7 @@ impl<'a> Sheets<'a> {
     fn crossing(&mut self, sheet: Sheet, place: PlaceId, lines: &[LineId; 2]) {
         let at = self.at(sheet, place);
         let meets = at.norm().is_finite();
-        let pole = self.own.construction.place(sheet, sheet.pole()).filter(|_| sheet.is_plan());
+        let pole = sheet.order().and_then(|order| self.own.construction.place(sheet, order.pole()));
         if meets {
             self.mark(sheet, place);
             if let Some(pole) = pole {

@@ -250,8 +250,9 @@ impl Locus<'_> {
         let at = |v: geometry::Vector| view.at(geometry::Point::from(v));
         let pole = at(nalgebra::zero());
         let notation = self.context.words.notation;
-        let [own_pen, _] = Pen::of_vectors(one.asked.sheet());
-        let pole_name = notation.pole(one.asked.sheet());
+        let order = one.asked.order().expect("a vector is a velocity or an acceleration");
+        let [own_pen, _] = Pen::of_vectors(order);
+        let pole_name = notation.pole(order);
         // Lines end above the scale.
         let room = Rect { y1: canvas.frame.y1 - SCALE, ..canvas.room() };
         for (a, b) in [

@@ -30,7 +30,7 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>, plan: &Plan) {
     let at = |name: &str| plan.points.get(name).map(|p| view.at(p.vector.into()));
     let steps = context.construction().numbered_steps();
-    for step in steps.filter(|step| step.plan.is_some_and(|of| of.sheet == plan.sheet)) {
+    for step in steps.filter(|step| step.sheet == plan.sheet()) {
         let number = step.number as u16;
         match &step.action {
             Action::Measure { from, to, .. } => {

@@ -17,7 +17,7 @@ use crate::drawing::view::{Extent, View, on_sheet, together};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::scene::{ConstructionShown, Figure};
-use crate::sheet::Sheet;
+use crate::sheet::Order;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
@@ -49,7 +49,7 @@ pub(super) struct PlanOnPaper<'a> {
 
 impl<'a> PlanOnPaper<'a> {
     pub(super) fn new(view: &'a View, context: &'a SheetContext<'a>, plan: &'a Plan) -> Self {
-        let steps = &context.facts.plan_steps[plan.sheet];
+        let steps = &context.facts.plan_steps[plan.sheet()];
         PlanOnPaper { view, context, plan, steps, images: images(context.mechanism(), plan) }
     }
 
@@ -103,7 +103,7 @@ impl<'a> PlanOnPaper<'a> {
         if !(self.context.figure().construction.has_lines() && self.context.figure().special_points) {
             return;
         }
-        for ray in self.plan.rays() {
+        for ray in self.context.construction().rays(self.plan.order) {
             let (Some(from), Some(to)) = (self.at(&ray.through), self.at(&ray.to)) else {
                 continue;
             };
@@ -120,13 +120,13 @@ impl<'a> PlanOnPaper<'a> {
 
     /// The vectors, those from the pole first.
     pub(super) fn vectors(&self, canvas: &mut Canvas<'_>) {
-        let plan = self.plan;
-        let [whole, _] = Pen::of_vectors(plan.sheet);
-        let pole = plan.sheet.pole();
+        let (plan, construction) = (self.plan, self.context.construction());
+        let [whole, _] = Pen::of_vectors(plan.order);
+        let pole = plan.order.pole();
         // In the source paper's plans no vector goes to a point that a relative motion leads to.
         let is_paper = self.context.figure().construction == ConstructionShown::Paper;
         let from_pole = |name: &str| {
-            let is_met = || plan.rays().any(|ray| ray.to == name);
+            let is_met = || construction.rays(plan.order).any(|ray| ray.to == name);
             let is_whole = match plan.points.get(name).map(|p| p.role) {
                 Some(PointRole::Special) => true,
                 Some(PointRole::Image | PointRole::Known) => !is_paper || is_met(),
@@ -138,7 +138,7 @@ impl<'a> PlanOnPaper<'a> {
             canvas.step = self.steps.point(name);
             self.arrow(canvas, [pole, name], whole, self.link_of(name));
         }
-        for laid in plan.arrows() {
+        for laid in construction.arrows(plan.order) {
             // For a slider on the ground this vector has been drawn from the pole.
             let again = self.at(&laid.from) == self.at(pole) && from_pole(&laid.to);
             if self.is_hidden(&laid.to) || again {
@@ -181,10 +181,10 @@ impl<'a> PlanOnPaper<'a> {
 
     /// Draws the heads of relative vectors that rays carry, in a figure with values.
     pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
-        for value in self.context.values_of(self.plan.sheet) {
+        for value in self.context.values_of(self.plan.sheet()) {
             let ValueOf::Vector(PlanVector { ends: [from, to], link: Some(link), .. }) = &value.of else { continue };
             canvas.step = value.since;
-            let [_, pen] = Pen::of_vectors(self.plan.sheet);
+            let [_, pen] = Pen::of_vectors(self.plan.order);
             self.arrow(canvas, [from, to], pen, self.context.number(*link));
         }
     }
@@ -192,7 +192,7 @@ impl<'a> PlanOnPaper<'a> {
     /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
     pub(super) fn values(&self, canvas: &mut Canvas<'_>) {
         let middle = self.middle();
-        for value in self.context.values_of(self.plan.sheet) {
+        for value in self.context.values_of(self.plan.sheet()) {
             let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
             let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
             let along = to - from;
@@ -275,8 +275,9 @@ impl<'a> PlanOnPaper<'a> {
     /// Draws an arrow where the line to a far point leaves the panel, with the point's distance on paper.
     fn mark_far(&self, canvas: &mut Canvas<'_>, place: Point, names: &[&str]) {
         const ARROW: f64 = 8.0;
-        let pole = self.plan.sheet.pole();
-        let laid = self.plan.arrows().find(|laid| names.contains(&laid.to.as_str()));
+        let pole = self.plan.order.pole();
+        let mut arrows = self.context.construction().arrows(self.plan.order);
+        let laid = arrows.find(|laid| names.contains(&laid.to.as_str()));
         let start = laid.map_or(pole, |laid| &laid.from);
         let start = if self.is_far(canvas, start) { pole } else { start };
         let Some(from) = self.at(start) else { return };
@@ -401,9 +402,9 @@ pub(in crate::drawing) fn extent_of_images(plan: &Plan) -> Extent {
 /// Whether a plan point only leads to others, in a figure that does not show such points.
 pub(in crate::drawing) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
     let role = plan.points.get(name).map(|p| p.role);
-    let on_the_way = match plan.sheet {
-        Sheet::Scheme | Sheet::Velocity => matches!(role, Some(PointRole::Special)),
-        Sheet::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
+    let on_the_way = match plan.order {
+        Order::Velocity => matches!(role, Some(PointRole::Special)),
+        Order::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
     };
     on_the_way && !figure.special_points
 }

@@ -1,7 +1,7 @@
 //! Positions computed together against the same one by one.
 
 use super::{U, followed, posed, scenes};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::geometry::{MANY, Vector};
 use kinegon::kernel::vector;
 use kinegon::motion::motion;
@@ -32,7 +32,7 @@ fn together_is_as_one_by_one() {
             };
             for lane in [0, count - 1] {
                 let position = one.position(rest[lane]).expect("as together");
-                let solved = motion(&mechanism, &position.pose(), Sheet::Acceleration);
+                let solved = motion(&mechanism, &position.pose(), Order::Acceleration);
                 let conditions = solved.expect("regular").conditions;
                 let condition = conditions.into_iter().fold(1.0, f64::max);
                 let single = one.motions(&[rest[lane]]).expect("as before").clone();

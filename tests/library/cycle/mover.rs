@@ -1,7 +1,7 @@
 //! A mechanism that goes from where it is to wherever its drives go, against its path and against the loop equations at its pose.
 
 use super::{U, followed, posed, scenes};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::cycle::{Happening, Mover, Path, Position};
 use kinegon::geometry::Random;
 use kinegon::mechanism::{Mechanism, SliderId};
@@ -23,7 +23,7 @@ fn numbers(position: &Position, mechanism: &Mechanism) -> Vec<(i32, Vec<f64>)> {
 }
 
 fn condition(position: &Position, mechanism: &Mechanism) -> f64 {
-    let solved = motion(mechanism, &position.pose(), Sheet::Acceleration).expect("regular");
+    let solved = motion(mechanism, &position.pose(), Order::Acceleration).expect("regular");
     solved.conditions.into_iter().fold(1.0, f64::max)
 }
 
@@ -87,7 +87,7 @@ fn several_drives_move_together() {
                     assert!((found - length).abs() <= 1e-12 * length.max(1.0), "{name} {found} {length}");
                 }
             }
-            let solved = motion(&mechanism, &moved, Sheet::Acceleration).expect("regular");
+            let solved = motion(&mechanism, &moved, Order::Acceleration).expect("regular");
             for (id, _) in mechanism.links() {
                 let rates = solved.body(id);
                 for (got, want) in position.angular_rates(id).into_iter().zip([rates.omega, rates.alpha]) {

@@ -1,7 +1,7 @@
 //! Rates on a path against two judges: the loop equations solved anew at the path's positions, and differences of its positions.
 
 use super::{U, followed, posed, scenes};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::cycle::{Path, Position};
 use kinegon::geometry::span;
 use kinegon::mechanism::{BodyId, Mechanism, Role, SliderId};
@@ -36,7 +36,7 @@ fn they_solve_the_loop_equations() {
         for value in values(&path, 721, 1e-6) {
             let position = walker.position(value).expect("it is on the path");
             let pose = position.pose();
-            let other = motion(&mechanism, &pose, Sheet::Acceleration).expect("it is regular");
+            let other = motion(&mechanism, &pose, Order::Acceleration).expect("it is regular");
             // A group's errors are enlarged by its condition, and by those of the groups on which it hangs.
             let condition: f64 = other.conditions.iter().product();
             let fastest = [0, 1].map(|order| {

@@ -1,7 +1,7 @@
 //! Mechanisms of one kind side by side against each of them alone.
 
 use super::{U, posed};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::cycle::{CycleError, Variants};
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::motion;
@@ -69,7 +69,7 @@ fn each_moves_as_it_does_alone() {
             variants.compute();
             for (index, text) in texts(moved).iter().enumerate() {
                 let (mechanism, pose) = alone(text).expect("it can be assembled");
-                let expected = motion(&mechanism, &pose, Sheet::Acceleration).expect("regular");
+                let expected = motion(&mechanism, &pose, Order::Acceleration).expect("regular");
                 let position = variants.position(index).expect("it gets there");
                 for (link, _) in mechanism.links() {
                     let body = expected.body(link);

@@ -6,7 +6,7 @@ use super::joints::Given;
 use super::planted::{KNOWN, Planted, pattern};
 use super::random::Random;
 use super::truth::{Truth, error, rounded};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
 use kinegon::mechanism::{BodyId, Mechanism, Role, mechanism};
 use kinegon::motion::motion;
@@ -151,7 +151,7 @@ fn worst(mechanism: &Mechanism, truth: &Truth, rates: impl Fn(BodyId) -> [f64; 2
 
 /// The errors at a pose, with the rates that a table has there, by member.
 fn reading(mechanism: &Mechanism, pose: &Pose, angle: f64, table: Option<&[[f64; 2]]>) -> Option<Reading> {
-    let moved = motion(mechanism, pose, Sheet::Acceleration).ok()?;
+    let moved = motion(mechanism, pose, Order::Acceleration).ok()?;
     let condition = moved.conditions.iter().copied().fold(1.0, f64::max);
     let truth = truth(mechanism, pose, |_| angle)?;
     let members = members(mechanism);
@@ -237,7 +237,7 @@ fn class(name: &'static str, mechanisms: [usize; 2]) -> Class {
 
 /// Condition and errors where the pose counts as given.
 fn given(mechanism: &Mechanism, pose: &Pose) -> Option<(f64, [f64; 2])> {
-    let moved = motion(mechanism, pose, Sheet::Acceleration).ok()?;
+    let moved = motion(mechanism, pose, Order::Acceleration).ok()?;
     let points: Vec<[f64; 2]> = pose.points.iter().map(|p| [p.x, p.y]).collect();
     let guides: Vec<[f64; 2]> = pose.guides.iter().map(|g| [g.x, g.y]).collect();
     let truth = Truth::new(mechanism, &points, &guides)?;

@@ -2,7 +2,7 @@
 
 use super::groups::Group;
 use super::truth::{Precise, Truth, error, error_of_pair, rounded, without_rounding};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::mechanism::{Mechanism, mechanism};
 use kinegon::motion::{Motion, motion};
 use kinegon::position::{Pose, pose};
@@ -132,7 +132,7 @@ impl Case {
         let rates = rates.map(without_rounding);
         Some(Case {
             sizes: Sizes::new(&pins, &rates),
-            condition: motion(&mechanism, &pose, Sheet::Velocity).ok().map(|motion| motion.conditions[0]),
+            condition: motion(&mechanism, &pose, Order::Velocity).ok().map(|motion| motion.conditions[0]),
             truth: rates,
             pins,
             mechanism,

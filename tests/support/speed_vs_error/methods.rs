@@ -6,7 +6,7 @@ use super::joints::{Given, JointEquations};
 use super::measure::{Case, Rates};
 use super::single::Single;
 use super::{differences, kernel, naive};
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::motion::motion;
 
 /// A way to the numbers; by hand is none of them, see `hand`.
@@ -116,7 +116,7 @@ impl Prepared {
             Method::Qr => general::rates(&self.equations, &self.given, pins, Solver::Qr),
             Method::Differences => differences::rates(pins),
             Method::Library => {
-                let motion = motion(&self.case.mechanism, &self.case.pose, Sheet::Acceleration);
+                let motion = motion(&self.case.mechanism, &self.case.pose, Order::Acceleration);
                 motion.map_or_else(|_| none(), |motion| self.case.rates_of(&motion))
             }
             Method::Kernel => kernel::rates(pins, |x| x),

@@ -1,12 +1,12 @@
 use crate::answers::{Drive, View};
 use crate::refused::Refused;
-use kinegon::Sheet;
 use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::{HeldLayout, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
 use kinegon::scene::SizeLimit;
+use kinegon::{Order, Sheet};
 use kinegon::{Scene, Solution, order_of_figure, posed};
 
 /// The last scene, solved as far as was asked for.
@@ -48,7 +48,7 @@ impl Desk {
     pub fn solution(&mut self, text: &str) -> Result<&Solution, Refused> {
         let kept = self.kept(text)?;
         kept.check(SizeLimit::HAND)?;
-        kept.solution(Sheet::Acceleration)
+        kept.solution(Order::Acceleration)
     }
 }
 
@@ -70,14 +70,13 @@ impl Kept {
     }
 
     /// The scene solved for this order of motion.
-    pub fn solution(&mut self, order: Sheet) -> Result<&Solution, Refused> {
-        let index = usize::from(order == Sheet::Acceleration);
-        let solution = match self.solved[index].take() {
+    pub fn solution(&mut self, order: Order) -> Result<&Solution, Refused> {
+        let solution = match self.solved[order].take() {
             Some(solution) => solution,
             None => Solution::new(self.scene.clone(), self.mechanism.clone(), self.pose.clone(), order)
                 .map_err(|error| self.refused(error))?,
         };
-        Ok(self.solved[index].insert(solution))
+        Ok(self.solved[order].insert(solution))
     }
 
     /// The scene solved for its figure.

@@ -2,7 +2,7 @@ use crate::answers::{Drawn, DriveAxis};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::Error;
-use kinegon::Sheet;
+use kinegon::Order;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep};
 use kinegon::drawing::{Drawing, curves, drive_ends, hodographs, paths};
@@ -119,7 +119,7 @@ impl Desk {
             }
             Format::Steps => {
                 kept.check(SizeLimit::HAND)?;
-                let solution = kept.solution(Sheet::Acceleration)?;
+                let solution = kept.solution(Order::Acceleration)?;
                 let pencil = step_pencil(solution, Tolerance::default()).map_err(|error| Refused::of(text, error))?;
                 Ok(solution.steps(&pencil).into_bytes())
             }

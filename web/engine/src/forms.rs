@@ -3,7 +3,7 @@ use crate::refused::Refused;
 use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
 use kinegon::quantity::Head;
-use kinegon::{Sheet, Solution};
+use kinegon::{Order, Sheet, Solution};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -102,7 +102,7 @@ impl Desk {
         let scales = solution.scales();
         let empty = Measured::empty(scales, None);
         let point = |(name, label)| PlanPoint { name, label: html_text(&label) };
-        let points = Sheet::PLANS.into_iter().zip(plan_points(solution));
+        let points = Order::ALL.map(Order::sheet).into_iter().zip(plan_points(solution));
         Ok(Form {
             rows,
             scales: Sheet::ALL.into_iter().map(|sheet| (sheet, scales[sheet])).collect(),

@@ -123,9 +123,7 @@ pub fn places(text: &str) -> Result<Vec<Place>, Refused> {
 fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
     let teller = Teller::new(solution, words);
     let equations = |step: &NumberedStep<'_>| match &step.action {
-        Action::Solve { equations, .. } => {
-            equations.iter().map(|equation| teller.equation(step.sheet, equation)).collect()
-        }
+        Action::Solve { equations, .. } => equations.iter().map(|equation| teller.equation(equation)).collect(),
         _ => vec![teller.formula(step).markup()],
     };
     let step = |step: NumberedStep<'_>| Step {

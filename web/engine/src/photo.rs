@@ -94,7 +94,7 @@ fn turned([x, y]: [f64; 2], [width, height]: [f64; 2], quarters: u8) -> [f64; 2]
 
 /// A plan on the sheet.
 struct PlanInPhoto {
-    kind: Sheet,
+    sheet: Sheet,
     panel: PlacedPanel,
     points: Vec<RightPoint>,
     /// Its vectors and rays by their ends, in mm from the pole with y up.
@@ -152,12 +152,11 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
     let construction = &solution.construction;
     let mut labels = plan_points(solution);
     let found = code.panels.iter().filter_map(|panel| {
-        let index = Sheet::PLANS.into_iter().position(|plan| plan == panel.panel)?;
         let plan = construction.plan_on(panel.panel)?;
-        let named = std::mem::take(&mut labels[index]);
+        let named = std::mem::take(&mut labels[plan.order]);
         // Images of points at rest are the pole itself.
         let is_asked =
-            |name: &str| name == plan.sheet.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
+            |name: &str| name == plan.order.pole() || plan.points.get(name).is_some_and(|p| p.role != PointRole::Pole);
         let points = named.into_iter().filter(|(name, _)| is_asked(name)).filter_map(|(name, label)| {
             let vector = plan.points.get(&name)?.vector / panel.mu;
             Some(RightPoint {
@@ -168,7 +167,7 @@ fn plans(solution: &Solution, code: &SheetCode) -> Vec<PlanInPhoto> {
             })
         });
         let points = points.collect();
-        Some(PlanInPhoto { kind: plan.sheet, panel: *panel, points, lines: lines(solution, plan, panel.mu) })
+        Some(PlanInPhoto { sheet: plan.sheet(), panel: *panel, points, lines: lines(solution, plan, panel.mu) })
     });
     found.collect()
 }
@@ -217,7 +216,7 @@ impl PlanInPhoto {
             places.map(|place| sheet.pixel(self.on_sheet(place))).collect()
         };
         PhotoPlan {
-            plan: self.kind,
+            plan: self.sheet,
             mu: self.panel.mu,
             points: self.points.iter().map(point).collect(),
             lines: self.lines.iter().map(line).collect(),
@@ -233,7 +232,7 @@ impl Photograph {
         let proposed = points.filter_map(|(index, proposal)| {
             let (plan, found) = (&self.plans[*index], proposal.found?);
             let place = self.place(found.at, plan.on_sheet(found.at), found.band, true);
-            Some(Proposed { plan: plan.kind, name: proposal.name.clone(), place })
+            Some(Proposed { plan: plan.sheet, name: proposal.name.clone(), place })
         });
         Ok(proposed.collect())
     }
@@ -245,10 +244,10 @@ impl Photograph {
         }
         let strokes = self.sheet.sheet.strokes(&self.picture);
         let pencilled: Vec<PencilledPlan<'_>> = PencilledPlan::on(&self.sheet.sheet, &strokes).collect();
-        let all = check::proposed(&usual_key(desk.solution(&self.text)?), &pencilled)?.points;
+        let all = check::proposed(&usual_key(desk.solution(&self.text)?), &pencilled)?;
         let mut points = Vec::new();
         for proposal in all {
-            let Some(index) = self.plans.iter().position(|plan| plan.kind == proposal.kind) else { continue };
+            let Some(index) = self.plans.iter().position(|plan| plan.sheet == proposal.order.sheet()) else { continue };
             let own = self.plans[index].points.iter_mut().find(|point| point.name == proposal.name);
             if let Some(point) = own {
                 point.tolerance = proposal.tolerance;
@@ -260,10 +259,10 @@ impl Photograph {
     }
 
     /// A plan on the sheet with the pencil lines that were found.
-    fn plan(&self, kind: Sheet) -> Option<(&PlanInPhoto, PencilledPlan<'_>)> {
-        let plan = self.plans.iter().find(|plan| plan.kind == kind)?;
+    fn plan(&self, sheet: Sheet) -> Option<(&PlanInPhoto, PencilledPlan<'_>)> {
+        let plan = self.plans.iter().find(|plan| plan.sheet == sheet)?;
         let mut pencilled = PencilledPlan::on(&self.sheet.sheet, &self.found.as_ref()?.strokes);
-        Some((plan, pencilled.find(|pencilled| pencilled.kind == kind)?))
+        Some((plan, pencilled.find(|pencilled| pencilled.order.sheet() == sheet)?))
     }
 
     /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
@@ -304,11 +303,11 @@ impl Photograph {
             let right = plan.point(&point.name)?;
             let own = place(point);
             let pole = plan.points.first().filter(|pole| pole.name != point.name);
-            let pole = pole.and_then(|pole| placed.iter().find(|p| p.plan == plan.kind && p.name == pole.name));
+            let pole = pole.and_then(|pole| placed.iter().find(|p| p.plan == plan.sheet && p.name == pole.name));
             let (off, verdict) = pencilled.judged(&own, pole.map(place).as_ref(), (right.at, right.tolerance));
             let (pixel, band_pixels) = self.circle(plan.on_sheet(point.at), pencilled.band(&own));
             Some(PointVerdict {
-                plan: plan.kind,
+                plan: plan.sheet,
                 name: point.name.clone(),
                 pixel,
                 band_pixels,

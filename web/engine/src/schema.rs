@@ -8,7 +8,7 @@ use crate::kinds::Kind;
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Refused;
 use kinegon::editing::Edit;
-use kinegon::{Scene, Sheet};
+use kinegon::{Order, Scene, Sheet};
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
@@ -29,7 +29,8 @@ pub fn schema() -> Value {
 
 /// What the page is told of a sheet, as a value in place of a type.
 fn facts(sheet: Sheet) -> Value {
-    json!({ "key": sheet, "scale": sheet.scale_key(), "isPlan": sheet.is_plan(), "vector": sheet.vector() })
+    let (is_plan, vector) = (sheet.order().is_some(), sheet.order().map_or("", Order::vector));
+    json!({ "key": sheet, "scale": sheet.scale_key(), "isPlan": is_plan, "vector": vector })
 }
 
 /// The types of scene files, from their own schema: `SceneFile`, and its parts by their names there behind `Scene`.
