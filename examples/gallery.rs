@@ -322,7 +322,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
         redrawn(&measured, &key, &check(&measured, &key)?, &solution.wording())?
     };
     let figure = &mut solution.scene.figure;
-    figure.mu = PerSheet::from([5.0, 2.5, 2.5].map(Some));
+    figure.mu = PerSheet::from_fn(|sheet| Some(if sheet == Sheet::Scheme { 5.0 } else { 2.5 }));
     Ok(overlay(&solution, &own).swap_remove(0))
 }
 

@@ -357,13 +357,6 @@ impl<'de> Deserialize<'de> for Scales {
     }
 }
 
-impl<T> From<[T; Sheet::ALL.len()]> for PerSheet<T> {
-    /// The values in the order in which sheets are drawn.
-    fn from(values: [T; Sheet::ALL.len()]) -> PerSheet<T> {
-        PerSheet(values)
-    }
-}
-
 impl<T> Index<Sheet> for PerSheet<T> {
     type Output = T;
 

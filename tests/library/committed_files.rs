@@ -11,7 +11,7 @@ use kinegon::check::{Marks, Measured, check, redrawn};
 use kinegon::cycle::{Curves, Drive, Path};
 use kinegon::drawing::{Drawing, Style};
 use kinegon::scene::Scene;
-use kinegon::{PerSheet, Solution, drawing, format};
+use kinegon::{PerSheet, Sheet, Solution, drawing, format};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use support::files;
@@ -57,7 +57,7 @@ fn checked() -> [Drawing; 2] {
         redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
     };
     let figure = &mut solution.scene.figure;
-    figure.mu = PerSheet::from([5.0, 2.5, 2.5].map(Some));
+    figure.mu = PerSheet::from_fn(|sheet| Some(if sheet == Sheet::Scheme { 5.0 } else { 2.5 }));
     let sheets = drawing::overlay(&solution, &own);
     sheets.try_into().expect("a figure and a table")
 }

@@ -219,7 +219,7 @@ fn every_other_key() {
         .near_angle("2", 12.5)
         .figure(Figure {
             panels: vec![Sheet::Velocity, Sheet::Scheme],
-            mu: PerSheet::from([1.0, 2.5, 0.1].map(Some)),
+            mu: PerSheet::from_fn(|sheet| [1.0, 2.5, 0.1].get(sheet as usize).copied()),
             page: Page { size: PageSize::Letter, landscape: false },
             style: StyleName::Board,
             notation: NotationName::German,

@@ -1,9 +1,9 @@
 //! What a scene says is what the `Scene` holds.
 
+use kinegon::Sheet;
 use kinegon::scene::{
     Along, At, GivenBy, LengthUnit, MAX_BYTES, On, Page, PageSize, Scene, SceneError, Shape, SliderDrive, TimeUnit,
 };
-use kinegon::{PerSheet, Sheet};
 
 const FIGURE_2: &str = r#"{ "$schema": "scene.schema.json", "kinegon": 1, "note": "from the paper",
   "title": "Quintero et al. (2011), Figure 2",
@@ -52,7 +52,7 @@ fn the_lengths_form_is_read_in_file_order() {
     assert_eq!(scene.near.angles_deg["2"], 42.0);
     assert_eq!(scene.figure.panels, [Sheet::Velocity, Sheet::Scheme]);
     assert_eq!(scene.figure.page, Page { size: PageSize::A3, landscape: false });
-    assert_eq!(scene.figure.mu, PerSheet::from([None, Some(2.5), None]));
+    assert_eq!(scene.figure.mu.given().collect::<Vec<_>>(), [(Sheet::Velocity, 2.5)]);
     assert_eq!(
         (scene.figure.special_points, scene.figure.construction),
         (false, kinegon::scene::ConstructionShown::Whole)

@@ -35,11 +35,11 @@ fn form(measured: &Measured, name: &str) -> String {
     let values = measured.values.iter();
     let values = values.map(|v| (v.name.clone(), v.text.clone().into()));
     let values: serde_json::Map<String, serde_json::Value> = values.collect();
-    let [l, v, a] = kinegon::Sheet::ALL.map(|sheet| measured.mu[sheet]);
-    serde_json::json!({
-        "kinegon_measured": 1, "name": name, "mu_l": l, "mu_v": v, "mu_a": a, "values": values
-    })
-    .to_string()
+    let mut form = serde_json::json!({ "kinegon_measured": 1, "name": name, "values": values });
+    for (sheet, mu) in measured.mu.given() {
+        form[sheet.scale_key()] = mu.into();
+    }
+    form.to_string()
 }
 
 /// A folder with the drawings of nine students of the slotted lever: of each five have drawn well, three have forgotten the same Coriolis

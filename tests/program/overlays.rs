@@ -4,7 +4,7 @@ use kinegon::Solution;
 use kinegon::check::{self, Checked, Measured, Mistake, PointsOf, Student};
 use kinegon::drawing::{Drawing, Emphasis, Mark, Overlay, OwnKind, Pen, Point, Shape, Vec2, overlay};
 use kinegon::scene::PageSize;
-use kinegon::{Order, PerSheet, Sheet};
+use kinegon::{Order, Sheet};
 use support::faults::{faults, id};
 use support::files;
 use support::program::{kinegon, scratch, stderr};
@@ -52,8 +52,9 @@ fn paper() -> Measured {
 /// Figure 2 at scales at which everything has room beside the words.
 fn figure_2() -> Solution {
     let mut solution = solution("examples/figure-2.json");
-    let figure = &mut solution.scene.figure;
-    figure.mu = PerSheet::from([5.0, 2.0, 2.5].map(Some));
+    for (sheet, mu) in [(Sheet::Scheme, 5.0), (Sheet::Velocity, 2.0), (Sheet::Acceleration, 2.5)] {
+        solution.scene.figure.mu[sheet] = Some(mu);
+    }
     solution
 }
 
