@@ -201,7 +201,7 @@ impl<'a> Walker<'a, Many> {
     #[inline]
     fn computed(&mut self, values: &Many, with_rates: bool) -> bool {
         let registers = self.registers;
-        let found = dispatch!(registers, simd => self.predict(Registers(simd), values))
+        let found = dispatch!(registers, simd => self.predict(Registers::<_, 2>(simd), values))
             && self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure));
         if found && with_rates {
             self.rates();

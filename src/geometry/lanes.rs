@@ -77,8 +77,14 @@ pub trait Lanes: Copy {
     /// What one operation works on: a number, or a register of several.
     type Number: Number;
 
+    /// These lanes with one register at a time.
+    type Narrow: Lanes;
+
     /// Positions in one [`Self::Number`].
     const COUNT: usize;
+
+    /// One register at a time: for steps with more numbers in use than two together leave room for.
+    fn narrow(self) -> Self::Narrow;
 
     /// `number` in all lanes.
     fn splat(self, number: f64) -> Self::Number;
@@ -123,7 +129,14 @@ pub struct OneByOne;
 impl Lanes for OneByOne {
     type Number = f64;
 
+    type Narrow = Self;
+
     const COUNT: usize = 1;
+
+    #[inline(always)]
+    fn narrow(self) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn splat(self, number: f64) -> f64 {
@@ -151,57 +164,85 @@ impl Lanes for OneByOne {
     }
 }
 
-/// In SIMD registers of the instruction set `S`; a row fills a whole number of them.
+/// In SIMD registers of the instruction set `S`, `TOGETHER` of them as one; a row fills a whole number of these portions.
+///
+/// Two together are quicker where few numbers are in use: while one waits for a result, the processor computes the
+/// other, and finding the rows costs half as much per position.
 #[derive(Clone, Copy, Debug)]
-pub struct Registers<S>(pub S);
+pub struct Registers<S, const TOGETHER: usize>(pub S);
 
-/// The numbers in one SIMD register.
+/// The numbers in `TOGETHER` SIMD registers.
 #[derive(Clone, Copy, Debug)]
-pub struct Register<S: Simd> {
+pub struct Register<S: Simd, const TOGETHER: usize> {
     simd: S,
-    numbers: S::f64s,
+    numbers: [S::f64s; TOGETHER],
 }
 
-impl<S: Simd> Lanes for Registers<S> {
-    type Number = Register<S>;
+impl<S: Simd, const TOGETHER: usize> Lanes for Registers<S, TOGETHER> {
+    type Number = Register<S, TOGETHER>;
 
-    const COUNT: usize = S::f64s::LEN;
+    type Narrow = Registers<S, 1>;
+
+    const COUNT: usize = TOGETHER * S::f64s::LEN;
 
     #[inline(always)]
-    fn splat(self, number: f64) -> Register<S> {
-        Register { simd: self.0, numbers: S::f64s::splat(self.0, number) }
+    fn narrow(self) -> Registers<S, 1> {
+        Registers(self.0)
     }
 
     #[inline(always)]
-    fn load<R: Row>(self, row: &R, k: usize) -> Register<S> {
+    fn splat(self, number: f64) -> Register<S, TOGETHER> {
+        Register { simd: self.0, numbers: [S::f64s::splat(self.0, number); TOGETHER] }
+    }
+
+    #[inline(always)]
+    fn load<R: Row>(self, row: &R, k: usize) -> Register<S, TOGETHER> {
         let portion = &row.as_ref()[k * Self::COUNT..(k + 1) * Self::COUNT];
-        Register { simd: self.0, numbers: S::f64s::from_slice(self.0, portion) }
+        let mut register = self.splat(0.0);
+        for i in 0..TOGETHER {
+            register.numbers[i] = S::f64s::from_slice(self.0, &portion[i * S::f64s::LEN..(i + 1) * S::f64s::LEN]);
+        }
+        register
     }
 
     #[inline(always)]
-    fn store<R: Row>(self, row: &mut R, k: usize, register: Register<S>) {
-        register.numbers.store_slice(&mut row.as_mut()[k * Self::COUNT..(k + 1) * Self::COUNT]);
+    fn store<R: Row>(self, row: &mut R, k: usize, register: Register<S, TOGETHER>) {
+        let portion = &mut row.as_mut()[k * Self::COUNT..(k + 1) * Self::COUNT];
+        for i in 0..TOGETHER {
+            register.numbers[i].store_slice(&mut portion[i * S::f64s::LEN..(i + 1) * S::f64s::LEN]);
+        }
     }
 
     #[inline(always)]
-    fn sum(self, register: Register<S>) -> f64 {
-        register.numbers.reduce_sum()
+    fn sum(self, register: Register<S, TOGETHER>) -> f64 {
+        let mut sum = register.numbers[0];
+        for i in 1..TOGETHER {
+            sum = sum + register.numbers[i];
+        }
+        sum.reduce_sum()
     }
 
     #[inline(always)]
-    fn largest(self, register: Register<S>) -> f64 {
-        register.numbers.reduce_max_precise()
+    fn largest(self, register: Register<S, TOGETHER>) -> f64 {
+        let mut largest = register.numbers[0];
+        for i in 1..TOGETHER {
+            largest = largest.max_precise(register.numbers[i]);
+        }
+        largest.reduce_max_precise()
     }
 }
 
 macro_rules! by_register {
     ($($operator:ident $method:ident),*) => {$(
-        impl<S: Simd> $operator for Register<S> {
+        impl<S: Simd, const TOGETHER: usize> $operator for Register<S, TOGETHER> {
             type Output = Self;
 
             #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Register { numbers: self.numbers.$method(other.numbers), ..self }
+            fn $method(mut self, other: Self) -> Self {
+                for i in 0..TOGETHER {
+                    self.numbers[i] = self.numbers[i].$method(other.numbers[i]);
+                }
+                self
             }
         }
     )*};
@@ -209,34 +250,46 @@ macro_rules! by_register {
 
 by_register!(Add add, Sub sub, Mul mul, Div div);
 
-impl<S: Simd> Neg for Register<S> {
+impl<S: Simd, const TOGETHER: usize> Neg for Register<S, TOGETHER> {
     type Output = Self;
 
     #[inline(always)]
-    fn neg(self) -> Self {
-        Register { numbers: -self.numbers, ..self }
+    fn neg(mut self) -> Self {
+        for i in 0..TOGETHER {
+            self.numbers[i] = -self.numbers[i];
+        }
+        self
     }
 }
 
-impl<S: Simd> Number for Register<S> {
+impl<S: Simd, const TOGETHER: usize> Number for Register<S, TOGETHER> {
     #[inline(always)]
     fn same(self, number: f64) -> Self {
-        Registers(self.simd).splat(number)
+        Registers::<S, TOGETHER>(self.simd).splat(number)
     }
 
     /// Rounded once, also where the processor has no such operation: the same bits on every machine.
     #[inline(always)]
-    fn plus_product(self, a: Self, b: Self) -> Self {
-        Register { numbers: a.numbers.mul_add_precise(b.numbers, self.numbers), ..self }
+    fn plus_product(mut self, a: Self, b: Self) -> Self {
+        for i in 0..TOGETHER {
+            self.numbers[i] = a.numbers[i].mul_add_precise(b.numbers[i], self.numbers[i]);
+        }
+        self
     }
 
     #[inline(always)]
-    fn sqrt(self) -> Self {
-        Register { numbers: self.numbers.sqrt(), ..self }
+    fn sqrt(mut self) -> Self {
+        for i in 0..TOGETHER {
+            self.numbers[i] = self.numbers[i].sqrt();
+        }
+        self
     }
 
     #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        Register { numbers: self.numbers.max(other.numbers), ..self }
+    fn larger(mut self, other: Self) -> Self {
+        for i in 0..TOGETHER {
+            self.numbers[i] = self.numbers[i].max(other.numbers[i]);
+        }
+        self
     }
 }

@@ -77,7 +77,7 @@ impl Kernel {
     /// As [`Self::assemble`], for many positions in the widest registers of the processor.
     #[inline(never)]
     pub fn assemble_many(&self, registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
-        dispatch!(registers, simd => self.assemble_in(Registers(simd), block, sure))
+        dispatch!(registers, simd => self.assemble_in(Registers::<_, 2>(simd), block, sure))
     }
 
     #[inline(always)]

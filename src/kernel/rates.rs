@@ -25,7 +25,7 @@ impl Kernel {
     /// As [`Self::rates`], for many positions in the widest registers of the processor.
     #[inline(never)]
     pub fn rates_many(&self, registers: Level, block: &mut Block<Many>) {
-        dispatch!(registers, simd => self.rates_in(Registers(simd), block));
+        dispatch!(registers, simd => self.rates_in(Registers::<_, 2>(simd), block));
     }
 
     #[inline(always)]
@@ -81,7 +81,8 @@ fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placi
 fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     match &closing.reduced {
         Some(Reducing::One(equations)) => reduced_rates(lanes, block, closing, equations),
-        Some(Reducing::Two(equations)) => reduced_rates(lanes, block, closing, equations),
+        // The columns of two loops fill the registers once.
+        Some(Reducing::Two(equations)) => reduced_rates(lanes.narrow(), block, closing, equations),
         None => general_rates(lanes, block, closing),
     }
 }
@@ -104,11 +105,12 @@ fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
             sides[index] = chains[index].velocity_side(lanes, k, &block.point_velocities, columns, omegas, speeds);
         }
         let rates = system.solve(inverse, sides);
-        for (index, rate) in rates.into_iter().enumerate().take(2 * LOOPS) {
-            match closing.unknowns[index] {
-                Unknown::Spin(class) => lanes.store(&mut omegas[class], k, rate),
-                Unknown::Slide(slider) => lanes.store(&mut speeds[slider], k, rate),
-            }
+        for index in 0..2 * LOOPS {
+            let row = match closing.unknowns[index] {
+                Unknown::Spin(class) => &mut omegas[class],
+                Unknown::Slide(slider) => &mut speeds[slider],
+            };
+            lanes.store(row, k, rates[index]);
         }
         for index in 0..LOOPS {
             let difference = chains[index].difference(lanes, k, &block.point_accelerations);
@@ -122,11 +124,12 @@ fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
             );
         }
         let seconds = system.solve(inverse, sides);
-        for (index, rate) in seconds.into_iter().enumerate().take(2 * LOOPS) {
-            match closing.unknowns[index] {
-                Unknown::Spin(class) => lanes.store(&mut alphas[class], k, rate),
-                Unknown::Slide(slider) => lanes.store(&mut accelerations[slider], k, rate),
-            }
+        for index in 0..2 * LOOPS {
+            let row = match closing.unknowns[index] {
+                Unknown::Spin(class) => &mut alphas[class],
+                Unknown::Slide(slider) => &mut accelerations[slider],
+            };
+            lanes.store(row, k, seconds[index]);
         }
     }
 }

@@ -9,25 +9,14 @@ use nalgebra::DMatrix;
 /// components. NaN if one is NaN.
 #[inline(always)]
 pub(super) fn solve<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) -> f64 {
-    let (mut sum, mut longest) = (lanes.splat(0.0), lanes.splat(0.0));
     match &closing.reduced {
-        Some(Reducing::One(equations)) => {
-            for k in portions::<L, R>() {
-                let square = solve_portion(lanes, k, block, closing, equations);
-                sum = sum + square;
-                longest = longest.larger(square);
-            }
-        }
-        Some(Reducing::Two(equations)) => {
-            for k in portions::<L, R>() {
-                let square = solve_portion(lanes, k, block, closing, equations);
-                sum = sum + square;
-                longest = longest.larger(square);
-            }
-        }
+        Some(Reducing::One(equations)) => solve_reduced(lanes, block, closing, equations),
+        // The columns of two loops fill the registers once.
+        Some(Reducing::Two(equations)) => solve_reduced(lanes.narrow(), block, closing, equations),
         None => {
             block.systems[closing.group].general = general_systems(&block.columns, closing);
             solve_general(block, closing);
+            let (mut sum, mut longest) = (lanes.splat(0.0), lanes.splat(0.0));
             for k in portions::<L, R>() {
                 let mut square = lanes.splat(0.0);
                 for (scale, steps) in closing.scales.iter().zip(&block.solution) {
@@ -37,10 +26,33 @@ pub(super) fn solve<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &
                 sum = sum + square;
                 longest = longest.larger(square);
             }
+            largest_norm(lanes, sum, longest)
         }
     }
-    // A NaN may be lost in the largest number, but not in the sum.
+}
+
+/// The largest norm, from the sum and the largest of the squares: a NaN may be lost in the largest number, but not in
+/// the sum.
+#[inline(always)]
+fn largest_norm<L: Lanes>(lanes: L, sum: L::Number, longest: L::Number) -> f64 {
     if lanes.sum(sum).is_nan() { f64::NAN } else { lanes.largest(longest).sqrt() }
+}
+
+/// As [`solve`], for equations that reduce.
+#[inline(always)]
+fn solve_reduced<L: Lanes, R: Row, const LOOPS: usize>(
+    lanes: L,
+    block: &mut Block<R>,
+    closing: &Closing,
+    equations: &Reducible<LOOPS>,
+) -> f64 {
+    let (mut sum, mut longest) = (lanes.splat(0.0), lanes.splat(0.0));
+    for k in portions::<L, R>() {
+        let square = solve_portion(lanes, k, block, closing, equations);
+        sum = sum + square;
+        longest = longest.larger(square);
+    }
+    largest_norm(lanes, sum, longest)
 }
 
 /// Solves reduced equations in one portion, in registers. Returns the squared norms.

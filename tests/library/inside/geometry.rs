@@ -244,7 +244,7 @@ mod lanes {
             let expected: Vec<u64> =
                 sums.chain((0..MANY).map(|k| (-b[k]).mul_add(c[k], a[k]))).map(f64::to_bits).collect();
             for level in [Level::new(), Level::baseline()] {
-                assert_eq!(dispatch!(level, simd => products(Registers(simd), &rows)), expected, "{level:?}");
+                assert_eq!(dispatch!(level, simd => products(Registers::<_, 2>(simd), &rows)), expected, "{level:?}");
             }
         }
     }
