@@ -30,7 +30,7 @@
 //!
 //! # Values are a layer
 //!
-//! `construction/vectors.rs` names a plan's vectors by the symbols of the steps' equations; `values` makes one list
+//! `construction/sentence.rs` names a plan's vectors by the symbols of the steps' equations; `values` makes one list
 //! of them, of rates and of given lengths. Scheme and plans ask for labels from that list, which are left out where
 //! they would be crossed; the results also stand in an item beside the panels, and in the table of a work sheet.
 //!

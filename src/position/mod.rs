@@ -14,7 +14,7 @@
 //! counter-clockwise from +x.
 //!
 //! Where a link's angle is given in place of a drive's, positions are found on a second mechanism
-//! (`mechanism/placing.rs`): the drive lets go, and a carriage on two sliders holds that link at its angle; motions
+//! (`mechanism/build.rs`): the drive lets go, and a carriage on two sliders holds that link at its angle; motions
 //! are those of the scene's own mechanism.
 
 mod assemble;

@@ -1,4 +1,4 @@
-//! What the library claims of its accuracy, on families of hard fourth-class groups (`examples/speed_vs_error/families.rs`).
+//! What the library claims of its accuracy, on families of hard fourth-class groups (`tests/support/speed_vs_error/families.rs`).
 
 use kinegon::Solution;
 use kinegon::mechanism::mechanism;

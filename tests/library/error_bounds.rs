@@ -1,6 +1,6 @@
 //! The errors that a result states of every angular and slide rate are never exceeded, and are not idle.
 //!
-//! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`examples/speed_vs_error`).
+//! The truth is that of the positions given, with 256 bits, from the joint equations of all links (`tests/support/speed_vs_error`).
 
 use support::survey::{BOUNDED, on_all_cores};
 

@@ -2,7 +2,7 @@
 //! kind.
 //!
 //! To add a kind of joint: a file like `slider` with all that belongs to it, and its line in [`add_given`]. It is read
-//! by a file beside `scene/slider.rs`, with a line in `scene/read.rs`.
+//! by a file beside `scene/joint/slider.rs`, with a line in `scene/read.rs`.
 
 mod slider;
 

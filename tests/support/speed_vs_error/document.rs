@@ -17,9 +17,9 @@ const INTRODUCTION: &str = "\
 # How accurate, how fast
 
 Velocities and accelerations of fourth-class groups with pins, positions given, by several methods, against a reference of 256 bits:
-the equations of all joints in `examples/speed_vs_error/truth.rs`, which `tests/library/accuracy.rs` holds to the 20 digits of `tests/reference/README.md`.
+the equations of all joints in `tests/support/speed_vs_error/truth.rs`, which `tests/library/accuracy.rs` holds to the 20 digits of `tests/reference/README.md`.
 Groups are random, or hard for one reason each: a family of groups with a parameter from 10⁻¹ to 10⁻¹⁵, and to zero where the group stays
-regular (`examples/speed_vs_error/families.rs`). Ten groups for each family and parameter, 150 random ones (seeds 100 to 119); the worst
+regular (`tests/support/speed_vs_error/families.rs`). Ten groups for each family and parameter, 150 random ones (seeds 100 to 119); the worst
 counts.
 
 This page is made by `cargo run --release --example speed_vs_error`. The errors are the same in every run, the times are not.
@@ -37,7 +37,7 @@ const FROM_LENGTHS: &str = "
 
 Where a program finds positions from lengths, it knows them to rounding of its own, and rates inherit that: u·condition once for the
 positions and once more for the rates. So errors of α grow with the square of the condition where it is large, whoever computes them. The truth is found from the same lengths with
-256 bits, by Newton's method on the equations of all joints (`examples/speed_vs_error/assembled.rs`); what is given are the coordinates of joints in their
+256 bits, by Newton's method on the equations of all joints (`tests/support/speed_vs_error/assembled.rs`); what is given are the coordinates of joints in their
 links' own frames. Errors are those of ω and α, over the largest true one of the mechanism, in units of u·condition: median, largest. Random mechanisms have pins and
 sliders by lot (`tests/support/planted.rs`, seeds 502, 503 and 506), those of higher class six links; where sliders leave links no rotation of their own nothing is to err, so some medians are 0.
 Cycles are those of the starting scenes.
@@ -103,7 +103,7 @@ pub fn accuracy(survey: &Survey) -> String {
         );
     }
     text.push_str(
-        "\n## By hand\n\nThe same procedure on paper (`examples/speed_vs_error/hand.rs`): joints over 150 mm, the largest velocity and acceleration \
+        "\n## By hand\n\nThe same procedure on paper (`tests/support/speed_vs_error/hand.rs`): joints over 150 mm, the largest velocity and acceleration \
          150 mm long, every point as far beside its place\nas the pencil errs, in a direction by lot. A special point more than 1 m of \
          paper away cannot be drawn. Errors of a drawing are stated in the middle\nand nine tenths of all: its worst case is a matter of \
          luck, which is why the picture does not show them beside the others' worst.\n\n\
@@ -193,7 +193,7 @@ pub fn speed(times: &[f64], machine: &str) -> String {
     }
     let _ = writeln!(
         text,
-        "| by hand | {} | taken, not measured | `examples/speed_vs_error/hand.rs` |",
+        "| by hand | {} | taken, not measured | `tests/support/speed_vs_error/hand.rs` |",
         duration(hand::TIME)
     );
     text

@@ -22,7 +22,7 @@ pub const WAYS_SAY: [&str; 3] = [
     "`cycle::Sweep`, the batch kernel in registers (`src/kernel/close.rs`, \
      `src/kernel/rates.rs`)",
     "all joints' equations in f64: Newton's method for positions, nalgebra's LU \
-     (`examples/speed_vs_error/assembled.rs`)",
+     (`tests/support/speed_vs_error/assembled.rs`)",
 ];
 
 /// Errors at one position: |computed − true| over the largest true number of that kind, ω or α, the worst of both.

@@ -76,12 +76,12 @@ impl Method {
     /// Its source.
     pub fn source(self) -> &'static str {
         match self {
-            Method::Naive => "examples/speed_vs_error/naive.rs",
-            Method::Lu | Method::Qr => "examples/speed_vs_error/general.rs",
-            Method::Differences => "examples/speed_vs_error/differences.rs",
+            Method::Naive => "tests/support/speed_vs_error/naive.rs",
+            Method::Lu | Method::Qr => "tests/support/speed_vs_error/general.rs",
+            Method::Differences => "tests/support/speed_vs_error/differences.rs",
             Method::Library => "src/motion/solve.rs",
-            Method::Kernel => "examples/speed_vs_error/kernel.rs",
-            Method::Single => "examples/speed_vs_error/single.rs",
+            Method::Kernel => "tests/support/speed_vs_error/kernel.rs",
+            Method::Single => "tests/support/speed_vs_error/single.rs",
         }
     }
 }
