@@ -230,8 +230,8 @@ fn close<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, su
             continue;
         }
         let largest = largest_correction(block, closing);
-        // A Newton step leaves the square of the error divided by the sharpness; compared with rounding.
-        let doubt = largest * largest / (least_squared_sharpness(block, closing).sqrt() * UNIT_ROUNDOFF);
+        // A Newton step leaves the square of the error divided by Hadamard's ratio; compared with rounding.
+        let doubt = largest * largest / (least_squared_ratio(block, closing).sqrt() * UNIT_ROUNDOFF);
         let is_far = start.is_none() && largest > NEAR_START;
         let is_stuck = largest > 0.5 * before;
         let [first, first_doubt] = *start.get_or_insert([largest, doubt]);
@@ -273,12 +273,12 @@ fn largest_correction<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
     larger_or_nan(turns, slides / size)
 }
 
-/// The smallest squared sharpness of a group's equations over all positions.
+/// The smallest square of Hadamard's ratio of a group's equations over all positions.
 #[cold]
 #[inline(never)]
-fn least_squared_sharpness<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
-    let sharpness = (0..R::LEN).map(|position| determinant(block, closing, position)[1]);
-    sharpness.fold(1.0, |least, s| if s < least { s } else { least })
+fn least_squared_ratio<R: Row>(block: &Block<R>, closing: &Closing) -> f64 {
+    let ratios = (0..R::LEN).map(|position| determinant(block, closing, position)[1]);
+    ratios.fold(1.0, |least, s| if s < least { s } else { least })
 }
 
 /// Magnitude of corrections.

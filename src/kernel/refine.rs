@@ -12,8 +12,8 @@ impl Kernel {
     /// One Newton step more for every group of closed positions, from gaps that are computed with twice the digits of
     /// f64.
     ///
-    /// The gaps of [`Self::assemble`] are rounded to u·size, which leaves an error of u/sharpness in angles and slides:
-    /// next to a change point, where the sharpness falls but rates stay bounded, far more than the position itself is
+    /// The gaps of [`Self::assemble`] are rounded to u·size, which leaves an error of u over Hadamard's ratio in angles and
+    /// slides: next to a change point, where that ratio falls but rates stay bounded, far more than the position itself is
     /// uncertain. After this step u is left. Directions count by their angles alone: that rounding has changed their
     /// length is taken out. A group with ties is left as it is, since their angles have the digits of f64.
     pub fn refine<R: Row>(&self, block: &mut Block<R>) {
