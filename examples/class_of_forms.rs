@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn table(measured: &Measured, number: usize) -> Result<String, std::fmt::Error> {
     let mut text = format!("quantity,value,unit\nname,Student {number},\n");
     for (sheet, mu) in measured.mu.given() {
-        writeln!(text, "{},{mu},", sheet.scale_key())?;
+        writeln!(text, "{},{mu},", sheet.facts().scale_key)?;
     }
     for given in &measured.values {
         writeln!(text, "\"{}\",{},", given.name, given.text)?;

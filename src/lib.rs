@@ -62,7 +62,7 @@ pub use construction::Solution;
 pub use error::Error;
 pub use problem::Problem;
 pub use scene::Scene;
-pub use sheet::{Order, PerSheet, Scales, Sheet};
+pub use sheet::{Order, PerSheet, Scales, Sheet, SheetFacts};
 pub use solve::{order_of_figure, order_of_result, posed, solve};
 
 // The Rust of README.md and of the guide is run as it stands there.

@@ -58,32 +58,34 @@ pub enum QuantityKind {
 }
 
 /// What there is to say of a sheet.
-struct Facts {
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct SheetFacts {
     /// Which sheet it is.
     sheet: Sheet,
-    /// The word for it in files and on the page.
+    /// The word for it in files and on the page, as `velocity`.
     word: &'static str,
-    /// Its English name.
+    /// Its English name, as `velocity plan`.
     name: &'static str,
     /// The letter for it in the code of a printed sheet.
-    letter: char,
+    pub letter: char,
     /// What is drawn on it to scale.
-    drawn: QuantityKind,
-    /// The key of its scale in scenes and forms.
-    scale_key: &'static str,
-    /// Its scale in sentences.
-    scale_symbol: &'static str,
-    /// What a millimetre of its paper stands for, in descriptions.
-    scaled_units: &'static str,
-    /// How names of distances on it begin, as in `vplan(b,s3)`.
-    segment: &'static str,
-    /// What it shows, if it is a plan.
+    pub drawn: QuantityKind,
+    /// The key of its scale in scenes and forms, as `mu_v`.
+    pub scale_key: &'static str,
+    /// Its scale in sentences, as `μ_v`.
+    pub scale_symbol: &'static str,
+    /// What a millimetre of its paper stands for, in descriptions, as `units of velocity`.
+    pub scaled_units: &'static str,
+    /// How names of distances on it begin: `vplan` for segments of the velocity plan, `L` for lengths of the scheme.
+    pub segment: &'static str,
+    /// Of what it is a plan: of velocities or of accelerations; none of the scheme.
     order: Option<Order>,
 }
 
 /// The sheets in the order of their variants, which is that in which they are drawn.
-const FACTS: [Facts; 3] = [
-    Facts {
+const FACTS: [SheetFacts; 3] = [
+    SheetFacts {
         sheet: Sheet::Scheme,
         word: "scheme",
         name: "scheme",
@@ -95,7 +97,7 @@ const FACTS: [Facts; 3] = [
         segment: "L",
         order: None,
     },
-    Facts {
+    SheetFacts {
         sheet: Sheet::Velocity,
         word: "velocity",
         name: "velocity plan",
@@ -107,7 +109,7 @@ const FACTS: [Facts; 3] = [
         segment: "vplan",
         order: Some(Order::Velocity),
     },
-    Facts {
+    SheetFacts {
         sheet: Sheet::Acceleration,
         word: "acceleration",
         name: "acceleration plan",
@@ -133,8 +135,10 @@ impl Sheet {
         all
     };
 
-    /// The compiler asks for a further sheet here, and refuses an index that [`FACTS`] does not have.
-    fn facts(self) -> &'static Facts {
+    /// What there is to say of it.
+    #[must_use]
+    pub fn facts(self) -> &'static SheetFacts {
+        // The compiler asks for a further sheet here, and refuses an index that `FACTS` does not have.
         match self {
             Sheet::Scheme => &FACTS[0],
             Sheet::Velocity => &FACTS[1],
@@ -160,52 +164,16 @@ impl Sheet {
         self.facts().name
     }
 
-    /// The letter for it in the code of a printed sheet.
-    #[must_use]
-    pub fn letter(self) -> char {
-        self.facts().letter
-    }
-
-    /// What is drawn on it to scale.
-    #[must_use]
-    pub fn drawn(self) -> QuantityKind {
-        self.facts().drawn
-    }
-
-    /// The key of its scale in scenes and forms, as `mu_v`.
-    #[must_use]
-    pub fn scale_key(self) -> &'static str {
-        self.facts().scale_key
-    }
-
-    /// Its scale in sentences, as `μ_v`.
-    #[must_use]
-    pub fn scale_symbol(self) -> &'static str {
-        self.facts().scale_symbol
-    }
-
-    /// What a millimetre of its paper stands for, in descriptions, as `units of velocity`.
-    #[must_use]
-    pub fn scaled_units(self) -> &'static str {
-        self.facts().scaled_units
-    }
-
     /// Whether it is a plan, and of what: of velocities or of accelerations.
     #[must_use]
     pub fn order(self) -> Option<Order> {
         self.facts().order
     }
 
-    /// How names of distances on it begin: `vplan` for segments of the velocity plan, `L` for lengths of the scheme.
-    #[must_use]
-    pub fn segment_head(self) -> &'static str {
-        self.facts().segment
-    }
-
     /// The name of the distance of two of its points, as `vplan(b,s3)`.
     #[must_use]
     pub fn segment_name(self, from: &str, to: &str) -> String {
-        format!("{}({from},{to})", self.segment_head())
+        format!("{}({from},{to})", self.facts().segment)
     }
 }
 
@@ -225,37 +193,25 @@ impl Order {
     /// All up to this one.
     #[must_use]
     pub fn and_lower(self) -> &'static [Order] {
-        match self {
-            Order::Velocity => &[Order::Velocity],
-            Order::Acceleration => &Order::ALL,
-        }
+        &Order::ALL[..=self as usize]
     }
 
     /// The name of the pole of its plan in results, in every notation.
     #[must_use]
     pub fn pole(self) -> &'static str {
-        match self {
-            Order::Velocity => "p",
-            Order::Acceleration => "π",
-        }
+        ["p", "π"][self]
     }
 
     /// The letter of its vectors.
     #[must_use]
     pub fn vector(self) -> &'static str {
-        match self {
-            Order::Velocity => "v",
-            Order::Acceleration => "a",
-        }
+        ["v", "a"][self]
     }
 
     /// The letter of the rates of links that are computed from its plan.
     #[must_use]
     pub fn rate(self) -> &'static str {
-        match self {
-            Order::Velocity => "ω",
-            Order::Acceleration => "α",
-        }
+        ["ω", "α"][self]
     }
 }
 
@@ -318,7 +274,7 @@ impl Scales {
 
     /// Whether a key of a file is that of a scale.
     pub(crate) fn is_key(key: &str) -> bool {
-        Sheet::ALL.into_iter().any(|sheet| sheet.scale_key() == key)
+        Sheet::ALL.into_iter().any(|sheet| sheet.facts().scale_key == key)
     }
 
     /// The schema of an object with the scales; `says` gives what is said of each.
@@ -327,7 +283,7 @@ impl Scales {
         for sheet in Sheet::ALL {
             let mut property = generator.subschema_for::<Option<f64>>();
             property.ensure_object().extend(says(sheet).as_object().cloned().unwrap_or_default());
-            properties.insert(sheet.scale_key().to_owned(), property.to_value());
+            properties.insert(sheet.facts().scale_key.to_owned(), property.to_value());
         }
         schemars::json_schema!({ "type": "object", "properties": properties })
     }
@@ -346,14 +302,14 @@ impl Scales {
 
 impl Serialize for Scales {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.given().map(|(sheet, scale)| (sheet.scale_key(), scale)))
+        serializer.collect_map(self.given().map(|(sheet, scale)| (sheet.facts().scale_key, scale)))
     }
 }
 
 impl<'de> Deserialize<'de> for Scales {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Scales, D::Error> {
         let given = IndexMap::<String, f64>::deserialize(deserializer)?;
-        Ok(PerSheet::from_fn(|sheet| given.get(sheet.scale_key()).copied()))
+        Ok(PerSheet::from_fn(|sheet| given.get(sheet.facts().scale_key).copied()))
     }
 }
 

@@ -100,9 +100,9 @@ pub(super) fn entries_by(
 fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
     for points in &measured.points {
         let sheet = points.order.sheet();
-        let at = |name: &str| format!("points: {name} of {}", sheet.segment_head());
+        let at = |name: &str| format!("points: {name} of {}", sheet.facts().segment);
         let Some(mu) = measured.mu[sheet] else {
-            let mu = sheet.scale_key();
+            let mu = sheet.facts().scale_key;
             return Err(CheckError::new(
                 format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
                 format!("add {mu}, the scale of your {}", sheet.name()),

@@ -191,7 +191,7 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     put(MEASURED.key, json!(MEASURED.version));
     put("name", json!(measured.name.clone().unwrap_or_default()));
     put("exercise", json!(measured.exercise.as_ref().map(Untrusted::for_comparing)));
-    measured.mu.given().for_each(|(sheet, mu)| put(sheet.scale_key(), json!(mu)));
+    measured.mu.given().for_each(|(sheet, mu)| put(sheet.facts().scale_key, json!(mu)));
     put("positive", json!(measured.positive));
     put("in", json!(measured.in_mm.then_some(Paper::Mm)));
     put("values", json!(values));

@@ -91,7 +91,7 @@ impl Measured {
         let bad = self.mu.given().filter(|(_, mu)| !(mu.is_finite() && *mu > 0.0));
         let bad = bad.map(|(sheet, _)| {
             CheckError::new(
-                format!("{} is no scale", sheet.scale_key()),
+                format!("{} is no scale", sheet.facts().scale_key),
                 "a scale is a positive number: units of the scene per millimetre of paper",
             )
         });

@@ -80,7 +80,7 @@ impl Model {
             *scale = given[sheet].ok_or_else(|| {
                 CheckError::new(
                     format!("the scene's figure has no {}, so its scale is missing", sheet.name()),
-                    format!("add {} to the values, or the panel to the scene's figure", sheet.scale_key()),
+                    format!("add {} to the values, or the panel to the scene's figure", sheet.facts().scale_key),
                 )
             })?;
         }

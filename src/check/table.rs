@@ -66,7 +66,7 @@ impl Measured {
 
     fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
         let value = with_point(written);
-        if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.scale_key() == name) {
+        if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.facts().scale_key == name) {
             self.mu[sheet] = Some(scale(name, &value)?);
             return Ok(());
         }
@@ -109,7 +109,7 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
     let mut lines = vec!["quantity,value,unit".to_owned()];
     lines.extend(measured.name.as_ref().map(|name| format!("name,{},", own(name))));
     lines.extend(measured.exercise.as_ref().map(|exercise| format!("exercise,{},", own(exercise))));
-    lines.extend(measured.mu.given().map(|(sheet, mu)| format!("{},{mu},", sheet.scale_key())));
+    lines.extend(measured.mu.given().map(|(sheet, mu)| format!("{},{mu},", sheet.facts().scale_key)));
     lines.extend(measured.positive.map(|sense| format!("positive,{},", sense.as_str())));
     lines.extend(measured.in_mm.then(|| "in,mm,".to_owned()));
     lines.extend(

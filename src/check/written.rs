@@ -103,7 +103,7 @@ pub(super) fn factors(
         return Ok((factor, 1.0));
     };
     let scale = scale.ok_or_else(|| {
-        let mu = sheet.scale_key();
+        let mu = sheet.facts().scale_key;
         let hint = format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name());
         CheckError::about(name, &format!("is in millimetres of paper, but your scale {mu} is missing"), hint)
     })?;

@@ -178,7 +178,7 @@ impl Correction {
             (Some(_), true) => refuse("--draw draws one form, here is a folder", "name one of its files"),
             (None, _) if is_drawing_meant => {
                 let options = Sheet::ALL.map(|sheet| format!("--{}", scale_option(sheet))).join(", ");
-                let keys = Sheet::ALL.map(Sheet::scale_key).join(", ");
+                let keys = Sheet::ALL.map(|sheet| sheet.facts().scale_key).join(", ");
                 refuse(
                     format!("{options}, --page, --orientation and --style are of a drawing, which is not asked for"),
                     format!("add `--draw out/`; the scales of the student's own sheet stand in the form, as {keys}"),

@@ -114,18 +114,18 @@ struct ScaleOptions(Scales);
 
 /// The name of the option for a sheet's scale, as `mu-v`.
 pub(super) fn scale_option(sheet: Sheet) -> String {
-    sheet.scale_key().replace('_', "-")
+    sheet.facts().scale_key.replace('_', "-")
 }
 
 impl Args for ScaleOptions {
     fn augment_args(command: Command) -> Command {
         command.args(Sheet::ALL.map(|sheet| {
-            Arg::new(sheet.scale_key())
+            Arg::new(sheet.facts().scale_key)
                 .long(scale_option(sheet))
                 .value_name("NUMBER")
                 .value_parser(scale)
                 .allow_negative_numbers(true)
-                .help(format!("Scale of the {}: {} per mm of paper", sheet.name(), sheet.scaled_units()))
+                .help(format!("Scale of the {}: {} per mm of paper", sheet.name(), sheet.facts().scaled_units))
         }))
     }
 
@@ -136,7 +136,7 @@ impl Args for ScaleOptions {
 
 impl FromArgMatches for ScaleOptions {
     fn from_arg_matches(given: &ArgMatches) -> Result<ScaleOptions, clap::Error> {
-        Ok(ScaleOptions(PerSheet::from_fn(|sheet| given.get_one(sheet.scale_key()).copied())))
+        Ok(ScaleOptions(PerSheet::from_fn(|sheet| given.get_one(sheet.facts().scale_key).copied())))
     }
 
     fn update_from_arg_matches(&mut self, given: &ArgMatches) -> Result<(), clap::Error> {

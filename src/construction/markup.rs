@@ -91,7 +91,7 @@ pub fn display(name: &str) -> String {
 
 /// A plan segment times its scale, as written in an equation.
 pub(super) fn measured(sheet: Sheet, from: &str, to: &str) -> String {
-    format!("{} ({} {})", sheet.scale_symbol(), marked(from), marked(to))
+    format!("{} ({} {})", sheet.facts().scale_symbol, marked(from), marked(to))
 }
 
 /// The vector equation of a step, term by term.

@@ -120,7 +120,7 @@ impl<'a> Teller<'a> {
     }
 
     fn pole(&self, order: Order, images: &[String]) -> String {
-        let (pole, scale) = (self.words.notation.pole(order), order.sheet().scale_symbol());
+        let (pole, scale) = (self.words.notation.pole(order), order.sheet().facts().scale_symbol);
         if images.is_empty() {
             return self.words.language.choose_pole(pole, scale);
         }

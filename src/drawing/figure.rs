@@ -331,7 +331,7 @@ fn combined(given: Scales, choices: &[(Sheet, Vec<f64>)]) -> Vec<Scales> {
 
 /// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
 fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
-    let (key, words) = (panel.scale_key(), Wording::default());
+    let (key, words) = (panel.facts().scale_key, Wording::default());
     let panel = words.language.sheet(panel).to_lowercase();
     let written = |mu| words.write(mu, legend::SCALE);
     let fitting = fitting.map_or_else(|| "none".to_owned(), written);

@@ -104,11 +104,11 @@ impl Legend {
 
     /// The scale of a sheet: `mu` units a millimetre.
     pub(super) fn entry(&self, sheet: Sheet, mu: f64) -> Entry {
-        let unit = sheet.drawn().unit(self.units);
+        let unit = sheet.facts().drawn.unit(self.units);
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
         let [value, bar] = [mu, BAR * mu].map(|value| self.words.write(value, SCALE));
         Entry {
-            symbol: RichText::math(sheet.scale_symbol()),
+            symbol: RichText::math(sheet.facts().scale_symbol),
             value: RichText::plain(&format!("= {value} {per_mm}")),
             bar: RichText::plain(&format!("{bar} {unit}")),
             length: BAR / self.dims.unit,

@@ -144,7 +144,7 @@ impl List<'_> {
         let Some(plan) = self.context.plan(panel) else {
             return Vec::new();
         };
-        let kind = panel.drawn();
+        let kind = panel.facts().drawn;
         let largest = plan.points.values().map(|point| point.vector.norm()).fold(0.0, f64::max);
         let steps = &self.context.facts.plan_steps[panel];
         let hides = |name: &String| is_hidden(self.context.figure(), plan, name);

@@ -358,7 +358,7 @@ impl Writer<'_> {
 
     /// A size in a plan or on the mechanism, with its length on paper.
     pub(super) fn size(&self, value: f64, sheet: Sheet) -> String {
-        let unit = sheet.drawn().unit(self.context.solution.scene.units);
+        let unit = sheet.facts().drawn.unit(self.context.solution.scene.units);
         let words = &self.context.words;
         let on_paper = self.layout.mu_of(sheet).and_then(|mu| {
             let mm = words.on_paper(value, mu, HUNDREDTHS)?;

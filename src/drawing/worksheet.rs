@@ -80,14 +80,14 @@ impl Worksheet {
             lengths.push(Some((value, sheet)));
             let name = format!("{} {}", context.shown(from, plan), context.shown(to, plan));
             let mm = millimetres(&words, value, least(panel, page));
-            let unit = sheet.drawn().unit(context.solution.scene.units);
-            let texts = row(&name, &mm, sheet.scale_symbol(), &words.write(value, VALUE), &unit);
+            let unit = sheet.facts().drawn.unit(context.solution.scene.units);
+            let texts = row(&name, &mm, sheet.facts().scale_symbol, &words.write(value, VALUE), &unit);
             rows.push(Cells { since: number as u16, ..Cells::new(texts, format!("measured-{}", lengths.len())) });
         }
         for value in context.values.iter() {
-            let panel = panels.iter().find(|panel| panel.needs.sheet.drawn() == value.kind);
+            let panel = panels.iter().find(|panel| panel.needs.sheet.facts().drawn == value.kind);
             lengths.push(panel.map(|panel| (value.number, panel.needs.sheet)));
-            let scale = panel.map_or("", |panel| panel.needs.sheet.scale_symbol());
+            let scale = panel.map_or("", |panel| panel.needs.sheet.facts().scale_symbol);
             let mm = panel.map(|panel| millimetres(&words, value.number, least(panel, page)));
             let texts = row(&value.symbol, &mm.unwrap_or_default(), scale, &value.written, &value.unit);
             rows.push(Cells { since: value.since, ..Cells::new(texts, value.name.clone()) });
@@ -101,7 +101,7 @@ impl Worksheet {
         let language = context.words.language;
         let blank = |(asked, number): (&QuantityRequest, usize)| {
             let is_length = matches!(asked.what(), What::Segment { .. } | What::Length(..));
-            let scale = if is_length { asked.sheet().scale_symbol() } else { "" };
+            let scale = if is_length { asked.sheet().facts().scale_symbol } else { "" };
             let texts = row(&context.quantity(asked), "", scale, "", &asked.kind().unit(context.solution.scene.units));
             let boxes: &'static [usize] = if is_length { &[MILLIMETRES, VALUES] } else { &[VALUES] };
             Cells { boxes, ..Cells::new(texts, format!("box-{number}")) }
@@ -116,10 +116,11 @@ impl Worksheet {
     pub(super) fn key(context: &SheetContext<'_>, panels: &[Panel<'_>], rows: &[KeyRow<'_>]) -> Self {
         let (words, page) = (context.words, context.surface.page.size_mm());
         let cells = rows.iter().zip(1..).map(|(KeyRow { asked, value, allowed }, number)| {
-            let is_its = |panel: &&Panel<'_>| panel.needs.sheet.drawn() == asked.kind() && asked.is_length_on_sheet();
+            let is_its =
+                |panel: &&Panel<'_>| panel.needs.sheet.facts().drawn == asked.kind() && asked.is_length_on_sheet();
             let panel = panels.iter().find(is_its);
             let mm = panel.map(|panel| words.write(value / least(panel, page), HUNDREDTHS));
-            let scale = panel.map_or("", |panel| panel.needs.sheet.scale_symbol());
+            let scale = panel.map_or("", |panel| panel.needs.sheet.facts().scale_symbol);
             let unit = asked.kind().unit(context.solution.scene.units);
             let name = context.quantity(asked);
             let mut texts = row(&name, &mm.unwrap_or_default(), scale, &words.write(*value, VALUE), &unit);

@@ -38,7 +38,7 @@ pub struct KeyScales {
 }
 
 fn with_null<S: Serializer>(scales: &Scales, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(scales.iter().map(|(sheet, scale)| (sheet.scale_key(), scale)))
+    serializer.collect_map(scales.iter().map(|(sheet, scale)| (sheet.facts().scale_key, scale)))
 }
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {

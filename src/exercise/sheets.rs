@@ -67,8 +67,8 @@ pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Word
     all.extend(teller.drives(&file));
     all.extend(teller.motions(&file));
     let scale = |(plan, mu): (Sheet, f64)| {
-        let unit = plan.drawn().unit(scene.units);
-        format!("{} = {} ({unit})/mm", plan.scale_symbol(), teller.number(mu))
+        let unit = plan.facts().drawn.unit(scene.units);
+        format!("{} = {} ({unit})/mm", plan.facts().scale_symbol, teller.number(mu))
     };
     let plans: Vec<String> = scales.given().filter(|(sheet, _)| sheet.order().is_some()).map(scale).collect();
     vec![words.language.exercise_given(&listed(&all)), words.language.exercise_draw(&listed(&plans))]

@@ -218,7 +218,7 @@ pub struct BandResult {
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
     Scales::schema(generator, |sheet| {
-        let per_mm = || format!(": {} per millimetre of paper", sheet.scaled_units());
+        let per_mm = || format!(": {} per millimetre of paper", sheet.facts().scaled_units);
         let units = sheet.order().map_or_else(per_mm, |_| String::new());
         json!({ "description": format!("Scale of the {}{units}.", sheet.name()) })
     })

@@ -65,13 +65,13 @@ impl StepList<'_> {
     }
 
     fn unit(&self, sheet: Sheet) -> String {
-        sheet.drawn().unit(self.units)
+        sheet.facts().drawn.unit(self.units)
     }
 
     fn scales_line(&mut self) {
         let scale = |sheet: Sheet| {
             let mu = self.words.write(self.pencil.scales[sheet]?, NumberStyle::shortest());
-            Some(self.words.language.scale_per_mm(sheet.scale_symbol(), &mu, &self.unit(sheet)))
+            Some(self.words.language.scale_per_mm(sheet.facts().scale_symbol, &mu, &self.unit(sheet)))
         };
         let scales: Vec<String> = Sheet::ALL.into_iter().filter_map(scale).collect();
         let line = self.words.language.scales(&scales.join(", "));

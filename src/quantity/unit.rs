@@ -138,7 +138,7 @@ impl QuantityRequest {
             }
             What::Segment { order, from, to, .. } => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
-                ..plain(order.sheet().scale_symbol(), String::new())
+                ..plain(order.sheet().facts().scale_symbol, String::new())
             },
         };
         let axis = match self.written.component {

@@ -96,7 +96,7 @@ write_keys!(Figure {
 
 fn scales_schema(generator: &mut SchemaGenerator) -> Schema {
     Scales::schema(generator, |sheet| {
-        let about = format!("Scale of the {}: {} per millimetre of paper.", sheet.name(), sheet.scaled_units());
+        let about = format!("Scale of the {}: {} per millimetre of paper.", sheet.name(), sheet.facts().scaled_units);
         json!({ "description": about, "exclusiveMinimum": 0 })
     })
 }
@@ -107,7 +107,7 @@ impl Write for Scales {
     }
 
     fn entries(&self, _: &str) -> Vec<(String, Written)> {
-        self.iter().map(|(sheet, scale)| (sheet.scale_key().to_owned(), scale.written())).collect()
+        self.iter().map(|(sheet, scale)| (sheet.facts().scale_key.to_owned(), scale.written())).collect()
     }
 }
 
@@ -181,7 +181,7 @@ impl Figure {
     pub(super) fn check(&self) -> Result<(), Wrong> {
         for (sheet, scale) in self.mu.given() {
             if let Err(why) = Figure::checked_scale(scale) {
-                let (key, hint) = (sheet.scale_key(), "leave it out for the next scale that fits");
+                let (key, hint) = (sheet.facts().scale_key, "leave it out for the next scale that fits");
                 return Err(Wrong::value(&[key], format!("`{key}` is {why}")).hint(hint));
             }
         }

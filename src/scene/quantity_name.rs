@@ -100,7 +100,7 @@ impl Head {
     ];
 
     fn of(word: &str) -> Option<Head> {
-        let between = || Sheet::ALL.into_iter().find(|sheet| sheet.segment_head() == word).map(Head::Between);
+        let between = || Sheet::ALL.into_iter().find(|sheet| sheet.facts().segment == word).map(Head::Between);
         Head::KNOWN.into_iter().find(|(_, own, ..)| *own == word).map(|(head, ..)| head).or_else(between)
     }
 
@@ -108,7 +108,7 @@ impl Head {
     fn facts(self) -> (&'static str, Argument, QuantityKind) {
         let known = || Head::KNOWN.into_iter().find(|(head, ..)| *head == self).expect("every other head is listed");
         match self {
-            Head::Between(sheet) => (sheet.segment_head(), Argument::Point, sheet.drawn()),
+            Head::Between(sheet) => (sheet.facts().segment, Argument::Point, sheet.facts().drawn),
             _ => (known().1, known().2, known().3),
         }
     }

@@ -86,7 +86,7 @@ impl Why {
                 let word = path.last().copied().unwrap_or_default();
                 let names = names.iter().copied().filter(|name| !name.starts_with("kinegon")).chain(["note"]);
                 let names = names.flat_map(|name| match name {
-                    Scales::FIELD => Sheet::ALL.map(Sheet::scale_key).to_vec(),
+                    Scales::FIELD => Sheet::ALL.map(|sheet| sheet.facts().scale_key).to_vec(),
                     name => vec![name],
                 });
                 let hint = out_of_scope(word).or_else(|| suggestion(word, names, "the keys here are"));

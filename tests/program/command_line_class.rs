@@ -37,7 +37,7 @@ fn form(measured: &Measured, name: &str) -> String {
     let values: serde_json::Map<String, serde_json::Value> = values.collect();
     let mut form = serde_json::json!({ "kinegon_measured": 1, "name": name, "values": values });
     for (sheet, mu) in measured.mu.given() {
-        form[sheet.scale_key()] = mu.into();
+        form[sheet.facts().scale_key] = mu.into();
     }
     form.to_string()
 }

@@ -236,10 +236,10 @@ pub(super) fn degrees(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn wrong_scale(site: &Site<'_>) -> Vec<Candidate> {
     let own = site.model.scales;
     let squared = own[Sheet::Velocity] * own[Sheet::Velocity] / own[Sheet::Scheme];
-    let scales = own.iter().map(|(sheet, scale)| (sheet.scale_symbol(), *scale)).chain([("μ_v²/μ_l", squared)]);
+    let scales = own.iter().map(|(sheet, scale)| (sheet.facts().scale_symbol, *scale)).chain([("μ_v²/μ_l", squared)]);
     let mut found = Vec::new();
     for (sheet, &right) in own.iter() {
-        let own = sheet.scale_symbol();
+        let own = sheet.facts().scale_symbol;
         let measured: Vec<(usize, NumberId, &str)> = site
             .operations()
             .filter(|(_, operation)| operation.sheet == sheet)

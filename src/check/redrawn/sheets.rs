@@ -228,7 +228,7 @@ impl<'a> Sheets<'a> {
     /// The magnitude of a value with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
         let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
-        format!("{value} {}", sheet.drawn().unit(self.key.solution.scene.units))
+        format!("{value} {}", sheet.facts().drawn.unit(self.key.solution.scene.units))
     }
 
     /// The names of a place.

@@ -65,7 +65,7 @@ impl PlacedPanel {
     }
 
     fn text(&self) -> String {
-        let sign = self.panel.letter();
+        let sign = self.panel.facts().letter;
         // To 0.01 mm; adding 0 takes the sign from −0.
         let [x, y] = self.origin.map(|mm| shortest(libm::round(100.0 * mm) / 100.0 + 0.0));
         format!("{sign}{}:{x}:{y}", shortest(self.mu))
@@ -73,7 +73,7 @@ impl PlacedPanel {
 
     fn read(text: &str) -> Option<PlacedPanel> {
         let first = text.chars().next()?;
-        let panel = Sheet::ALL.into_iter().find(|sheet| sheet.letter() == first)?;
+        let panel = Sheet::ALL.into_iter().find(|sheet| sheet.facts().letter == first)?;
         let numbers: Vec<f64> = text[first.len_utf8()..].split(':').map(number).collect::<Option<_>>()?;
         let [mu, x, y] = numbers[..] else { return None };
         // The smallest scale keeps what is measured on paper finite.
