@@ -140,13 +140,8 @@ impl Bounds<'_> {
             Quantity::Vector(v) => v.norm() * ROUNDINGS,
         };
         let bound = match asked.what() {
-            What::Rate(rate) => {
-                let bounds = match *rate {
-                    Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates(link),
-                    Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide(slider),
-                };
-                bounds[rate.order()]
-            }
+            What::Rate(Rate::Angular(order, link)) => self.angular_rates(*link)[*order],
+            What::Rate(Rate::Slide(order, slider)) => self.slide(*slider)[*order],
             What::Angle(link) => self.angle(*link)?,
             What::SlidePosition(slider) => self.slide_position(*slider)?,
             What::Coriolis(slider, _) => self.coriolis(*slider),

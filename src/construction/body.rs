@@ -22,15 +22,14 @@ impl Writer<'_> {
                 Role::Driver { omega, alpha, .. } | Role::Moving { omega, alpha, .. } => [omega, alpha],
                 Role::Pushed { .. } | Role::Carrier { .. } | Role::Unsolved | Role::Member => continue,
             };
-            let omega = self.take_given(Rate::Omega(body), rates[0]);
-            let alpha = self.take_given(Rate::Alpha(body), rates[1]);
-            self.construction.angular_rates[body.0] = Some([omega, alpha]);
+            let numbers = Order::ALL.map(|order| self.take_given(Rate::Angular(order, body), rates[order]));
+            self.construction.angular_rates[body.0] = Some(numbers);
         }
         for id in mechanism.slider_ids() {
             if let Some(drive) = mechanism.slider(id).drive {
-                let velocity = self.take_given(Rate::SlideVelocity(id), drive.speed);
-                let acceleration = self.take_given(Rate::SlideAcceleration(id), drive.acceleration);
-                self.construction.slide_rates[id.0] = Some([velocity, acceleration]);
+                let rates = [drive.speed, drive.acceleration];
+                let numbers = Order::ALL.map(|order| self.take_given(Rate::Slide(order, id), rates[order]));
+                self.construction.slide_rates[id.0] = Some(numbers);
             }
         }
     }

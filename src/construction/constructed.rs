@@ -95,16 +95,16 @@ impl Construction {
     /// The number of a rate that is given or solved for: none of a given rate of zero.
     pub(crate) fn rate(&self, rate: Rate) -> Option<Option<NumberId>> {
         let numbers = match rate {
-            Rate::Omega(link) | Rate::Alpha(link) => self.angular_rates[link.0],
-            Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => self.slide_rates[slider.0],
+            Rate::Angular(_, link) => self.angular_rates[link.0],
+            Rate::Slide(_, slider) => self.slide_rates[slider.0],
         };
         numbers.map(|numbers| numbers[rate.order()])
     }
 
     pub(super) fn set_rate(&mut self, rate: Rate, number: NumberId) {
         let numbers = match rate {
-            Rate::Omega(link) | Rate::Alpha(link) => &mut self.angular_rates[link.0],
-            Rate::SlideVelocity(slider) | Rate::SlideAcceleration(slider) => &mut self.slide_rates[slider.0],
+            Rate::Angular(_, link) => &mut self.angular_rates[link.0],
+            Rate::Slide(_, slider) => &mut self.slide_rates[slider.0],
         };
         numbers.get_or_insert_default()[rate.order()] = Some(number);
     }

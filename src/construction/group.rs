@@ -166,7 +166,7 @@ impl Writer<'_> {
         }
         let unknown = self.unknown_rates(order, group, equations);
         // Links with one angular rate have one unknown: it has the name of the last of them.
-        let mut rates = vec![Rate::Omega(GROUND); equations.unknowns];
+        let mut rates = vec![Rate::Angular(order, GROUND); equations.unknowns];
         unknown.iter().for_each(|&(index, rate)| rates[index] = rate);
         let step = self.begin(order);
         let numbers = self.solve(order, &rates, rows)?;
@@ -224,23 +224,22 @@ impl Writer<'_> {
     /// The rates of links, then of sliders, that the equations of a plan are solved for, each with its index among the
     /// unknowns; several links may have the same.
     fn unknown_rates(&self, order: Order, group: &Group, equations: &LoopEquations) -> Vec<(usize, Rate)> {
-        let (of_link, of_slider): (fn(BodyId) -> Rate, fn(SliderId) -> Rate) = match order {
-            Order::Velocity => (Rate::Omega, Rate::SlideVelocity),
-            Order::Acceleration => (Rate::Alpha, Rate::SlideAcceleration),
-        };
-        let links = group.bodies.iter().filter_map(|&link| Some((equations.angular_unknown(link)?, of_link(link))));
-        let sliders = self.mechanism.slider_ids();
-        links.chain(sliders.filter_map(|id| Some((equations.slide_unknown(id)?, of_slider(id))))).collect()
+        let of_link = |&link: &BodyId| Some((equations.angular_unknown(link)?, Rate::Angular(order, link)));
+        let of_slider = |id: SliderId| Some((equations.slide_unknown(id)?, Rate::Slide(order, id)));
+        let links = group.bodies.iter().filter_map(of_link);
+        links.chain(self.mechanism.slider_ids().filter_map(of_slider)).collect()
     }
 
     /// A rate in the computed motion, and the bound of its error.
     fn computed_rate(&self, rate: Rate) -> [f64; 2] {
         let motion = self.motion;
         match rate {
-            Rate::Omega(link) => [motion.body(link).omega, motion.error(link).omega],
-            Rate::Alpha(link) => [motion.body(link).alpha, motion.error(link).alpha],
-            Rate::SlideVelocity(id) => [motion.slide(id).velocity, motion.slide(id).velocity_error],
-            Rate::SlideAcceleration(id) => [motion.slide(id).acceleration, motion.slide(id).acceleration_error],
+            Rate::Angular(Order::Velocity, link) => [motion.body(link).omega, motion.error(link).omega],
+            Rate::Angular(Order::Acceleration, link) => [motion.body(link).alpha, motion.error(link).alpha],
+            Rate::Slide(Order::Velocity, id) => [motion.slide(id).velocity, motion.slide(id).velocity_error],
+            Rate::Slide(Order::Acceleration, id) => {
+                [motion.slide(id).acceleration, motion.slide(id).acceleration_error]
+            }
         }
     }
 

@@ -73,14 +73,10 @@ pub enum End {
 /// A rate of a link or a slider, in the scene's units, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
-    /// Angular velocity.
-    Omega(BodyId),
-    /// Angular acceleration.
-    Alpha(BodyId),
-    /// Velocity along the guide.
-    SlideVelocity(SliderId),
-    /// Acceleration along the guide.
-    SlideAcceleration(SliderId),
+    /// The angular velocity or acceleration of a link.
+    Angular(Order, BodyId),
+    /// The velocity or acceleration of a slider along its guide.
+    Slide(Order, SliderId),
 }
 
 impl Rate {
@@ -88,16 +84,15 @@ impl Rate {
     #[must_use]
     pub fn order(self) -> Order {
         match self {
-            Rate::Omega(_) | Rate::SlideVelocity(_) => Order::Velocity,
-            Rate::Alpha(_) | Rate::SlideAcceleration(_) => Order::Acceleration,
+            Rate::Angular(order, _) | Rate::Slide(order, _) => order,
         }
     }
 
     /// The link of an angular rate.
     pub(super) fn link(self) -> Option<BodyId> {
         match self {
-            Rate::Omega(link) | Rate::Alpha(link) => Some(link),
-            Rate::SlideVelocity(_) | Rate::SlideAcceleration(_) => None,
+            Rate::Angular(_, link) => Some(link),
+            Rate::Slide(..) => None,
         }
     }
 
@@ -105,10 +100,8 @@ impl Rate {
     #[must_use]
     pub fn name(self, mechanism: &Mechanism) -> String {
         match self {
-            Rate::Omega(link) => format!("omega({})", mechanism.body(link).name),
-            Rate::Alpha(link) => format!("alpha({})", mechanism.body(link).name),
-            Rate::SlideVelocity(slider) => format!("v_r({})", mechanism.slider_name(slider)),
-            Rate::SlideAcceleration(slider) => format!("a_r({})", mechanism.slider_name(slider)),
+            Rate::Angular(order, link) => format!("{}({})", ["omega", "alpha"][order], mechanism.body(link).name),
+            Rate::Slide(order, slider) => format!("{}_r({})", order.vector(), mechanism.slider_name(slider)),
         }
     }
 }

@@ -72,9 +72,7 @@ impl SheetContext<'_> {
     /// Which sense is positive, of links and of slides.
     fn note_on_senses(&self, asked: &[QuantityRequest]) -> String {
         let language = self.words.language;
-        let slides = asked
-            .iter()
-            .filter(|a| matches!(a.what(), What::Rate(Rate::SlideVelocity(_) | Rate::SlideAcceleration(_))));
+        let slides = asked.iter().filter(|a| matches!(a.what(), What::Rate(Rate::Slide(..))));
         let slides: Vec<String> = slides.map(|asked| self.quantity(asked)).collect();
         match slides.is_empty() {
             true => language.exercise_senses().to_owned(),

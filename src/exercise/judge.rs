@@ -195,7 +195,7 @@ fn values(asked: &[QuantityRequest], solution: &Solution) -> Vec<(QuantityReques
 
 /// Whether a hand finds all angular velocities and accelerations well.
 fn is_sure(pencil: &Pencil, values: &[(QuantityRequest, f64)]) -> Result<(), Refusal> {
-    let is_rate = |asked: &QuantityRequest| matches!(asked.what(), What::Rate(Rate::Omega(_) | Rate::Alpha(_)));
+    let is_rate = |asked: &QuantityRequest| matches!(asked.what(), What::Rate(Rate::Angular(..)));
     let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
     for (asked, value) in rates() {
         let alike = rates().filter(|(a, _)| a.kind() == asked.kind());

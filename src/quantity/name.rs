@@ -204,12 +204,12 @@ impl Finder<'_> {
             |order| Ok(What::Motion(order, self.spot(first)?, second.map(|name| self.spot(name)).transpose()?));
         let two_spots = || Ok((self.spot(first)?, self.spot(second.ok_or_else(|| self.form())?)?));
         Ok(match *head {
-            Head::Omega => What::Rate(Rate::Omega(self.link(first)?)),
-            Head::Alpha => What::Rate(Rate::Alpha(self.link(first)?)),
+            Head::Omega => What::Rate(Rate::Angular(Order::Velocity, self.link(first)?)),
+            Head::Alpha => What::Rate(Rate::Angular(Order::Acceleration, self.link(first)?)),
             Head::Angle => What::Angle(self.link(first)?),
             Head::SlidePosition => What::SlidePosition(self.slider(first)?),
-            Head::SlideVelocity => What::Rate(Rate::SlideVelocity(self.slider(first)?)),
-            Head::SlideAcceleration => What::Rate(Rate::SlideAcceleration(self.slider(first)?)),
+            Head::SlideVelocity => What::Rate(Rate::Slide(Order::Velocity, self.slider(first)?)),
+            Head::SlideAcceleration => What::Rate(Rate::Slide(Order::Acceleration, self.slider(first)?)),
             Head::Coriolis => {
                 let id = self.slider(first)?;
                 What::Coriolis(id, self.mechanism.slider(id).on)

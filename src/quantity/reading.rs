@@ -183,8 +183,8 @@ impl Reader<'_> {
     }
 
     fn coriolis(&mut self, id: SliderId, on: BodyId) -> Result<VectorSource, Unread> {
-        let omega = self.rate_or_given(Rate::Omega(on))?;
-        let velocity = self.rate_or_given(Rate::SlideVelocity(id))?;
+        let omega = self.rate_or_given(Rate::Angular(Order::Velocity, on))?;
+        let velocity = self.rate_or_given(Rate::Slide(Order::Velocity, id))?;
         let (Some(omega), Some(velocity)) = (omega, velocity) else {
             return Err(Unread::Given);
         };
@@ -196,8 +196,8 @@ impl Reader<'_> {
     /// A rate that is solved for; given rates are not read.
     fn rate(&self, rate: Rate) -> Result<NumberId, Unread> {
         let is_given = match rate {
-            Rate::Omega(link) | Rate::Alpha(link) => self.is_given(link),
-            Rate::SlideVelocity(id) | Rate::SlideAcceleration(id) => self.writer.mechanism.slider(id).drive.is_some(),
+            Rate::Angular(_, link) => self.is_given(link),
+            Rate::Slide(_, id) => self.writer.mechanism.slider(id).drive.is_some(),
         };
         let number = if is_given { None } else { self.rate_or_given(rate)? };
         number.ok_or(Unread::Given)
@@ -358,8 +358,8 @@ impl Reader<'_> {
             }
         }
         let link = link.ok_or(Unread::NotDrawn)?;
-        let rate = if part == AccelerationPart::Tangential { Rate::Alpha } else { Rate::Omega };
-        let rate = self.rate_or_given(rate(link))?.ok_or(Unread::Given)?;
+        let of_rate = if part == AccelerationPart::Tangential { Order::Acceleration } else { Order::Velocity };
+        let rate = self.rate_or_given(Rate::Angular(of_rate, link))?.ok_or(Unread::Given)?;
         let (from, to) = (self.scheme_point(b)?, self.scheme_point(a)?);
         let line = self.writer.join_places(from, to, OperationRole::Line);
         let length = self.measure(Sheet::Scheme, name, [from, to], MeasuredAs::Along(line));

@@ -93,7 +93,7 @@ impl QuantityRequest {
     /// Whether it is the velocity of a joint, ω of a link or v_r of a slider, whose zeros are dead centres.
     #[must_use]
     pub fn has_dead_centres(&self) -> bool {
-        matches!(self.what, What::Rate(Rate::Omega(_) | Rate::SlideVelocity(_)))
+        matches!(self.what, What::Rate(rate) if rate.order() == Order::Velocity)
     }
 
     /// The part of its name in parentheses, as `4` of `omega(4)` and `alpha(4)`.
@@ -118,10 +118,8 @@ impl QuantityRequest {
             Symbol { after: format!("({})", parts.join("/")), ..plain(letter, lower.to_owned()) }
         };
         let symbol = match &self.what {
-            What::Rate(rate @ (Rate::Omega(id) | Rate::Alpha(id))) => plain(rate.order().rate(), link(*id)),
-            What::Rate(rate @ (Rate::SlideVelocity(id) | Rate::SlideAcceleration(id))) => {
-                slider(rate.order().vector(), notation.relative, *id)
-            }
+            What::Rate(Rate::Angular(order, id)) => plain(order.rate(), link(*id)),
+            What::Rate(Rate::Slide(order, id)) => slider(order.vector(), notation.relative, *id),
             What::Angle(id) => plain("φ", link(*id)),
             What::SlidePosition(id) => slider("s", "", *id),
             What::Coriolis(id, _) => slider("a", notation.coriolis, *id),

@@ -54,13 +54,8 @@ impl QuantityRequest {
         }
         let reader = Reader { asked: self, state, construction };
         let value = match &self.what {
-            What::Rate(rate) => {
-                let rates = match *rate {
-                    Rate::Omega(link) | Rate::Alpha(link) => state.angular_rates(link),
-                    Rate::SlideVelocity(id) | Rate::SlideAcceleration(id) => state.slide_rates(id),
-                };
-                Number(rates[rate.order()])
-            }
+            What::Rate(Rate::Angular(order, link)) => Number(state.angular_rates(*link)[*order]),
+            What::Rate(Rate::Slide(order, id)) => Number(state.slide_rates(*id)[*order]),
             What::Angle(link) => {
                 let axis = state.axis(*link);
                 Number(degrees_of(axis.ok_or_else(|| self.none("the link has no axis"))?))

@@ -8,7 +8,7 @@ use crate::check::entry::Entry;
 use crate::construction::{Change, Disturbance, NumberId, NumberKind, OperationKind, ProductKind, Rate};
 use crate::quantity::{QuantityKind, What};
 use crate::scene::{LengthUnit, TimeUnit};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 
 /// Rates that are solved for or given: the operation that gives each, its number, which rate it is.
 fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)> {
@@ -47,7 +47,7 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
 
 /// The senses of all rates of rotation reversed on the form, as by somebody who counts clockwise as positive.
 pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
-    let is_turning = |what: &What| matches!(what, What::Rate(Rate::Omega(_) | Rate::Alpha(_)));
+    let is_turning = |what: &What| matches!(what, What::Rate(Rate::Angular(..)));
     let signed = site.entries.iter().enumerate().filter(|(index, entry)| {
         is_turning(entry.asked.what()) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
@@ -92,8 +92,7 @@ fn divided<'s>(site: &'s Site<'_>, all: &[Length<'s>]) -> Vec<Divided<'s>> {
             let length = all.iter().find(|length| length.number.is_some_and(|own| product.of.as_slice() == [own]));
             let rate = unknowns[*unknown];
             let is_omega = match site.number_kind(rate) {
-                NumberKind::Rate(Rate::Omega(_)) => true,
-                NumberKind::Rate(Rate::Alpha(_)) => false,
+                NumberKind::Rate(Rate::Angular(order, _)) => *order == Order::Velocity,
                 _ => continue,
             };
             found.extend(length.map(|&length| Divided { operation, rate, is_omega, length }));
@@ -161,7 +160,7 @@ pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
 fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor: f64) -> Vec<Candidate> {
     let mut found = Vec::new();
     for (operation, number, rate) in rates(site) {
-        if matches!(rate, Rate::Omega(_)) || also_alpha && matches!(rate, Rate::Alpha(_)) {
+        if matches!(rate, Rate::Angular(order, _) if also_alpha || order == Order::Velocity) {
             for factor in [factor, 1.0 / factor] {
                 let told = tell(site.symbol(number));
                 let taken = site.is_given(number).then(|| taken_as(site, told.mistake, number, factor)).flatten();
@@ -173,7 +172,7 @@ fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor:
     }
     for (index, entry) in site.entries.iter().enumerate() {
         let what = entry.asked.what();
-        if !(matches!(what, What::Rate(Rate::Omega(_))) || also_alpha && matches!(what, What::Rate(Rate::Alpha(_)))) {
+        if !matches!(what, What::Rate(Rate::Angular(order, _)) if also_alpha || *order == Order::Velocity) {
             continue;
         }
         for factor in [factor, 1.0 / factor] {

@@ -10,7 +10,7 @@ use crate::construction::{
     ProductKind, Rate,
 };
 use crate::geometry::{Vector, unit};
-use crate::sheet::Sheet;
+use crate::sheet::{Order, Sheet};
 use std::sync::Arc;
 
 /// A mistake at one place of a construction.
@@ -267,8 +267,9 @@ impl Site<'_> {
 
     /// The angular velocities among these numbers.
     pub fn omegas_before(&self, operation: usize) -> impl Iterator<Item = NumberId> {
-        let omegas =
-            self.numbers_before(operation).filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Omega(_))));
+        let omegas = self
+            .numbers_before(operation)
+            .filter(|(_, kind)| matches!(kind, NumberKind::Rate(Rate::Angular(Order::Velocity, _))));
         omegas.map(|(number, _)| number)
     }
 }

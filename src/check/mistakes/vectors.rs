@@ -268,9 +268,9 @@ pub(super) fn tangential_where_none(site: &Site<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
     let vectors = site.vectors();
     let is_even = |rate: NumberId| {
-        let NumberKind::Rate(Rate::Omega(link)) = site.number_kind(rate) else { return false };
+        let NumberKind::Rate(Rate::Angular(Order::Velocity, link)) = site.number_kind(rate) else { return false };
         let mut kinds = site.model.construction.numbers.iter();
-        site.is_given(rate) && !kinds.any(|kind| *kind == NumberKind::Rate(Rate::Alpha(*link)))
+        site.is_given(rate) && !kinds.any(|kind| *kind == NumberKind::Rate(Rate::Angular(Order::Acceleration, *link)))
     };
     for vector in vectors.iter().filter(|vector| vector.is_only(ProductKind::Normal)) {
         let [omega, .., length] = vector.sum[0].of.as_slice() else { continue };
@@ -368,7 +368,8 @@ pub(super) fn coriolis_at_rest(site: &Site<'_>) -> Vec<Candidate> {
         let at_rest = |slider: &SliderId| site.key.solution.mechanism.slider(*slider).on == GROUND;
         let Some(slider) = cut.guide().filter(|slider| cut.leg.base == GROUND && at_rest(slider)) else { continue };
         let mut slides = site.numbers_before(index);
-        let Some((velocity, _)) = slides.find(|(_, kind)| **kind == NumberKind::Rate(Rate::SlideVelocity(slider)))
+        let Some((velocity, _)) =
+            slides.find(|(_, kind)| **kind == NumberKind::Rate(Rate::Slide(Order::Velocity, slider)))
         else {
             continue;
         };
