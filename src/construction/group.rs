@@ -75,7 +75,7 @@ impl Writer<'_> {
         let length = self.measure(Sheet::Scheme, kind, ends, MeasuredAs::Along(line));
         let value = (place - self.pose.point(from)).norm();
         let (from, to) = (self.mechanism.point_name(from).to_owned(), special.name.clone());
-        self.finish(step, Action::MeasureLength { from, to, value });
+        self.finish(step, Action::Measure { from, to, value });
         Some(length)
     }
 

@@ -83,9 +83,9 @@ impl Construction {
 /// The aim of the first of some steps; `last` is that of the passage before it.
 fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
     let actions = || steps.iter().map(|step| step.action);
-    let Some(action) = actions().next() else { return Aim::Nothing };
-    match action {
-        Action::SpecialPoint { .. } | Action::MeasureLength { .. } => Aim::SpecialPoints,
+    let Some(first) = steps.first() else { return Aim::Nothing };
+    match first.action {
+        Action::SpecialPoint { .. } | Action::Measure { .. } if first.plan.is_none() => Aim::SpecialPoints,
         Action::Pole { .. } => Aim::Start,
         Action::Solve { .. } => Aim::Rates,
         Action::NoConstruction { .. } => Aim::Nothing,
@@ -172,7 +172,6 @@ impl Teller<'_> {
         for step in steps {
             match step.action {
                 Action::SpecialPoint { point, .. } => told.special.push(marked(point)),
-                Action::MeasureLength { from, to, .. } => told.lengths.push(pair(from, to)),
                 Action::LayOff(arrow) => told.vectors.push(pair(&arrow.from, &arrow.to)),
                 Action::Ray(ray) => {
                     let sentence = match ray.relation {
@@ -183,7 +182,10 @@ impl Teller<'_> {
                     told.rays.push(sentence(self.words.language, &marked(&ray.through), &self.line_of(ray)));
                 }
                 Action::Cross { point, .. } => told.crossing = marked(point),
-                Action::Measure { from, to, .. } => told.segments.push(pair(from, to)),
+                Action::Measure { from, to, .. } => {
+                    let list = if step.plan.is_some() { &mut told.segments } else { &mut told.lengths };
+                    list.push(pair(from, to));
+                }
                 Action::Solve { unknowns, .. } => {
                     told.unknowns.extend(unknowns.iter().map(|(name, _)| rate_symbol(name)))
                 }

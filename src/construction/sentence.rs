@@ -46,12 +46,11 @@ impl<'a> Teller<'a> {
 
     /// The caption of a step, one line; names of points between backticks, the rest in markup.
     #[must_use]
-    pub fn caption(&self, NumberedStep { action, .. }: &NumberedStep<'_>) -> String {
+    pub fn caption(&self, NumberedStep { action, plan, .. }: &NumberedStep<'_>) -> String {
         let language = self.words.language;
         match action {
             Action::Pole { order, images } => self.pole(*order, images),
             Action::SpecialPoint { special, .. } => self.special_point(self.construction.special(*special)),
-            Action::MeasureLength { from, to, .. } => language.measure_length(&marked(from), &marked(to)),
             Action::LayOff(arrow) => self.lay_off(arrow).1,
             Action::Ray(ray) => {
                 let sentence = match ray.relation {
@@ -70,7 +69,10 @@ impl<'a> Teller<'a> {
             Action::Coincide { point, with, link } => {
                 language.coincide(&self.mechanism.body(*link).name, &marked(point), &marked(with))
             }
-            Action::Measure { from, to, .. } => language.measure_segment(&marked(from), &marked(to)),
+            Action::Measure { from, to, .. } => {
+                let sentence = if plan.is_some() { Language::measure_segment } else { Language::measure_length };
+                sentence(language, &marked(from), &marked(to))
+            }
             Action::Solve { unknowns, .. } => {
                 let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
                 language.solve(&names.join(", "))
@@ -81,11 +83,11 @@ impl<'a> Teller<'a> {
 
     /// The equation that belongs to a step, as `v_{S3} = v_B + v_{S3B}`; empty where there is none.
     #[must_use]
-    pub fn formula(&self, &NumberedStep { sheet, action, .. }: &NumberedStep<'_>) -> Formula {
+    pub fn formula(&self, &NumberedStep { sheet, plan, action, .. }: &NumberedStep<'_>) -> Formula {
         match action {
-            Action::MeasureLength { from, to, .. } => format!("L{}", subscript(&[from, to])).into(),
             Action::LayOff(arrow) => self.lay_off(arrow).0,
             Action::Ray(ray) => self.ray_equation(ray),
+            Action::Measure { from, to, .. } if plan.is_none() => format!("L{}", subscript(&[from, to])).into(),
             Action::Measure { from, to, .. } => measured(sheet, from, to).into(),
             Action::Divide { point, between: [from, to], points } => {
                 let [first, second, third] = points.map(|point| self.mechanism.point_name(point));

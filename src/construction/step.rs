@@ -40,22 +40,13 @@ pub enum Action {
         /// Sine of the angle between the rays.
         sine: f64,
     },
-    /// Measure a segment.
+    /// Measure a length on the scheme or a segment of a plan.
     Measure {
-        /// From this plan point …
-        from: String,
-        /// … to this one.
-        to: String,
-        /// Its length, in units of velocity or acceleration.
-        value: f64,
-    },
-    /// Measure a length on the scheme.
-    MeasureLength {
         /// From this point …
         from: String,
         /// … to this one.
         to: String,
-        /// Its value, in units of length.
+        /// Its length, in units of length, velocity or acceleration.
         value: f64,
     },
     /// Solve equations for unknowns.
@@ -94,7 +85,7 @@ impl Action {
     /// Whether it reads a length off a sheet.
     #[must_use]
     pub(crate) fn is_measured(&self) -> bool {
-        matches!(self, Action::MeasureLength { .. } | Action::Measure { .. })
+        matches!(self, Action::Measure { .. })
     }
 
     /// The plan point that it makes, if it makes one.
@@ -127,9 +118,7 @@ impl NumberedStep<'_> {
     pub fn names(&self) -> Vec<String> {
         let sheet = self.sheet;
         match self.action {
-            Action::MeasureLength { from, to, .. } | Action::Measure { from, to, .. } => {
-                vec![sheet.segment_name(from, to)]
-            }
+            Action::Measure { from, to, .. } => vec![sheet.segment_name(from, to)],
             Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
             Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
                 self.plan.map(|plan| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()

@@ -7,12 +7,9 @@ use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, Oper
 use super::step::{Action, Plan, PlanPoint, PointRole};
 use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
-use crate::motion::Motion;
+use crate::motion::{Motion, guide_error};
 use crate::position::Pose;
 use crate::sheet::{Order, Sheet};
-
-/// Number of roundings in a guide's unit direction, computed from the scene's direction.
-const GUIDE_ROUNDINGS: f64 = 4.0;
 
 /// A construction in progress, and what it is a construction of.
 pub(crate) struct Writer<'a> {
@@ -377,7 +374,7 @@ impl<'a> Writer<'a> {
             }
         };
         // The scene gives the direction itself; a join of rounded joints would be less exact.
-        let error = GUIDE_ROUNDINGS * UNIT_ROUNDOFF + 0.5 * (direction.norm_squared() - 1.0).abs();
+        let error = guide_error(direction);
         let Pair { x, y } = Pair::<Ball>::from(direction);
         self.construction.record.exact.lines[line.0].1 = Pair { x: x.widened(error), y: y.widened(error) };
         self.construction.record.guides.insert(id, line);

@@ -29,7 +29,7 @@ impl Writer<'_> {
     fn lengths(&mut self, steps: &[NumberedStep<'_>]) {
         let half = 0.5 * self.area.width();
         let measured = steps.iter().filter_map(|step| match &step.action {
-            Action::MeasureLength { value, .. } => Some((step, *value)),
+            Action::Measure { value, .. } => Some((step, *value)),
             _ => None,
         });
         for (index, (step, value)) in measured.enumerate() {

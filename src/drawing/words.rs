@@ -250,7 +250,7 @@ impl Writer<'_> {
         };
         let drawn = drawn_vector(step);
         let value = match (action, drawn) {
-            (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => self.size(*value, sheet),
+            (Action::Measure { value, .. }, _) => self.size(*value, sheet),
             (_, Some((_, vector))) => self.vector(vector, sheet),
             _ => return,
         };

@@ -207,7 +207,7 @@ fn measured<'a>(context: &'a SheetContext<'_>) -> impl Iterator<Item = (Numbered
         None => !context.figure().special_points && context.construction().special_point(name).is_some(),
     };
     context.construction().numbered_steps().filter_map(move |step| match &step.action {
-        Action::MeasureLength { from, to, value } | Action::Measure { from, to, value } => {
+        Action::Measure { from, to, value } => {
             let hidden = is_hidden(step.plan, from) || is_hidden(step.plan, to);
             (!hidden).then_some((step, [from.as_str(), to.as_str()], *value))
         }

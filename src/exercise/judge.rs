@@ -233,7 +233,7 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
 fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
     for step in construction.numbered_steps() {
         let value = match (&step.action, step.plan) {
-            (Action::Measure { value, .. } | Action::MeasureLength { value, .. }, _) => value.abs(),
+            (Action::Measure { value, .. }, _) => value.abs(),
             (Action::Cross { point, .. }, Some(plan)) => plan.points[point].vector.norm(),
             _ => continue,
         };

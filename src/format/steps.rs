@@ -186,10 +186,6 @@ impl StepList<'_> {
         };
         match step.action {
             Action::SpecialPoint { sine, .. } => vec![self.crossing(*sine)],
-            Action::MeasureLength { from, to, value } => {
-                let band = self.segment_band(sheet, from, to);
-                vec![format!("{equation} = {}{band}", self.measure(*value, sheet))]
-            }
             Action::LayOff(_) | Action::Divide { .. } | Action::Coincide { .. } => with_vector(equation),
             Action::Cross { sine, .. } => with_vector(self.crossing(*sine)),
             Action::Ray(ray) => {
@@ -197,9 +193,10 @@ impl StepList<'_> {
                 if equation.is_empty() { vec![direction] } else { vec![format!("{equation}; {direction}")] }
             }
             Action::Measure { from, to, value } => {
+                let measured = if plan.is_some() { format!("{} {}", shown(from), shown(to)) } else { equation };
                 let value = if plan.is_some_and(|plan| plan.is_nothing(*value)) { 0.0 } else { *value };
                 let band = self.segment_band(sheet, from, to);
-                vec![format!("{} {} = {}{band}", shown(from), shown(to), self.measure(value, sheet))]
+                vec![format!("{measured} = {}{band}", self.measure(value, sheet))]
             }
             Action::Solve { equations, unknowns } => {
                 let shown = |e| shown_text(&self.teller.equation(e), plan, self.words);

@@ -42,6 +42,7 @@ mod solve;
 
 pub use error::MotionError;
 pub use places::Places;
+pub(crate) use places::guide_error;
 pub use refine::ClosedForm;
 pub use solve::motion;
 

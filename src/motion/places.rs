@@ -67,7 +67,7 @@ impl Places for Pose {
 
 /// Bound of the relative error of a guide's unit vector: roundings since the scene's direction, and the deviation of
 /// its length from 1.
-fn guide_error(u: Vector) -> f64 {
+pub(crate) fn guide_error(u: Vector) -> f64 {
     const FROM_THE_SCENE: f64 = 4.0;
     let stretch = 0.5 * (u.norm_squared() - 1.0).abs();
     FROM_THE_SCENE * UNIT_ROUNDOFF + stretch

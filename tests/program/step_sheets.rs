@@ -88,7 +88,7 @@ fn each_step_draws_what_it_does() {
                     ("special point", named(&format!("point-{point}")) && named(&format!("label-{point}")))
                 }
                 Action::Ray(ray) => ("ray", named(&format!("ray-{}-{}", ray.through, ray.to))),
-                Action::Measure { .. } | Action::MeasureLength { .. } => ("measuring", has(&|m| m.pen == Pen::Hint)),
+                Action::Measure { .. } => ("measuring", has(&|m| m.pen == Pen::Hint)),
                 Action::Cross { .. } => ("crossing", has(&|m| matches!(m.shape, Shape::Arrow { .. }) && !m.passing)),
                 _ => continue,
             };
@@ -97,7 +97,7 @@ fn each_step_draws_what_it_does() {
             let spelt = |s: &str| s.is_ascii() && !s.contains(|c: char| "'π()/".contains(c));
             let whole = match step.action {
                 Action::Ray(ray) => spelt(&ray.through) && spelt(&ray.to),
-                Action::Measure { value, .. } | Action::MeasureLength { value, .. } => *value > 1.0,
+                Action::Measure { value, .. } => *value > 1.0,
                 Action::Cross { point, .. } => {
                     construction.plans().all(|plan| plan.points.get(point).is_none_or(|p| p.vector.norm() > 1e-6))
                 }

@@ -63,10 +63,10 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<
 /// Draws the hints of the steps: the measured length, the line to which a ray is normal, the senses of solved rates.
 pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
     let scheme = SchemeOnPaper::new(context, view);
-    for NumberedStep { number, action, .. } in context.construction().numbered_steps() {
+    for NumberedStep { number, plan, action, .. } in context.construction().numbered_steps() {
         let number = number as u16;
         let ends = match action {
-            Action::MeasureLength { from, to, .. } => {
+            Action::Measure { from, to, .. } if plan.is_none() => {
                 let joint = scheme.mechanism.point(from).map(|p| scheme.pose.point(p));
                 joint.zip(context.construction().special_point(to).and_then(|s| s.place.finite()))
             }
