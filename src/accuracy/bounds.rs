@@ -149,7 +149,7 @@ impl Bounds<'_> {
             What::Length(a, b) => SQRT_2 * (self.of_place(a)? + self.of_place(b)?) + rounding(&whole),
             What::Motion(order, a, b) => self.of_motion(*order, a, b.as_ref())?,
             What::Part(part, a, b, link) => self.of_part(*part, a, b, (*link)?)?,
-            What::Segment { .. } => return None,
+            What::Segment(..) => return None,
         };
         let (Quantity::Vector(whole), off) = (whole, SQRT_2 * bound) else {
             return Some(bound);
@@ -215,7 +215,7 @@ pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
         What::Length(a, b) => joint(a) && joint(b),
         What::Motion(_, a, b) => joint(a) && b.as_ref().is_none_or(joint),
         What::Part(_, a, b, link) => link.is_some() && joint(a) && joint(b),
-        What::Segment { .. } => false,
+        What::Segment(..) => false,
         _ => true,
     }
 }

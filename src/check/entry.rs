@@ -205,8 +205,7 @@ impl<'a> Reader<'a> {
         let Meant { asked, row, expected, step } = self.names.meant(&name, self.names_ground)?;
         let (kind, sheet) = (asked.kind(), asked.sheet());
         let has_length = asked.is_length_on_sheet();
-        let on_paper =
-            marked || (self.measured.in_mm && matches!(asked.what(), What::Segment { .. } | What::Length(..)));
+        let on_paper = marked || (self.measured.in_mm && matches!(asked.what(), What::Segment(..) | What::Length(..)));
         if marked && !has_length {
             let hint = format!("write it in {}", kind.unit(self.key.solution.scene.units));
             return Err(CheckError::about(&name, "is no length on paper, so `/mu` cannot follow it", hint));

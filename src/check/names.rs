@@ -230,7 +230,7 @@ impl<'a> Names<'a> {
             format!("{from} {to}")
         };
         match asked.what() {
-            What::Segment { order, from, to, .. } => between(order.sheet(), from, to),
+            What::Segment(order, [from, to]) => between(order.sheet(), from, to),
             What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
             _ => plain(&asked.symbol(&self.solution.mechanism, self.words.notation, &|name| self.label(name))),
         }

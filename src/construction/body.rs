@@ -1,7 +1,7 @@
 //! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
 //! else from a point of known motion.
 
-use super::constructed::{Anchor, LaidOff};
+use super::constructed::Anchor;
 use super::name::{coriolis_name, point_on, slide_name};
 use super::number::{NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
@@ -99,8 +99,7 @@ impl Writer<'_> {
         let along = Along::given(unit(vector).unwrap_or_default());
         let place = self.lay_off(order, pole, vec![Product::plain(number)], along);
         let error = error + 8.0 * UNIT_ROUNDOFF * (vector.norm() + size);
-        let Pair { x, y } = Pair::<Ball>::from(vector);
-        self.construction.record.exact.places[place.0] = Pair { x: x.widened(error), y: y.widened(error) };
+        self.construction.record.exact.places[place.0] = Pair::<Ball>::from(vector).widened(error);
         place
     }
 
@@ -171,7 +170,7 @@ impl Writer<'_> {
     fn lay_off_part(&mut self, order: Order, start: PlaceId, sum: Vec<Product>, along: Along, of: VectorOf) -> PlaceId {
         let end = self.lay_off(order, start, sum, along);
         if end != start {
-            self.construction.record.laid_off.entry(end).or_insert(LaidOff { start, end, of });
+            self.construction.record.laid_off.entry(end).or_insert((start, of));
         }
         end
     }

@@ -286,18 +286,10 @@ pub(super) struct Record {
     pub motions: IndexMap<(Order, BodyId, PointId), PlaceId>,
     /// By plan and body: the point whose motion was there first, and its place.
     pub first_motions: IndexMap<(Order, BodyId), (PointId, PlaceId)>,
-    /// The vectors laid off between images of points, by their ends.
-    pub laid_off: IndexMap<PlaceId, LaidOff>,
+    /// By its end, each vector laid off between images of points: where it begins, and its meaning.
+    pub laid_off: IndexMap<PlaceId, (PlaceId, VectorOf)>,
     /// The joint by which the motion of a body follows from a known one.
     pub anchors: IndexMap<BodyId, Anchor>,
-}
-
-/// A vector laid off in a plan.
-#[derive(Clone, Debug)]
-pub(super) struct LaidOff {
-    pub start: PlaceId,
-    pub end: PlaceId,
-    pub of: VectorOf,
 }
 
 /// The joint by which the motion of a body follows from that of a neighbour.

@@ -219,9 +219,9 @@ impl Writer<'_> {
                 break Some(name);
             }
             match self.construction.record.laid_off.get(&at).cloned() {
-                Some(laid) => {
-                    at = laid.start;
-                    vectors.push(laid);
+                Some((start, of)) => {
+                    vectors.push((at, of));
+                    at = start;
                 }
                 None => break None,
             }
@@ -239,16 +239,16 @@ impl Writer<'_> {
             self.finish(step, Action::Coincide { point: name, with: from, link: body });
             return;
         }
-        while let Some(laid) = vectors.pop() {
+        while let Some((end, of)) = vectors.pop() {
             let (to, role) = match vectors.is_empty() {
                 true => (name.clone(), PointRole::Image),
                 false => {
-                    let (name, role) = part_end(mechanism, &from, &laid.of);
+                    let (name, role) = part_end(mechanism, &from, &of);
                     (self.free_name(order, name), role)
                 }
             };
-            self.show(order, &to, laid.end, role);
-            self.add_step_of(order, Arrow { order, from, to: to.clone(), of: laid.of }, laid.end);
+            self.show(order, &to, end, role);
+            self.add_step_of(order, Arrow { order, from, to: to.clone(), of }, end);
             from = to;
         }
     }

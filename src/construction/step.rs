@@ -120,12 +120,10 @@ impl NumberedStep<'_> {
         match self.action {
             Action::Measure { from, to, .. } => vec![sheet.segment_name(from, to)],
             Action::LayOff(arrow) => vec![sheet.segment_name(&arrow.from, &arrow.to)],
-            Action::Cross { point, .. } | Action::Divide { point, .. } | Action::Coincide { point, .. } => {
-                self.plan.map(|plan| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()
-            }
             Action::Solve { unknowns, .. } => unknowns.iter().map(|u| u.0.clone()).collect(),
-            Action::Pole { .. } | Action::SpecialPoint { .. } | Action::Ray(_) | Action::NoConstruction { .. } => {
-                Vec::new()
+            action => {
+                let image = self.plan.zip(action.image());
+                image.map(|(plan, point)| sheet.segment_name(plan.order.pole(), point)).into_iter().collect()
             }
         }
     }

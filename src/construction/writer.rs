@@ -268,7 +268,7 @@ impl<'a> Writer<'a> {
         let place = self.next_place();
         self.push_by(by_hand, sheet, role, OperationKind::Cross { place, lines });
         let at = self.construction.record.exact.places[place.0];
-        (is_known(at.x) && is_known(at.y)).then_some(place)
+        (at.x.is_known() && at.y.is_known()).then_some(place)
     }
 
     /// The point that divides the line between two plan points as the third of `like` divides that of the other two.
@@ -318,7 +318,7 @@ impl<'a> Writer<'a> {
     pub(super) fn solve(&mut self, order: Order, rates: &[Rate], equations: Vec<Equation>) -> Option<Vec<NumberId>> {
         let unknowns: Vec<NumberId> = rates.iter().map(|&rate| self.new_number(NumberKind::Rate(rate))).collect();
         self.push(order, OperationRole::Rates, OperationKind::Solve { unknowns: unknowns.clone(), equations });
-        unknowns.iter().all(|&number| is_known(self.construction.record.exact.numbers[number.0])).then_some(unknowns)
+        unknowns.iter().all(|&number| self.construction.record.exact.numbers[number.0].is_known()).then_some(unknowns)
     }
 
     /// Lays off a vector whose size is a sum of products; returns its end, which is `from` for an empty sum.
@@ -375,8 +375,7 @@ impl<'a> Writer<'a> {
         };
         // The scene gives the direction itself; a join of rounded joints would be less exact.
         let error = guide_error(direction);
-        let Pair { x, y } = Pair::<Ball>::from(direction);
-        self.construction.record.exact.lines[line.0].1 = Pair { x: x.widened(error), y: y.widened(error) };
+        self.construction.record.exact.lines[line.0].1 = Pair::<Ball>::from(direction).widened(error);
         self.construction.record.guides.insert(id, line);
         line
     }
@@ -400,9 +399,4 @@ impl<'a> Writer<'a> {
         let last = *candidates.iter().max_by(by_place)?;
         (along(last) - along(first) > self.near).then_some([first, last])
     }
-}
-
-/// Whether a number and the bound of its error are finite.
-fn is_known(number: Ball) -> bool {
-    number.high.is_finite() && number.error().is_finite()
 }

@@ -53,12 +53,12 @@ impl SheetContext<'_> {
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
     pub(super) fn quantity(&self, asked: &QuantityRequest) -> String {
         let plan = match asked.what() {
-            What::Segment { order, .. } => self.construction().plan(*order),
+            What::Segment(order, _) => self.construction().plan(*order),
             _ => None,
         };
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
         match asked.what() {
-            What::Segment { from, to, .. } => between(from, to),
+            What::Segment(_, [from, to]) => between(from, to),
             What::Length(from, to) => between(from.name(), to.name()),
             _ => asked.symbol(self.mechanism(), self.words.notation, &|name| self.shown(name, None)),
         }
@@ -85,7 +85,7 @@ impl SheetContext<'_> {
         let language = self.words.language;
         let is_named = |plan: &Plan, name: &str| {
             asked.iter().any(|asked| match asked.what() {
-                What::Segment { order, from, to, .. } => *order == plan.order && (from == name || to == name),
+                What::Segment(order, [from, to]) => *order == plan.order && (from == name || to == name),
                 _ => false,
             })
         };

@@ -87,17 +87,8 @@ pub enum What {
     /// Normal or tangential part of the acceleration of the first place relative to the second; the link to which both
     /// belong.
     Part(AccelerationPart, Spot, Spot, Option<BodyId>),
-    /// A segment of a plan.
-    Segment {
-        /// Of which plan.
-        order: Order,
-        /// The plan point where it begins.
-        from: String,
-        /// The plan point where it ends.
-        to: String,
-        /// Whether its length in millimetres of paper is asked for.
-        on_paper: bool,
-    },
+    /// A segment of the plan of velocities or of accelerations, by the names of its ends.
+    Segment(Order, [String; 2]),
 }
 
 /// Normal or tangential part of an acceleration.
@@ -144,12 +135,6 @@ impl QuantityRequest {
             return Err(finder.form());
         }
         Ok(asked)
-    }
-
-    /// Its name, taken apart.
-    #[must_use]
-    pub fn written(&self) -> &QuantityName {
-        &self.written
     }
 
     /// Its name as it was asked for.
@@ -226,8 +211,8 @@ impl Finder<'_> {
             }
             Head::Between(sheet) => match sheet.order() {
                 Some(order) => {
-                    let to = second.ok_or_else(|| self.form())?;
-                    What::Segment { order, from: first.to_owned(), to: to.to_owned(), on_paper: *on_paper }
+                    let second = second.ok_or_else(|| self.form())?;
+                    What::Segment(order, [first, second].map(str::to_owned))
                 }
                 // Only segments of plans are known in millimetres of paper.
                 None if sheet == Sheet::Scheme && !on_paper => {

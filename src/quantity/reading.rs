@@ -110,7 +110,7 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
-            What::Segment { order, from, to, .. } => return self.segment(*order, from, to),
+            What::Segment(order, ends) => return self.segment(*order, ends),
             What::Motion(order, a, b) => {
                 let drawn = self.vector(*order, a, b.as_ref())?;
                 return self.component(asked, drawn);
@@ -269,17 +269,15 @@ impl Reader<'_> {
     }
 
     /// The length of a segment of a plan: the one that the construction measures, else one measured for this reading.
-    fn segment(&mut self, order: Order, from: &str, to: &str) -> Result<(NumberId, Sense), Unread> {
+    fn segment(&mut self, order: Order, ends: &[String; 2]) -> Result<(NumberId, Sense), Unread> {
         let construction = &self.writer.construction;
-        let [from, to] = [from, to].map(|name| construction.plan_name(order, name).to_owned());
-        let [from, to] = [from.as_str(), to.as_str()];
-        let segment = NumberKind::Segment(order, [from, to].map(str::to_owned));
-        if let Some(number) = self.measured(&segment) {
+        let [from, to] = ends.each_ref().map(|name| construction.plan_name(order, name).to_owned());
+        if let Some(number) = self.measured(&NumberKind::Segment(order, [from.clone(), to.clone()])) {
             return Ok((number, Sense::Magnitude));
         }
         let place = |name: &str| self.writer.construction.place(order, name).ok_or(Unread::NoConstruction);
-        let ends = self.drawn([place(from)?, place(to)?])?;
-        Ok((self.measure(order, &order.sheet().segment_name(from, to), ends, MeasuredAs::Size), Sense::Distance))
+        let ends = self.drawn([place(&from)?, place(&to)?])?;
+        Ok((self.measure(order, &order.sheet().segment_name(&from, &to), ends, MeasuredAs::Size), Sense::Distance))
     }
 
     /// The number of this kind that the construction measures.

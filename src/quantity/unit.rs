@@ -47,7 +47,7 @@ impl QuantityRequest {
     pub fn needs_construction(&self) -> bool {
         let special = |spot: &Spot| matches!(spot, Spot::Special(_));
         match &self.what {
-            What::Segment { .. } => true,
+            What::Segment(..) => true,
             What::Coordinate(_, spot) => special(spot),
             What::Length(a, b) | What::Part(_, a, b, _) => special(a) || special(b),
             What::Motion(_, a, b) => special(a) || b.as_ref().is_some_and(special),
@@ -60,7 +60,7 @@ impl QuantityRequest {
     pub fn order(&self) -> Option<Order> {
         match &self.what {
             What::Rate(rate) => Some(rate.order()),
-            What::Motion(order, ..) | What::Segment { order, .. } => Some(*order),
+            What::Motion(order, ..) | What::Segment(order, _) => Some(*order),
             What::Part(..) | What::Coriolis(..) => Some(Order::Acceleration),
             What::Angle(_) | What::SlidePosition(_) | What::Coordinate(..) | What::Length(..) => None,
         }
@@ -134,7 +134,7 @@ impl QuantityRequest {
                 };
                 relative("a", part, a.name(), Some(b.name()))
             }
-            What::Segment { order, from, to, .. } => Symbol {
+            What::Segment(order, [from, to]) => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),
                 ..plain(order.sheet().facts().scale_symbol, String::new())
             },

@@ -79,9 +79,9 @@ impl QuantityRequest {
                     AccelerationPart::Tangential => tangential,
                 })
             }
-            What::Segment { order, from, to, on_paper: false } => Number(reader.segment(*order, from, to)?),
-            What::Segment { order, from, to, on_paper: true } => {
-                let length = reader.segment(*order, from, to)?;
+            What::Segment(order, ends) if !self.is_on_paper() => Number(reader.segment(*order, ends)?),
+            What::Segment(order, ends) => {
+                let length = reader.segment(*order, ends)?;
                 let mu = scales.and_then(|scales| scales[order.sheet()]);
                 let mm = length / mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
                 Number(if mm.is_finite() { mm } else { return Err(self.none("the scale is too small for it")) })
@@ -154,10 +154,10 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// The length of a plan segment, in the plan's units.
-    fn segment(&self, order: Order, from: &str, to: &str) -> Result<f64, QuantityError> {
+    fn segment(&self, order: Order, ends: &[String; 2]) -> Result<f64, QuantityError> {
         let construction = self.construction.ok_or_else(|| self.asked.none("there is no construction"))?;
         let plan = construction.plan(order).ok_or_else(|| self.asked.none("there is no such plan"))?;
-        let [from, to] = [from, to].map(|name| construction.plan_name(order, name));
+        let [from, to] = ends.each_ref().map(|name| construction.plan_name(order, name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
                 let known = plan.points.keys().map(String::as_str);

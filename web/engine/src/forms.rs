@@ -2,7 +2,7 @@ use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
-use kinegon::quantity::Head;
+use kinegon::quantity::What;
 use kinegon::{Order, Sheet, Solution};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -89,7 +89,7 @@ impl Desk {
                 has_sense: found.asked.is_rate(),
                 turns: found.asked.turns(),
                 on_paper: found.asked.is_length_on_sheet(),
-                is_segment: matches!(found.asked.written().head, Head::Between(_)),
+                is_segment: matches!(found.asked.what(), What::Segment(..) | What::Length(..)),
                 is_asked: asked,
                 name: found.name,
             }
