@@ -1,7 +1,7 @@
 //! What a check finds: the verdict on every value, and the mistakes that explain those that are off.
 
 use super::entry::Entry;
-use super::mistakes::{Blank, Candidate, tell};
+use super::mistakes::Candidate;
 use crate::sheet::Sheet;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -56,7 +56,8 @@ pub struct Accuracy {
 }
 
 /// The verdict on a written value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// The exact value rounds to it.
     Right,
@@ -148,12 +149,5 @@ impl Finding {
     /// The first value that the mistake changes.
     pub(super) fn first(&self) -> Option<usize> {
         self.changed().first().copied()
-    }
-
-    /// The finding with its place and consequences, but of unknown cause; `name`: the first value that is wrong.
-    pub(super) fn of_unknown_cause(&self, name: &str) -> Finding {
-        let mut finding = self.clone();
-        finding.candidate.told = tell::unknown(Blank::Quantity(name.to_owned()));
-        finding
     }
 }

@@ -25,7 +25,7 @@ pub struct ClassResult {
 }
 
 /// What is said of one file.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct ClassRow {
     /// The file's name; of forms of several exercises its path in the folder.
@@ -130,7 +130,6 @@ impl ClassRow {
         let (done, told) = told.unzip();
         ClassRow {
             file,
-            exercise: None,
             name: name.map(|name| name.cut(SHOWN)).filter(|name| !name.is_blank()),
             passed: checked.is_passed(),
             found: Some(ClassFound {
@@ -147,21 +146,14 @@ impl ClassRow {
                 unexplained: checked.names(&diagnosis.unexplained),
                 marks: scheme.map(|scheme| scheme.award(checked)),
             }),
-            message: None,
+            ..ClassRow::default()
         }
     }
 
     /// The row of a file that was not understood.
     #[must_use]
     pub fn broken(file: Untrusted, message: &str) -> ClassRow {
-        ClassRow {
-            file,
-            exercise: None,
-            name: None,
-            passed: false,
-            found: None,
-            message: Some(Untrusted::from(message).cut(SHOWN)),
-        }
+        ClassRow { file, message: Some(Untrusted::from(message).cut(SHOWN)), ..ClassRow::default() }
     }
 
     /// The row in a report on several exercises, with the name of its exercise.
@@ -268,17 +260,6 @@ pub struct Common {
     told: String,
 }
 
-/// Least probability of a mistake that counts in the summary of a class.
-const TOLD: f64 = 0.6;
-
-impl ClassFound {
-    /// Whether its first mistake is a known one, and probable enough to be told without its doubts.
-    fn is_told(&self) -> bool {
-        let is_known = self.first.as_ref().is_some_and(|first| first.mistake != Mistake::Unknown.id());
-        is_known && self.probability.is_some_and(|probability| probability >= TOLD)
-    }
-}
-
 /// Number of the commonest mistakes that are reported.
 const COMMONEST: usize = 5;
 
@@ -296,7 +277,8 @@ impl ClassSummary {
         }
         self.off += 1;
         match (&found.first, &found.done) {
-            (Some(first), Some(done)) if found.is_told() => {
+            // A diagnosis has only mistakes that are probable enough to be told.
+            (Some(first), Some(done)) if first.mistake != Mistake::Unknown.id() => {
                 let key = (first.step, first.mistake, done.clone());
                 let (count, told) = self.firsts.entry(key).or_default();
                 *count += 1;

@@ -4,7 +4,7 @@
 use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
 use super::covariance::Hand;
 use super::fit::Fit;
-use super::mistakes::{Candidate, Mistake};
+use super::mistakes::{Blank, Candidate, Mistake, tell};
 use super::search::{Search, Tried};
 
 /// Least probability of a cause that is told.
@@ -215,7 +215,10 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
         }
         let first = finding.first()?;
         let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
-        (sum(&begins) >= TOLD).then(|| finding.of_unknown_cause(values[first].entry.asked.name()))
+        // Its place and what follows from it are told without a cause.
+        let unknown = || tell::unknown(Blank::Quantity(values[first].entry.asked.name().to_owned()));
+        let candidate = || Candidate { told: unknown(), ..finding.candidate.clone() };
+        (sum(&begins) >= TOLD).then(|| Finding { candidate: candidate(), ..finding.clone() })
     });
     // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
     let mut told: Vec<Finding> = told.collect();

@@ -146,6 +146,8 @@ impl<'a> ReportText<'a> {
         let row = |value: &Judged| ReportRow { name: self.names.in_form(&value.entry.row), cells: self.row(value) };
         let diagnosis = &self.checked.diagnosis;
         let best = &diagnosis.best;
+        let mirrored = self.checked.mirrored.iter();
+        let mirrored = mirrored.map(|plan| self.own.check_mirrored(&self.own.sheet(*plan).to_lowercase()));
         let others: &[Explanation] = if self.has_nothing_to_explain() { &[] } else { &diagnosis.others };
         ReportParts {
             counts: self.counts(),
@@ -156,7 +158,7 @@ impl<'a> ReportText<'a> {
             heading: self.heading(),
             causes: best.findings.iter().map(|finding| self.cause(finding)).collect(),
             sure: (!best.findings.is_empty()).then(|| self.sure(best)),
-            further: self.unexplained().into_iter().chain(self.mirrored()).collect(),
+            further: self.unexplained().into_iter().chain(mirrored).collect(),
             others: others.iter().map(|other| self.other(other)).collect(),
         }
     }
@@ -276,17 +278,11 @@ impl<'a> ReportText<'a> {
         let told: Vec<String> = new
             .map(|f| {
                 let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.names.named(name));
-                format!("{}: {done}", self.step(f))
+                format!("{}: {done}", step(&f.candidate, self.own))
             })
             .collect();
         let end = if other.is_alike { self.own.check_alike().to_owned() } else { self.sure(other) };
         format!("{} ({end})", told.join("; "))
-    }
-
-    /// The sentences about mirrored plans.
-    fn mirrored(&self) -> impl Iterator<Item = String> {
-        let language = self.words.language;
-        self.checked.mirrored.iter().map(|plan| self.own.check_mirrored(&language.sheet(*plan).to_lowercase()))
     }
 
     /// The sentence about the unexplained values, if there are any.
@@ -298,10 +294,6 @@ impl<'a> ReportText<'a> {
     fn sure(&self, explanation: &Explanation) -> String {
         let percent = (100.0 * explanation.probability).clamp(1.0, 99.0);
         self.own.check_sure(&format!("{percent:.0}"))
-    }
-
-    fn step(&self, finding: &Finding) -> String {
-        step(&finding.candidate, self.own)
     }
 
     /// The sentences about a mistake.

@@ -64,7 +64,8 @@ pub struct ValueResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<f64>,
     /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
-    pub verdict: &'static str,
+    #[schemars(with = "String")]
+    pub verdict: Verdict,
 }
 
 /// Mistakes that explain the values together.
@@ -78,7 +79,7 @@ pub struct ExplanationResult {
     /// the probability that none was made that the catalogue has.
     pub probability: f64,
     /// Whether the given values alone cannot tell it from the diagnosis.
-    #[serde(skip_serializing_if = "is_false")]
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
     pub indistinguishable: bool,
 }
 
@@ -101,10 +102,6 @@ pub struct MistakeResult {
     pub follows: Vec<String>,
 }
 
-fn is_false(flag: &bool) -> bool {
-    !flag
-}
-
 /// The result as JSON shows it, sentences in the wording's language.
 #[must_use]
 pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<Untrusted>) -> CheckResult {
@@ -120,13 +117,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
             difference_mm: entry.per_mm.map(|mu| value.difference / mu).filter(|mm| mm.is_finite()),
             percent: Some(100.0 * value.difference / entry.expected.abs()).filter(|percent| percent.is_finite()),
             allowed: value.tolerance,
-            verdict: match value.verdict {
-                Verdict::Right => "right",
-                Verdict::WithinTolerance => "within-tolerance",
-                Verdict::SenseMissing => "sense-missing",
-                Verdict::Off => "off",
-                Verdict::Unjudged => "unjudged",
-            },
+            verdict: value.verdict,
         }
     });
     let mistake = |finding: &Finding| {

@@ -42,14 +42,9 @@ impl<'a> Scorer<'a> {
         groups: &OnceLock<Groups>,
     ) -> Scorer<'a> {
         let model = &models[0];
-        let span = |kind: QuantityKind| {
+        let largest = |kind: QuantityKind, of: fn(&Entry) -> f64| {
             let same = entries.iter().filter(|e| e.asked.kind() == kind);
-            let both = same.flat_map(|e| [e.value.abs(), e.expected.abs()]);
-            both.fold(0.0, f64::max)
-        };
-        let expected_span = |kind: QuantityKind| {
-            let same = entries.iter().filter(|e| e.asked.kind() == kind);
-            same.map(|e| e.expected.abs()).fold(0.0, f64::max)
+            same.map(|e| of(e).abs()).fold(0.0, f64::max)
         };
         let data = entries.iter().enumerate().filter_map(|(index, entry)| {
             let reading = model.readings[index].ok()?;
@@ -57,7 +52,10 @@ impl<'a> Scorer<'a> {
             let span = match kind {
                 QuantityKind::Angle => 180.0,
                 // A value a thousand times too large must not make all others imprecise.
-                _ => span(kind).min(4.0 * expected_span(kind).max(f64::MIN_POSITIVE)),
+                _ => {
+                    let expected = largest(kind, |e| e.expected);
+                    largest(kind, |e| e.value).max(expected).min(4.0 * expected.max(f64::MIN_POSITIVE))
+                }
             };
             let rounding = entry.rounding.max(1e-7 * span);
             Some(Datum {

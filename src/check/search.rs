@@ -114,19 +114,16 @@ pub(super) struct Search<'a> {
     pub pool: Vec<Candidate>,
     /// By candidate: its cost.
     costs: Vec<f64>,
-    /// Indices of the catalogue's candidates.
-    listed: Vec<usize>,
-    /// By candidate of the catalogue: the data that it changes.
-    changed: Vec<Vec<usize>>,
+    /// The catalogue's candidates by their indices, each with the data that it changes.
+    listed: Vec<(usize, Vec<usize>)>,
 }
 
 impl<'a> Search<'a> {
     pub fn new(candidates: Vec<Candidate>, scorer: &'a Scorer<'a>) -> Search<'a> {
         let costs = costs(&candidates);
-        let listed = (0..candidates.len()).collect();
         let right = scorer.predicted(&[]);
         let changed = on_all_cores(&candidates, |candidate| scorer.changed(candidate, &right));
-        Search { scorer, costs, listed, changed, pool: candidates }
+        Search { scorer, costs, listed: changed.into_iter().enumerate().collect(), pool: candidates }
     }
 
     pub fn set(&self, indices: &[usize]) -> Vec<&Candidate> {
@@ -199,17 +196,17 @@ impl<'a> Search<'a> {
         let mut children: Vec<Child<'t>> = Vec::new();
         for tried in beam {
             let parent = self.parent(tried, off);
-            let found = on_all_cores(&self.listed, |&index| self.further(&parent, index));
+            let found = on_all_cores(&self.listed, |(index, changed)| self.further(&parent, *index, changed));
             let own = self.cost(&tried.set);
-            let found =
-                self.listed.iter().zip(found).flat_map(|(&index, found)| found.into_iter().map(move |f| (index, f)));
-            children.extend(found.map(|(index, (cost, fitted))| Child {
-                cost: cost + own,
-                before: &tried.set,
-                hand: tried.fit.hand,
-                index,
-                fitted,
-            }));
+            for (index, found) in found.into_iter().enumerate() {
+                children.extend(found.into_iter().map(|(cost, fitted)| Child {
+                    cost: cost + own,
+                    before: &tried.set,
+                    hand: tried.fit.hand,
+                    index,
+                    fitted,
+                }));
+            }
         }
         children.retain(|child| child.cost.is_finite());
         children.sort_by(|a, b| a.cost.total_cmp(&b.cost));
@@ -252,9 +249,9 @@ impl<'a> Search<'a> {
 
     /// The further mistakes at a candidate's place that concern a wanted value, each with its cost and, if it has amounts
     /// to be fitted, as it is with these.
-    fn further(&self, parent: &Parent<'_>, index: usize) -> Vec<(f64, Option<Candidate>)> {
+    fn further(&self, parent: &Parent<'_>, index: usize, changed: &[usize]) -> Vec<(f64, Option<Candidate>)> {
         let candidate = &self.pool[index];
-        let is_wanted = self.changed[index].iter().any(|&datum| parent.wanted.get(datum).is_some_and(|wanted| *wanted));
+        let is_wanted = changed.iter().any(|&datum| parent.wanted.get(datum).is_some_and(|wanted| *wanted));
         if !is_wanted || !self.go_together(&parent.tried.set, index) {
             return Vec::new();
         }

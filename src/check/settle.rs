@@ -99,18 +99,17 @@ impl<'a> Settling<'a> {
         (0..moved.len()).filter(|&index| moved[index]).collect()
     }
 
-    /// How far a predicted value is from the written one; of sizes both without a sign.
+    /// How far a predicted value is from the written one.
     fn apart(&self, datum: usize, predicted: f64) -> f64 {
         let datum = &self.scorer.data[datum];
-        if datum.is_magnitude { datum.value.abs() - predicted.abs() } else { datum.turned(datum.value - predicted) }
+        datum.seen_apart(datum.value, predicted)
     }
 
     /// The amounts at which a value is the written one.
     fn roots(&self, datum: usize) -> Vec<Vec<f64>> {
         let free = &self.template.free[0];
         let at = |amount: f64| self.apart(datum, self.predicted(&[amount])[datum]);
-        let is_angle = free.is_angle;
-        let grid: Vec<f64> = if is_angle {
+        let grid: Vec<f64> = if free.is_angle {
             (-12..=12).map(|i| f64::from(i) * GRID).collect()
         } else {
             SIZES.iter().map(|size| self.none[0] + size * free.range).collect()

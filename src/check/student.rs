@@ -174,8 +174,7 @@ fn signed(text: String, is_unsigned: bool) -> String {
 fn digits(value: f64, decimals: i32, cuts_off: bool) -> String {
     let unit = libm::exp10(f64::from(-decimals));
     let value = if cuts_off { libm::trunc(value / unit) * unit } else { value };
-    let decimals = decimals.max(0) as usize;
-    format!("{value:.decimals$}")
+    format!("{value:.0$}", decimals as usize)
 }
 
 fn four_digits(value: f64, cuts_off: bool) -> String {

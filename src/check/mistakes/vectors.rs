@@ -118,7 +118,6 @@ pub(super) fn diameter(site: &Site<'_>) -> Vec<Candidate> {
 /// v²/L with an absolute velocity, or with the relative velocity of another link, in place of that of the link's ends.
 pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     let solution = site.key.solution;
-    let exact = |number: NumberId| site.exact(number);
     let told = |term: &Term<'_>, velocity: &str| {
         let [from, to, rate, length] = term.blanks(site);
         tell::normal_from_absolute(from, to, rate, length, velocity.into())
@@ -127,13 +126,12 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
     for term in site.terms(ProductKind::Normal) {
         let product = term.product();
         let (omega, Some(&length)) = (product.of[0], product.of.last()) else { continue };
-        let right = (exact(omega) * exact(length)).abs();
+        let right = (site.exact(omega) * site.exact(length)).abs();
         // A crank has no relative velocity, and without a length there is no quotient.
-        let is_other = |velocity: f64| (velocity - right).abs() > 1e-6 * right;
-        if site.is_given(omega) || exact(length) == 0.0 {
+        if site.is_given(omega) || site.exact(length) == 0.0 {
             continue;
         }
-        let factor = product.factor / exact(length);
+        let factor = product.factor / site.exact(length);
         let end = match site.number_kind(length) {
             NumberKind::Length([_, end]) => image_name(solution.construction.end_name(&solution.mechanism, *end)),
             _ => continue,
@@ -141,12 +139,12 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
         let images = &solution.construction.plans[Order::Velocity].points;
         let absolute = images.get(&end).map(|point| point.vector.norm());
         let segments = velocities(site, term.vector.maker);
-        let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(exact(*number).abs(), velocity));
-        if let Some(velocity) = absolute.filter(|v| is_other(*v) && !is_there(*v)) {
+        let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(site.exact(*number).abs(), velocity));
+        if let Some(velocity) = absolute.filter(|v| differ(*v, right) && !is_there(*v)) {
             let size = Product::new(product.kind, factor * velocity * velocity, &[]);
             found.push(term.candidate(site, told(&term, &format!("p – {end}")), Some(size)));
         }
-        for (number, name) in segments.iter().filter(|(number, _)| is_other(exact(*number).abs())) {
+        for (number, name) in segments.iter().filter(|(number, _)| differ(site.exact(*number).abs(), right)) {
             let size = Product::new(product.kind, factor, &[*number, *number]);
             found.push(term.candidate(site, told(&term, name), Some(size)));
         }
@@ -331,10 +329,8 @@ pub(super) fn coriolis_of_wrong_velocity(site: &Site<'_>) -> Vec<Candidate> {
         let product = term.product();
         let [omega, right] = product.of.as_slice() else { continue };
         let exact = site.exact(*right);
-        for (wrong, name) in velocities(site, term.vector.maker) {
-            if (site.exact(wrong).abs() - exact.abs()).abs() <= 1e-6 * exact.abs() {
-                continue;
-            }
+        let others = velocities(site, term.vector.maker).into_iter();
+        for (wrong, name) in others.filter(|(number, _)| differ(site.exact(*number).abs(), exact.abs())) {
             // The direction is that of the sliding velocity all the same.
             let factor = product.factor * (site.exact(wrong) * exact).signum();
             let size = Product::new(product.kind, factor, &[*omega, wrong]);
