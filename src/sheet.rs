@@ -29,7 +29,8 @@ pub enum Sheet {
 
 /// The order of a derivative of the position by time. Each has a plan, which is drawn from a pole, and needs those before
 /// it: motion that is computed up to [`Order::Velocity`] has no accelerations.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Order {
     /// The first.
     Velocity,

@@ -73,7 +73,7 @@ impl Solution {
     pub fn overlay(&self, form: &str, options: &CheckOptions) -> Result<Vec<Drawing>, Refused> {
         let Judged { measured, key, checked, .. } = self.judged(form, options)?;
         let mut solution = key.solution.clone();
-        measured.put_scales_into(&mut solution.scene.figure);
+        solution.scene.figure.mu = measured.mu.or(solution.scene.figure.mu);
         let drawn = redrawn(&measured, &key, &checked, &solution.wording())?;
         Ok(overlay(&solution, &drawn))
     }

@@ -15,7 +15,6 @@ use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 use std::fmt;
-use std::sync::LazyLock;
 
 const MEASURED: FileKind = FileKind { what: "form of measured values", key: "kinegon_measured", version: 1 };
 
@@ -36,7 +35,7 @@ struct FormFile {
     written_in: Option<Paper>,
     #[serde(default)]
     values: IndexMap<String, Value>,
-    points: Option<IndexMap<PlanKey, IndexMap<String, PlacedPoint>>>,
+    points: Option<IndexMap<Order, IndexMap<String, PlacedPoint>>>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
@@ -44,20 +43,6 @@ struct FormFile {
 enum Paper {
     Mm,
     Units,
-}
-
-/// The key of a plan, under which the places of its points stand.
-#[derive(Debug, PartialEq, Eq, Hash)]
-struct PlanKey(Order);
-
-static PLAN_WORDS: LazyLock<Vec<&str>> = LazyLock::new(|| Order::ALL.map(|order| order.sheet().as_str()).to_vec());
-
-impl<'de> Deserialize<'de> for PlanKey {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<PlanKey, D::Error> {
-        let word = String::deserialize(deserializer)?;
-        let order = Sheet::from_word(&word).and_then(Sheet::order);
-        order.map(PlanKey).ok_or_else(|| D::Error::unknown_variant(&word, &PLAN_WORDS))
-    }
 }
 
 impl<'de> Deserialize<'de> for PlacedPoint {
@@ -164,7 +149,7 @@ impl Measured {
         });
         let mut places = file.points.unwrap_or_default();
         let points = Order::ALL.into_iter().filter_map(|order| {
-            let places = places.swap_remove(&PlanKey(order))?;
+            let places = places.swap_remove(&order)?;
             (!places.is_empty()).then_some(PointsOf { order, places })
         });
         Ok(Measured {

@@ -3,7 +3,6 @@
 
 use crate::construction::{Plan, Solution, Tolerance};
 use crate::geometry::Vector;
-use crate::scene::Figure;
 use crate::sheet::{Order, Scales};
 use crate::text::{Untrusted, shown};
 use indexmap::IndexMap;
@@ -96,11 +95,6 @@ impl Measured {
             )
         });
         Ok(self.faults.iter().cloned().chain(bad).collect())
-    }
-
-    /// Asks for a figure at the scales of the student's own sheet, as far as the form has them.
-    pub fn put_scales_into(&self, figure: &mut Figure) {
-        figure.mu = self.mu.or(figure.mu);
     }
 }
 

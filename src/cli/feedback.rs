@@ -210,7 +210,7 @@ impl Correction {
         let mut solution = solution.clone();
         let figure = &mut solution.scene.figure;
         // Scales: from the options, else from the form, else from the scene.
-        measured.put_scales_into(figure);
+        figure.mu = measured.mu.or(figure.mu);
         let style = GivenStyle::read(self.forms.style.as_deref())?;
         style.put_into(figure);
         self.paper.put_into(figure);
