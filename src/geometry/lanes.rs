@@ -217,7 +217,7 @@ impl<S: Simd, const TOGETHER: usize> Lanes for Registers<S, TOGETHER> {
     fn sum(self, register: Register<S, TOGETHER>) -> f64 {
         let mut sum = register.numbers[0];
         for i in 1..TOGETHER {
-            sum = sum + register.numbers[i];
+            sum += register.numbers[i];
         }
         sum.reduce_sum()
     }

@@ -105,12 +105,12 @@ fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
             sides[index] = chains[index].velocity_side(lanes, k, &block.point_velocities, columns, omegas, speeds);
         }
         let rates = system.solve(inverse, sides);
-        for index in 0..2 * LOOPS {
+        for (index, rate) in rates.into_iter().enumerate().take(2 * LOOPS) {
             let row = match closing.unknowns[index] {
                 Unknown::Spin(class) => &mut omegas[class],
                 Unknown::Slide(slider) => &mut speeds[slider],
             };
-            lanes.store(row, k, rates[index]);
+            lanes.store(row, k, rate);
         }
         for index in 0..LOOPS {
             let difference = chains[index].difference(lanes, k, &block.point_accelerations);
@@ -124,12 +124,12 @@ fn reduced_rates<L: Lanes, R: Row, const LOOPS: usize>(
             );
         }
         let seconds = system.solve(inverse, sides);
-        for index in 0..2 * LOOPS {
+        for (index, rate) in seconds.into_iter().enumerate().take(2 * LOOPS) {
             let row = match closing.unknowns[index] {
                 Unknown::Spin(class) => &mut alphas[class],
                 Unknown::Slide(slider) => &mut accelerations[slider],
             };
-            lanes.store(row, k, seconds[index]);
+            lanes.store(row, k, rate);
         }
     }
 }
