@@ -265,7 +265,7 @@ impl<T> PerSheet<T> {
 
 /// Scales in units of the scene per millimetre of paper; `None` for a sheet that is not there, or that is to fit.
 ///
-/// In files the scale of each sheet has a key of its own, [`Sheet::scale_key`].
+/// In files the scale of each sheet has a key of its own, [`SheetFacts::scale_key`].
 pub type Scales = PerSheet<Option<f64>>;
 
 impl Scales {

@@ -1,6 +1,6 @@
 use super::path::{BLANK, Path};
 use super::position::Position;
-use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row};
+use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row, TOGETHER};
 use crate::kernel::{Block, Correction, Kernel, Single};
 use fearless_simd::{Level, dispatch};
 
@@ -201,7 +201,7 @@ impl<'a> Walker<'a, Many> {
     #[inline]
     fn computed(&mut self, values: &Many, with_rates: bool) -> bool {
         let registers = self.registers;
-        let found = dispatch!(registers, simd => self.predict(Registers::<_, 2>(simd), values))
+        let found = dispatch!(registers, simd => self.predict(Registers::<_, TOGETHER>(simd), values))
             && self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure));
         if found && with_rates {
             self.rates();

@@ -164,26 +164,29 @@ impl Lanes for OneByOne {
     }
 }
 
-/// In SIMD registers of the instruction set `S`, `TOGETHER` of them as one; a row fills a whole number of these portions.
+/// Registers that batches compute together. In the browser one, since code for two makes the page 80 kB larger.
+pub const TOGETHER: usize = if cfg!(target_arch = "wasm32") { 1 } else { 2 };
+
+/// In SIMD registers of the instruction set `S`, `N` of them as one; a row fills a whole number of these portions.
 ///
 /// Two together are quicker where few numbers are in use: while one waits for a result, the processor computes the
 /// other, and finding the rows costs half as much per position.
 #[derive(Clone, Copy, Debug)]
-pub struct Registers<S, const TOGETHER: usize>(pub S);
+pub struct Registers<S, const N: usize>(pub S);
 
-/// The numbers in `TOGETHER` SIMD registers.
+/// The numbers in `N` SIMD registers.
 #[derive(Clone, Copy, Debug)]
-pub struct Register<S: Simd, const TOGETHER: usize> {
+pub struct Register<S: Simd, const N: usize> {
     simd: S,
-    numbers: [S::f64s; TOGETHER],
+    numbers: [S::f64s; N],
 }
 
-impl<S: Simd, const TOGETHER: usize> Lanes for Registers<S, TOGETHER> {
-    type Number = Register<S, TOGETHER>;
+impl<S: Simd, const N: usize> Lanes for Registers<S, N> {
+    type Number = Register<S, N>;
 
     type Narrow = Registers<S, 1>;
 
-    const COUNT: usize = TOGETHER * S::f64s::LEN;
+    const COUNT: usize = N * S::f64s::LEN;
 
     #[inline(always)]
     fn narrow(self) -> Registers<S, 1> {
@@ -191,41 +194,41 @@ impl<S: Simd, const TOGETHER: usize> Lanes for Registers<S, TOGETHER> {
     }
 
     #[inline(always)]
-    fn splat(self, number: f64) -> Register<S, TOGETHER> {
-        Register { simd: self.0, numbers: [S::f64s::splat(self.0, number); TOGETHER] }
+    fn splat(self, number: f64) -> Register<S, N> {
+        Register { simd: self.0, numbers: [S::f64s::splat(self.0, number); N] }
     }
 
     #[inline(always)]
-    fn load<R: Row>(self, row: &R, k: usize) -> Register<S, TOGETHER> {
+    fn load<R: Row>(self, row: &R, k: usize) -> Register<S, N> {
         let portion = &row.as_ref()[k * Self::COUNT..(k + 1) * Self::COUNT];
         let mut register = self.splat(0.0);
-        for i in 0..TOGETHER {
+        for i in 0..N {
             register.numbers[i] = S::f64s::from_slice(self.0, &portion[i * S::f64s::LEN..(i + 1) * S::f64s::LEN]);
         }
         register
     }
 
     #[inline(always)]
-    fn store<R: Row>(self, row: &mut R, k: usize, register: Register<S, TOGETHER>) {
+    fn store<R: Row>(self, row: &mut R, k: usize, register: Register<S, N>) {
         let portion = &mut row.as_mut()[k * Self::COUNT..(k + 1) * Self::COUNT];
-        for i in 0..TOGETHER {
+        for i in 0..N {
             register.numbers[i].store_slice(&mut portion[i * S::f64s::LEN..(i + 1) * S::f64s::LEN]);
         }
     }
 
     #[inline(always)]
-    fn sum(self, register: Register<S, TOGETHER>) -> f64 {
+    fn sum(self, register: Register<S, N>) -> f64 {
         let mut sum = register.numbers[0];
-        for i in 1..TOGETHER {
+        for i in 1..N {
             sum += register.numbers[i];
         }
         sum.reduce_sum()
     }
 
     #[inline(always)]
-    fn largest(self, register: Register<S, TOGETHER>) -> f64 {
+    fn largest(self, register: Register<S, N>) -> f64 {
         let mut largest = register.numbers[0];
-        for i in 1..TOGETHER {
+        for i in 1..N {
             largest = largest.max_precise(register.numbers[i]);
         }
         largest.reduce_max_precise()
@@ -234,12 +237,12 @@ impl<S: Simd, const TOGETHER: usize> Lanes for Registers<S, TOGETHER> {
 
 macro_rules! by_register {
     ($($operator:ident $method:ident),*) => {$(
-        impl<S: Simd, const TOGETHER: usize> $operator for Register<S, TOGETHER> {
+        impl<S: Simd, const N: usize> $operator for Register<S, N> {
             type Output = Self;
 
             #[inline(always)]
             fn $method(mut self, other: Self) -> Self {
-                for i in 0..TOGETHER {
+                for i in 0..N {
                     self.numbers[i] = self.numbers[i].$method(other.numbers[i]);
                 }
                 self
@@ -250,28 +253,28 @@ macro_rules! by_register {
 
 by_register!(Add add, Sub sub, Mul mul, Div div);
 
-impl<S: Simd, const TOGETHER: usize> Neg for Register<S, TOGETHER> {
+impl<S: Simd, const N: usize> Neg for Register<S, N> {
     type Output = Self;
 
     #[inline(always)]
     fn neg(mut self) -> Self {
-        for i in 0..TOGETHER {
+        for i in 0..N {
             self.numbers[i] = -self.numbers[i];
         }
         self
     }
 }
 
-impl<S: Simd, const TOGETHER: usize> Number for Register<S, TOGETHER> {
+impl<S: Simd, const N: usize> Number for Register<S, N> {
     #[inline(always)]
     fn same(self, number: f64) -> Self {
-        Registers::<S, TOGETHER>(self.simd).splat(number)
+        Registers::<S, N>(self.simd).splat(number)
     }
 
     /// Rounded once, also where the processor has no such operation: the same bits on every machine.
     #[inline(always)]
     fn plus_product(mut self, a: Self, b: Self) -> Self {
-        for i in 0..TOGETHER {
+        for i in 0..N {
             self.numbers[i] = a.numbers[i].mul_add_precise(b.numbers[i], self.numbers[i]);
         }
         self
@@ -279,7 +282,7 @@ impl<S: Simd, const TOGETHER: usize> Number for Register<S, TOGETHER> {
 
     #[inline(always)]
     fn sqrt(mut self) -> Self {
-        for i in 0..TOGETHER {
+        for i in 0..N {
             self.numbers[i] = self.numbers[i].sqrt();
         }
         self
@@ -287,7 +290,7 @@ impl<S: Simd, const TOGETHER: usize> Number for Register<S, TOGETHER> {
 
     #[inline(always)]
     fn larger(mut self, other: Self) -> Self {
-        for i in 0..TOGETHER {
+        for i in 0..N {
             self.numbers[i] = self.numbers[i].max(other.numbers[i]);
         }
         self

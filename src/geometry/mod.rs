@@ -12,7 +12,7 @@ mod reduced;
 mod system;
 
 pub use ball::{Ball, RADIANS_PER_SECOND, RADIANS_PER_TURN};
-pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row, portions};
+pub use lanes::{Lanes, MANY, Many, OneByOne, Register, Registers, Row, TOGETHER, portions};
 pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
 pub use random::Random;

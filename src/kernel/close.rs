@@ -3,7 +3,8 @@ use super::columns::{correct_columns, turn_columns};
 use super::solve::{determinant, solve};
 use super::{Block, Kernel, Single};
 use crate::geometry::{
-    Lanes, Many, NEAR, Number, OneByOne, Pair, Registers, Row, UNIT_ROUNDOFF, direction_near, portions, quarters_of,
+    Lanes, Many, NEAR, Number, OneByOne, Pair, Registers, Row, TOGETHER, UNIT_ROUNDOFF, direction_near, portions,
+    quarters_of,
 };
 use fearless_simd::{Level, dispatch};
 
@@ -77,7 +78,7 @@ impl Kernel {
     /// As [`Self::assemble`], for many positions in the widest registers of the processor.
     #[inline(never)]
     pub fn assemble_many(&self, registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
-        dispatch!(registers, simd => self.assemble_in(Registers::<_, 2>(simd), block, sure))
+        dispatch!(registers, simd => self.assemble_in(Registers::<_, TOGETHER>(simd), block, sure))
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 use super::action::{Action, Chain, Closing, InputKind, Placing, Reducible, Reducing, Unknown};
 use super::solve::{factor, general_systems, solve_general};
 use super::{Block, Kernel, Single};
-use crate::geometry::{Lanes, Many, Number, OneByOne, Pair, Registers, Row, portions};
+use crate::geometry::{Lanes, Many, Number, OneByOne, Pair, Registers, Row, TOGETHER, portions};
 use fearless_simd::{Level, dispatch};
 
 impl Kernel {
@@ -25,7 +25,7 @@ impl Kernel {
     /// As [`Self::rates`], for many positions in the widest registers of the processor.
     #[inline(never)]
     pub fn rates_many(&self, registers: Level, block: &mut Block<Many>) {
-        dispatch!(registers, simd => self.rates_in(Registers::<_, 2>(simd), block));
+        dispatch!(registers, simd => self.rates_in(Registers::<_, TOGETHER>(simd), block));
     }
 
     #[inline(always)]

@@ -5,8 +5,7 @@
 
 mod sheet_code;
 
-pub(crate) use sheet_code::pages;
-pub use sheet_code::{PlacedPanel, SheetCode};
+pub use sheet_code::{PlacedPanel, SheetCode, pages};
 
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};

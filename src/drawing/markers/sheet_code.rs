@@ -154,7 +154,7 @@ fn page_sign(page: Page) -> String {
 }
 
 /// The pages on which sheets with a code are printed.
-pub(crate) fn pages() -> impl Iterator<Item = Page> {
+pub fn pages() -> impl Iterator<Item = Page> {
     PAGES.into_iter().flat_map(|(size, _)| [true, false].map(|landscape| Page { size, landscape }))
 }
 
