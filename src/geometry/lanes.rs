@@ -164,8 +164,8 @@ impl Lanes for OneByOne {
     }
 }
 
-/// Registers that batches compute together. In the browser one, since code for two makes the page 80 kB larger.
-pub const TOGETHER: usize = if cfg!(target_arch = "wasm32") { 1 } else { 2 };
+/// Registers that batches compute together.
+pub const TOGETHER: usize = 2;
 
 /// In SIMD registers of the instruction set `S`, `N` of them as one; a row fills a whole number of these portions.
 ///
