@@ -9,6 +9,7 @@ use super::layout::{Layout, Placed};
 use super::panel::{Extents, extent_of_images, extents};
 use super::plan;
 use super::sheet::Drawing;
+use super::values::is_hidden;
 use super::view::{Extent, View, next_scale};
 use crate::construction::{Plan, Solution, shown_text};
 use crate::cycle::{Animation, OtherModes, Traces};
@@ -201,8 +202,7 @@ impl HeldLayout {
     pub fn plan_handles(&self, solution: &Solution) -> Vec<Handle> {
         let plans = self.plan_views(solution);
         let handles = plans.into_iter().flat_map(|(panel, plan, view)| {
-            let shown =
-                plan.points.iter().filter(|(name, _)| !plan::on_paper::is_hidden(&solution.scene.figure, plan, name));
+            let shown = plan.points.iter().filter(|(name, _)| !is_hidden(&solution.scene.figure, plan, name));
             shown.map(move |(name, point)| Handle {
                 panel,
                 name: name.clone(),

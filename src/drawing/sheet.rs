@@ -3,7 +3,7 @@ use kurbo::{Point, Rect};
 use super::grid::Grid;
 use super::look::Look;
 pub use super::look::Pen;
-use super::markers::SheetCode;
+use super::markers::sheet_code::SheetCode;
 use super::shape::Shape;
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};

@@ -6,16 +6,15 @@ use super::context::{SheetContext, Value, ValueOf};
 use super::dims::MARGIN;
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
-use super::plan::on_paper::is_hidden;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::text::{CAPTION, PlacedText, RichText};
-use crate::construction::{NOTHING, PlanVector, Solution, rate_symbol};
+use crate::construction::{NOTHING, Plan, PlanVector, PointRole, Solution, rate_symbol};
 use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::QuantityKind;
-use crate::scene::{Shape as Given, Units, ValuesShown};
+use crate::scene::{Figure, Shape as Given, Units, ValuesShown};
 use crate::sheet::{Order, Sheet};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
@@ -286,4 +285,14 @@ impl Item for ValueList {
             (mark.since, mark.passing) = (self.after.unwrap_or_default(), self.after.is_some());
         }
     }
+}
+
+/// Whether a plan point only leads to others, in a figure that does not show such points.
+pub(in crate::drawing) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
+    let role = plan.points.get(name).map(|p| p.role);
+    let on_the_way = match plan.order {
+        Order::Velocity => matches!(role, Some(PointRole::Special)),
+        Order::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
+    };
+    on_the_way && !figure.special_points
 }

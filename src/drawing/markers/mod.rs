@@ -3,7 +3,7 @@
 //!
 //! All lengths are millimetres of paper, y down. A sheet for a projector (`16x9`) has no markers.
 
-mod sheet_code;
+pub(super) mod sheet_code;
 
 pub use sheet_code::{PlacedPanel, SheetCode, pages};
 

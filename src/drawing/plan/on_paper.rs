@@ -12,12 +12,11 @@ use crate::drawing::scheme::on_paper::outline;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
 use crate::drawing::text::RichText;
-use crate::drawing::values::label;
+use crate::drawing::values::{is_hidden, label};
 use crate::drawing::view::{Extent, View, on_sheet, together};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
-use crate::scene::{ConstructionShown, Figure};
-use crate::sheet::Order;
+use crate::scene::ConstructionShown;
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Vec2};
 
@@ -397,14 +396,4 @@ fn is_image(role: PointRole) -> bool {
 /// The extent of the pole and the images alone, without the points that lead to them.
 pub(in crate::drawing) fn extent_of_images(plan: &Plan) -> Extent {
     Extent::of(plan.points.values().filter(|p| is_image(p.role)).map(|p| p.vector.into()))
-}
-
-/// Whether a plan point only leads to others, in a figure that does not show such points.
-pub(in crate::drawing) fn is_hidden(figure: &Figure, plan: &Plan, name: &str) -> bool {
-    let role = plan.points.get(name).map(|p| p.role);
-    let on_the_way = match plan.order {
-        Order::Velocity => matches!(role, Some(PointRole::Special)),
-        Order::Acceleration => matches!(role, Some(PointRole::Special | PointRole::Normal | PointRole::Slid)),
-    };
-    on_the_way && !figure.special_points
 }
