@@ -53,7 +53,7 @@ impl Untrusted {
     /// For text and attributes of SVG and HTML.
     #[must_use]
     pub fn for_xml(&self) -> String {
-        xml(&self.0)
+        xml(&self.0).into_owned()
     }
 
     /// For a comment of LaTeX: on one line.
@@ -234,8 +234,11 @@ pub(crate) fn printable(letter: char) -> Option<char> {
     }
 }
 
-/// A text for elements and attributes of SVG and HTML.
-pub(crate) fn xml(text: &str) -> String {
+/// A text for elements and attributes of SVG and HTML; nearly all are names and numbers, which stay as they are.
+pub(crate) fn xml(text: &str) -> Cow<'_, str> {
+    if text.bytes().all(|byte| matches!(byte, b' '..=b'~') && !matches!(byte, b'&' | b'<' | b'>' | b'"')) {
+        return Cow::Borrowed(text);
+    }
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars().filter_map(printable) {
         match letter {
@@ -246,7 +249,7 @@ pub(crate) fn xml(text: &str) -> String {
             letter => escaped.push(letter),
         }
     }
-    escaped
+    Cow::Owned(escaped)
 }
 
 /// A text for a comment of LaTeX, which ends with its line.

@@ -53,7 +53,7 @@ pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
     let contents = [
         ("mark", FEEDBACK_MARK.to_owned()),
         ("title", page.title.for_xml()),
-        ("language", xml(page.language)),
+        ("language", xml(page.language).into_owned()),
         ("words", words),
         ("figures", figures.collect()),
         ("table", table),

@@ -27,14 +27,9 @@ pub(super) fn push_number(text: &mut String, value: f64) {
 }
 
 /// Appends a whole number; faster than `format!`, and files of figures are mostly numbers.
-pub(super) fn push_digits(text: &mut String, mut whole: u64) {
-    let mut digits = [b'0'; 20];
-    let mut start = digits.len() - 1;
-    digits[start] += (whole % 10) as u8;
-    while whole >= 10 {
-        whole /= 10;
-        start -= 1;
-        digits[start] += (whole % 10) as u8;
+pub(super) fn push_digits(text: &mut String, whole: u64) {
+    if whole >= 10 {
+        push_digits(text, whole / 10);
     }
-    text.extend(digits[start..].iter().map(|&digit| char::from(digit)));
+    text.push(char::from(b'0' + (whole % 10) as u8));
 }
