@@ -135,10 +135,7 @@ impl Bounds<'_> {
     #[must_use]
     pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
         let whole = asked.without_component().value(&self.snapshot(), None, None).ok()?;
-        let rounding = |whole: &Quantity| match whole {
-            Quantity::Number(x) => x.abs() * ROUNDINGS,
-            Quantity::Vector(v) => v.norm() * ROUNDINGS,
-        };
+        let rounding = |whole: &Quantity| whole.as_number().abs() * ROUNDINGS;
         let bound = match asked.what() {
             What::Rate(Rate::Angular(order, link)) => self.angular_rates(*link)[*order],
             What::Rate(Rate::Slide(order, slider)) => self.slide(*slider)[*order],

@@ -2,7 +2,7 @@
 
 use super::{CycleError, Path, Walker};
 use crate::geometry::{Vector, with_turns};
-use crate::quantity::{Quantity, QuantityKind, QuantityRequest};
+use crate::quantity::{QuantityKind, QuantityRequest};
 
 /// Distance from a change point, in parts of a turn, below which rates are interpolated from both sides: accelerations
 /// lose three digits with each power of ten of the distance.
@@ -138,10 +138,7 @@ impl<'a> Reading<'a> {
     fn read(&mut self, drive: f64) -> Option<f64> {
         let position = self.walker.position(drive)?;
         let built = if self.asked.needs_construction() { Some(position.construction()?) } else { None };
-        let value = match self.asked.value(&position, built.as_ref(), None).ok()? {
-            Quantity::Number(x) => x,
-            Quantity::Vector(v) => v.norm(),
-        };
+        let value = self.asked.value(&position, built.as_ref(), None).ok()?.as_number();
         value.is_finite().then_some(value)
     }
 

@@ -18,6 +18,17 @@ pub enum Quantity {
     Vector(Vector),
 }
 
+impl Quantity {
+    /// It as one number: of a vector its size.
+    #[must_use]
+    pub fn as_number(self) -> f64 {
+        match self {
+            Quantity::Number(x) => x,
+            Quantity::Vector(v) => v.norm(),
+        }
+    }
+}
+
 impl Solution {
     /// The value of the quantity of that name, as `omega(2)`, `a_n(D/G)` or `vplan(b,s3)`. A length on paper (`/mu`)
     /// has no value here, as it needs the scales of a figure: use [`QuantityRequest::value`].

@@ -3,7 +3,7 @@
 
 use super::samples::{mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
-use crate::cycle::{Curves, CycleError, Drive, Extreme, Path, Steps, Sweep};
+use crate::cycle::{Curves, CycleError, Extreme, Path, Steps, Sweep};
 use crate::mechanism::{Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
 use crate::scene::{STRAIGHT, Scene, SceneError, Shape};
@@ -60,10 +60,7 @@ pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
 pub(super) fn follow_alone(task: &Task, mechanism: &Mechanism, pose: &Pose) -> Outcome {
     let none = |status| Outcome::without_motion(status, task);
     let range = &task.range;
-    let Ok(drive) = Drive::new(mechanism, Some(&range.drive)) else {
-        return none(Status::NoMechanism);
-    };
-    let Ok(mut path) = Path::new(mechanism, pose, drive) else {
+    let Ok(mut path) = Path::new(mechanism, pose, range.drive.clone()) else {
         return none(Status::Singular);
     };
     match path.cover(Some(range.from), Some(range.to)) {

@@ -41,41 +41,40 @@ impl StudyFile {
     /// # Errors
     /// It asks for what the scene does not have, with its place in the study; or the scene cannot be moved.
     pub fn of(&self, scene: Scene) -> Result<Study, StudyError> {
-        let file = self;
         if scene.given_by == GivenBy::Drawing {
             return Err(CycleError::Drawn.into());
         }
         let (mechanism, _) = posed(&scene)?;
-        let range = drive_range(file, &mechanism)?;
-        let varied = varied(file, &scene, &range)?;
+        let range = drive_range(self, &mechanism)?;
+        let varied = varied(self, &scene, &range)?;
         let is_random = varied.iter().any(|v| !matches!(v.values, Values::Grid { .. }));
-        let shots = match (file.keys.count, is_random) {
+        let shots = match (self.keys.count, is_random) {
             (None, false) => 1,
-            (Some(0), _) => return file.refuse(&["count"], "a study has at least one row", None),
+            (Some(0), _) => return self.refuse(&["count"], "a study has at least one row", None),
             (Some(count), true) => count,
             (None, true) => {
                 let hint = r#"add "count": 1000, so many at each point of the grid"#;
-                return file.refuse(&["vary"], "numbers vary at random, and nothing says how often", Some(hint));
+                return self.refuse(&["vary"], "numbers vary at random, and nothing says how often", Some(hint));
             }
             (Some(_), false) => {
                 let hint = "leave it out: each point of the grid has one row";
-                return file.refuse(&["count"], "nothing varies at random", Some(hint));
+                return self.refuse(&["count"], "nothing varies at random", Some(hint));
             }
         };
         let rows = varied.iter().try_fold(shots, |rows, v| rows.checked_mul(v.values.points()));
         let Some(rows) = rows.filter(|rows| *rows <= MOST) else {
-            return file.refuse(&["vary"], format!("these are more than {MOST} mechanisms"), None);
+            return self.refuse(&["vary"], format!("these are more than {MOST} mechanisms"), None);
         };
         let mut wanted = Vec::new();
-        for (name, figures) in &file.keys.want {
+        for (name, figures) in &self.keys.want {
             let asked = QuantityRequest::new(name, &mechanism)
-                .map_err(|error| refused(file, &["want", name], &error.problem()))?;
+                .map_err(|error| refused(self, &["want", name], &error.problem()))?;
             if asked.is_on_paper() {
-                return file.refuse(&["want", name], "a study has no paper", Some("the name without `/mu`"));
+                return self.refuse(&["want", name], "a study has no paper", Some("the name without `/mu`"));
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
-        Ok(Study { scene, varied, shots, seed: file.keys.seed.unwrap_or(1), rows, task: Task { range, wanted } })
+        Ok(Study { scene, varied, shots, seed: self.keys.seed.unwrap_or(1), rows, task: Task { range, wanted } })
     }
 }
 
@@ -92,7 +91,8 @@ impl Study {
         let column = |name: &str, content, unit: String| Column { name: name.to_owned(), content, unit };
         let number = |name: &str, unit: &str| column(name, Content::Number, unit.to_owned());
         let units = self.scene.units;
-        let drive = if self.task.range.is_angle { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
+        let drive =
+            if self.task.range.drive.is_angle() { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
         let mut columns = vec![column("index", Content::Index, String::new())];
         columns.extend(self.varied.iter().map(|v| number(&v.name, &v.number.unit(units))));
         columns.push(column("status", Content::Status, String::new()));
@@ -149,7 +149,7 @@ impl Study {
             failed.push(member.as_ref().err().copied());
             if let Ok((mechanism, pose)) = member {
                 mechanisms.push(if self.task.range.alone {
-                    alone_moving(&mechanism, &self.task.range.drive)
+                    alone_moving(&mechanism, &self.task.range.drive.name)
                 } else {
                     mechanism
                 });
@@ -218,10 +218,8 @@ fn drive_range(file: &StudyFile, mechanism: &Mechanism) -> Result<DriveRange, St
         return file.refuse(&["cycle", "step"], message, Some(&hint));
     }
     Ok(DriveRange {
-        quantity: drive.quantity(),
-        is_angle: drive.is_angle(),
         is_turn: drive.is_angle() && wide.abs() == 360.0,
-        drive: drive.name,
+        drive,
         from: cycle.from,
         to: cycle.to,
         steps,
@@ -242,8 +240,8 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
             return file.refuse(&path, message, Some(&hint));
         };
-        let is_moved = ["angle", "position"].iter().any(|key| found.name == format!("{}.{key}", driven.drive));
-        if is_moved && driven.quantity.starts_with(if found.name.ends_with("angle") { "angle" } else { "position" }) {
+        let moved = if driven.drive.is_angle() { "angle" } else { "position" };
+        if found.name == format!("{}.{moved}", driven.drive.name) {
             let hint = "leave it out of `vary`: `cycle` says where the drive goes";
             return file.refuse(&path, "this is the drive that moves", Some(hint));
         }

@@ -1,6 +1,6 @@
 //! What is asked of each mechanism of a study, and what becomes of it.
 
-use crate::cycle::Steps;
+use crate::cycle::{Drive, Steps};
 use crate::quantity::{QuantityKind, QuantityRequest};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -15,15 +15,11 @@ pub(super) struct Task {
 /// The motion of every mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct DriveRange {
-    /// The drive's name.
-    pub drive: String,
-    /// Its name as a quantity.
-    pub quantity: String,
+    /// The drive that moves: the same of every mechanism, as only their numbers differ.
+    pub drive: Drive,
     pub from: f64,
     pub to: f64,
     pub steps: Steps,
-    /// Whether the drive turns.
-    pub is_angle: bool,
     /// Whether it is one whole turn of a crank.
     pub is_turn: bool,
     /// Whether other drives stand still.

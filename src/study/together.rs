@@ -2,7 +2,7 @@
 
 use super::samples::{Spaced, Spot, mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
-use crate::cycle::{Drive, Kept, Position, Variants};
+use crate::cycle::{Kept, Position, Variants};
 use crate::geometry::{Many, with_turns};
 use crate::mechanism::Mechanism;
 use crate::position::Pose;
@@ -17,20 +17,16 @@ pub(super) fn follow(task: &Task, mechanisms: &[Mechanism], poses: &[Pose]) -> V
     if mechanisms.is_empty() || task.wanted.iter().any(|w| w.asked.needs_construction()) {
         return nothing;
     }
-    let Ok(drive) = Drive::new(&mechanisms[0], Some(&task.range.drive)) else {
-        return nothing;
-    };
     let Ok(variants) = Variants::new(mechanisms, poses) else {
         return nothing;
     };
-    Walk::new(task, variants, drive).map_or(nothing, Walk::outcomes)
+    Walk::new(task, variants).map_or(nothing, Walk::outcomes)
 }
 
 /// Mechanisms on their way through the cycle.
 struct Walk<'a> {
     task: &'a Task,
     variants: Variants<'a>,
-    drive: Drive,
     /// The step next to the scene's position.
     first: usize,
     origin: f64,
@@ -47,20 +43,19 @@ struct Walk<'a> {
 impl<'a> Walk<'a> {
     /// The mechanisms in their first position; `None` where the scene's position lies outside the cycle, or the drive's rates are such that
     /// they do not tell how far the next position is.
-    fn new(task: &'a Task, variants: Variants<'a>, drive: Drive) -> Option<Self> {
+    fn new(task: &'a Task, variants: Variants<'a>) -> Option<Self> {
         let range = &task.range;
         let (count, last) = (variants.count(), range.steps.count() - 1);
-        let origin = variants.start(0, &drive);
+        let origin = variants.start(0, &range.drive);
         let first = ((origin - range.from) / (range.to - range.from) * last as f64).round();
         let is_inside = (0.0..=last as f64).contains(&first);
-        let starts_there = (0..count).all(|i| variants.start(i, &drive) == origin);
-        if !is_inside || !starts_there || !(0..count).all(|i| variants.runs_evenly(i, &drive)) {
+        let starts_there = (0..count).all(|i| variants.start(i, &range.drive) == origin);
+        if !is_inside || !starts_there || !(0..count).all(|i| variants.runs_evenly(i, &range.drive)) {
             return None;
         }
         let quantities = task.wanted.len();
         let mut walk = Walk {
             task,
-            drive,
             first: first as usize,
             origin,
             sure: vec![true; count],
@@ -107,11 +102,11 @@ impl<'a> Walk<'a> {
         for step in steps {
             let value = self.task.range.steps.value(step);
             for mechanism in (0..self.sure.len()).filter(|i| self.sure[*i]) {
-                self.variants.set_along(mechanism, &self.drive, value);
+                self.variants.set_along(mechanism, &self.task.range.drive, value);
             }
             self.variants.compute();
             let times: Vec<f64> =
-                (0..self.sure.len()).map(|m| self.variants.time(m, &self.drive, value - was)).collect();
+                (0..self.sure.len()).map(|m| self.variants.time(m, &self.task.range.drive, value - was)).collect();
             let before = last.and_then(|last: usize| self.kept[last].as_ref()).unwrap_or(start);
             let kept_branch = self.variants.kept_branch(before, &times);
             for (mechanism, kept_branch) in kept_branch.into_iter().enumerate() {
@@ -121,7 +116,7 @@ impl<'a> Walk<'a> {
                 let closed = self.variants.position(mechanism).is_some();
                 if !closed {
                     // It stays where it is.
-                    self.variants.set_along(mechanism, &self.drive, was);
+                    self.variants.set_along(mechanism, &self.task.range.drive, was);
                 }
                 if !closed || !kept_branch {
                     self.sure[mechanism] = false;
@@ -170,7 +165,7 @@ impl<'a> Walk<'a> {
                 && let Some(kept) = &self.kept[spot.sample]
             {
                 self.variants.put_back(mechanism, kept);
-                self.variants.set_along(mechanism, &self.drive, at(spot));
+                self.variants.set_along(mechanism, &self.task.range.drive, at(spot));
             }
         }
         self.variants.compute();
@@ -204,11 +199,8 @@ impl<'a> Walk<'a> {
 
 /// The value of a quantity that needs no construction in a position, of a vector its size; NaN where it has none.
 fn read(wanted: &Wanted, position: Option<&Position<'_, Many>>) -> f64 {
-    match position.map(|position| wanted.asked.value(position, None, None)) {
-        Some(Ok(Quantity::Number(x))) => x,
-        Some(Ok(Quantity::Vector(vector))) => vector.norm(),
-        _ => f64::NAN,
-    }
+    let value = position.and_then(|position| wanted.asked.value(position, None, None).ok());
+    value.map_or(f64::NAN, Quantity::as_number)
 }
 
 /// A value of the drive within a turn.
