@@ -2,7 +2,7 @@
 
 use crate::check::CheckError;
 use quick_xml::Writer;
-use quick_xml::events::{BytesCData, BytesDecl, BytesText, Event};
+use quick_xml::events::{BytesCData, BytesDecl, BytesStart, BytesText, Event};
 use std::io;
 use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
@@ -48,70 +48,48 @@ pub(super) fn identifier(name: &str) -> String {
     format!("kinegon-{name}")
 }
 
-/// An element of XML with its attributes and what is in it.
-pub(super) struct Element {
-    name: &'static str,
-    attributes: Vec<(&'static str, String)>,
-    inner: Inner,
-}
-
-enum Inner {
-    Elements(Vec<Element>),
-    Text(String),
-    /// HTML, which no letter of it ends.
-    Html(String),
-}
+/// An element of XML with what is in it, as a writer takes it.
+pub(super) struct Element(Vec<Event<'static>>);
 
 /// The names and values of attributes.
 pub(super) type Attributes<'a> = &'a [(&'static str, &'a str)];
 
 /// An element with others in it, or with nothing.
 pub(super) fn element(name: &'static str, attributes: Attributes<'_>, inner: Vec<Element>) -> Element {
-    Element::new(name, attributes, Inner::Elements(inner))
+    match inner.is_empty() {
+        true => Element(vec![Event::Empty(start(name, attributes))]),
+        false => Element::around(start(name, attributes), inner.into_iter().flat_map(|element| element.0)),
+    }
 }
 
 /// An element with a text in it.
 pub(super) fn text(name: &'static str, attributes: Attributes<'_>, text: &str) -> Element {
-    Element::new(name, attributes, Inner::Text(text.to_owned()))
+    Element::around(start(name, attributes), [Event::Text(BytesText::new(text).into_owned())])
 }
 
-/// An element `text` with HTML in it.
+/// An element `text` with HTML in it, which no letter of it ends.
 pub(super) fn html(html: &str) -> Element {
-    Element::new("text", &[], Inner::Html(html.to_owned()))
+    let parts = BytesCData::escaped(html).map(|part| Event::CData(part.into_owned()));
+    Element::around(start("text", &[]), parts)
+}
+
+fn start(name: &'static str, attributes: Attributes<'_>) -> BytesStart<'static> {
+    BytesStart::new(name).with_attributes(attributes.iter().copied())
 }
 
 impl Element {
-    fn new(name: &'static str, attributes: Attributes<'_>, inner: Inner) -> Element {
-        Element {
-            name,
-            attributes: attributes.iter().map(|(name, value)| (*name, (*value).to_owned())).collect(),
-            inner,
-        }
+    fn around(start: BytesStart<'static>, inner: impl IntoIterator<Item = Event<'static>>) -> Element {
+        let end = Event::End(start.to_end().into_owned());
+        Element([Event::Start(start)].into_iter().chain(inner).chain([end]).collect())
     }
 
     /// The document with this root.
-    pub(super) fn document(&self) -> Result<Vec<u8>, CourseError> {
+    pub(super) fn document(self) -> Result<Vec<u8>, CourseError> {
         let mut document = Writer::new_with_indent(Vec::new(), b' ', 1);
         document.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-        self.write(&mut document)?;
+        self.0.into_iter().try_for_each(|event| document.write_event(event))?;
         let mut bytes = document.into_inner();
         bytes.push(b'\n');
         Ok(bytes)
-    }
-
-    fn write(&self, document: &mut Writer<Vec<u8>>) -> io::Result<()> {
-        let attributes = self.attributes.iter().map(|(name, value)| (*name, value.as_str()));
-        let start = document.create_element(self.name).with_attributes(attributes);
-        match &self.inner {
-            Inner::Elements(inner) if inner.is_empty() => start.write_empty()?,
-            Inner::Elements(inner) => {
-                start.write_inner_content(|document| inner.iter().try_for_each(|element| element.write(document)))?
-            }
-            Inner::Text(text) => start.write_text_content(BytesText::new(text))?,
-            Inner::Html(html) => start.write_inner_content(|document| {
-                BytesCData::escaped(html).try_for_each(|part| document.write_event(Event::CData(part)))
-            })?,
-        };
-        Ok(())
     }
 }
