@@ -11,7 +11,7 @@ use krilla::tagging::{ArtifactType, ContentTag, Tag, TagGroup, TagTree};
 mod shapes;
 
 use crate::drawing::{Cap, Colour, Dash, Drawing, Look, Mark, Point, Shape};
-use shapes::{Fonts, chain, draw_path, outlines, path};
+use shapes::{chain, draw_path, outlines, path, write_text};
 
 /// Points of PDF in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;
@@ -60,12 +60,7 @@ impl Drawing {
     }
 
     /// Draws the sheet on a new page; returns its tags.
-    fn draw_page(
-        &self,
-        document: &mut Document,
-        fonts: &Fonts,
-        picture: Option<DrawPicture<'_>>,
-    ) -> Result<TagGroup, PdfError> {
+    fn draw_page(&self, document: &mut Document, picture: Option<DrawPicture<'_>>) -> Result<TagGroup, PdfError> {
         let (width, height) = (self.width, self.height);
         let fits = |side: f64| side > 0.0 && side <= MOST_MM;
         if !(fits(width) && fits(height)) {
@@ -107,7 +102,7 @@ impl Drawing {
                 let look = self.look(mark);
                 if let Shape::Text(text) = &mark.shape {
                     pens(&mut surface, None, Some(fill(look.ink)));
-                    figure.push(fonts.write(&mut surface, text));
+                    figure.push(write_text(&mut surface, text));
                 } else {
                     figure.push(surface.start_tagged(ContentTag::Other));
                     draw(&mut surface, &look, &mark.shape);
@@ -141,11 +136,10 @@ type DrawPicture<'a> = &'a dyn Fn(&mut Surface<'_>);
 /// A page for each sheet, the same under all of them.
 fn pages(sheets: &[Drawing], keyword: Option<&str>, picture: Option<DrawPicture<'_>>) -> Result<Vec<u8>, PdfError> {
     let first = sheets.first().ok_or_else(|| PdfError::Writing("it has no sheet".to_owned()))?;
-    let fonts = Fonts::new();
     let mut document = Document::new();
     let mut tags = TagTree::new();
     for sheet in sheets {
-        tags.push(sheet.draw_page(&mut document, &fonts, picture)?);
+        tags.push(sheet.draw_page(&mut document, picture)?);
     }
     document.set_tag_tree(tags);
     let mut about = Metadata::new().language(first.language.into());
@@ -167,7 +161,7 @@ fn is_text(mark: &Mark) -> bool {
 /// Draws a shape that is not a text, in the look of its pen.
 fn draw(surface: &mut Surface<'_>, look: &Look, shape: &Shape) {
     match shape {
-        // `Fonts::write` writes texts.
+        // `write_text` writes texts.
         Shape::Text(_) => {}
         Shape::Arrow { .. } | Shape::ArcArrow { .. } => {
             if let Some(shaft) = shape.shaft() {
