@@ -24,7 +24,7 @@ fn tasks() -> Vec<Task> {
     let of = |kind: &'static str| -> Vec<Task> {
         let text = starting(kind);
         let base = support::stages::solved(&text).expect("a good scene");
-        let exercises = Exercises::new(&text, &base.scene.figure, None, &base.construction, 41);
+        let exercises = Exercises::new(&base, None, 41);
         let mut exercises = exercises.expect("it can vary");
         let next = |_| Task::new(kind, &exercises.next().expect("one can be found").text).expect("a scene");
         (0..EXERCISES).map(next).collect()

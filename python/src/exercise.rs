@@ -32,9 +32,8 @@ impl Exercises {
         let asked = scene.with_keys(&options.figure)?;
         SizeLimit::HAND.check(&asked.scene).map_err(|error| scene.refused(error))?;
         let solution = kinegon::solve(&asked.scene).map_err(|error| scene.refused(error))?;
-        let figure = &solution.scene.figure;
-        let page = options.has_page.then_some(figure.page);
-        let found = on_all_cores(|| exercise::Exercises::new(&scene.text, figure, page, &solution.construction, seed))?;
+        let page = options.has_page.then_some(solution.scene.figure.page);
+        let found = on_all_cores(|| exercise::Exercises::new(&solution, page, seed))?;
         Ok(Exercises(Mutex::new(found?)))
     }
 }

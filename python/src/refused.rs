@@ -65,10 +65,7 @@ impl From<CheckError> for Refused {
 
 impl From<ExerciseError> for Refused {
     fn from(error: ExerciseError) -> Refused {
-        match error {
-            ExerciseError::Scene(error) => error.into(),
-            other => Refused::new("ExerciseError", other.to_string(), None),
-        }
+        Refused::new("ExerciseError", error.to_string(), None)
     }
 }
 

@@ -66,10 +66,8 @@ impl ExerciseCommand {
             style.put_into(figure);
         };
         let solution = solve(&source, SizeLimit::HAND, None, override_figure, |_| Order::Acceleration)?;
-        let (figure, construction) = (&solution.scene.figure, &solution.construction);
-        let page = self.look.paper.is_given().then_some(figure.page);
-        let exercises = Exercises::new(&source.text, figure, page, construction, self.seed);
-        let mut exercises = exercises.map_err(|error| {
+        let page = self.look.paper.is_given().then_some(solution.scene.figure.page);
+        let mut exercises = Exercises::new(&solution, page, self.seed).map_err(|error| {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")
         })?;
         if let Some(lms) = self.lms {

@@ -2,11 +2,11 @@
 
 use super::judge::{Exercise, Refusal, key_page};
 use super::vary::{OnGuide, length_step, varied};
-use crate::construction::Construction;
+use crate::construction::Solution;
 use crate::editing::measure::json as json_number;
 use crate::geometry::Random;
 use crate::quantity::Quantity;
-use crate::scene::{ConstructionShown, Figure, Page, PageSize, SceneError, figure_keys};
+use crate::scene::{ConstructionShown, Figure, Page, PageSize, figure_keys};
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use serde_json::{Value, json};
@@ -24,9 +24,6 @@ const FEW: usize = 6;
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExerciseError {
-    /// The scene cannot be read.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
     /// The scene's plans cannot be constructed.
     #[error(
         "its plans have no construction to be drawn by hand: a special point lies at infinity, or a group is of higher class than IV"
@@ -59,23 +56,17 @@ pub struct Exercises {
 }
 
 impl Exercises {
-    /// The exercises of the scene with that text and construction, in the style of `figure`. Where neither the scene
-    /// nor `page` gives the size of the sheets, they are A4, or A3 where few variants can be drawn well on A4.
+    /// The exercises of a solved scene, in the style of its figure. Where neither its text nor `page` gives the size of
+    /// the sheets, they are A4, or A3 where few variants can be drawn well on A4.
     ///
     /// # Errors
-    /// The text is no scene, or the scene has no construction.
-    pub fn new(
-        text: &str,
-        figure: &Figure,
-        page: Option<Page>,
-        construction: &Construction,
-        seed: u64,
-    ) -> Result<Exercises, ExerciseError> {
-        let scene = crate::scene::Scene::read(text)?;
+    /// The scene has no construction.
+    pub fn new(solution: &Solution, page: Option<Page>, seed: u64) -> Result<Exercises, ExerciseError> {
+        let Solution { scene, construction, .. } = solution;
         if construction.agreement.iter().any(Option::is_none) || construction.agreement.is_empty() {
             return Err(ExerciseError::NoConstruction);
         }
-        let base = serde_json::from_str(text.trim_start_matches('\u{feff}'));
+        let base = serde_json::from_str(scene.text().trim_start_matches('\u{feff}'));
         let base: Value = base.expect("a scene is JSON");
         let is_page_open = page.is_none() && base["figure"]["page"].is_null();
         let figure = Figure {
@@ -83,13 +74,13 @@ impl Exercises {
             step: None,
             special_points: true,
             construction: ConstructionShown::Whole,
-            page: page.unwrap_or(figure.page),
-            ..figure.clone()
+            page: page.unwrap_or(scene.figure.page),
+            ..scene.figure.clone()
         };
         let mut exercises = Exercises {
             base,
-            on_guides: OnGuide::all(&scene),
-            title: scene.title.unwrap_or_default(),
+            on_guides: OnGuide::all(scene),
+            title: scene.title.clone().unwrap_or_default(),
             figure,
             seed,
             random: Random(seed),

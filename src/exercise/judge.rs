@@ -4,11 +4,12 @@ use super::sheets::{key_rows, sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
 use crate::drawing::{
-    Drawing, FigureSheets, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales, shows_special_points,
+    Drawing, FigureSheets, KeyRow, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales,
+    shows_special_points,
 };
 use crate::mechanism::mechanism;
 use crate::position::{pose, with_nearest_sides};
-use crate::quantity::{Pencil, Quantity, QuantityRequest, What, pencil};
+use crate::quantity::{Pencil, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 use crate::sheet::{Order, Scales, Sheet};
 
@@ -109,12 +110,10 @@ impl Exercise {
         (figure.page, figure.worksheet) = (key_page(page), true);
         // The key is the only sheet with plans; the accepted file says its scales, which then hold everywhere.
         figure.scales = ScalesFor::Sheet;
-        let wording = solution.wording();
-        let exact = values(&quantities, &solution);
         let expected = pencil(&solution, &solution.scales(), Tolerance::default(), quantities.clone());
-        let mut scales = key_scales(&solution, &key_rows(&exact, &expected)).ok_or(Refusal::Sheet)?;
+        let mut scales = key_scales(&solution, &key_rows(&solution, &expected)).ok_or(Refusal::Sheet)?;
         if solution.scene.figure.mu[Sheet::Scheme].is_none() {
-            let given = sentences(&solution.scene, text, &scales, &wording);
+            let given = sentences(&solution.scene, &scales);
             let mu = exercise_scale(&students, &quantities, &given);
             scales[Sheet::Scheme] = if mu > scales[Sheet::Scheme] { mu } else { scales[Sheet::Scheme] };
         }
@@ -126,9 +125,10 @@ impl Exercise {
             return Err(Refusal::Sheet);
         }
         let pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
-        is_sure(&pencil, &exact)?;
-        key_scales(&solution, &key_rows(&exact, &pencil)).ok_or(Refusal::Sheet)?;
-        let given = sentences(&solution.scene, text, &scales, &wording);
+        let rows = key_rows(&solution, &pencil);
+        is_sure(&rows)?;
+        key_scales(&solution, &rows).ok_or(Refusal::Sheet)?;
+        let given = sentences(&solution.scene, &scales);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
         let has_markers = students.scene.figure.has_markers();
         Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution, page, has_markers })
@@ -145,23 +145,17 @@ impl Exercise {
             return vec![self.sheet.clone()];
         }
         let students = for_students(&self.solution, self.page);
-        let asked = self.asked();
-        let given = sentences(&students.scene, &self.text, &self.scales, &students.wording());
+        let given = sentences(&students.scene, &self.scales);
         // A variant whose scheme has no room between the markers stays an exercise: its first sheet is without them, and
         // the numbers of a seed do not hang on what sheets look like.
-        drawing_sheets(&students, &self.scales, name, &asked, &given)
+        drawing_sheets(&students, &self.scales, name, &self.asked(), &given)
     }
 
     /// The sentences of the student's sheet with all given numbers and the scales of the plans.
     #[must_use]
     pub fn given(&self) -> Vec<RichText> {
-        let sentences = sentences(&self.solution.scene, &self.text, &self.scales, &self.solution.wording());
+        let sentences = sentences(&self.solution.scene, &self.scales);
         sentences.iter().map(|sentence| RichText::plain(sentence)).collect()
-    }
-
-    /// The quantities of the form with their exact values.
-    pub(super) fn values(&self) -> Vec<(QuantityRequest, f64)> {
-        values(&self.asked(), &self.solution)
     }
 
     /// The quantities of the form.
@@ -183,28 +177,18 @@ pub(super) fn key_page(students: Page) -> Page {
     Page { size: PageSize::A3, ..students }
 }
 
-/// Quantities with their exact values, of vectors their sizes; those without a value are left out.
-fn values(asked: &[QuantityRequest], solution: &Solution) -> Vec<(QuantityRequest, f64)> {
-    let construction = Some(&solution.construction);
-    let value = |asked: &QuantityRequest| match asked.value(&solution.snapshot(), construction, None).ok()? {
-        Quantity::Number(x) => Some(x),
-        Quantity::Vector(v) => Some(v.norm()),
-    };
-    asked.iter().filter_map(|asked| Some((asked.clone(), value(asked)?))).collect()
-}
-
 /// Whether a hand finds all angular velocities and accelerations well.
-fn is_sure(pencil: &Pencil, values: &[(QuantityRequest, f64)]) -> Result<(), Refusal> {
-    let is_rate = |asked: &QuantityRequest| matches!(asked.what(), What::Rate(Rate::Angular(..)));
-    let rates = || values.iter().filter(|(asked, _)| is_rate(asked));
-    for (asked, value) in rates() {
-        let alike = rates().filter(|(a, _)| a.kind() == asked.kind());
-        let largest = alike.map(|(_, v)| v.abs()).fold(0.0, f64::max);
+fn is_sure(rows: &[KeyRow<'_>]) -> Result<(), Refusal> {
+    let is_rate = |row: &&KeyRow<'_>| matches!(row.asked.what(), What::Rate(Rate::Angular(..)));
+    let rates = || rows.iter().filter(is_rate);
+    for KeyRow { asked, value, allowed } in rates() {
+        let alike = rates().filter(|other| other.asked.kind() == asked.kind());
+        let largest = alike.map(|other| other.value.abs()).fold(0.0, f64::max);
         let size = value.abs().max(SMALL * largest);
         let is_zero = value.abs() <= ZERO * largest;
-        let band = pencil.band(asked.name()).ok_or(Refusal::Unsure)?;
+        let allowed = allowed.ok_or(Refusal::Unsure)?;
         // A drawing that passes must show the sense of a rate that is not zero.
-        if band.band > BAND * size || (BANDS * band.band > value.abs() && !is_zero) {
+        if allowed > BANDS * BAND * size || (allowed > value.abs() && !is_zero) {
             return Err(Refusal::Unsure);
         }
     }

@@ -2,8 +2,9 @@
 
 use super::judge::Exercise;
 use super::sheets::key_rows;
-use crate::check::{BANDS, Measured};
-use crate::drawing::{Drawing, key_sheet};
+use crate::check::Measured;
+use crate::construction::Solution;
+use crate::drawing::{Drawing, KeyRow, key_sheet};
 use crate::scene::schema_of;
 use crate::sheet::Scales;
 use crate::text::Untrusted;
@@ -64,25 +65,16 @@ impl Exercise {
     /// All values of the form, with the differences that a careful hand is allowed.
     #[must_use]
     pub fn key(&self) -> KeyResult {
-        let steps = self.solution.construction.numbered_steps();
-        let names: Vec<(usize, Vec<String>)> = steps.map(|s| (s.number, s.names())).collect();
-        let step = |name: &str| {
-            let found = names.iter().find(|(_, given)| given.iter().any(|n| n == name));
-            found.map_or(0, |(number, _)| *number)
-        };
-        let values = self.values().into_iter().map(|(asked, value)| {
-            let band = self.pencil.band(asked.name());
-            let value = KeyValue {
-                value,
-                unit: asked.kind().unit(self.solution.scene.units),
-                allowed: band.map(|band| BANDS * band.band),
-                step: step(asked.name()),
-            };
-            (asked.name().to_owned(), value)
+        let Solution { scene, construction, .. } = &self.solution;
+        let steps = construction.steps_of_quantities();
+        let rows = key_rows(&self.solution, &self.pencil).into_iter();
+        let values = rows.map(|KeyRow { asked, value, allowed }| {
+            let step = steps.get(asked.name()).map_or(0, |step| construction.step_number(*step));
+            (asked.name().to_owned(), KeyValue { value, unit: asked.kind().unit(scene.units), allowed, step })
         });
         KeyResult {
             kinegon_key: 1,
-            title: self.solution.scene.title.clone(),
+            title: scene.title.clone(),
             scales: KeyScales { of: self.scales },
             values: values.collect(),
         }
@@ -91,7 +83,7 @@ impl Exercise {
     /// The key as a figure: scheme and plans with a table of all quantities of the form.
     #[must_use]
     pub fn key_sheet(&self) -> Drawing {
-        key_sheet(&self.solution, &key_rows(&self.values(), &self.pencil))
+        key_sheet(&self.solution, &key_rows(&self.solution, &self.pencil))
     }
 
     /// The empty form of the exercise with that name.

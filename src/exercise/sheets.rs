@@ -38,25 +38,26 @@ impl Solution {
         let names = form_names(&own.construction);
         let asked: Vec<QuantityRequest> =
             names.iter().filter_map(|name| QuantityRequest::new(name, &own.mechanism).ok()).collect();
-        let given = sentences(&own.scene, own.scene.text(), &scales, &own.wording());
+        let given = sentences(&own.scene, &scales);
         drawing_sheets(&own, &scales, name, &asked, &given)
     }
 }
 
-/// The rows of a key's table.
-pub(super) fn key_rows<'a>(values: &'a [(QuantityRequest, f64)], pencil: &Pencil) -> Vec<KeyRow<'a>> {
-    let row = |(asked, value): &'a (QuantityRequest, f64)| KeyRow {
-        asked,
-        value: *value,
-        allowed: pencil.band(asked.name()).map(|band| BANDS * band.band),
-    };
-    values.iter().map(row).collect()
+/// The quantities of a form with their exact values, and what a careful hand is allowed; those without a value are left
+/// out.
+pub(super) fn key_rows<'a>(solution: &Solution, pencil: &'a Pencil) -> Vec<KeyRow<'a>> {
+    let rows = pencil.quantities.iter().filter_map(|(asked, band)| {
+        let value = asked.value(&solution.snapshot(), Some(&solution.construction), None).ok()?.as_number();
+        Some(KeyRow { asked, value, allowed: band.as_ref().ok().map(|band| BANDS * band.band) })
+    });
+    rows.collect()
 }
 
 /// The sentences with all given numbers and with the scales of the plans, in markup. Vectors are given as in the
-/// scene's `text`, by components or by size and direction.
-pub(super) fn sentences(scene: &Scene, text: &str, scales: &Scales, words: &Wording) -> Vec<String> {
-    let file = serde_json::from_str(text).unwrap_or(Value::Null);
+/// scene's text, by components or by size and direction.
+pub(super) fn sentences(scene: &Scene, scales: &Scales) -> Vec<String> {
+    let file = serde_json::from_str(scene.text()).unwrap_or(Value::Null);
+    let words = &Wording::of(&scene.figure);
     let teller = Teller { scene, words };
     let mut all = Vec::new();
     // The scheme of a drawn scene shows its points and guides.

@@ -90,7 +90,7 @@ fn nothing_stands_where_markers_are() {
 fn exercises_have_sheets_for_their_plans() {
     for (name, text) in scenes() {
         let base = solved(&text).expect("a good scene");
-        let exercise = Exercises::new(&text, &base.scene.figure, None, &base.construction, 5);
+        let exercise = Exercises::new(&base, None, 5);
         let exercise = exercise.expect("it can vary").next().expect("one is found");
         let sheets = exercise.sheets(&format!("{name}-5-1"));
         let scene = Scene::read(&exercise.text).expect("a scene").fingerprint();
@@ -271,10 +271,10 @@ fn markers_can_be_left_out() {
     assert_eq!(frame(&plain[0]).map(|frame| [frame.x0, frame.y0]), Some([8.0, 17.0]));
     let wide = with_page(&solution, "16x9", |figure| figure.worksheet = true).sheets();
     assert!(wide[0].code.is_none());
-    let text = files::read("templates/four-bar.json");
-    let asked = Figure { markers: false, ..solution.scene.figure.clone() };
-    let [with, without] = [&solution.scene.figure, &asked].map(|figure| {
-        let exercises = Exercises::new(&text, figure, None, &solution.construction, 3);
+    let mut plain = solution.clone();
+    plain.scene.figure.markers = false;
+    let [with, without] = [&solution, &plain].map(|solution| {
+        let exercises = Exercises::new(solution, None, 3);
         exercises.expect("it can vary").next().expect("one is found")
     });
     assert_eq!(with.text, without.text);

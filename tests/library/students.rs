@@ -26,7 +26,7 @@ fn exercises(kind: &str, seed: u64, count: usize) -> Vec<Exercise> {
     let folder = if kind.starts_with("figure") { "examples" } else { "templates" };
     let text = files::read(&format!("{folder}/{kind}.json"));
     let base = solved(&text).expect("a good scene");
-    let exercises = Exercises::new(&text, &base.scene.figure, None, &base.construction, seed);
+    let exercises = Exercises::new(&base, None, seed);
     let mut exercises = exercises.expect("it can vary");
     (0..count).map(|_| exercises.next().expect("one can be found")).collect()
 }

@@ -8,7 +8,7 @@ use kinegon::drawing::{Drawing, Pen, Rect, Shape};
 use kinegon::exercise::{Exercise, ExerciseError, Exercises, Refusal};
 use kinegon::geometry::{Point, Vector};
 use kinegon::quantity::Quantity;
-use kinegon::scene::{Figure, LanguageName, Page, PageSize};
+use kinegon::scene::{LanguageName, Page, PageSize};
 use serde_json::Value;
 use std::path::Path;
 use support::files;
@@ -29,7 +29,7 @@ fn kinds() -> Vec<(String, String)> {
 
 fn exercises(text: &str, seed: u64) -> Exercises {
     let base = solved(text).expect("a good scene");
-    Exercises::new(text, &base.scene.figure, None, &base.construction, seed).expect("it can vary")
+    Exercises::new(&base, None, seed).expect("it can vary")
 }
 
 fn exercise(text: &str, seed: u64) -> Exercise {
@@ -285,9 +285,9 @@ fn sheets_say_what_is_positive_and_what_paper_is_needed() {
     let mut wrong = Vec::new();
     for (kind, text) in kinds() {
         for language in [LanguageName::English, LanguageName::Spanish] {
-            let base = solved(&text).expect("a good scene");
-            let figure = Figure { language, ..base.scene.figure.clone() };
-            let exercises = Exercises::new(&text, &figure, None, &base.construction, 3);
+            let mut base = solved(&text).expect("a good scene");
+            base.scene.figure.language = language;
+            let exercises = Exercises::new(&base, None, 3);
             let sheet = exercises.expect("varies").next().expect("found").sheet;
             wrong.extend(words_in_the_way(&sheet).into_iter().map(|fault| format!("{kind}: {fault}")));
         }
@@ -390,12 +390,10 @@ fn a_seed_gives_the_same_exercises_and_others_give_others() {
 #[test]
 fn what_cannot_be_drawn_is_given_up_with_the_reason() {
     let text = files::read("templates/four-bar.json");
-    let base = solved(&text).expect("a good scene");
+    let mut base = solved(&text).expect("a good scene");
     // A plan of some hundredths of a millimetre.
-    let mut figure = base.scene.figure.clone();
-    figure.mu[Sheet::Velocity] = Some(1e5);
-    let page = Some(Page::default());
-    let mut small = Exercises::new(&text, &figure, page, &base.construction, 1).expect("varies");
+    base.scene.figure.mu[Sheet::Velocity] = Some(1e5);
+    let mut small = Exercises::new(&base, Some(Page::default()), 1).expect("varies");
     let error = small.next().expect_err("too small");
     assert!(matches!(error, ExerciseError::GaveUp { most: Refusal::Short, percent: 50.., .. }), "{error}");
     assert!(error.to_string().contains("shorter than 5 mm"), "{error}");
@@ -404,7 +402,7 @@ fn what_cannot_be_drawn_is_given_up_with_the_reason() {
         .replace("\"C\": [70, 150]", "\"C\": [0, 150]")
         .replace("\"D\": [190, 240]", "\"D\": [300, 240]");
     let base = solved(&parallel).expect("a good scene");
-    let none = Exercises::new(&parallel, &figure, None, &base.construction, 1);
+    let none = Exercises::new(&base, None, 1);
     let error = none.expect_err("no construction");
     assert!(error.to_string().contains("at infinity"), "{error}");
 }
@@ -534,8 +532,7 @@ fn sheets_are_large_enough() {
     let text = files::read("templates/four-bar.json");
     let base = solved(&text).expect("a good scene");
     let page = Page { size: PageSize::A3, landscape: false };
-    let figure = &base.scene.figure;
-    let exercises = Exercises::new(&text, figure, Some(page), &base.construction, 1);
+    let exercises = Exercises::new(&base, Some(page), 1);
     let exercise = exercises.expect("varies").next().expect("found");
     assert_eq!([exercise.sheet.width, exercise.sheet.height], [297.0, 420.0]);
 }
