@@ -319,7 +319,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
         // As deep as the program looks.
         let (scales, tolerance) = (solution.scales(), Tolerance::default());
         let key = AnswerKey { solution: &solution, scales, tolerance, leniency: LENIENCY, depth: 5 };
-        redrawn(&measured, &key, &check(&measured, &key)?, &solution.wording())?
+        redrawn(&measured, &key, &check(&measured, &key)?)?
     };
     let figure = &mut solution.scene.figure;
     figure.mu = PerSheet::from_fn(|sheet| Some(if sheet == Sheet::Scheme { 5.0 } else { 2.5 }));
@@ -327,9 +327,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
 }
 
 fn exercise(path: &str, seed: u64) -> Result<Drawing, Box<dyn Error>> {
-    let text = fs::read_to_string(repository::path(path))?;
-    let solution = solution(path, |_| ())?;
-    let mut exercises = Exercises::new(&text, &solution.scene.figure, None, &solution.construction, seed)?;
+    let mut exercises = Exercises::new(&solution(path, |_| ())?, None, seed)?;
     Ok(exercises.next()?.sheets("").swap_remove(0))
 }
 

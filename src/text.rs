@@ -278,6 +278,11 @@ pub(crate) fn cell(text: &str) -> String {
     safe
 }
 
+/// The text of a cell in quotes, as tables with commas have it.
+pub(crate) fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
+}
+
 /// Whether a terminal may obey the character, or a reader be misled by it: control characters, ends of lines, and those
 /// that turn the direction of writing or hide what follows (Unicode TR 36).
 pub(crate) fn is_command(c: char) -> bool {

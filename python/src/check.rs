@@ -59,14 +59,14 @@ impl Solution {
         let Judged { measured, key, checked, marks } = self.judged(form, options)?;
         let words = key.solution.wording();
         let line = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
-        let mut result = check_result(&checked, &key, &words, measured.name.clone());
+        let mut result = check_result(&checked, &key, measured.name.clone());
         result.marks = marks;
-        Ok((json_line(&result), report(&checked, &key, &words) + &line, checked.is_passed()))
+        Ok((json_line(&result), report(&checked, &key) + &line, checked.is_passed()))
     }
 
     pub fn page_for_student(&self, form: &str, options: &CheckOptions) -> Result<String, Refused> {
         let Judged { measured, key, checked, marks } = self.judged(form, options)?;
-        Ok(Feedback::new(&measured, &key, &checked, marks.as_ref(), &key.solution.wording())?.html())
+        Ok(Feedback::new(&measured, &key, &checked, marks.as_ref())?.html())
     }
 
     /// The student's points and lines over the right figure, at the student's scales.
@@ -74,7 +74,7 @@ impl Solution {
         let Judged { measured, key, checked, .. } = self.judged(form, options)?;
         let mut solution = key.solution.clone();
         solution.scene.figure.mu = measured.mu.or(solution.scene.figure.mu);
-        let drawn = redrawn(&measured, &key, &checked, &solution.wording())?;
+        let drawn = redrawn(&measured, &key, &checked)?;
         Ok(overlay(&solution, &drawn))
     }
 }

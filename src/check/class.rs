@@ -104,16 +104,16 @@ pub struct ClassColumns {
 const SHOWN: usize = 300;
 
 impl ClassRow {
-    /// The row of a file that was understood; sentences in the wording's language.
+    /// The row of a file that was understood; sentences in the language of the scene's figure.
     #[must_use]
     pub fn checked(
         file: Untrusted,
         name: Option<&Untrusted>,
         checked: &Checked,
         key: &AnswerKey<'_>,
-        words: &Wording,
         scheme: Option<&MarkScheme>,
     ) -> ClassRow {
+        let words = &key.solution.wording();
         let diagnosis = &checked.diagnosis;
         let findings = &diagnosis.best.findings;
         let mistake = |finding: &Finding| ClassMistake {
@@ -154,12 +154,6 @@ impl ClassRow {
     #[must_use]
     pub fn broken(file: Untrusted, message: &str) -> ClassRow {
         ClassRow { file, message: Some(Untrusted::from(message).cut(SHOWN)), ..ClassRow::default() }
-    }
-
-    /// The row in a report on several exercises, with the name of its exercise.
-    #[must_use]
-    pub fn of(self, exercise: Option<&str>) -> ClassRow {
-        ClassRow { exercise: exercise.map(Untrusted::from), ..self }
     }
 
     /// The first line of the table: the names of its columns.

@@ -5,7 +5,7 @@ use super::mistakes::{Amount, Free};
 use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
 use crate::construction::{Change, NumberId, OperationKind, Tolerance, Values};
 use crate::geometry::with_turns;
-use crate::sheet::Sheet;
+use crate::sheet::QuantityKind;
 
 /// A value of the form as it is compared with a prediction.
 #[derive(Clone, Copy, Debug)]
@@ -17,9 +17,7 @@ pub(super) struct Datum {
     pub rounding: f64,
     /// Whether its sign is unknown.
     pub is_magnitude: bool,
-    pub is_angle: bool,
-    /// The plan in whose unit it is; `None` for lengths, angles and angular rates.
-    pub sheet: Option<Sheet>,
+    pub kind: QuantityKind,
     /// The range in which a value of this kind could lie.
     pub span: f64,
 }
@@ -48,7 +46,7 @@ impl Datum {
 
     /// A difference of two such values; of angles the shorter way round.
     pub fn turned(&self, difference: f64) -> f64 {
-        if self.is_angle { with_turns(difference, 0.0) } else { difference }
+        if self.kind == QuantityKind::Angle { with_turns(difference, 0.0) } else { difference }
     }
 }
 
@@ -150,31 +148,6 @@ pub(super) type Groups = [Vec<f64>; GROUPS];
 /// then acts through [`Covariances::roundings`].
 const OWN_ROUNDING: f64 = 1e-4;
 
-impl Covariances {
-    /// Sets `into` to the covariance for a hand, and `own` to the part of each rounding's variance that stays with its
-    /// value.
-    pub fn sum(&self, hand: &Hand, into: &mut [f64], own: &mut [f64]) {
-        match hand.habit {
-            Habit::AllDigits => into.fill(0.0),
-            Habit::Mixed | Habit::AsWritten => into.copy_from_slice(&self.roundings),
-        }
-        for (sum, part) in into.iter_mut().zip(&self.free) {
-            *sum += part;
-        }
-        for (own, used) in own.iter_mut().zip(&self.used) {
-            let is_passed_on = hand.habit == Habit::AsWritten && *used;
-            *own = if is_passed_on { OWN_ROUNDING } else { 1.0 };
-        }
-        for (group, s) in self.groups.iter().zip(hand.errors) {
-            if s != 0.0 {
-                for (sum, part) in into.iter_mut().zip(group) {
-                    *sum += s * s * part;
-                }
-            }
-        }
-    }
-}
-
 /// Adds the product of a column and its transpose.
 fn add_outer(matrix: &mut [f64], column: &[f64]) {
     let count = column.len();
@@ -252,6 +225,29 @@ impl Covariances {
             add_outer(&mut self.free, effects.of(free.operation, change, 1.0 / NUDGE));
         }
     }
+
+    /// Sets `into` to the covariance for a hand, and `own` to the part of each rounding's variance that stays with its
+    /// value.
+    pub fn sum(&self, hand: &Hand, into: &mut [f64], own: &mut [f64]) {
+        match hand.habit {
+            Habit::AllDigits => into.fill(0.0),
+            Habit::Mixed | Habit::AsWritten => into.copy_from_slice(&self.roundings),
+        }
+        for (sum, part) in into.iter_mut().zip(&self.free) {
+            *sum += part;
+        }
+        for (own, used) in own.iter_mut().zip(&self.used) {
+            let is_passed_on = hand.habit == Habit::AsWritten && *used;
+            *own = if is_passed_on { OWN_ROUNDING } else { 1.0 };
+        }
+        for (group, s) in self.groups.iter().zip(hand.errors) {
+            if s != 0.0 {
+                for (sum, part) in into.iter_mut().zip(group) {
+                    *sum += s * s * part;
+                }
+            }
+        }
+    }
 }
 
 /// Standard deviation of an error that is equally likely up to its limit, in parts of the limit.
@@ -298,7 +294,7 @@ fn add_slips(group: &mut [f64], effects: &mut Effects<'_>) {
             let maker = model.makers[reading.number.0];
             maker.is_some_and(|m| matches!(model.construction.operations[m].kind, OperationKind::Measure { .. }))
         });
-        if is_measured && !datum.is_angle {
+        if is_measured && datum.kind != QuantityKind::Angle {
             let slip = size * effects.exact[index];
             group[index * count + index] += slip * slip;
         }
@@ -352,7 +348,7 @@ fn written_numbers(model: &Model, data: &[Datum]) -> Vec<(NumberId, f64, Option<
         Some((reading.number, datum.rounding, Some(index)))
     });
     let sizes = model.sizes.iter().map(|&(number, sheet)| {
-        let same = data.iter().filter(|d| d.sheet == Some(sheet));
+        let same = data.iter().filter(|d| d.kind == sheet.facts().drawn);
         let finest = same.map(|d| d.rounding).fold(f64::INFINITY, f64::min);
         (number, if finest.is_finite() { finest } else { 0.0 }, None)
     });

@@ -2,8 +2,8 @@
 
 use super::measured::{AnswerKey, CheckError, Given, Measured, PlacedPoint, Positive};
 use super::names::{Meant, Names};
-use super::written::{Precision, factors, most_digits, number, whole_rounding};
-use crate::quantity::{QuantityRequest, What};
+use super::written::{Precision, factors, number, whole_rounding};
+use crate::quantity::QuantityRequest;
 use crate::text;
 use indexmap::IndexMap;
 
@@ -95,6 +95,9 @@ pub(super) fn entries_by(
     Ok(entries)
 }
 
+/// Rounding of distances of places, in mm: people write these to a tenth or a hundredth of a millimetre.
+pub(super) const ROUNDING: f64 = 0.05;
+
 /// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
 /// name. A distance that is written already keeps its value.
 fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
@@ -131,8 +134,8 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
             }
             let [p, q] = [from, to].map(|name| places[name]);
             let mm = libm::hypot(q.at[0] - p.at[0], q.at[1] - p.at[1]);
-            // People write places to a tenth or a hundredth of a millimetre; places from a photograph have their radii.
-            let rounding = libm::hypot(p.band.unwrap_or(0.0), q.band.unwrap_or(0.0)).max(0.05);
+            // Places from a photograph have their radii.
+            let rounding = libm::hypot(p.band.unwrap_or(0.0), q.band.unwrap_or(0.0)).max(ROUNDING);
             let Meant { asked, row, expected, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
             // The image of a point at rest is the pole itself.
             if expected == 0.0 {
@@ -170,7 +173,7 @@ pub fn faults(measured: &Measured, key: &AnswerKey<'_>) -> Vec<(usize, CheckErro
 
 /// Sets the precision and rounding of each entry from all values of its kind.
 fn find_precisions(entries: &mut [Entry]) {
-    let digits = most_digits(entries.iter().map(|entry| entry.text.as_str()));
+    let Precision { digits, .. } = Precision::of(entries.iter().map(|entry| entry.text.as_str()));
     for index in 0..entries.len() {
         let entry = &entries[index];
         if entry.text.is_empty() {
@@ -205,7 +208,7 @@ impl<'a> Reader<'a> {
         let Meant { asked, row, expected, step } = self.names.meant(&name, self.names_ground)?;
         let (kind, sheet) = (asked.kind(), asked.sheet());
         let has_length = asked.is_length_on_sheet();
-        let on_paper = marked || (self.measured.in_mm && matches!(asked.what(), What::Segment(..) | What::Length(..)));
+        let on_paper = marked || (self.measured.in_mm && asked.is_distance());
         if marked && !has_length {
             let hint = format!("write it in {}", kind.unit(self.key.solution.scene.units));
             return Err(CheckError::about(&name, "is no length on paper, so `/mu` cannot follow it", hint));

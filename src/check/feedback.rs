@@ -6,8 +6,8 @@ use super::marks::Awarded;
 use super::measured::{AnswerKey, CheckError, Measured};
 use super::redrawn::redrawn;
 use crate::construction::Solution;
-use crate::drawing::{Drawing, Overlay, RichText, overlay, overlay_words};
-use crate::format::{FeedbackPage, feedback_html};
+use crate::drawing::{Drawing, Overlay, overlay, overlay_words};
+use crate::format::feedback_html;
 use crate::scene::{Figure, PageSize, Scene};
 use crate::sheet::Scales;
 use crate::text::Untrusted;
@@ -35,9 +35,9 @@ impl Feedback {
         key: &AnswerKey<'_>,
         checked: &Checked,
         marks: Option<&Awarded>,
-        words: &Wording,
     ) -> Result<Feedback, CheckError> {
-        let mut overlay = redrawn(measured, key, checked, words)?;
+        let words = &key.solution.wording();
+        let mut overlay = redrawn(measured, key, checked)?;
         if let Some(marks) = marks {
             overlay.words.insert(1.min(overlay.words.len()), format!("{}.", marks.line(words)));
         }
@@ -75,19 +75,7 @@ impl Feedback {
         // Words and table are text of the page.
         let drawn = Overlay { words: Vec::new(), values: Vec::new(), ..self.overlay.clone() };
         let figures = self.solution.as_ref().map_or_else(Vec::new, |solution| overlay(solution, &drawn));
-        let words: Vec<RichText> = self.overlay.words.iter().map(|text| Overlay::set(text)).collect();
-        let head = self.overlay.head.each_ref().map(|text| Overlay::set(text));
-        let row = |cells: &[String; 6]| cells.iter().map(|text| Overlay::set(text)).collect();
-        let rows: Vec<(Vec<RichText>, bool)> =
-            self.overlay.values.iter().map(|value| (row(&value.cells), value.is_off)).collect();
-        feedback_html(&FeedbackPage {
-            title: &self.overlay.titled(&self.title),
-            language: Wording::of(&self.figure).language.code,
-            words: &words,
-            figures: &figures,
-            head: &head,
-            rows: &rows,
-        })
+        feedback_html(&self.title, Wording::of(&self.figure).language.code, &figures, &self.overlay)
     }
 }
 

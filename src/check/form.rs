@@ -2,13 +2,13 @@
 //! values; and the boxes for a page that shows them one by one.
 
 use super::measured::{AnswerKey, Given, Measured, ON_PAPER, PlacedPoint, PointsOf, Positive, WIDEST};
-use super::names::Names;
+use super::names::{Meant, Names};
 use super::table;
 use crate::construction::{Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
 use crate::quantity::{QuantityRequest, What};
 use crate::scene::{FileKind, SceneError, read_as};
-use crate::sheet::{Order, Scales, Sheet};
+use crate::sheet::{Order, Scales};
 use crate::text::{Untrusted, shown};
 use indexmap::{IndexMap, IndexSet};
 use serde::de::{Error, MapAccess, Visitor};
@@ -163,33 +163,7 @@ impl Measured {
             points: points.collect(),
         })
     }
-}
 
-/// The JSON of somebody's form with these values.
-fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
-    let mut form = Map::new();
-    let mut put = |key: &str, value: Json| {
-        if !value.is_null() {
-            form.insert(key.to_owned(), value);
-        }
-    };
-    put(MEASURED.key, json!(MEASURED.version));
-    put("name", json!(measured.name.clone().unwrap_or_default()));
-    put("exercise", json!(measured.exercise.as_ref().map(Untrusted::for_comparing)));
-    measured.mu.given().for_each(|(sheet, mu)| put(sheet.facts().scale_key, json!(mu)));
-    put("positive", json!(measured.positive));
-    put("in", json!(measured.in_mm.then_some(Paper::Mm)));
-    put("values", json!(values));
-    let places_of = |order: Order| -> IndexMap<&String, &PlacedPoint> {
-        measured.points.iter().filter(|plan| plan.order == order).flat_map(|plan| &plan.places).collect()
-    };
-    let points = Order::ALL.into_iter().map(|order| (order.sheet().as_str(), places_of(order)));
-    let points: IndexMap<_, _> = points.filter(|(_, places)| !places.is_empty()).collect();
-    put("points", json!((!measured.points.is_empty()).then_some(points)));
-    crate::format::json(&form)
-}
-
-impl Measured {
     /// A form without values: with the scales that stand in it, and the name of the exercise that it belongs to.
     /// Counter-clockwise is positive in every such form, as in scenes and results; a slide is positive along its guide.
     #[must_use]
@@ -248,6 +222,30 @@ impl Measured {
     }
 }
 
+/// The JSON of somebody's form with these values.
+fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
+    let mut form = Map::new();
+    let mut put = |key: &str, value: Json| {
+        if !value.is_null() {
+            form.insert(key.to_owned(), value);
+        }
+    };
+    put(MEASURED.key, json!(MEASURED.version));
+    put("name", json!(measured.name.clone().unwrap_or_default()));
+    put("exercise", json!(measured.exercise.as_ref().map(Untrusted::for_comparing)));
+    measured.mu.given().for_each(|(sheet, mu)| put(sheet.facts().scale_key, json!(mu)));
+    put("positive", json!(measured.positive));
+    put("in", json!(measured.in_mm.then_some(Paper::Mm)));
+    put("values", json!(values));
+    let places_of = |order: Order| -> IndexMap<&String, &PlacedPoint> {
+        measured.points.iter().filter(|plan| plan.order == order).flat_map(|plan| &plan.places).collect()
+    };
+    let points = Order::ALL.into_iter().map(|order| (order.sheet().as_str(), places_of(order)));
+    let points: IndexMap<_, _> = points.filter(|(_, places)| !places.is_empty()).collect();
+    put("points", json!((!measured.points.is_empty()).then_some(points)));
+    crate::format::json(&form)
+}
+
 /// A box for a value.
 #[derive(Clone, Debug)]
 pub struct FormBox {
@@ -257,17 +255,8 @@ pub struct FormBox {
     pub asked: QuantityRequest,
     /// How the sheets write it.
     pub label: RichText,
-    /// The sheet from which it is read.
-    pub sheet: Sheet,
     /// The number of the step that gives it.
     pub step: usize,
-}
-
-impl FormBox {
-    fn new(labels: &SheetLabels<'_>, name: String, asked: QuantityRequest, step: usize) -> FormBox {
-        let (label, sheet) = (labels.quantity(&asked), asked.sheet());
-        FormBox { name, asked, label, sheet, step }
-    }
 }
 
 /// The boxes of a scene's form, in its order.
@@ -277,7 +266,7 @@ pub fn form_boxes(solution: &Solution) -> Vec<FormBox> {
     let of_row = |name: &str| {
         let asked = QuantityRequest::new(name, &solution.mechanism).ok()?;
         let step = names.order.get(name).copied().unwrap_or(0);
-        Some(FormBox::new(&labels, names.in_form(name), asked, step))
+        Some(FormBox { name: names.in_form(name), label: labels.quantity(&asked), asked, step })
     };
     names.rows().filter_map(of_row).collect()
 }
@@ -290,8 +279,8 @@ pub fn further_boxes(measured: &Measured, key: &AnswerKey<'_>) -> Vec<FormBox> {
     let further = measured.values.iter().map(|given| given.name.trim_end_matches(ON_PAPER));
     let further = further.filter(|name| !asked_for.iter().any(|asked| asked == name));
     let of_name = |name: &str| {
-        let meant = names.quantity(name).ok()?;
-        Some(FormBox::new(&labels, name.to_owned(), meant.asked, meant.step))
+        let Meant { asked, step, .. } = names.quantity(name).ok()?;
+        Some(FormBox { name: name.to_owned(), label: labels.quantity(&asked), asked, step })
     };
     further.filter_map(of_name).collect()
 }

@@ -6,11 +6,11 @@
 
 use super::measured::{CheckError, UNDER_SLIDER};
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
-use crate::quantity::{Quantity, QuantityError, QuantityRequest, What};
+use crate::quantity::{QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, shown};
-use crate::words::{Notation, Wording, with_prime};
+use crate::words::{Notation, with_prime};
 use indexmap::IndexMap;
 
 /// The names of the quantities of the steps, once each: those that a form asks for.
@@ -79,7 +79,6 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
 #[derive(Debug)]
 pub(super) struct Names<'a> {
     pub solution: &'a Solution,
-    words: Wording,
     /// All quantities of the steps, in order, with the numbers of their steps.
     pub order: IndexMap<String, usize>,
     /// Those that the form asks for.
@@ -104,7 +103,6 @@ impl<'a> Names<'a> {
         let steps = construction.steps_of_quantities().into_iter();
         Names {
             solution,
-            words: Wording::of(&solution.scene.figure),
             order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
             rows: rows(construction),
         }
@@ -157,10 +155,7 @@ impl<'a> Names<'a> {
             asked = QuantityRequest::new(&format!("{name}.size"), &solution.mechanism).map_err(wrong)?;
         }
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), None);
-        let expected = match value.map_err(wrong)? {
-            Quantity::Number(x) => x,
-            Quantity::Vector(v) => v.norm(),
-        };
+        let expected = value.map_err(wrong)?.as_number();
         let row = self.row_of(asked.name()).to_owned();
         let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked));
         Ok(Meant { asked, row, expected, step })
@@ -232,7 +227,9 @@ impl<'a> Names<'a> {
         match asked.what() {
             What::Segment(order, [from, to]) => between(order.sheet(), from, to),
             What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
-            _ => plain(&asked.symbol(&self.solution.mechanism, self.words.notation, &|name| self.label(name))),
+            _ => plain(
+                &asked.symbol(&self.solution.mechanism, self.solution.wording().notation, &|name| self.label(name)),
+            ),
         }
     }
 
@@ -285,7 +282,7 @@ impl<'a> Names<'a> {
         let labels = &self.solution.scene.figure.labels;
         let shown = match (labels.get(name), self.solution.construction.plan_on(sheet)) {
             (Some(label), _) => plain(&label.for_setting()),
-            (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), self.words.notation)),
+            (None, Some(plan)) => plain(&plan.shown(name, name.to_owned(), self.solution.wording().notation)),
             (None, None) => name.to_owned(),
         };
         let is_plain = !shown.is_empty() && !shown.contains([',', '(', ')', ' ', '"', ';']);

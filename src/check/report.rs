@@ -11,8 +11,9 @@ use serde::Serialize;
 
 /// The report for the student: verdicts in the order of the construction, then the mistakes that were probably made.
 #[must_use]
-pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String {
-    let parts = ReportText::new(checked, key, words, Medium::Text).parts();
+pub fn report(checked: &Checked, key: &AnswerKey<'_>) -> String {
+    let text = ReportText::new(checked, key, Medium::Text);
+    let parts = text.parts();
     let mut lines = vec![parts.counts];
     lines.extend(parts.accuracy);
     lines.push(String::new());
@@ -31,7 +32,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> String
     lines.extend(parts.further);
     if !parts.others.is_empty() {
         lines.push(String::new());
-        lines.push(words.language.check_others().to_owned());
+        lines.push(text.own.check_others().to_owned());
         lines.extend(parts.others.iter().map(|other| format!("  - {other}")));
     }
     lines.join("\n") + "\n"
@@ -121,24 +122,25 @@ impl ReportParts {
     }
 }
 
-/// The parts of the report on checked values, in the wording's language, for a page or a figure.
+/// The parts of the report on checked values, for a page or a figure.
 #[must_use]
-pub fn report_parts(checked: &Checked, key: &AnswerKey<'_>, words: &Wording) -> ReportParts {
-    ReportText::new(checked, key, words, Medium::Figure).parts()
+pub fn report_parts(checked: &Checked, key: &AnswerKey<'_>) -> ReportParts {
+    ReportText::new(checked, key, Medium::Figure).parts()
 }
 
 /// Writes the sentences about checked values.
 struct ReportText<'a> {
     checked: &'a Checked,
     key: &'a AnswerKey<'a>,
-    words: &'a Wording,
+    words: Wording,
     own: &'static Language,
     medium: Medium,
     names: Names<'a>,
 }
 
 impl<'a> ReportText<'a> {
-    fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, words: &'a Wording, medium: Medium) -> ReportText<'a> {
+    fn new(checked: &'a Checked, key: &'a AnswerKey<'a>, medium: Medium) -> ReportText<'a> {
+        let words = key.solution.wording();
         ReportText { checked, key, words, own: words.language, medium, names: Names::new(key.solution) }
     }
 
@@ -277,7 +279,7 @@ impl<'a> ReportText<'a> {
         let new = other.findings.iter().filter(|f| !best.iter().any(|g| g.candidate.told == f.candidate.told));
         let told: Vec<String> = new
             .map(|f| {
-                let [done, _] = f.candidate.told.sentences_with(self.words, &|name| self.names.named(name));
+                let [done, _] = f.candidate.told.sentences_with(&self.words, &|name| self.names.named(name));
                 format!("{}: {done}", step(&f.candidate, self.own))
             })
             .collect();
@@ -299,7 +301,7 @@ impl<'a> ReportText<'a> {
     /// The sentences about a mistake.
     fn cause(&self, finding: &Finding) -> Cause {
         let Finding { candidate, follows, .. } = finding;
-        let [done, should] = told_alone(candidate, &self.names, self.words);
+        let [done, should] = told_alone(candidate, &self.names, &self.words);
         let step = self.key.solution.construction.numbered_steps().find(|s| s.number == candidate.step);
         let follows = match follows.as_slice() {
             // This mistake is in every value.
@@ -310,8 +312,8 @@ impl<'a> ReportText<'a> {
         Cause {
             done,
             caption: step.map(|step| {
-                let caption = Teller::new(self.key.solution, self.words).caption(&step);
-                shown_text(&caption, step.plan, self.words)
+                let caption = Teller::new(self.key.solution, &self.words).caption(&step);
+                shown_text(&caption, step.plan, &self.words)
             }),
             should,
             follows,

@@ -4,7 +4,6 @@ use super::checked::{Accuracy, Checked, Explanation, Finding, Verdict};
 use super::marks::Awarded;
 use super::measured::AnswerKey;
 use crate::text::Untrusted;
-use crate::words::Wording;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -102,9 +101,10 @@ pub struct MistakeResult {
     pub follows: Vec<String>,
 }
 
-/// The result as JSON shows it, sentences in the wording's language.
+/// The result as JSON shows it, sentences in the language of the scene's figure.
 #[must_use]
-pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, name: Option<Untrusted>) -> CheckResult {
+pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrusted>) -> CheckResult {
+    let words = key.solution.wording();
     let values = checked.values.iter().map(|value| {
         let entry = &value.entry;
         ValueResult {
@@ -122,7 +122,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, words: &Wording, nam
     });
     let mistake = |finding: &Finding| {
         let candidate = &finding.candidate;
-        let [done, should_be] = candidate.told.sentences(words);
+        let [done, should_be] = candidate.told.sentences(&words);
         MistakeResult {
             mistake: candidate.mistake().id(),
             step: candidate.step,

@@ -12,8 +12,7 @@ use super::entry::Entry;
 use super::mistakes::{Candidate, Free};
 use super::model::{Changes, Model, TOGETHER, in_order};
 use crate::construction::{Change, Tolerance};
-use crate::quantity::{QuantityKind, Sense};
-use crate::sheet::Sheet;
+use crate::sheet::QuantityKind;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
@@ -63,12 +62,7 @@ impl<'a> Scorer<'a> {
                 value: entry.value,
                 rounding,
                 is_magnitude: entry.is_magnitude || reading.is_size(),
-                is_angle: reading.sense == Sense::Angle,
-                sheet: match kind {
-                    QuantityKind::Velocity => Some(Sheet::Velocity),
-                    QuantityKind::Acceleration => Some(Sheet::Acceleration),
-                    _ => None,
-                },
+                kind,
                 span,
             })
         });

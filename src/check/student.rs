@@ -9,7 +9,6 @@ use super::report::told_alone;
 use super::search::other_modes;
 use crate::construction::{Change, Disturbance, Tolerance};
 use crate::quantity::QuantityKind;
-use crate::words::Wording;
 
 /// A simulated student who draws a scene and fills in the whole form.
 pub struct Student<'a> {
@@ -128,8 +127,8 @@ impl<'a> Student<'a> {
 
     /// What the check says of a mistake: at which step what was done, and what should have been.
     #[must_use]
-    pub fn told(&self, mistake: &Candidate, words: &Wording) -> [String; 2] {
-        told_alone(mistake, &Names::new(self.key.solution), words)
+    pub fn told(&self, mistake: &Candidate) -> [String; 2] {
+        told_alone(mistake, &Names::new(self.key.solution), &self.key.solution.wording())
     }
 
     /// The names of the form's quantities.

@@ -2,7 +2,7 @@
 
 use super::measured::{CheckError, Given, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
 use crate::sheet::{Order, Sheet};
-use crate::text::{Untrusted, cell, shown};
+use crate::text::{Untrusted, cell, quoted, shown};
 
 impl Measured {
     /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
@@ -124,11 +124,6 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
         lines.extend(plan.places.iter().map(line));
     }
     lines.join("\n") + "\n"
-}
-
-/// The text of a cell, in quotes.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('"', "\"\""))
 }
 
 /// The plan and the point that the name of a place means, as `velocity:b`; `None` for other names.

@@ -60,11 +60,6 @@ pub fn whole_rounding(text: &str, digits: i32) -> f64 {
     0.5 * libm::exp10(f64::from(first + 1 - digits.min(WHOLE)))
 }
 
-/// The most significant digits that any of these numbers has.
-pub fn most_digits<'t>(texts: impl Iterator<Item = &'t str>) -> i32 {
-    texts.filter(|text| !text.contains(['e', 'E'])).map(|text| counts(text).1).max().unwrap_or(0)
-}
-
 /// Decimals and significant digits of a number as it is written.
 fn counts(text: &str) -> (i32, i32) {
     let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());

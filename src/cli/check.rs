@@ -14,7 +14,7 @@ use crate::format;
 use crate::scene::{Figure, SizeLimit};
 use crate::sheet::Order;
 use crate::words::Wording;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -52,8 +52,9 @@ pub(super) struct Check {
     #[arg(long)]
     pub(super) accept: bool,
     /// Print an empty form in place of a check: every quantity of the steps, in order.
-    #[arg(long, value_name = "FORMAT", num_args = 0..=1, default_missing_value = "json", conflicts_with = "measured")]
-    template: Option<TemplateFormat>,
+    #[arg(long, value_name = "FORMAT", num_args = 0..=1, default_missing_value = "json", conflicts_with = "measured",
+        value_parser = ["json", "csv"])]
+    template: Option<String>,
     /// Print verdicts and diagnosis as JSON.
     #[arg(long)]
     json: bool,
@@ -79,12 +80,6 @@ pub(super) struct Check {
     correction: Correction,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum TemplateFormat {
-    Json,
-    Csv,
-}
-
 impl Check {
     pub(super) fn run(&self) -> Result<(), Failure> {
         if self.photographs()? {
@@ -96,7 +91,7 @@ impl Check {
         let solution = self.solved(&self.scene)?;
         let Some(path) = &self.measured else {
             let form = Measured::empty(solution.scales(), None);
-            let is_csv = matches!(self.template, Some(TemplateFormat::Csv));
+            let is_csv = self.template.as_deref() == Some("csv");
             return files::print(if is_csv { form.csv(&solution) } else { form.json(&solution) }.as_bytes());
         };
         self.correction.refuse_drawing_options(path.is_dir())?;
@@ -143,25 +138,25 @@ impl Check {
         let path = self.measured.as_deref().unwrap_or(Path::new("-"));
         let own = exercise.marks();
         let marks = own.as_deref().or(self.marks.as_deref()).map(GivenMarks::read).transpose()?;
-        let Subject { key: prepared, words, scheme, .. } = self.subject(None, solution, marks.as_ref())?;
+        let Subject { key: prepared, scheme, .. } = self.subject(None, solution, marks.as_ref())?;
         let key = prepared.key();
         let name = file_name(Path::new(path.file_name().unwrap_or_default()), path);
         let pages = self.feedback.pages([name.for_comparing()])?;
         let checked = prepared.check(measured).map_err(|error| text.misuse(&error))?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let printed = if self.json {
-            let mut result = check::check_result(&checked, key, &words, measured.name.clone());
+            let mut result = check::check_result(&checked, key, measured.name.clone());
             result.marks = marks;
             format::json(&result)
         } else {
-            let marks = marks.as_ref().map_or_else(String::new, |marks| marks.line(&words) + "\n");
-            check::report(&checked, key, &words) + &marks
+            let marks = marks.as_ref().map_or_else(String::new, |marks| marks.line(&solution.wording()) + "\n");
+            check::report(&checked, key) + &marks
         };
         show_warnings(solution);
         let mut files = FileSet::default();
-        self.correction.write(&mut files, solution, [&exercise.scene, path], measured, key, &checked)?;
+        self.correction.write(&mut files, [&exercise.scene, path], measured, key, &checked)?;
         if let Some(pages) = pages {
-            let feedback = Feedback::new(measured, key, &checked, marks.as_ref(), &words);
+            let feedback = Feedback::new(measured, key, &checked, marks.as_ref());
             files.add_all(&pages.of(0, &feedback.map_err(|error| text.misuse(&error))?)?)?;
         }
         files::print_text(&printed)?;
@@ -197,7 +192,8 @@ impl Check {
         // Without any exercise that can be solved the report is worded as the options say.
         let mut usual = Figure::default();
         self.words.put_into(&mut usual);
-        let words = &solved().map(|subject| subject.words).next().unwrap_or_else(|| Wording::of(&usual));
+        let words = solved().next().map(|subject| subject.key.key().solution.wording());
+        let words = &words.unwrap_or_else(|| Wording::of(&usual));
         Class { folder, forms, exercises, columns, format, output: &output, pages, words }.run()
     }
 
@@ -295,7 +291,7 @@ impl Check {
     ) -> Result<Subject<'a>, Failure> {
         let key = self.key(solution);
         let scheme = marks.map(|marks| marks.of(&key, name)).transpose()?;
-        Ok(Subject { name, key: Prepared::new(&key), words: Wording::of(&solution.scene.figure), scheme })
+        Ok(Subject { name, key: Prepared::new(&key), scheme })
     }
 
     pub(super) fn key<'a>(&self, solution: &'a Solution) -> AnswerKey<'a> {

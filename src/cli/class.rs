@@ -44,7 +44,6 @@ pub(super) struct Subject<'a> {
     /// Its name in a report on several.
     pub name: Option<&'a str>,
     pub key: Prepared<'a>,
-    pub words: Wording,
     pub scheme: Option<MarkScheme>,
 }
 
@@ -153,7 +152,14 @@ impl Class<'_> {
     /// The row and the page of a form. Whatever goes wrong with it is said there, and ends nothing else.
     fn row(&self, index: usize) -> Done {
         let done = caught(|| self.checked(index)).unwrap_or_else(Err);
-        done.unwrap_or_else(|message| self.broken(index, message))
+        let (row, page) = done.unwrap_or_else(|message| self.broken(index, message));
+        let exercise = self.subject(index).and_then(|subject| subject.name).map(Untrusted::from);
+        (ClassRow { exercise, ..row }, page)
+    }
+
+    /// The exercise of a form, if it is known and can be solved.
+    fn subject(&self, index: usize) -> Option<&Subject<'_>> {
+        self.exercises.get(*self.forms[index].exercise.as_ref().ok()?)?.as_ref().ok()
     }
 
     /// The row and the page of a form that is checked, or why it is not.
@@ -165,33 +171,32 @@ impl Class<'_> {
         let checked = subject.key.check(&measured);
         let checked = checked.map_err(|error| Failure::from(error).line(""))?;
         let (name, file) = (measured.name.as_ref(), form.file.clone());
-        let row = ClassRow::checked(file, name, &checked, subject.key.key(), &subject.words, subject.scheme.as_ref());
+        let row = ClassRow::checked(file, name, &checked, subject.key.key(), subject.scheme.as_ref());
         let page = self.page(index, || {
             let marks = subject.scheme.as_ref().map(|scheme| scheme.award(&checked));
             let name = measured.name.clone().unwrap_or_else(|| form.file.stem());
             let named = Measured { name: Some(name), ..measured.clone() };
-            Ok(Feedback::new(&named, subject.key.key(), &checked, marks.as_ref(), &subject.words)?)
+            Ok(Feedback::new(&named, subject.key.key(), &checked, marks.as_ref())?)
         });
         let page = page.map_err(|failure| format!("its page cannot be made: {}", failure.line("")))?;
-        Ok((row.of(subject.name), page))
+        Ok((row, page))
     }
 
     /// The row and the page of a form that is not understood.
     fn broken(&self, index: usize, mut message: String) -> Done {
         let form = &self.forms[index];
-        let exercise = form.exercise.as_ref().ok().and_then(|exercise| self.exercises.get(*exercise));
-        let subject = exercise.and_then(|subject| subject.as_ref().ok());
         let refused = || {
             let name = measured(&form.path).ok().and_then(|measured| measured.name).unwrap_or_else(|| form.file.stem());
-            let scene = subject.map(|subject| &subject.key.key().solution.scene);
-            Ok(Feedback::refused(scene, &name, &message, subject.map_or(self.words, |subject| &subject.words)))
+            let scene = self.subject(index).map(|subject| &subject.key.key().solution.scene);
+            let words = scene.map_or(*self.words, |scene| Wording::of(&scene.figure));
+            Ok(Feedback::refused(scene, &name, &message, &words))
         };
         let page = caught(|| self.page(index, refused)).and_then(|page| page.map_err(|failure| failure.line("")));
         let page = page.unwrap_or_else(|why| {
             message = format!("{message}; it has no page: {why}");
             Vec::new()
         });
-        (ClassRow::broken(form.file.clone(), &message).of(subject.and_then(|subject| subject.name)), page)
+        (ClassRow::broken(form.file.clone(), &message), page)
     }
 
     /// The files of the page of a form, if pages are wanted.

@@ -5,7 +5,6 @@ use super::message::{Failure, refuse, warn};
 use super::options::{GivenScales, Paper, scale_option};
 use super::output::FileSet;
 use crate::check::{self, AnswerKey, Checked, Feedback, Measured};
-use crate::construction::Solution;
 use crate::drawing::{FigureSheets, overlay};
 use crate::format::FEEDBACK_MARK;
 use crate::sheet::Sheet;
@@ -192,7 +191,6 @@ impl Correction {
     pub(super) fn write(
         &self,
         files: &mut FileSet,
-        solution: &Solution,
         [scene_file, values_file]: [&Path; 2],
         measured: &Measured,
         key: &AnswerKey<'_>,
@@ -207,7 +205,7 @@ impl Correction {
                 "name a folder or a file after --draw",
             );
         }
-        let mut solution = solution.clone();
+        let mut solution = key.solution.clone();
         let figure = &mut solution.scene.figure;
         // Scales: from the options, else from the form, else from the scene.
         figure.mu = measured.mu.or(figure.mu);
@@ -215,7 +213,7 @@ impl Correction {
         style.put_into(figure);
         self.paper.put_into(figure);
         self.scales.put_into(figure);
-        let redrawn = check::redrawn(measured, key, checked, &solution.wording())?;
+        let redrawn = check::redrawn(measured, key, checked)?;
         FigureSheets::new(&solution).overflow_warnings().iter().for_each(|text| warn(text));
         let mut sheets = overlay(&solution, &redrawn);
         style.put_on(&mut sheets);

@@ -1,11 +1,10 @@
 //! Options that several commands have: the words, the sheet and its scales, the hand that draws.
 
-use crate::construction::{Solution, Tolerance};
-use crate::quantity::{self, Pencil, QuantityRequest};
+use crate::construction::Tolerance;
 use crate::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, ScalesFor};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use clap::builder::{PossibleValue, PossibleValuesParser, StringValueParser, TypedValueParser};
-use clap::{Arg, ArgMatches, Args, Command, FromArgMatches, ValueEnum};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use std::ffi::OsStr;
 
 /// How things are said and written, in place of what the scene's figure asks for.
@@ -64,20 +63,15 @@ pub(super) struct Paper {
     #[arg(long, value_name = "NAME", value_parser = one_of(Page::NAMES.as_flattened(), |name| name))]
     page: Option<&'static str>,
     /// Which way the sheet lies.
-    #[arg(long, value_enum)]
-    orientation: Option<Orientation>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Orientation {
-    Landscape,
-    Portrait,
+    #[arg(long = "orientation", value_name = "ORIENTATION",
+        value_parser = one_of(&[true, false], |is_landscape| if is_landscape { "landscape" } else { "portrait" }))]
+    landscape: Option<bool>,
 }
 
 impl Paper {
     /// Whether one of its options is given.
     pub(super) fn is_given(&self) -> bool {
-        self.page.is_some() || self.orientation.is_some()
+        self.page.is_some() || self.landscape.is_some()
     }
 
     /// Overrides a scene's figure by the options that are given.
@@ -87,8 +81,7 @@ impl Paper {
             page.size = given.size;
             page.landscape = if name.contains('-') { given.landscape } else { page.landscape };
         }
-        let landscape = self.orientation.map(|way| way == Orientation::Landscape);
-        page.landscape = landscape.unwrap_or(page.landscape);
+        page.landscape = self.landscape.unwrap_or(page.landscape);
     }
 }
 
@@ -220,10 +213,5 @@ impl Hand {
     pub(super) fn tolerance(&self) -> Tolerance {
         let usual = Tolerance::default();
         Tolerance { mm: self.mm.unwrap_or(usual.mm), degrees: self.degrees.unwrap_or(usual.degrees) }
-    }
-
-    /// The bands of the quantities `asked`, drawn at the scales of the scene's figure.
-    pub(super) fn pencil(&self, solution: &Solution, asked: Vec<QuantityRequest>) -> Pencil {
-        quantity::pencil(solution, &solution.scales(), self.tolerance(), asked)
     }
 }

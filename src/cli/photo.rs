@@ -71,8 +71,8 @@ pub(super) fn expected(solution: &Solution, scene: &Path) -> Vec<SheetCode> {
 
 impl PhotoResult {
     /// What photographs of the sheets of a scene tell.
-    pub(super) fn of(photos: Vec<Photo>, solution: &Solution, key: &AnswerKey<'_>) -> Result<PhotoResult, Failure> {
-        let own = solution.scene.fingerprint();
+    pub(super) fn of(photos: Vec<Photo>, key: &AnswerKey<'_>) -> Result<PhotoResult, Failure> {
+        let own = key.solution.scene.fingerprint();
         if let Some(photo) = photos.iter().find(|photo| photo.sheet.code.scene != own) {
             return refuse(
                 format!(
@@ -111,7 +111,7 @@ impl PhotoResult {
         let sheet = |photo: &Photo| {
             let seen: Vec<SeenPoint> = photo.plans().flat_map(|plan| seen(&plan, &proposals)).collect();
             let code = &photo.sheet.code;
-            (photo.path.clone(), code.clone(), photo.backdrop(), over_photo(solution, code, &seen))
+            (photo.path.clone(), code.clone(), photo.backdrop(), over_photo(key.solution, code, &seen))
         };
         let sheets = photos.iter().map(sheet).collect();
         Ok(PhotoResult { points: proposals, measured, sheets })

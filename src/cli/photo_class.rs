@@ -10,7 +10,7 @@ use super::solve::show_warnings;
 use crate::check::PointVerdict;
 use crate::construction::Solution;
 use crate::cores::on_all_cores;
-use crate::text::{Untrusted, cell};
+use crate::text::{Untrusted, cell, quoted};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -102,7 +102,7 @@ impl Check {
                 "name the folder with the exercise from which it was printed",
             );
         };
-        let mut result = PhotoResult::of(photos, &subject.1, &self.key(&subject.1))?;
+        let mut result = PhotoResult::of(photos, &self.key(&subject.1))?;
         result.measured.name = Some(Untrusted::from(name));
         Ok((subject, result))
     }
@@ -146,10 +146,10 @@ impl Check {
                     }
                     Err(failure) => {
                         broken += 1;
-                        format!(",,,,{}", quoted(&failure.line("")))
+                        format!(",,,,{}", quoted(&cell(&failure.line(""))))
                     }
                 };
-                table += &format!("{},{},{row}\n", quoted(name), paths.len());
+                table += &format!("{},{},{row}\n", quoted(&cell(name)), paths.len());
             }
         }
         files.finish()?;
@@ -170,11 +170,6 @@ impl Check {
         ));
         passed(off, broken)
     }
-}
-
-/// A text as a cell of a table.
-fn quoted(text: &str) -> String {
-    format!("\"{}\"", cell(text).replace('"', "\"\""))
 }
 
 /// The photographs in a folder and in the folders in it, one for each student; none where it has forms.

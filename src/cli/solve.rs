@@ -8,7 +8,7 @@ use crate::construction::Solution;
 use crate::drawing::Style;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, counted_poses, with_nearest_sides};
-use crate::quantity::{QuantityRequest, readable_names, step_pencil};
+use crate::quantity::{QuantityRequest, pencil, readable_names, step_pencil};
 use crate::scene::{Figure, Scene, SizeLimit};
 use crate::sheet::Order;
 use crate::words::Wording;
@@ -95,7 +95,7 @@ impl Solve {
         let mut result = source.checked(solution.whole_result())?;
         if self.pencil || self.hand.is_given() {
             let asked = source.checked(readable_quantities(&solution))?;
-            let pencil = self.hand.pencil(&solution, asked);
+            let pencil = pencil(&solution, &solution.scales(), self.hand.tolerance(), asked);
             result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
         show_warnings(&solution);

@@ -113,7 +113,7 @@ fn printed(sheets: &[Drawing]) -> Result<Vec<u8>, CourseError> {
 /// The fields of an exercise's form.
 fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseError> {
     let solution = &exercise.solution;
-    let key = AnswerKey { scales: exercise.scales, ..AnswerKey::new(solution, Some(Tolerance::default())) };
+    let key = AnswerKey::new(solution, Some(Tolerance::default()));
     let student = Student::new(&key)?;
     let right = student.exact(None);
     let mut wrong: Vec<Vec<Wrong>> = vec![Vec::new(); right.len()];
@@ -121,7 +121,7 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
         let ways = student.ways(mistake);
         let share = mistake.share() / ways.len().max(1) as f64;
         for way in &ways {
-            let told = student.told(way, words).join(" ");
+            let told = student.told(way).join(" ");
             for (place, value) in student.exact(Some(way)).into_iter().enumerate() {
                 if let Some(value) = value.filter(|value| Some(*value) != right[place]) {
                     wrong[place].push(Wrong {

@@ -12,7 +12,7 @@ use super::table::{Cells, Heading, Table};
 use super::text::{CAPTION, RichText};
 use super::values::is_hidden;
 use crate::construction::{Action, NumberedStep, Plan};
-use crate::quantity::{QuantityRequest, What};
+use crate::quantity::QuantityRequest;
 use crate::sheet::Sheet;
 use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::{Point, Rect, Vec2};
@@ -100,7 +100,7 @@ impl Worksheet {
     pub(super) fn blank(context: &SheetContext<'_>, asked: &[QuantityRequest], place: TablePlace) -> Self {
         let language = context.words.language;
         let blank = |(asked, number): (&QuantityRequest, usize)| {
-            let is_length = matches!(asked.what(), What::Segment(..) | What::Length(..));
+            let is_length = asked.is_distance();
             let scale = if is_length { asked.sheet().facts().scale_symbol } else { "" };
             let texts = row(&context.quantity(asked), "", scale, "", &asked.kind().unit(context.solution.scene.units));
             let boxes: &'static [usize] = if is_length { &[MILLIMETRES, VALUES] } else { &[VALUES] };

@@ -1,5 +1,5 @@
 use super::svg;
-use crate::drawing::{Drawing, RichText, Script};
+use crate::drawing::{Drawing, Overlay, RichText, Script};
 use crate::text::{Untrusted, xml};
 
 /// The template of the page, with `{{name}}` for its contents.
@@ -8,52 +8,39 @@ const PAGE: &str = include_str!("../../templates/feedback.html");
 /// What is in every page, so that a program knows its own.
 pub const FEEDBACK_MARK: &str = "kinegon-feedback";
 
-/// What a student gets back, for a browser.
-#[derive(Clone, Copy, Debug)]
-pub struct FeedbackPage<'a> {
-    /// The exercise's title, with the student's name.
-    pub title: &'a Untrusted,
-    /// Code of the page's language, as in `en`.
-    pub language: &'a str,
-    /// The sentences, by paragraph.
-    pub words: &'a [RichText],
-    /// The student's drawing over the right figure; none where nothing is to be shown.
-    pub figures: &'a [Drawing],
-    /// Headings of the table of values.
-    pub head: &'a [RichText],
-    /// Its rows, each with whether its value is off; the first cell names the value, the last has the verdict.
-    pub rows: &'a [(Vec<RichText>, bool)],
-}
-
 /// One self-contained HTML file without a script, which prints on A4. The letters of figures are outlines, so that they
 /// look the same everywhere.
+///
+/// `figures` show the student's drawing over the right figure; words and values are those of `overlay`. `language` is the
+/// code of the page's, as in `en`.
 #[must_use]
-pub fn feedback_html(page: &FeedbackPage<'_>) -> String {
-    let words: String = page.words.iter().map(|text| format!("<p>{}</p>\n", html_text(text))).collect();
-    let figures = page.figures.iter().map(|drawing| {
+pub fn feedback_html(title: &Untrusted, language: &str, figures: &[Drawing], overlay: &Overlay) -> String {
+    let html = |text: &String| html_text(&Overlay::set(text));
+    let words: String = overlay.words.iter().map(|text| format!("<p>{}</p>\n", html(text))).collect();
+    let figures = figures.iter().map(|drawing| {
         // What stands before the picture belongs to a file of its own.
         let svg = svg::svg_with(drawing, svg::Text::Outlines);
         let start = svg.find("<svg").unwrap_or(0);
         format!("<figure>\n{}</figure>\n", &svg[start..])
     });
-    let cells = |texts: &[RichText], tag: &str| -> String {
-        texts.iter().map(|text| format!("<{tag}>{}</{tag}>", html_text(text))).collect()
+    let cells = |texts: &[String], tag: &str| -> String {
+        texts.iter().map(|text| format!("<{tag}>{}</{tag}>", html(text))).collect()
     };
-    let rows = page.rows.iter().map(|(texts, is_off)| {
-        let class = if *is_off { " class=\"off\"" } else { "" };
-        format!("<tr{class}>{}</tr>\n", cells(texts, "td"))
+    let rows = overlay.values.iter().map(|value| {
+        let class = if value.is_off { " class=\"off\"" } else { "" };
+        format!("<tr{class}>{}</tr>\n", cells(&value.cells, "td"))
     });
     let rows: String = rows.collect();
-    let table = match page.rows {
-        [] => String::new(),
-        _ => {
-            format!("<table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n", cells(page.head, "th"))
-        }
+    let table = if rows.is_empty() {
+        rows
+    } else {
+        let head = cells(&overlay.head, "th");
+        format!("<table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>\n")
     };
     let contents = [
         ("mark", FEEDBACK_MARK.to_owned()),
-        ("title", page.title.for_xml()),
-        ("language", xml(page.language).into_owned()),
+        ("title", overlay.titled(title).for_xml()),
+        ("language", xml(language).into_owned()),
         ("words", words),
         ("figures", figures.collect()),
         ("table", table),

@@ -26,7 +26,7 @@ mod workbench;
 #[cfg(feature = "arrow")]
 pub use self::columns::{ColumnFormat, Columns};
 pub use self::digits::DigitRow;
-pub use self::feedback::{FEEDBACK_MARK, FeedbackPage, feedback_html, html_text};
+pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::{PdfError, pdf_pages};

@@ -78,6 +78,12 @@ impl QuantityRequest {
         !self.turns() && !self.is_rate()
     }
 
+    /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
+    #[must_use]
+    pub fn is_distance(&self) -> bool {
+        matches!(self.what, What::Segment(..) | What::Length(..))
+    }
+
     /// Whether it is a rate that is solved for or given: its sense is written as a sign, or not at all.
     #[must_use]
     pub fn is_rate(&self) -> bool {

@@ -49,12 +49,11 @@ fn checked() -> [Drawing; 2] {
     let mut solution = solution.expect("the example is sound");
     let measured = Measured::read_json(&files::read("examples/paper-as-student.json"));
     let measured = measured.expect("the example is sound");
-    let words = solution.wording();
     let own = {
         // As deep as the program looks.
         let drawn = answer_key(&solution, 5);
         let checked = check(&measured, &drawn).expect("values that are understood");
-        redrawn(&measured, &drawn, &checked, &words).expect("scales are there")
+        redrawn(&measured, &drawn, &checked).expect("scales are there")
     };
     let figure = &mut solution.scene.figure;
     figure.mu = PerSheet::from_fn(|sheet| Some(if sheet == Sheet::Scheme { 5.0 } else { 2.5 }));

@@ -30,8 +30,7 @@ fn a_form_that_is_written_and_read_again_has_the_same_verdicts() {
     let solution = solved(&files::read("examples/figure-2.json")).expect("a sound scene");
     let key = answer_key(&solution, 2);
     let own = papers();
-    let words = solution.wording();
-    let told = |measured: &Measured| report(&check(measured, &key).expect("values that are understood"), &key, &words);
+    let told = |measured: &Measured| report(&check(measured, &key).expect("values that are understood"), &key);
     let again = Measured::read_json(&own.json(&solution)).expect("a form");
     assert_eq!(told(&again), told(&own));
     assert_eq!(told(&Measured::read_csv(&own.csv(&solution)).expect("a table")), told(&own));
@@ -51,7 +50,7 @@ fn every_verdict_has_its_box() {
     assert!(further.contains(&"v(B/A).size".to_owned()), "{further:?}");
     boxes.extend(further);
     let checked = check(&own, &key).expect("values that are understood");
-    let parts = report_parts(&checked, &key, &solution.wording());
+    let parts = report_parts(&checked, &key);
     assert_eq!(parts.rows.len(), checked.values.len());
     for row in &parts.rows {
         assert!(boxes.contains(&row.name), "{} of {boxes:?}", row.name);

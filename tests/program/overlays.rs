@@ -23,11 +23,10 @@ struct Drawings {
 
 /// The sheets at the scene's scales, else at the student's.
 fn drawn(mut solution: Solution, measured: &Measured, depth: usize) -> Drawings {
-    let words = solution.wording();
     let (own, checked) = {
         let right = answer_key(&solution, depth);
         let checked = check::check(measured, &right).expect("values that are understood");
-        let own = check::redrawn(measured, &right, &checked, &words);
+        let own = check::redrawn(measured, &right, &checked);
         (own.expect("scales are there"), checked)
     };
     let figure = &mut solution.scene.figure;

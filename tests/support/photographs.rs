@@ -49,7 +49,7 @@ pub fn given(number: u64) -> Option<Given> {
     let folder = if kind.starts_with("figure") { "examples" } else { "templates" };
     let text = files::read(&format!("{folder}/{kind}.json"));
     let base = solved(&text).expect("a good scene");
-    let mut exercises = Exercises::new(&text, &base.scene.figure, None, &base.construction, number).ok()?;
+    let mut exercises = Exercises::new(&base, None, number).ok()?;
     let exercise = exercises.next().ok()?;
     let task = Task::new(kind, &exercise.text)?;
     let sheets = exercise.sheets(kind).into_iter();
@@ -232,7 +232,7 @@ fn is_same(task: &Task, order: Order, one: &str, other: &str) -> bool {
 /// How well what is told of a form fits what was planted.
 fn class_of(form: &Measured, key: &AnswerKey<'_>, planned: &Planned) -> Class {
     let checked = check(form, key).expect("a form that is understood");
-    class(&Said::new(&check_result(&checked, key, &key.solution.wording(), None)), planned)
+    class(&Said::new(&check_result(&checked, key, None)), planned)
 }
 
 fn order_of(plan: usize) -> Order {

@@ -62,15 +62,15 @@ fn checked(subject: &Subject, measured: &Measured, given: &str) {
             return outputs::html(&page.html());
         }
     };
-    let report = check::report(&found, key, &words);
+    let report = check::report(&found, key);
     outputs::numbers(&outputs::terminal(report.as_bytes()), given);
-    let result = check::check_result(&found, key, &words, measured.name.clone());
+    let result = check::check_result(&found, key, measured.name.clone());
     outputs::json(&format::json(&result));
-    let row = ClassRow::checked(file, measured.name.as_ref(), &found, key, &words, Some(&subject.scheme));
+    let row = ClassRow::checked(file, measured.name.as_ref(), &found, key, Some(&subject.scheme));
     table(&row.csv(columns), columns);
     outputs::json(&format::json_line(&row));
     let marks = subject.scheme.award(&found);
-    let page = Feedback::new(measured, key, &found, Some(&marks), &words).expect("what was checked has its scales");
+    let page = Feedback::new(measured, key, &found, Some(&marks)).expect("what was checked has its scales");
     outputs::html(&page.html());
     for sheet in page.sheets() {
         pictures(&sheet);
@@ -144,15 +144,14 @@ pub fn texts(lines: &str) {
     let scheme = Marks::read(r#"{ "kinegon_marks": 1 }"#).expect("it is good").of(&key).expect("it fits");
     let form = r#"{ "kinegon_measured": 1, "mu_v": 5, "values": { "omega(3)": 7, "vplan(p,b)": 12 } }"#;
     let measured = Measured { name: Some(next()), ..Measured::read_json(form).expect("it is a form") };
-    let words = Wording::of(&solution.scene.figure);
     let columns = ClassColumns { exercise: true, marks: true };
     table(&ClassRow::broken(next(), next().for_message().as_str()).csv(columns), columns);
     if let Ok(found) = check::check(&measured, &key) {
-        outputs::terminal(check::report(&found, &key, &words).as_bytes());
-        let row = ClassRow::checked(next(), measured.name.as_ref(), &found, &key, &words, Some(&scheme));
+        outputs::terminal(check::report(&found, &key).as_bytes());
+        let row = ClassRow::checked(next(), measured.name.as_ref(), &found, &key, Some(&scheme));
         table(&row.csv(columns), columns);
         outputs::json(&format::json_line(&row));
-        let page = Feedback::new(&measured, &key, &found, None, &words).expect("it has its scales");
+        let page = Feedback::new(&measured, &key, &found, None).expect("it has its scales");
         outputs::html(&page.html());
         page.sheets().iter().for_each(pictures);
     }

@@ -158,25 +158,21 @@ pub(super) fn not_divided(site: &Site<'_>) -> Vec<Candidate> {
 /// An angular velocity, or with `also_alpha` an angular acceleration, that is wrong by `factor` or its inverse: used so
 /// in later operations, or only written so.
 fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor: f64) -> Vec<Candidate> {
+    let is_meant = |rate: &Rate| matches!(rate, Rate::Angular(order, _) if also_alpha || *order == Order::Velocity);
     let mut found = Vec::new();
-    for (operation, number, rate) in rates(site) {
-        if matches!(rate, Rate::Angular(order, _) if also_alpha || order == Order::Velocity) {
-            for factor in [factor, 1.0 / factor] {
-                let told = tell(site.symbol(number));
-                let taken = site.is_given(number).then(|| taken_as(site, told.mistake, number, factor)).flatten();
-                let edit = times(operation, number, factor);
-                found.push(site.candidate(taken.unwrap_or_else(|| told.clone()), edit));
-                found.extend(in_normal_part(site, told, number, factor));
-            }
+    for (operation, number, _) in rates(site).filter(|(.., rate)| is_meant(rate)) {
+        for factor in [factor, 1.0 / factor] {
+            let told = tell(site.symbol(number));
+            let taken = site.is_given(number).then(|| taken_as(site, told.mistake, number, factor)).flatten();
+            let edit = times(operation, number, factor);
+            found.push(site.candidate(taken.unwrap_or_else(|| told.clone()), edit));
+            found.extend(in_normal_part(site, told, number, factor));
         }
     }
     for (index, entry) in site.entries.iter().enumerate() {
-        let what = entry.asked.what();
-        if !matches!(what, What::Rate(Rate::Angular(order, _)) if also_alpha || *order == Order::Velocity) {
-            continue;
-        }
-        for factor in [factor, 1.0 / factor] {
-            found.push(only_written(site, tell(entry_symbol(entry)), &[index], factor));
+        if matches!(entry.asked.what(), What::Rate(rate) if is_meant(rate)) {
+            let as_written = |factor| only_written(site, tell(entry_symbol(entry)), &[index], factor);
+            found.extend([factor, 1.0 / factor].map(as_written));
         }
     }
     found

@@ -6,11 +6,13 @@
 mod track;
 
 use super::checked::BANDS;
-use super::entry::entries;
+use super::entry::ROUNDING;
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
+use crate::geometry::Vector;
+use crate::quantity::{QuantityRequest, pencil};
 use crate::sheet::Order;
 use track::{Track, Tracker};
 
@@ -77,7 +79,7 @@ const APART: f64 = 0.5;
 /// # Errors
 /// The scene's figure lacks a sheet.
 pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<Proposal>, CheckError> {
-    let mut points = right_points(key, plans)?;
+    let mut points = right_points(key, plans);
     let mut mu = key.scales;
     for plan in plans {
         mu[plan.order.sheet()] = Some(plan.mu);
@@ -159,32 +161,23 @@ fn leave_coincident(points: &mut [Proposal]) {
     }
 }
 
-/// The points of the plans with their right places and the tolerances of these.
-fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<Proposal>, CheckError> {
+/// The points of the plans with their right places and the tolerances of these, without those at rest.
+fn right_points(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Vec<Proposal> {
     let mut points = Vec::new();
-    for pencilled in plans {
-        let order = pencilled.order;
-        let Some(plan) = key.solution.construction.plan(order) else { continue };
-        let mut measured = Measured { mu: key.scales, ..Measured::default() };
-        measured.mu[order.sheet()] = Some(pencilled.mu);
-        let mut own = PointsOf::new(order);
-        let right = |vector: crate::geometry::Vector| [vector.x / pencilled.mu, vector.y / pencilled.mu];
-        own.put(order.pole(), [0.0; 2], None);
-        for (name, point) in plan.points.iter().filter(|(name, _)| *name != order.pole()) {
-            own.put(name.as_str(), right(point.vector), None);
-        }
-        measured.points.push(own);
-        // A plan in which nothing moves has no points.
-        let Ok(asked) = entries(&measured, key) else { continue };
-        let model = Model::new(key, key.solution, measured.mu, &asked)?;
-        let bands = model.bands(&key.tolerance);
-        for (name, point) in &plan.points {
-            let segment = order.sheet().segment_name(order.pole(), name);
-            let asked = asked.iter().zip(&bands).find(|(entry, _)| entry.asked.name() == segment);
-            let Some((entry, Some(band))) = asked else { continue };
-            let tolerance = (BANDS * band.band + entry.rounding) / pencilled.mu;
-            points.push(Proposal { order, name: name.clone(), right: right(point.vector), tolerance, found: None });
+    for PencilledPlan { order, mu, .. } in plans {
+        let Some(plan) = key.solution.construction.plan(*order) else { continue };
+        let segment = |name: &str| order.sheet().segment_name(order.pole(), name);
+        let moving = || plan.points.iter().filter(|(_, point)| point.vector != Vector::zeros());
+        let asked = moving().filter_map(|(name, _)| QuantityRequest::new(&segment(name), &key.solution.mechanism).ok());
+        let mut scales = key.scales;
+        scales[order.sheet()] = Some(*mu);
+        let pencil = pencil(key.solution, &scales, key.tolerance, asked.collect());
+        for (name, point) in moving() {
+            let Some(band) = pencil.band(&segment(name)) else { continue };
+            let right = [point.vector.x / mu, point.vector.y / mu];
+            let tolerance = (BANDS * band.band + ROUNDING * mu) / mu;
+            points.push(Proposal { order: *order, name: name.clone(), right, tolerance, found: None });
         }
     }
-    Ok(points)
+    points
 }

@@ -34,12 +34,8 @@ const COLUMNS: [usize; 6] = [0, 1, 2, 4, 5, 7];
 ///
 /// # Errors
 /// A scale is missing; values that have been checked have theirs.
-pub fn redrawn(
-    measured: &Measured,
-    key: &AnswerKey<'_>,
-    checked: &Checked,
-    words: &Wording,
-) -> Result<Overlay, CheckError> {
+pub fn redrawn(measured: &Measured, key: &AnswerKey<'_>, checked: &Checked) -> Result<Overlay, CheckError> {
+    let words = &key.solution.wording();
     let entries: Vec<_> = checked.values.iter().map(|v| v.entry.clone()).collect();
     let right = Model::new(key, key.solution, measured.mu, &entries)?;
     let findings = &checked.diagnosis.best.findings;
@@ -49,7 +45,7 @@ pub fn redrawn(
     let own = other.as_ref().unwrap_or(&right);
     let found: Vec<&Candidate> = findings.iter().map(|f| &f.candidate).collect();
 
-    let mut sheets = Sheets::new(key, &right, own, &found, words);
+    let mut sheets = Sheets::new(key, &right, own, &found);
     let turns = sheets.lay_points(measured);
     sheets.draw_operations();
     if mode > 0 {
@@ -61,7 +57,7 @@ pub fn redrawn(
     }
     let (points, lines) = sheets.finish();
 
-    let parts = report_parts(checked, key, words);
+    let parts = report_parts(checked, key);
     Ok(Overlay {
         name: measured.name.clone().filter(|name| !name.is_blank()),
         points,

@@ -9,7 +9,7 @@ use crate::construction::{LineId, MeasuredAs, OperationKind, PlaceId, Values};
 use crate::drawing::{OwnKind, OwnLine, OwnPoint};
 use crate::geometry::{Point, Vector, cross, degrees_of, turn_of_degrees, unit};
 use crate::sheet::Sheet;
-use crate::words::{Medium, Wording};
+use crate::words::Medium;
 use indexmap::IndexMap;
 
 /// Distance on paper above which two places are visibly different, in mm.
@@ -29,19 +29,12 @@ pub(super) struct Sheets<'a> {
     found: &'a [&'a Candidate],
     /// Places of given plan points, by sheet and name.
     given: IndexMap<(Sheet, String), Vector>,
-    words: &'a Wording,
     points: Vec<OwnPoint>,
     lines: Vec<OwnLine>,
 }
 
 impl<'a> Sheets<'a> {
-    pub(super) fn new(
-        key: &'a AnswerKey<'a>,
-        right: &'a Model,
-        own: &'a Model,
-        found: &'a [&'a Candidate],
-        words: &'a Wording,
-    ) -> Self {
+    pub(super) fn new(key: &'a AnswerKey<'a>, right: &'a Model, own: &'a Model, found: &'a [&'a Candidate]) -> Self {
         Self {
             values: own.replay(&in_order(found.iter().flat_map(|candidate| candidate.changes()))),
             key,
@@ -49,7 +42,6 @@ impl<'a> Sheets<'a> {
             own,
             found,
             given: IndexMap::new(),
-            words,
             points: Vec::new(),
             lines: Vec::new(),
         }
@@ -227,7 +219,7 @@ impl<'a> Sheets<'a> {
 
     /// The magnitude of a value with its unit.
     fn with_unit(&self, sheet: Sheet, value: f64) -> String {
-        let value = self.words.write(value.abs(), significant(4).on(Medium::Figure));
+        let value = self.key.solution.wording().write(value.abs(), significant(4).on(Medium::Figure));
         format!("{value} {}", sheet.facts().drawn.unit(self.key.solution.scene.units))
     }
 

@@ -1,7 +1,7 @@
 //! How finely values are written, what moves together, and by how much a student's sheet is turned.
 
 mod precision {
-    use kinegon::check::written::{Precision, most_digits, whole_rounding};
+    use kinegon::check::written::{Precision, whole_rounding};
 
     #[test]
     fn zeros_that_a_file_has_dropped_count() {
@@ -30,7 +30,7 @@ mod precision {
 
     #[test]
     fn a_short_whole_number_has_the_digits_of_the_others() {
-        let digits = most_digits(["8.364", "110", "3"].into_iter());
+        let digits = Precision::of(["8.364", "110", "3"].into_iter()).digits;
         assert_eq!(whole_rounding("3", digits), 0.005);
         assert_eq!(whole_rounding("110", digits), 0.5);
         assert_eq!(whole_rounding("3.0", digits), f64::INFINITY);

@@ -38,7 +38,7 @@ pub fn sheet(task: &Task, skill: usize, is_honest: bool, random: &mut Random) ->
     let measured = task.hand_in(planned.as_ref(), hand, random.next());
     let key = answer_key(&task.solution, DEPTH);
     let checked = check(&measured, &key).unwrap_or_else(|error| panic!("{}: {error}", task.kind));
-    let result = check_result(&checked, &key, &task.solution.wording(), None);
+    let result = check_result(&checked, &key, None);
     let said = Said::new(&result);
     let causes = planned.as_ref().map_or(&[][..], |planned| &planned.causes);
     Some(Outcome {

@@ -105,19 +105,19 @@ impl Desk {
         }
         let checked = check(&measured, &key)?;
         let marks = scheme.map(|scheme| scheme.award(&checked));
-        let mut result = check_result(&checked, &key, &words, measured.name.clone());
+        let mut result = check_result(&checked, &key, measured.name.clone());
         let (mut overlays, mut feedback) = (Vec::new(), String::new());
         if options.drawn {
-            overlays = sheets(&key, redrawn(&measured, &key, &checked, &words)?);
-            feedback = Feedback::new(&measured, &key, &checked, marks.as_ref(), &words)?.html();
+            overlays = sheets(&key, redrawn(&measured, &key, &checked)?);
+            feedback = Feedback::new(&measured, &key, &checked, marks.as_ref())?.html();
         }
         let line = marks.as_ref().map(|marks| marks.line(&words));
         result.marks = marks;
         let end = line.as_ref().map_or_else(String::new, |line| format!("{line}\n"));
         Ok(Checked {
             result: Some(result),
-            report: report(&checked, &key, &words) + &end,
-            parts: Some(report_parts(&checked, &key, &words).set(|text| html_text(&Overlay::set(&text)))),
+            report: report(&checked, &key) + &end,
+            parts: Some(report_parts(&checked, &key).set(|text| html_text(&Overlay::set(&text)))),
             faults: found,
             overlays,
             feedback,

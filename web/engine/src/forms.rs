@@ -2,7 +2,6 @@ use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, plan_points};
 use kinegon::format::html_text;
-use kinegon::quantity::What;
 use kinegon::{Order, Sheet, Solution};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -83,13 +82,13 @@ impl Desk {
             move |found: FormBox| FormRow {
                 label: html_text(&found.label),
                 unit: found.asked.kind().unit(solution.scene.units),
-                panel: found.sheet,
+                panel: found.asked.sheet(),
                 step: found.step,
                 caption: found.step.checked_sub(1).and_then(|at| figure.steps.get(at)).cloned().unwrap_or_default(),
                 has_sense: found.asked.is_rate(),
                 turns: found.asked.turns(),
                 on_paper: found.asked.is_length_on_sheet(),
-                is_segment: matches!(found.asked.what(), What::Segment(..) | What::Length(..)),
+                is_segment: found.asked.is_distance(),
                 is_asked: asked,
                 name: found.name,
             }
