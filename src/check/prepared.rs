@@ -38,21 +38,10 @@ struct Ready {
     right: Model,
     /// By quantity: the band of honest drawings, where there is one.
     bands: Vec<Option<Band>>,
-    mu: Scales,
     /// The right construction, and those of the other assembly modes.
     models: OnceLock<Vec<Model>>,
     /// The covariances of a right drawing that the errors of hands cause.
     groups: OnceLock<Groups>,
-}
-
-impl Ready {
-    /// The right construction, and those of the other assembly modes; `entries` are of a form with these quantities.
-    fn models(&self, key: &AnswerKey<'_>, entries: &[Entry]) -> &[Model] {
-        self.models.get_or_init(|| {
-            let others = other_modes(key, self.mu, entries);
-            [self.right.clone()].into_iter().chain(others).collect()
-        })
-    }
 }
 
 impl<'a> Prepared<'a> {
@@ -79,7 +68,7 @@ impl<'a> Prepared<'a> {
         }
         let right = Model::new(&self.key, self.key.solution, mu, entries)?;
         let bands = right.bands(&self.key.tolerance);
-        let ready = Arc::new(Ready { right, bands, mu, models: OnceLock::new(), groups: OnceLock::new() });
+        let ready = Arc::new(Ready { right, bands, models: OnceLock::new(), groups: OnceLock::new() });
         let mut kept = kept();
         if kept.len() < KEPT {
             kept.insert(asking, Arc::clone(&ready));
@@ -98,7 +87,14 @@ impl<'a> Prepared<'a> {
         let ready = self.ready(measured.mu, &entries)?;
         let mut values = judged(&entries, &ready);
         let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
-        let models = if has_off(&values) { ready.models(key, &entries) } else { core::slice::from_ref(&ready.right) };
+        let with_other_modes = || {
+            let others = other_modes(key, measured.mu, &entries);
+            [ready.right.clone()].into_iter().chain(others).collect()
+        };
+        let models = match has_off(&values) {
+            true => ready.models.get_or_init(with_other_modes).as_slice(),
+            false => core::slice::from_ref(&ready.right),
+        };
         let scorer = Scorer::new(models, &entries, key.tolerance, &ready.groups);
         let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
         let mut hand_found = none.as_ref().map(|fit| fit.hand);

@@ -30,10 +30,8 @@ pub enum ExerciseError {
     )]
     NoConstruction,
     /// No variant was an exercise.
-    #[error("none of {tries} variants can be drawn well by hand; most often ({percent} %) {most}")]
+    #[error("none of {TRIES} variants can be drawn well by hand; most often ({percent} %) {most}")]
     GaveUp {
-        /// Number of variants tried.
-        tries: usize,
         /// The commonest reason of refusal.
         most: Refusal,
         /// Its share of the variants, in per cent.
@@ -116,7 +114,7 @@ impl Exercises {
             }
         }
         let (most, count) = refused.into_iter().max_by_key(|(_, count)| *count).unwrap_or((Refusal::Numbers, TRIES));
-        Err(ExerciseError::GaveUp { tries: TRIES, most, percent: (100 * count + TRIES / 2) / TRIES })
+        Err(ExerciseError::GaveUp { most, percent: (100 * count + TRIES / 2) / TRIES })
     }
 
     /// A random variant, if it is an exercise.
@@ -150,7 +148,7 @@ impl Exercises {
         for (name, value) in near {
             if let Some(point) = solution.mechanism.point(name) {
                 let place = solution.pose.point(point);
-                *value = json!([place.x, place.y].map(|x| json_number(step.nearest(x))));
+                *value = json!([place.x, place.y].map(|x| json_number(step.multiple(x, 0.0))));
             } else if let Ok(Quantity::Number(angle)) = solution.quantity(name) {
                 *value = json_number(libm::round(angle));
             }

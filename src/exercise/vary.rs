@@ -110,9 +110,9 @@ pub(super) fn varied(scene: &Value, on_guides: &[OnGuide], random: &mut Random) 
         let part = x * (1.0 + PART * random.within());
         match number {
             _ if x == 0.0 && number != Number::DriveAngle => 0.0,
-            Number::Length | Number::DrivePosition => step.round(part),
+            Number::Length | Number::DrivePosition => step.multiple(part, 1.0),
             // To two digits.
-            Number::Motion => Step { count: 1, exponent: decimal(part).1 - 1 }.round(part),
+            Number::Motion => Step { count: 1, exponent: decimal(part).1 - 1 }.multiple(part, 1.0),
             Number::Turning => rate(part),
             Number::DriveRate => rate(x * libm::exp2(random.within())),
             Number::Direction => angle(x + DIRECTION * random.within()),
@@ -195,17 +195,8 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// The nearest multiple.
-    pub fn nearest(self, x: f64) -> f64 {
-        self.multiple(x, 0.0)
-    }
-
-    /// The nearest multiple other than 0.
-    pub fn round(self, x: f64) -> f64 {
-        self.multiple(x, 1.0)
-    }
-
-    fn multiple(self, x: f64, least: f64) -> f64 {
+    /// The nearest multiple, of at least so many steps: 1 for what must not become 0.
+    pub fn multiple(self, x: f64, least: f64) -> f64 {
         let step = f64::from(self.count) * libm::exp10(f64::from(self.exponent));
         let times = libm::round(x.abs() / step).max(least) * f64::from(self.count);
         libm::copysign(with_exponent(times, self.exponent), x)
