@@ -7,15 +7,16 @@ use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value as Json, json};
 use std::ops::RangeInclusive;
 
-use super::choices::{ConstructionShown, DecimalMark, LanguageName, NotationName, ScalesFor, StyleName, ValuesShown};
-use super::error::Wrong;
+use super::choices::{
+    ConstructionShown, DecimalMark, LanguageName, NotationName, Page, PageSize, ScalesFor, Sizes, StyleName,
+    ValuesShown,
+};
+use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
 use super::joint::Slider;
 use super::names::Names;
-use super::page::{Page, PageSize, Sizes};
 use super::schema::without_defaults;
 use super::text::LARGEST;
-use super::words::{list, number, shortened};
 use super::write::{Write, Written, text_of, write_forms, write_keys};
 use crate::text::Untrusted;
 

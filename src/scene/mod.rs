@@ -21,46 +21,41 @@ mod known;
 mod link;
 mod name;
 mod names;
-mod page;
 mod points;
 mod quantity_name;
 mod read;
 mod reader;
 mod schema;
-mod shape;
 mod text;
 mod typed;
-mod units;
 mod value;
-mod words;
 mod write;
 
 pub use build::{Builder, Guide, NewLink, Push, Turn};
-pub use choices::{ConstructionShown, DecimalMark, LanguageName, NotationName, ScalesFor, StyleName, ValuesShown};
+pub use choices::{
+    ConstructionShown, DecimalMark, LanguageName, LengthUnit, Measure, NotationName, Page, PageSize, ScalesFor, Sizes,
+    StyleName, TimeUnit, Units, ValuesShown,
+};
 pub use error::{Place, SceneError};
 pub use figure::Figure;
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
 pub use joint::*;
 pub use kinds::Kind;
 pub use known::Near;
-pub use link::Link;
-pub use page::{Measure, Page, PageSize, Sizes};
+pub use link::{Length, Link, Shape};
 pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests
 pub use read::{folded, signs};
-pub use shape::{Length, Shape};
 pub use text::MAX_BYTES;
-pub use units::{LengthUnit, TimeUnit, Units};
 pub use value::{At, Direction, polar};
 
-pub(crate) use error::range_of;
+pub(crate) use error::{close, list, nearest, nearest_within, range_of};
 pub(crate) use figure::figure_keys;
+pub(crate) use link::STRAIGHT;
 pub(crate) use name::{joined, pair, why_not};
 pub(crate) use schema::{schema_of, version};
-pub(crate) use shape::STRAIGHT;
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;
 pub(crate) use value::several_forms;
-pub(crate) use words::{close, list, nearest, nearest_within};
 pub(crate) use write::quoted;

@@ -2,8 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::error::Wrong;
-use super::words::{close, list, shortened};
+use super::error::{Wrong, close, list, shortened};
 
 /// Longest name, in characters.
 const LONGEST: usize = 64;

@@ -4,10 +4,9 @@ use std::collections::{HashMap, HashSet};
 
 use indexmap::{IndexMap, IndexSet};
 
-use super::error::Wrong;
+use super::error::{Wrong, shortened, suggestion};
 use super::link::Link;
 use super::name::no_point;
-use super::words::{shortened, suggestion};
 
 /// All names of a scene, and the points of each link.
 #[derive(Debug)]

@@ -2,13 +2,12 @@
 
 use indexmap::IndexMap;
 
-use super::error::Wrong;
+use super::error::{Wrong, close};
 use super::given::GivenBy;
+use super::link::check_apart;
 use super::name::{check_list, check_name};
 use super::names::Names;
-use super::shape::check_apart;
 use super::value::{NamesOr, Vector, several_forms};
-use super::words::close;
 use super::write::write_forms;
 
 /// The frame's points: names, or names with coordinates.

@@ -4,6 +4,7 @@ use indexmap::IndexMap;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::choices::Units;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
@@ -15,7 +16,6 @@ use super::points::{Ground, check_points, ground};
 use super::schema::schema_of;
 use super::text::FileKind;
 use super::typed::read_as;
-use super::units::Units;
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
 use crate::text::Untrusted;

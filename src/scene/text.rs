@@ -5,8 +5,7 @@ use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
 use serde_json::{Map, Number, Value as Json};
 
-use super::error::{SceneError, Source, Wrong, parse_tree, range_of};
-use super::words::shortened;
+use super::error::{SceneError, Source, Wrong, parse_tree, range_of, shortened};
 
 /// A kind of file: its name in messages and the key with the version of its format.
 #[derive(Debug, Clone, Copy)]

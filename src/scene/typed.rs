@@ -1,13 +1,11 @@
 //! In: the text of a file. Out: its typed values, or its first error in plain words, with what to try.
 
-use super::error::{SceneError, Source, Wrong};
+use super::choices::{LengthUnit, Page};
+use super::error::{SceneError, Source, Wrong, nearest, shortened, suggestion};
 use super::joint::out_of_scope;
-use super::page::Page;
 use super::reader::{Reader, Refusal, Why};
 use super::text;
 use super::text::FileKind;
-use super::units::LengthUnit;
-use super::words::{nearest, shortened, suggestion};
 use crate::sheet::{Scales, Sheet};
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;

@@ -5,7 +5,7 @@
 
 use indexmap::IndexMap;
 
-use super::words::number;
+use super::error::number;
 use crate::text::Untrusted;
 
 /// A value of the file; `Nothing` for a key that is left out.

@@ -6,7 +6,7 @@ mod slider;
 pub use slider::{Along, On, Slider};
 pub(super) use slider::{SliderFile, sliders};
 
-use super::words::nearest;
+use super::error::nearest;
 use serde_json::Value as Json;
 
 /// The kinds of joints that a scene lists.
