@@ -13,7 +13,7 @@ pub struct SpecialId(pub usize);
 ///
 /// The sum of the contributions is the velocity's component along the ray, and so the segment that is measured on the
 /// ray (Eqs. 7, 8, 15, 16 and 35 to 38 of Quintero et al., 2011).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Term {
     /// Rotation of a link: its angular rate times the length from one joint to another; none stands for the sought
     /// point.
@@ -25,13 +25,8 @@ pub enum Term {
         /// … to this one.
         to: Option<PointId>,
     },
-    /// Sliding along a guide: the slider's rate.
-    Slide {
-        /// The slider.
-        slider: SliderId,
-        /// The body on the base's side of the slider; the guide turns with it.
-        from: BodyId,
-    },
+    /// Sliding along a guide, which the leg passes from the base on: the slider's rate.
+    Slide(DrivenSlide),
 }
 
 /// Course of a cut line.
@@ -87,7 +82,11 @@ impl CutLine {
         let course = course.unwrap_or(Course::AtInfinity);
         let term = |(index, &(left, joint, entered)): (usize, &(BodyId, &Joint, BodyId))| {
             let turn = joint.pin.map(|from| Term::Turn { link: entered, from, to: pin(index + 1) });
-            turn.or(joint.slider.map(|slider| Term::Slide { slider, from: left }))
+            let slide = |slider: SliderId| {
+                let (ends, sign) = (mechanism.slider(slider), mechanism.slide_sign(slider, left));
+                Term::Slide(DrivenSlide { slider, from: left, to: if sign > 0.0 { ends.link } else { ends.on }, sign })
+            };
+            turn.or(joint.slider.map(slide))
         };
         let terms = match course {
             Course::AtInfinity => SmallVec::new(),
@@ -127,12 +126,9 @@ impl CutLine {
 
     /// The slider that the leg passes, from the base on, other than driven ones.
     #[must_use]
-    pub fn slide(&self, mechanism: &Mechanism) -> Option<DrivenSlide> {
+    pub fn slide(&self) -> Option<DrivenSlide> {
         self.terms.iter().find_map(|term| match *term {
-            Term::Slide { slider, from } => {
-                let (ends, sign) = (mechanism.slider(slider), mechanism.slide_sign(slider, from));
-                Some(DrivenSlide { slider, from, to: if sign > 0.0 { ends.link } else { ends.on }, sign })
-            }
+            Term::Slide(slide) => Some(slide),
             Term::Turn { .. } => None,
         })
     }
@@ -203,7 +199,7 @@ impl Special {
     pub(crate) fn coriolis_name(&self, mechanism: &Mechanism, side: usize) -> String {
         let cut = &self.cuts[side];
         let start = cut.start().map(|point| image_name(&point_on(mechanism, cut.leg.base, point)));
-        let entered = cut.slide(mechanism).map(|slide| mechanism.body(slide.to).name.as_str());
+        let entered = cut.slide().map(|slide| mechanism.body(slide.to).name.as_str());
         start.zip(entered).map(|(start, entered)| coriolis_name(&start, entered)).unwrap_or_default()
     }
 }

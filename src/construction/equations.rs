@@ -55,7 +55,7 @@ impl Teller<'_> {
                 add_slide(&mut formula, slide, Known::Entirely, VectorPart::Coriolis);
             }
         }
-        let passed = cut.slide(self.mechanism);
+        let passed = cut.slide();
         if let Some(slide) = passed.as_ref().filter(|slide| has_coriolis(slide)) {
             add_slide(&mut formula, slide, Known::Entirely, VectorPart::Coriolis);
         }
@@ -90,7 +90,7 @@ impl Teller<'_> {
             Term::Turn { link, from, to } => {
                 (to.is_some() || self.arm(point, from, to) != Vector::zeros()).then_some(link)
             }
-            Term::Slide { .. } => None,
+            Term::Slide(_) => None,
         }
     }
 
@@ -165,8 +165,8 @@ impl Teller<'_> {
                     let along = self.arm(point, from, to).dot(&direction);
                     (along, format!("{rate}_{{{}}} L{length}", mechanism.body(link).name))
                 }
-                Term::Slide { slider, from } => {
-                    let guide = self.pose.guide(slider) * mechanism.slide_sign(slider, from);
+                Term::Slide(DrivenSlide { slider, sign, .. }) => {
+                    let guide = self.pose.guide(slider) * sign;
                     let name = mechanism.slider_name(slider);
                     let along = guide.dot(&quarter_turn(direction));
                     (along, format!("{slide}_{}({name})", self.words.notation.relative))

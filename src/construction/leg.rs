@@ -67,7 +67,7 @@ impl Writer<'_> {
         match *term {
             Term::Turn { from, to: Some(to), .. } => Some(self.length(from, to)),
             Term::Turn { to: None, .. } => drawn.lengths[side],
-            Term::Slide { .. } => None,
+            Term::Slide(_) => None,
         }
     }
 
@@ -93,9 +93,9 @@ impl Writer<'_> {
                         }
                     }
                 },
-                (Term::Slide { slider, from }, _) => {
-                    if let Some(unknown) = equations.slide_unknown(slider) {
-                        let guide = self.pose.guide(slider) * self.mechanism.slide_sign(slider, from);
+                (Term::Slide(slide), _) => {
+                    if let Some(unknown) = equations.slide_unknown(slide.slider) {
+                        let guide = self.pose.guide(slide.slider) * slide.sign;
                         // +1 where the guide, signed away from the base, has the direction of the ray, else −1.
                         let sign = guide.dot(&quarter_turn(cut.line.direction()?)).signum();
                         left.push((unknown, Product::new(ProductKind::Sliding, sign, &[])));
@@ -135,7 +135,7 @@ impl Writer<'_> {
         let usual = drawn.special.normal_names(self.mechanism)[side].clone();
         let start = from.0.clone();
         let mut at = from;
-        if let Some(slide) = drawn.special.cuts[side].slide(self.mechanism)
+        if let Some(slide) = drawn.special.cuts[side].slide()
             && self.slide_part_size(order, &slide, VectorPart::Coriolis).is_some_and(|sum| !sum.is_empty())
         {
             let name = drawn.special.coriolis_name(self.mechanism, side);

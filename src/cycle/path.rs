@@ -26,27 +26,16 @@ pub struct Event {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Happening {
-    /// Two branches meet and the drive can go no further; rates grow like 1/√distance.
-    Limit {
-        /// The links of the group that is stretched, or otherwise singular.
-        links: String,
-    },
-    /// A place runs off to infinity, as where two guides become parallel.
-    RunsOff {
-        /// The links of the group that runs off.
-        links: String,
-    },
+    /// Two branches meet and the drive can go no further; rates grow like 1/√distance. The links of the group that is
+    /// stretched, or otherwise singular.
+    Limit(String),
+    /// A place runs off to infinity, as where two guides become parallel. The links of the group that runs off.
+    RunsOff(String),
     /// Two branches cross: the motion goes on smoothly, but it could go on in another mode too, so rates are not
-    /// determined.
-    Change {
-        /// The links of the group.
-        links: String,
-    },
-    /// The path cannot be followed through a singular position of another kind.
-    Singular {
-        /// The links of the group.
-        links: String,
-    },
+    /// determined. The links of the group.
+    Change(String),
+    /// The path cannot be followed through a singular position of another kind. The links of the group.
+    Singular(String),
     /// A link stops and turns back: an extreme position, and a dead centre if that link were the driving one.
     TurnsBack {
         /// The link's name.
@@ -67,7 +56,7 @@ impl Event {
     /// Whether the path ends here.
     #[must_use]
     pub fn is_end(&self) -> bool {
-        matches!(self.what, Happening::Limit { .. } | Happening::RunsOff { .. } | Happening::Singular { .. })
+        matches!(self.what, Happening::Limit(_) | Happening::RunsOff(_) | Happening::Singular(_))
     }
 
     /// The event in words; `place` is the drive's value in words, as in `angle(1) = 30°`.
@@ -76,10 +65,10 @@ impl Event {
         let language = words.language;
         let number = |value: f64| words.number(shortened(value, 9).to_string());
         match &self.what {
-            Happening::Limit { links } => language.event_limit(place, links),
-            Happening::RunsOff { links } => language.event_runs_off(place, links),
-            Happening::Change { links } => language.event_change(place, links),
-            Happening::Singular { links } => language.event_singular(place, links),
+            Happening::Limit(links) => language.event_limit(place, links),
+            Happening::RunsOff(links) => language.event_runs_off(place, links),
+            Happening::Change(links) => language.event_change(place, links),
+            Happening::Singular(links) => language.event_singular(place, links),
             Happening::TurnsBack { link, angle } => {
                 language.event_turns_back(place, link, &number(snapped(*angle, 360.0)))
             }
@@ -272,7 +261,7 @@ impl<'a> Path<'a> {
 
     /// Whether a place runs off to infinity at an end of the path.
     pub(super) fn runs_off(&self) -> bool {
-        self.ends.iter().flatten().any(|end| matches!(end.what, Happening::RunsOff { .. }))
+        self.ends.iter().flatten().any(|end| matches!(end.what, Happening::RunsOff(_)))
     }
 
     /// A moving link with a point; none for a fixed point.
@@ -285,14 +274,14 @@ impl<'a> Path<'a> {
     /// The drive's value at the limit position that ends the path above, or below, if one does.
     pub(super) fn limit(&self, above: bool) -> Option<f64> {
         let end = self.end(above)?;
-        matches!(end.what, Happening::Limit { .. }).then_some(end.at)
+        matches!(end.what, Happening::Limit(_)).then_some(end.at)
     }
 
     /// Whether an event leaves a mark on results within `range`: it lies there, or it is a change point so close to it
     /// that results are left out.
     #[must_use]
     pub fn touches(&self, event: &Event, range: [f64; 2]) -> bool {
-        let near = if matches!(event.what, Happening::Change { .. }) { BLANK * self.unit() } else { 0.0 };
+        let near = if matches!(event.what, Happening::Change(_)) { BLANK * self.unit() } else { 0.0 };
         let [low, high] = [range[0].min(range[1]), range[0].max(range[1])];
         (low - near..=high + near).contains(&event.at)
     }

@@ -63,7 +63,7 @@ impl Path<'_> {
             // with nodes before it.
             let single = self.clone();
             self.extend(self.origin + RUN_UP.copysign(self.origin - value) * self.unit());
-            let singular = |end: &Event| matches!(end.what, Happening::Singular { .. });
+            let singular = |end: &Event| matches!(end.what, Happening::Singular(_));
             if !self.changes.is_empty() || self.ends.iter().flatten().any(singular) {
                 *self = single;
             }
@@ -156,9 +156,9 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
                 let links = nearest_to_singularity(last).map_or_else(String::new, name);
                 let ahead = ahead(path, nodes, forward).filter(|a| a.away.abs() < NEAR_END * unit);
                 let end = match ahead {
-                    Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit { links } },
-                    Some(Ahead { at, .. }) => Event { at, what: Happening::RunsOff { links } },
-                    None => Event { at: last.value, what: Happening::Singular { links } },
+                    Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit(links) },
+                    Some(Ahead { at, .. }) => Event { at, what: Happening::RunsOff(links) },
+                    None => Event { at: last.value, what: Happening::Singular(links) },
                 };
                 return (changes, Some(end));
             }
@@ -306,7 +306,7 @@ fn leap(path: &Path, nodes: &mut Vec<Node>, forward: f64, within: f64) -> Option
     nodes.truncate(far + 1);
     nodes.push(node);
     let links = path.mechanism.groups[group].link_names(&path.mechanism);
-    Some(Event { at, what: Happening::Change { links } })
+    Some(Event { at, what: Happening::Change(links) })
 }
 
 /// The node on the other side of the `zero` of a group's determinant, as far from it as the first of these nodes, and

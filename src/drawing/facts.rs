@@ -91,7 +91,7 @@ fn markup(mechanism: &Mechanism, construction: &Construction) -> IndexMap<String
             let Some(start) = cut.start() else { continue };
             let start = point_on(mechanism, cut.leg.base, start);
             let image = display(&image_name(&start));
-            if let Some(slide) = cut.slide(mechanism) {
+            if let Some(slide) = cut.slide() {
                 let entered = &mechanism.body(slide.to).name;
                 shown.insert(special.coriolis_name(mechanism, side), format!("k_{{{image}{entered}}}"));
             }

@@ -33,22 +33,19 @@
 //! norm: how much errors of coordinates are enlarged. A group counts as singular from condition 0.05/u (u = 2⁻⁵³):
 //! coordinates rounded to f64 would determine no digit.
 
-mod error;
 mod moving;
-mod places;
 mod refine;
-mod sides;
 mod solve;
 
-pub use error::MotionError;
-pub use places::Places;
-pub(crate) use places::guide_error;
+pub use moving::Places;
+pub(crate) use moving::guide_error;
 pub use refine::ClosedForm;
 pub use solve::motion;
 
 pub(crate) use moving::State;
 pub(crate) use solve::bounded_motion;
 
+use crate::Problem;
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};
 use crate::position::Pose;
@@ -169,5 +166,42 @@ impl Motion {
     pub fn coriolis(&self, pose: &Pose, id: SliderId, on: BodyId) -> Vector {
         let sliding = pose.guide(id) * self.slide(id).velocity;
         quarter_turn(sliding) * (2.0 * self.body(on).omega)
+    }
+}
+
+/// Reasons why the motion at a pose is not defined.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.problem())]
+#[non_exhaustive]
+pub enum MotionError {
+    /// The group is in a singular position.
+    Singular {
+        /// The group's links.
+        links: String,
+        /// The concurrent or parallel lines, in words.
+        reason: String,
+        /// Condition number of the loop equations; infinite where a pivot vanishes.
+        condition: f64,
+    },
+    /// A number of the group with these links exceeds the range of f64.
+    Overflow(String),
+}
+
+impl MotionError {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            MotionError::Singular { links, reason, condition } => {
+                let how =
+                    if condition.is_finite() { format!("condition {condition:.1e}") } else { "exactly".to_owned() };
+                Problem::new(format!("links {links} are in a singular position: {reason} ({how})"))
+                    .hint("another crank angle, or move one of these joints off the common line or point")
+            }
+            MotionError::Overflow(links) => Problem::new(format!(
+                "links {links}: a distance, a velocity or an acceleration is too large to be represented"
+            ))
+            .hint("larger units of length, or slower drives"),
+        }
     }
 }

@@ -1,12 +1,9 @@
-use super::error::singular;
-use super::moving::{BoundedMotion, BoundedSlide, State};
-use super::places::Places;
-use super::refine::Solver;
-use super::sides::{acceleration_sides, velocity_sides};
+use super::moving::{BoundedMotion, BoundedSlide, Places, State};
+use super::refine::{Solver, acceleration_sides, velocity_sides};
 use super::{Motion, MotionError};
-use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
+use crate::geometry::{Ball, Line, UNIT_ROUNDOFF, Vector, cross, quarter_turn};
 use crate::mechanism::{
-    AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
+    AngularRate, BodyId, Class, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
 };
 use crate::position::Pose;
 use crate::sheet::Order;
@@ -34,7 +31,7 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
     for group in &mechanism.groups {
         let condition = move_group(mechanism, group, pose, order, &mut state).map_err(|unsolved| match unsolved {
             Unsolved::Singular(condition) => singular(mechanism, group, pose, condition),
-            Unsolved::Overflow => MotionError::Overflow { links: group.link_names(mechanism) },
+            Unsolved::Overflow => MotionError::Overflow(group.link_names(mechanism)),
         })?;
         if condition > NEARLY_SINGULAR_CONDITION {
             let digits = -libm::log10(condition * UNIT_ROUNDOFF);
@@ -47,7 +44,7 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
     }
     let motion = state.rounded(order, conditions, warnings);
     match overflowing_body(mechanism, pose, &motion) {
-        Some(link) => Err(MotionError::Overflow { links: mechanism.body(link).name.clone() }),
+        Some(link) => Err(MotionError::Overflow(mechanism.body(link).name.clone())),
         None => Ok(motion),
     }
 }
@@ -268,5 +265,57 @@ fn motion_across(
         velocity: moved.velocity + u * slide.velocity,
         acceleration: moved.acceleration + u * slide.acceleration + coriolis,
         ..moved
+    }
+}
+
+/// The error for a singular group, with the lines that are concurrent or parallel.
+pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condition: f64) -> MotionError {
+    let pairs = critical_lines(group);
+    let directions: Vec<Vector> =
+        pairs.iter().filter_map(|&[a, b]| joint_line(mechanism, pose, a, b)?.direction()).collect();
+    let parallel = directions.len() == pairs.len() && directions.windows(2).all(|d| cross(d[0], d[1]).abs() < 1e-6);
+    let names: Vec<String> = pairs.iter().map(|&[a, b]| line_name(mechanism, a, b)).collect();
+    let reason = match (group.class, parallel) {
+        (Class::Higher, _) => "its loops have no definite motion".to_owned(),
+        (Class::Second, _) => format!("{} lie in one line", names.join(" and ")),
+        (_, true) => format!("the lines {} are parallel", names.join(", ")),
+        (_, false) => format!("the lines {} meet in one point", names.join(", ")),
+    };
+    MotionError::Singular { links: group.link_names(mechanism), reason, condition }
+}
+
+/// The joints on the critical lines. Class II: from either outer joint to the inner one. Class III: along each leg.
+/// Class IV: CD, GF and BE.
+fn critical_lines(group: &Group) -> Vec<[JointId; 2]> {
+    let joints = |k: usize| &group.loops[k].joints;
+    match group.class {
+        Class::Second => vec![[joints(0)[0], joints(0)[1]], [joints(0)[1], joints(0)[2]]],
+        Class::Third => vec![[joints(0)[0], joints(0)[1]], [joints(0)[2], joints(0)[3]], [joints(1)[2], joints(1)[3]]],
+        Class::Fourth => vec![[joints(0)[1], joints(0)[2]], [joints(1)[1], joints(1)[2]], [joints(0)[0], joints(0)[3]]],
+        Class::Higher => Vec::new(),
+    }
+}
+
+/// The line through two joints; a prismatic joint is a pin at infinity, normal to its guide.
+fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Option<Line> {
+    let normal = |j: JointId| mechanism.joint(j).slider.map(|slider| quarter_turn(pose.guide(slider)));
+    let place = |j: JointId| pose.point(mechanism.joint_point(j));
+    match (normal(a), normal(b)) {
+        (None, None) => Line::new(place(a), place(b) - place(a)),
+        (None, Some(n)) => Line::new(place(a), n),
+        (Some(n), None) => Line::new(place(b), n),
+        (Some(_), Some(_)) => Some(Line::AtInfinity),
+    }
+}
+
+/// The line through two joints, in words.
+fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> String {
+    let name = |j: JointId| mechanism.point_name(mechanism.joint_point(j)).to_owned();
+    let slides = |j: JointId| mechanism.joint(j).slider.is_some();
+    match (slides(a), slides(b)) {
+        (false, false) => format!("{}{}", name(a), name(b)),
+        (true, false) => format!("through {} normal to the guide at {}", name(b), name(a)),
+        (false, true) => format!("through {} normal to the guide at {}", name(a), name(b)),
+        (true, true) => format!("at infinity (guides at {} and {})", name(a), name(b)),
     }
 }

@@ -48,7 +48,7 @@ pub fn read(picture: &Picture, expected: impl FnOnce() -> Vec<SheetCode>) -> Res
         together.into_iter().filter_map(|seen| Some((seen.clone(), fitted(picture, &seen)?))).collect();
     fitted.sort_by(|a, b| a.1.residual.total_cmp(&b.1.residual));
     let Some((seen, best)) = fitted.first() else {
-        return Err(Refusal::FewMarkers { markers: markers::most_together(&found).min(markers::LEAST - 1) });
+        return Err(Refusal::FewMarkers(markers::most_together(&found).min(markers::LEAST - 1)));
     };
     even(best)?;
     let (page, place) = (seen.page, code_place(seen.page.size_mm()));
@@ -66,9 +66,9 @@ pub fn read(picture: &Picture, expected: impl FnOnce() -> Vec<SheetCode>) -> Res
 fn even(fitted: &Fitted) -> Result<(), Refusal> {
     let bend = fitted.camera.bend_height();
     match (fitted.residual > UNEVEN, fitted.blur > BLURRED) {
-        (true, true) => Err(Refusal::Blurred { millimetres: WIDTH * fitted.blur }),
-        (true, false) => Err(Refusal::NotEven { millimetres: fitted.residual }),
-        _ if bend > BENT => Err(Refusal::Bent { millimetres: bend }),
+        (true, true) => Err(Refusal::Blurred(WIDTH * fitted.blur)),
+        (true, false) => Err(Refusal::NotEven(fitted.residual)),
+        _ if bend > BENT => Err(Refusal::Bent(bend)),
         _ => Ok(()),
     }
 }
@@ -125,30 +125,19 @@ impl PhotoSheet {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// No sheet is there, or too little of it.
-    #[error("{}", few(*.markers))]
-    FewMarkers {
-        /// How many different markers were found.
-        markers: usize,
-    },
-    /// The markers are not where any camera would see those of a flat or evenly bent sheet.
-    #[error("the sheet is not flat: its markers are {millimetres:.1} mm from where they would be on an even sheet")]
-    NotEven {
-        /// Root of the mean square of their distances, in mm.
-        millimetres: f64,
-    },
-    /// The picture is so blurred that the markers are not where any camera would see them.
-    #[error("the picture is blurred: edges on the sheet are {millimetres:.1} mm wide in it")]
-    Blurred {
-        /// Width of edges, in mm.
-        millimetres: f64,
-    },
-    /// The sheet is rolled too much.
-    #[error("the sheet is bent: its middle is {millimetres:.0} mm above or below its edges")]
-    Bent {
-        /// Height of the bend, in mm.
-        millimetres: f64,
-    },
+    /// No sheet is there, or too little of it: how many different markers were found.
+    #[error("{}", few(*.0))]
+    FewMarkers(usize),
+    /// The markers are not where any camera would see those of a flat or evenly bent sheet: root of the mean square of
+    /// their distances from there, in mm.
+    #[error("the sheet is not flat: its markers are {0:.1} mm from where they would be on an even sheet")]
+    NotEven(f64),
+    /// The picture is so blurred that the markers are not where any camera would see them: width of edges, in mm.
+    #[error("the picture is blurred: edges on the sheet are {0:.1} mm wide in it")]
+    Blurred(f64),
+    /// The sheet is rolled too much: height of the bend, in mm.
+    #[error("the sheet is bent: its middle is {0:.0} mm above or below its edges")]
+    Bent(f64),
     /// The small code cannot be read.
     #[error("the small code at the lower right corner of the sheet cannot be read")]
     NoCode,
@@ -164,13 +153,13 @@ impl Refusal {
     #[must_use]
     pub fn hint(&self) -> &'static str {
         match self {
-            Refusal::FewMarkers { .. } => {
+            Refusal::FewMarkers(_) => {
                 "take the picture from above, with the whole sheet and all eight black squares in it, sharp and without a hand over them"
             }
-            Refusal::NotEven { .. } | Refusal::Bent { .. } => {
+            Refusal::NotEven(_) | Refusal::Bent(_) => {
                 "press the sheet flat, under a sheet of glass or with weights on its edges, and take the picture again"
             }
-            Refusal::Blurred { .. } => {
+            Refusal::Blurred(_) => {
                 "take the picture nearer, so that the sheet fills it, in more light, and hold the camera still"
             }
             Refusal::NoCode => {

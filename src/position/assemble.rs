@@ -1,8 +1,7 @@
 use super::closing::places;
-use super::listing::{Count, Listing, counted};
 use super::modes::NoMode;
 use super::nearest::nearest;
-use super::tree::{Tree, WholeAssembly};
+use super::tree::{Count, Listing, Tree, WholeAssembly, counted};
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::{Point, Vector, span, unit};
 use crate::mechanism::{Guide, Mechanism, PointId, Role, mirrored_mechanism};

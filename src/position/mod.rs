@@ -22,7 +22,6 @@ mod closing;
 mod frames;
 #[doc(hidden)] // for tests
 pub mod legs;
-mod listing;
 mod modes;
 mod nearest;
 mod platform;
@@ -33,7 +32,7 @@ mod tree;
 
 pub(crate) use assemble::first_poses;
 pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses, with_nearest_sides};
-pub use listing::Count;
+pub use tree::Count;
 pub(crate) use tree::search_warnings;
 
 use crate::Problem;

@@ -114,7 +114,7 @@ fn a_limit_stops_the_crank_and_lets_it_back() {
     assert!(pull.to_place(pin, at(120.0)).limit.is_none());
     let pulled = pull.to_place(pin, at(160.0));
     let limit = pulled.limit.expect("it is stopped");
-    assert!(matches!(limit.what, Happening::Limit { .. }));
+    assert!(matches!(limit.what, Happening::Limit(_)));
     assert!((limit.at - 137.58).abs() < 0.01 && limit.at - pulled.value < 0.04, "{limit:?} at {}", pulled.value);
     assert!(solution.moved(pulled.pose).is_ok());
     let again = pull.to_place(pin, at(170.0));

@@ -97,8 +97,8 @@ impl<'a> CurveContext<'a> {
     /// The vertical lines at marked values of the drive, with their pens.
     pub fn verticals(&self) -> Vec<(Pen, f64)> {
         let events = self.events.iter().filter_map(|event| match event.what {
-            Happening::Limit { .. } | Happening::Singular { .. } => Some((Pen::Limit, event.at)),
-            Happening::Change { .. } => Some((Pen::Change, event.at)),
+            Happening::Limit(_) | Happening::Singular(_) => Some((Pen::Limit, event.at)),
+            Happening::Change(_) => Some((Pen::Change, event.at)),
             _ => None,
         });
         let [low, high] = self.range;

@@ -126,8 +126,8 @@ impl Seen {
             };
             let [inside, outside] = [-beyond, beyond].map(|by| modes(&path.mechanism, end.at + by).len());
             match end.what {
-                Happening::Limit { .. } if inside == outside + 2 => self.limits += 1,
-                Happening::RunsOff { .. } if inside == outside => self.run_off += 1,
+                Happening::Limit(_) if inside == outside + 2 => self.limits += 1,
+                Happening::RunsOff(_) if inside == outside => self.run_off += 1,
                 _ => {
                     let text = format!("{end:?}: {inside} modes before, {outside} after");
                     self.problems.push(text);

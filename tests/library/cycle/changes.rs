@@ -16,7 +16,7 @@ const BLANK: f64 = 1e-4;
 /// The change points on a path are just these, whole turns aside.
 fn changes(path: &Path, expected: &[f64]) -> Vec<f64> {
     let events = path.events().into_iter();
-    let found = events.filter(|e| matches!(e.what, Happening::Change { .. }));
+    let found = events.filter(|e| matches!(e.what, Happening::Change(_)));
     let found: Vec<f64> = found.map(|e| e.at).collect();
     let off = |at: f64| expected.iter().map(|e| apart(*e, at)).fold(f64::MAX, f64::min);
     for at in &found {
@@ -157,7 +157,7 @@ fn next_to_a_parallelogram() {
     path_of(150.000000001, &|path| {
         let stops = path.events().into_iter().filter(|e| matches!(e.what, Happening::TurnsBack { .. }));
         assert_eq!(stops.collect::<Vec<_>>(), []);
-        let change = path.events().into_iter().find(|e| matches!(e.what, Happening::Change { .. }));
+        let change = path.events().into_iter().find(|e| matches!(e.what, Happening::Change(_)));
         let change = change.expect("a change point");
         assert!(path.touches(&change, [0.0, 60.0]) && !path.touches(&change, [1.0, 60.0]), "{change:?}");
     });

@@ -44,7 +44,7 @@ fn slides_back(what: &Happening) -> bool {
 }
 
 fn limit(what: &Happening) -> bool {
-    matches!(what, Happening::Limit { .. })
+    matches!(what, Happening::Limit(_))
 }
 
 fn asin(x: f64) -> f64 {
@@ -158,7 +158,7 @@ fn a_tangent() {
                   { "link": "3", "at": "P", "on": "ground", "through": [70, 0], "along": 90 }],
       "near": { "P": [70, 25] } }"#;
     let events = events(scene);
-    let runs_off = |what: &Happening| matches!(what, Happening::RunsOff { .. });
+    let runs_off = |what: &Happening| matches!(what, Happening::RunsOff(_));
     happen(&events, runs_off, &[90.0, -90.0]);
     happen(&events, limit, &[]);
     assert!(events[0].text("P", &Wording::default()).contains("infinity"));

@@ -180,7 +180,7 @@ fn limits_are_those_of_the_diagonal() {
             let limits = bar.limits();
             for hand in [1.0, -1.0] {
                 let (events, _) = followed(&bar, 90.0, hand);
-                let ends = events.iter().filter(|(_, what)| matches!(what, Happening::Limit { .. }));
+                let ends = events.iter().filter(|(_, what)| matches!(what, Happening::Limit(_)));
                 let ends: Vec<f64> = ends.map(|e| e.0).collect();
                 assert_eq!(ends.len(), 2, "{bar:?} {events:?}");
                 seen += 2;

@@ -37,7 +37,7 @@ fn it_goes_where_the_path_goes() {
             continue;
         }
         let path = followed(&mechanism, &pose);
-        if path.events().iter().any(|event| matches!(event.what, Happening::Change { .. })) {
+        if path.events().iter().any(|event| matches!(event.what, Happening::Change(_))) {
             continue;
         }
         go_about(&name, &mechanism, &path, Mover::new(&mechanism, &pose).expect("regular"));

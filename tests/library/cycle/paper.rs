@@ -32,7 +32,7 @@ fn both_limits_are_located() {
         let end = path.end(above).expect("the branch ends");
         let error = minus(end.at, &limit);
         assert!(error.abs() <= 1e-12 * TURN, "{limit} is wrong by {error:e}");
-        let Happening::Limit { links } = &end.what else { panic!("{end:?}") };
+        let Happening::Limit(links) = &end.what else { panic!("{end:?}") };
         assert_eq!(links, "2, 3, 4, 5");
     }
     // Beyond there is nothing, and nothing is made up.

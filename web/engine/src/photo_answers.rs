@@ -28,10 +28,10 @@ pub struct PhotoRefused {
 impl PhotoRefused {
     pub fn of(why: &Refusal) -> PhotoRefused {
         let (kind, number) = match why {
-            Refusal::FewMarkers { markers } => ("few-markers", *markers as f64),
-            Refusal::NotEven { millimetres } => ("not-even", *millimetres),
-            Refusal::Blurred { millimetres } => ("blurred", *millimetres),
-            Refusal::Bent { millimetres } => ("bent", *millimetres),
+            Refusal::FewMarkers(markers) => ("few-markers", *markers as f64),
+            Refusal::NotEven(millimetres) => ("not-even", *millimetres),
+            Refusal::Blurred(millimetres) => ("blurred", *millimetres),
+            Refusal::Bent(millimetres) => ("bent", *millimetres),
             Refusal::NoCode => ("no-code", 0.0),
             Refusal::OtherPage => ("other-page", 0.0),
             _ => ("other", 0.0),
