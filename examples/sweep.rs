@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sweep = Sweep::new(&path, Steps::new(0.0, 360.0, 30.0)?, Some(&names))?;
     let header = sweep.header();
     println!("{}", header.iter().map(|name| format!("{name:>12}")).collect::<String>());
-    for row in sweep.rows(0..sweep.steps().count()).chunks(header.len()) {
+    for row in sweep.rows(0..sweep.steps.count()).chunks(header.len()) {
         let numbers = row.iter().map(|x| x.map_or("-".into(), |x| format!("{x:.4}")));
         println!("{}", numbers.map(|x| format!("{x:>12}")).collect::<String>());
     }

@@ -26,7 +26,7 @@ fn written() -> (Vec<String>, Vec<Option<f64>>, [Vec<RecordBatch>; 2]) {
     let names = ["omega(3)", "v(C)"].map(String::from);
     let steps = Steps::new(100.0, 260.0, 1.0).expect("steps");
     let sweep = Sweep::new(&path, steps, Some(&names)).expect("quantities");
-    let numbers = sweep.rows(0..sweep.steps().count());
+    let numbers = sweep.rows(0..sweep.steps.count());
 
     let mut arrow = Columns::new(ColumnFormat::Arrow, &columns_of(&sweep), Vec::new()).expect("memory can be written");
     arrow.rows(&numbers).expect("memory can be written");

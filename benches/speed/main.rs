@@ -170,13 +170,13 @@ fn batch_on_all_cores(bencher: Bencher, all: bool) {
 /// A sweep of 100 000 positions of the paper's mechanism, four numbers each.
 #[divan::bench]
 fn sweep_100_000(bencher: Bencher) {
-    sweep(bencher, |sweep| sweep.rows(0..sweep.steps().count()));
+    sweep(bencher, |sweep| sweep.rows(0..sweep.steps.count()));
 }
 
 #[cfg(feature = "parallel")]
 #[divan::bench]
 fn sweep_100_000_on_all_cores(bencher: Bencher) {
-    sweep(bencher, |sweep| sweep.rows_on_all_cores(0..sweep.steps().count()));
+    sweep(bencher, |sweep| sweep.rows_on_all_cores(0..sweep.steps.count()));
 }
 
 fn sweep(bencher: Bencher, rows: impl Fn(&Sweep) -> kinegon::cycle::Numbers) {

@@ -72,7 +72,7 @@ impl Solution {
     pub fn value(&self, name: &str) -> Result<ValueOf, Refused> {
         let solution = self.solved(Order::Acceleration)?;
         let asked = QuantityRequest::new(name, &solution.mechanism)?;
-        let scales = asked.is_on_paper().then(|| solution.scales());
+        let scales = asked.written.on_paper.then(|| solution.scales());
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref())?;
         let numbers = match value {
             Quantity::Number(x) => vec![x],
@@ -80,7 +80,7 @@ impl Solution {
         };
         let bounds = bounds(&solution.scene, &solution.mechanism, &solution.pose, &solution.motion);
         let error = bounds.of(&asked).filter(|error| error.is_finite());
-        let unit = if asked.is_on_paper() { "mm".to_owned() } else { asked.kind().unit(solution.scene.units) };
+        let unit = if asked.written.on_paper { "mm".to_owned() } else { asked.kind().unit(solution.scene.units) };
         Ok((numbers, unit, error))
     }
 

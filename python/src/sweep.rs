@@ -34,7 +34,7 @@ pub fn table_of(scene: &Scene, mechanism: &Mechanism, pose: &Pose, wanted: &Want
         let data = numbers(&sweep, wanted.huge)?;
         let units = units(&sweep, scene.scene.units);
         let notes = notes(path, range, wanted.is_part(), &Wording::of(&scene.scene.figure));
-        Ok(Table::of(sweep.header(), units, sweep.steps().count(), data, notes))
+        Ok(Table::of(sweep.header(), units, sweep.steps.count(), data, notes))
     })
 }
 
@@ -87,17 +87,17 @@ fn moved<T>(
 
 /// The units of the columns.
 fn units(sweep: &Sweep<'_>, units: Units) -> Vec<String> {
-    let drive = if sweep.drive().is_angle() { QuantityKind::Angle } else { QuantityKind::Position };
+    let drive = if sweep.path.drive.is_angle { QuantityKind::Angle } else { QuantityKind::Position };
     let of = |asked: &QuantityRequest| {
         let count = 1 + usize::from(asked.is_vector()) + usize::from(sweep.error_name(asked).is_some());
         vec![asked.kind().unit(units); count]
     };
-    std::iter::once(drive.unit(units)).chain(sweep.columns().iter().flat_map(of)).collect()
+    std::iter::once(drive.unit(units)).chain(sweep.columns.iter().flat_map(of)).collect()
 }
 
 /// All numbers, column after column; NaN where there is none.
 fn numbers(sweep: &Sweep<'_>, is_huge: bool) -> PyResult<Vec<f64>> {
-    let (rows, columns) = (sweep.steps().count(), sweep.header().len());
+    let (rows, columns) = (sweep.steps.count(), sweep.header().len());
     let hint =
         "take a larger step, a part of the range (start, stop) or fewer quantities (want); with huge=True it is made";
     let mut data = empty(rows, columns, is_huge, hint)?;

@@ -136,7 +136,7 @@ impl Bounds<'_> {
     pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
         let whole = asked.without_component().value(&self.snapshot(), None, None).ok()?;
         let rounding = |whole: &Quantity| whole.as_number().abs() * ROUNDINGS;
-        let bound = match asked.what() {
+        let bound = match &asked.what {
             What::Rate(Rate::Angular(order, link)) => self.angular_rates(*link)[*order],
             What::Rate(Rate::Slide(order, slider)) => self.slide(*slider)[*order],
             What::Angle(link) => self.angle(*link)?,
@@ -151,7 +151,7 @@ impl Bounds<'_> {
         let (Quantity::Vector(whole), off) = (whole, SQRT_2 * bound) else {
             return Some(bound);
         };
-        match asked.component() {
+        match asked.written.component {
             Some(Component::Size) => Some(off + whole.norm() * ROUNDINGS),
             Some(Component::Angle) => {
                 (off < whole.norm()).then(|| libm::asin(off / whole.norm()).to_degrees() + 180.0 * ROUNDINGS)
@@ -207,7 +207,7 @@ impl Bounds<'_> {
 #[must_use]
 pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
     let joint = |spot: &Spot| matches!(spot, Spot::Point(..));
-    match asked.what() {
+    match &asked.what {
         What::Coordinate(_, spot) => joint(spot),
         What::Length(a, b) => joint(a) && joint(b),
         What::Motion(_, a, b) => joint(a) && b.as_ref().is_none_or(joint),

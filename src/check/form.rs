@@ -294,7 +294,7 @@ pub fn plan_points(solution: &Solution) -> [Vec<(String, RichText)>; 2] {
     let of_plan = |plan: &Plan| {
         let mut names = vec![plan.order.pole().to_owned()];
         for found in &boxes {
-            if let What::Segment(order, [from, to]) = found.asked.what()
+            if let What::Segment(order, [from, to]) = &found.asked.what
                 && *order == plan.order
             {
                 names.extend([from, to].map(ToString::to_string));

@@ -210,7 +210,7 @@ impl<'a> Names<'a> {
         if sheet == Sheet::Scheme {
             return 0;
         }
-        let subject = asked.subject();
+        let subject = asked.written.subject();
         let image = image_name(subject.split(['/', ',']).next().unwrap_or(""));
         let steps = || self.solution.construction.numbered_steps();
         let maker = steps().find(|s| s.sheet == sheet && s.action.image() == Some(image.as_str()));
@@ -224,7 +224,7 @@ impl<'a> Names<'a> {
             let [from, to] = [from, to].map(|name| self.point(sheet, name).unwrap_or_else(|| name.to_owned()));
             format!("{from} {to}")
         };
-        match asked.what() {
+        match &asked.what {
             What::Segment(order, [from, to]) => between(order.sheet(), from, to),
             What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
             _ => plain(

@@ -201,7 +201,7 @@ impl SweepCommand {
 
 /// The table with bounds of errors; warns of quantities that have none.
 fn with_errors<'a>(sweep: Sweep<'a>, scene: &'a Scene) -> Sweep<'a> {
-    for asked in sweep.columns().iter().filter(|asked| !is_bounded(asked)) {
+    for asked in sweep.columns.iter().filter(|asked| !is_bounded(asked)) {
         let name = asked.name();
         warn(&format!("`{name}` has no stated bound of its error, so the table has no column {name}_error"));
     }

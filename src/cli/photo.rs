@@ -57,7 +57,7 @@ impl Photo {
     fn backdrop(&self) -> Backdrop {
         let page = self.sheet.code.page.size_mm();
         let paper = self.sheet.straightened(&self.picture, [[0.0; 2], page], 1.0 / PIXELS);
-        let grey = paper.dark().iter().map(|dark| (255.0 * (1.0 - dark)).clamp(0.0, 255.0) as u8).collect();
+        let grey = paper.dark.iter().map(|dark| (255.0 * (1.0 - dark)).clamp(0.0, 255.0) as u8).collect();
         Backdrop { size: paper.size.map(|size| size as u32), grey }
     }
 }

@@ -147,7 +147,7 @@ pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<
     let Some(mut table) = TableWriter::begin(&mut files, place, format, &columns)? else {
         return Ok(());
     };
-    let count = sweep.steps().count();
+    let count = sweep.steps.count();
     let unit = (count * columns.len() >= LONG).then_some("rows");
     let piece = |rows| {
         let numbers = sweep.rows(rows);
@@ -166,7 +166,7 @@ const HUGE: f64 = 1e9;
 /// Refuses a table that would fill a disk: its bytes are those of some rows, from all over it, times their number.
 pub(super) fn refuse_huge(sweep: &Sweep, format: TableFormat) -> Result<(), Failure> {
     const SPOTS: usize = 16;
-    let count = sweep.steps().count();
+    let count = sweep.steps.count();
     let columns = format::columns_of(sweep);
     // No number takes 1 kB with its name.
     if (count as f64) * (columns.len() as f64) < HUGE / 1e3 {

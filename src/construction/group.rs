@@ -15,13 +15,6 @@ use crate::motion::{BodyMotion, Motion, SlideMotion};
 use crate::sheet::{Order, Sheet};
 use core::cmp::Reverse;
 
-/// The ray of a leg.
-struct DrawnRay {
-    /// Its first point in the plan: name and place.
-    from: (String, PlaceId),
-    line: LineId,
-}
-
 impl Writer<'_> {
     /// Draws the cut lines and crosses them; a dyad's inner joint is only plotted. `None` for a special point at
     /// infinity.
@@ -142,14 +135,14 @@ impl Writer<'_> {
         for point in drawn {
             let image = image_name(&point.special.name);
             let rays = [self.ray(order, point, 0)?, self.ray(order, point, 1)?];
-            let from = rays.each_ref().map(|ray| ray.from.0.clone());
+            let from = rays.each_ref().map(|((from, _), _)| from.clone());
             let sine = point.special.crossing.sine();
             let step = self.begin(order);
-            let crossing = self.cross(true, order, OperationRole::Image, rays.each_ref().map(|ray| ray.line))?;
+            let crossing = self.cross(true, order, OperationRole::Image, rays.each_ref().map(|(_, line)| *line))?;
             self.finish(step, Action::Cross { point: image.clone(), from, sine });
             let role = if point.special.is_assur { PointRole::Special } else { PointRole::Image };
             self.show(order, &image, crossing, role);
-            for (side, DrawnRay { from: (from, start), line }) in rays.into_iter().enumerate() {
+            for (side, ((from, start), line)) in rays.into_iter().enumerate() {
                 let kind = NumberKind::Segment(order, [from.clone(), image.clone()]);
                 let step = self.begin(order);
                 let segment = self.measure(order, kind, [start, crossing], MeasuredAs::Along(line));
@@ -193,8 +186,9 @@ impl Writer<'_> {
         }
     }
 
-    /// Draws the ray of a leg, after the driven sliders' vectors and the normal part that lead to its start.
-    fn ray(&mut self, order: Order, point: &DrawnSpecial<'_>, side: usize) -> Option<DrawnRay> {
+    /// Draws the ray of a leg, after the driven sliders' vectors and the normal part that lead to its start; gives name
+    /// and place of its first point, and its line.
+    fn ray(&mut self, order: Order, point: &DrawnSpecial<'_>, side: usize) -> Option<((String, PlaceId), LineId)> {
         let (cut, leg) = (&point.special.cuts[side], &point.legs[side]);
         let base = cut.leg.base;
         let start = cut.start()?;
@@ -218,7 +212,7 @@ impl Writer<'_> {
         let drawn = self.drawn(from.1, leg.ray);
         let line = drawn.unwrap_or_else(|| self.draw(order, OperationRole::Ray, from.1, leg.ray));
         self.finish(step, Action::Ray(ray));
-        Some(DrawnRay { from, line })
+        Some((from, line))
     }
 
     /// The rates of links, then of sliders, that the equations of a plan are solved for, each with its index among the

@@ -123,7 +123,7 @@ impl<'a> Curves<'a> {
     fn survey(&self, name: &str, grid: &[f64]) -> Result<Survey<'a>, CycleError> {
         let path = self.path;
         let asked = QuantityRequest::new(name, &path.mechanism)?;
-        if asked.is_on_paper() {
+        if asked.written.on_paper {
             return Err(QuantityError::OnPaper(name.to_owned()).into());
         }
         // The scene's own position is not singular.
@@ -288,7 +288,7 @@ fn every_omega(path: &Path) -> Vec<String> {
 
 /// The order of magnitude of a quantity of that kind in a mechanism of this size with these drives.
 fn typical_size(path: &Path, kind: QuantityKind) -> f64 {
-    let size = path.size();
+    let size = path.size;
     let inputs = path.kernel.inputs.iter().map(|input| match input.kind {
         InputKind::Turning { .. } => [input.rate.abs(), input.second.abs()],
         InputKind::Sliding { .. } => [input.rate.abs() / size, input.second.abs() / size],

@@ -11,9 +11,11 @@ use crate::words::{Medium, NumberStyle, Wording};
 pub struct Drive {
     /// Its name: that of the driven link, or of the slider on a moving link, as in `3/2`.
     pub name: String,
+    /// The name of its value as a quantity, as in `angle(1)` or `position(4/ground)`.
+    pub quantity: String,
+    /// Whether its value is an angle in degrees; else it is a length.
+    pub is_angle: bool,
     pub(super) input: usize,
-    pub(super) turns: bool,
-    quantity: String,
     /// The size of the largest link, in units of length.
     size: f64,
 }
@@ -41,22 +43,22 @@ impl Drive {
                 format!("position({})", mechanism.slider_name(SliderId(slider)))
             }
         };
-        let turns = matches!(kernel.inputs[input].kind, InputKind::Turning { .. });
+        let is_angle = matches!(kernel.inputs[input].kind, InputKind::Turning { .. });
         let size = mechanism.bodies.iter().map(|body| span(body.local.iter().copied())).fold(0.0, f64::max);
-        Ok(Drive { name, input, turns, quantity, size })
+        Ok(Drive { name, quantity, is_angle, input, size })
     }
 
     /// The drive at this value, in words, as in `angle(1) = 30°`.
     #[must_use]
     pub fn at(&self, value: f64, words: &Wording) -> String {
-        format!("{} = {}", self.quantity(), words.number(self.amount(value)))
+        format!("{} = {}", self.quantity, words.number(self.amount(value)))
     }
 
     /// A value with its unit, as in `30°`.
     #[must_use]
     pub fn amount(&self, value: f64) -> String {
         // Values of the drive are known to about 1e-12 of a turn, or of the mechanism's size.
-        if self.turns {
+        if self.is_angle {
             format!("{}°", (value * 1e10).round() / 1e10 + 0.0)
         } else {
             format!("{}", shortened(snapped(value, self.size), 12))
@@ -68,23 +70,11 @@ impl Drive {
     #[must_use]
     pub fn shown(&self, value: f64, words: &Wording) -> String {
         let decimals = |count: usize| words.write(value, NumberStyle::decimals(count).on(Medium::Figure));
-        if self.turns {
+        if self.is_angle {
             return format!("{}°", decimals(1));
         }
         let digits = 3.0 - libm::floor(libm::log10(value.abs().max(1e-3)));
         decimals(digits.max(0.0) as usize)
-    }
-
-    /// The name of the drive's value as a quantity, as in `angle(1)` or `position(4/ground)`.
-    #[must_use]
-    pub fn quantity(&self) -> String {
-        self.quantity.clone()
-    }
-
-    /// Whether its value is an angle in degrees; else it is a length.
-    #[must_use]
-    pub fn is_angle(&self) -> bool {
-        self.turns
     }
 }
 

@@ -43,7 +43,7 @@ fn extreme_positions(path: &Path) -> Vec<Event> {
     for unknown in kernel.unknowns.iter().flatten().copied() {
         let scale = match unknown {
             Unknown::Spin(_) => fastest_turn,
-            Unknown::Slide(_) => fastest_turn * path.size(),
+            Unknown::Slide(_) => fastest_turn * path.size,
         };
         if fastest(unknown) <= AT_REST * scale {
             continue;
@@ -68,7 +68,7 @@ fn extreme_positions(path: &Path) -> Vec<Event> {
                 let what = match unknown {
                     Unknown::Slide(slider) => Happening::SlidesBack {
                         slider: mechanism.slider_name(SliderId(slider)),
-                        position: snapped(block.slides[slider][0], path.size()),
+                        position: snapped(block.slides[slider][0], path.size),
                     },
                     Unknown::Spin(class) => {
                         // Of links that turn together the one with most points is named: the lever, not the block on

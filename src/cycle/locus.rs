@@ -135,7 +135,7 @@ impl<'a> Place<'a> {
             (None, Some(after)) => after - here,
             (None, None) => return None,
         };
-        let rests = along.norm() <= 1e-12 * self.path.size();
+        let rests = along.norm() <= 1e-12 * self.path.size;
         (!rests).then(|| along.normalize())
     }
 
@@ -158,16 +158,16 @@ impl CurveReader for Place<'_> {
 
     fn at(&mut self, value: f64, _: Option<Point>) -> Option<Point> {
         let place = Point::from(self.tip.at(value)?);
-        let reach = REACH * self.path.size();
+        let reach = REACH * self.path.size;
         self.centre.is_none_or(|centre| (place - centre).norm() <= reach).then_some(place)
     }
 
     fn is_joined(&self, a: Point, b: Point) -> bool {
-        (a - b).norm() <= GAP * self.path.size()
+        (a - b).norm() <= GAP * self.path.size
     }
 
     fn is_straight(&self, a: Point, middle: Point, b: Point) -> bool {
-        (middle - nalgebra::center(&a, &b)).norm() <= TOLERANCE * self.path.size()
+        (middle - nalgebra::center(&a, &b)).norm() <= TOLERANCE * self.path.size
     }
 }
 
@@ -244,7 +244,7 @@ fn hodograph(asked: QuantityRequest, curves: &Curves, [x, y]: [&Curve; 2], mut t
             }
         }
     }
-    let step = if curves.path.drive.is_angle() { MARKS } else { curves.round_step() };
+    let step = if curves.path.drive.is_angle { MARKS } else { curves.round_step() };
     let marks = curves.round_values(step).into_iter();
     Hodograph {
         asked,
@@ -344,5 +344,5 @@ pub(super) fn is_same(a: &Path, b: &Path, values: [f64; 2]) -> bool {
         }
     };
     let pairs = at(a, values[0]).zip(at(b, values[1])).map(|(a, b)| a.into_iter().zip(b));
-    pairs.is_some_and(|mut pairs| pairs.all(|(p, q)| (p - q).norm() <= CLOSED * a.size()))
+    pairs.is_some_and(|mut pairs| pairs.all(|(p, q)| (p - q).norm() <= CLOSED * a.size))
 }

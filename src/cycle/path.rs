@@ -94,7 +94,8 @@ pub struct Path<'a> {
     pub(super) inputs: Vec<[f64; 2]>,
     /// The moved drive's value at the scene's position.
     pub(super) origin: f64,
-    size: f64,
+    /// The mechanism's size at the scene's position.
+    pub(super) size: f64,
     /// In the order of the drive's value.
     pub(super) nodes: Vec<Node>,
     pub(super) segments: Vec<Segment>,
@@ -142,12 +143,7 @@ impl<'a> Path<'a> {
 
     /// One turn in the drive's unit: 360° of a crank; for a slider, the mechanism's size.
     pub(super) fn unit(&self) -> f64 {
-        if self.drive.turns { 360.0 } else { self.size }
-    }
-
-    /// The mechanism's size at the scene's position.
-    pub(super) fn size(&self) -> f64 {
-        self.size
+        if self.drive.is_angle { 360.0 } else { self.size }
     }
 
     /// Sets all drives in `block` to where they stand at these values of the moved drive.

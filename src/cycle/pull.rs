@@ -143,7 +143,7 @@ impl Pull {
         });
         let Some([first, second]) = speed else { return true };
         let unit = self.path.unit();
-        first * unit + second * unit * unit > 1e-9 * self.path.size()
+        first * unit + second * unit * unit > 1e-9 * self.path.size
     }
 
     /// Moves the drive the way on which a point comes nearer to a place, until it comes no nearer: so a crank follows

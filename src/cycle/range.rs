@@ -41,7 +41,7 @@ impl Path<'_> {
         let turn = self.unit();
         let range = match (from, to) {
             (Some(from), Some(to)) => [from, to],
-            (Some(from), None) if self.drive.turns => [from, from + turn],
+            (Some(from), None) if self.drive.is_angle => [from, from + turn],
             (None, Some(to)) => [self.origin, to],
             (None, None) => self.once()?,
             (Some(_), None) => return Err(self.no_range()),
@@ -53,7 +53,7 @@ impl Path<'_> {
         let widest = MOST_TURNS * turn;
         if range.iter().any(|v| (v - self.origin).abs() > widest) {
             let [low, high] = [-widest, widest].map(|by| self.drive.amount(self.origin + by));
-            let text = if self.drive.turns {
+            let text = if self.drive.is_angle {
                 "the range reaches further than a hundred turns"
             } else {
                 "the range reaches further than a hundred times the mechanism's size"
@@ -64,7 +64,7 @@ impl Path<'_> {
         range.iter().for_each(|v| self.follow_to(*v));
         let (low, high) = (range[0].min(range[1]), range[0].max(range[1]));
         let outside = |path: &Self| low > path.high() || high < path.low();
-        if outside(self) && self.drive.turns {
+        if outside(self) && self.drive.is_angle {
             self.once()?;
             let turns = ((low - self.high()) / turn).ceil();
             if self.low() + turns * turn <= high {
@@ -85,7 +85,7 @@ impl Path<'_> {
 
     /// How far a branch is followed to find its ends: a turn, or ten sizes of the mechanism.
     pub(super) fn far(&self) -> f64 {
-        let units = if self.drive.turns { 1.0 } else { FAR };
+        let units = if self.drive.is_angle { 1.0 } else { FAR };
         units * self.unit()
     }
 
@@ -97,7 +97,7 @@ impl Path<'_> {
             return Ok([self.origin, self.origin + far]);
         }
         self.follow_to(self.origin - far);
-        if self.drive.turns || self.ends.iter().all(Option::is_some) {
+        if self.drive.is_angle || self.ends.iter().all(Option::is_some) {
             Ok([self.low(), self.high()])
         } else {
             Err(self.no_range())
@@ -105,7 +105,7 @@ impl Path<'_> {
     }
 
     fn no_range(&self) -> CycleError {
-        let quantity = self.drive.quantity();
+        let quantity = &self.drive.quantity;
         let hint = "both --from and --to: this slider has no full turn and no two ends";
         CycleError::Range(Problem::new(format!("the range of {quantity} is not given")).hint(hint))
     }
@@ -124,7 +124,7 @@ impl Path<'_> {
 
     /// Whether the drive turns all the way round, as far as the path has been followed.
     pub(super) fn is_round(&self) -> bool {
-        self.drive.is_angle() && self.end(true).is_none()
+        self.drive.is_angle && self.end(true).is_none()
     }
 
     /// What of a range beyond a limit position the drive reaches the other way round; the wider part where there are
@@ -133,7 +133,7 @@ impl Path<'_> {
     #[must_use]
     pub fn other_way_round(&self, range: [f64; 2]) -> Option<Detour> {
         let runs_along = |(index, [_, ratio]): (usize, &[f64; 2])| index != self.drive.input && *ratio != 0.0;
-        if !self.drive.turns || self.inputs.iter().enumerate().any(runs_along) {
+        if !self.drive.is_angle || self.inputs.iter().enumerate().any(runs_along) {
             return None;
         }
         let mut whole = self.clone();
@@ -189,7 +189,7 @@ impl Path<'_> {
     /// two-hundredth of the range.
     #[must_use]
     pub fn usual_step(&self, [from, to]: [f64; 2]) -> f64 {
-        if self.drive.is_angle() {
+        if self.drive.is_angle {
             return 1.0;
         }
         let rough = (to - from).abs() / 200.0;

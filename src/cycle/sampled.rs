@@ -57,7 +57,7 @@ impl<'a, T> Sampled<'a, T> {
     /// Whether the range is a whole turn of the drive.
     fn is_turn(&self) -> bool {
         let [low, high] = self.range;
-        self.path.drive.is_angle() && high - low >= 360.0 * (1.0 - SAME)
+        self.path.drive.is_angle && high - low >= 360.0 * (1.0 - SAME)
     }
 
     /// A value of the drive as marks show it: an angle of a whole turn is counted from 0° to 360°.
@@ -68,14 +68,14 @@ impl<'a, T> Sampled<'a, T> {
     /// The scene's own value of the drive, which may be in the range with whole turns added.
     pub(super) fn own(&self) -> Option<f64> {
         let ([low, high], start) = (self.range, self.path.start());
-        let turns = if self.path.drive.is_angle() { 360.0 * ((low - start) / 360.0 - SAME).ceil() } else { 0.0 };
+        let turns = if self.path.drive.is_angle { 360.0 * ((low - start) / 360.0 - SAME).ceil() } else { 0.0 };
         Some(start + turns).filter(|at| (low..=high).contains(at))
     }
 
     /// Round values of the drive at which curves are marked, `step` apart; in a whole turn each once.
     pub(super) fn round_values(&self, step: f64) -> Vec<f64> {
         let [low, high] = self.range;
-        let turn = if self.path.drive.is_angle() { low + 360.0 - SAME * 360.0 } else { f64::INFINITY };
+        let turn = if self.path.drive.is_angle { low + 360.0 - SAME * 360.0 } else { f64::INFINITY };
         let first = (low / step - SAME).ceil();
         let count = ((high - low) / step) as usize + 1;
         (0..count).map(|k| (first + k as f64) * step).filter(|at| *at <= high && *at < turn).collect()

@@ -1,4 +1,4 @@
-use super::{Drive, Path, Position, Steps};
+use super::{Path, Position, Steps};
 use crate::accuracy::{bounds, is_bounded};
 use crate::construction::{Extent, construct};
 use crate::geometry::{MANY, Row};
@@ -13,9 +13,12 @@ use std::ops::Range;
 /// A path read at equal steps: a table with a row for each value of the drive and a column for each number.
 #[derive(Clone, Debug)]
 pub struct Sweep<'a> {
-    path: &'a Path<'a>,
-    steps: Steps,
-    columns: Vec<QuantityRequest>,
+    /// The path.
+    pub path: &'a Path<'a>,
+    /// The values of the drive.
+    pub steps: Steps,
+    /// The quantities asked for, in order, without the drive's value.
+    pub columns: Vec<QuantityRequest>,
     /// Whether one of the quantities needs the construction.
     constructs: bool,
     /// The scene, where each quantity is followed by the bound of its error.
@@ -37,11 +40,11 @@ impl<'a> Sweep<'a> {
         let mechanism = &path.mechanism;
         let mut names = names.map_or_else(|| every_name(mechanism), <[String]>::to_vec);
         // Each name once; the drive's value is the first column already.
-        let mut seen = BTreeSet::from([path.drive.quantity()]);
+        let mut seen = BTreeSet::from([path.drive.quantity.clone()]);
         names.retain(|name| seen.insert(name.clone()));
         let columns = names.iter().map(|name| QuantityRequest::new(name, mechanism));
         let columns: Vec<QuantityRequest> = columns.collect::<Result<_, _>>()?;
-        if let Some(asked) = columns.iter().find(|asked| asked.is_on_paper()) {
+        if let Some(asked) = columns.iter().find(|asked| asked.written.on_paper) {
             let name = asked.name().to_owned();
             return Err(QuantityError::NoValue(name, "a table has no scale"));
         }
@@ -61,28 +64,10 @@ impl<'a> Sweep<'a> {
         Sweep { errors: Some(scene), ..self }
     }
 
-    /// The values of the drive.
-    #[must_use]
-    pub fn steps(&self) -> &Steps {
-        &self.steps
-    }
-
-    /// The drive that is moved.
-    #[must_use]
-    pub fn drive(&self) -> &Drive {
-        &self.path.drive
-    }
-
-    /// The quantities asked for, in order, without the drive's value.
-    #[must_use]
-    pub fn columns(&self) -> &[QuantityRequest] {
-        &self.columns
-    }
-
     /// Names of the numbers of a row.
     #[must_use]
     pub fn header(&self) -> Vec<String> {
-        let drive = std::iter::once(self.path.drive.quantity());
+        let drive = std::iter::once(self.path.drive.quantity.clone());
         let columns = self.columns.iter();
         drive.chain(columns.flat_map(|asked| column_names(asked).chain(self.error_name(asked)))).collect()
     }

@@ -102,7 +102,7 @@ impl Path<'_> {
     /// Whether rounded gaps of the loops move a link much further than rounding of the drive does, as next to a change
     /// point: the one is u over the Hadamard ratio, the other u times the rate.
     fn is_delicate(&self, node: &Node) -> bool {
-        let per_turn = self.unit() / if self.drive.turns { TAU } else { 1.0 };
+        let per_turn = self.unit() / if self.drive.is_angle { TAU } else { 1.0 };
         (0..node.determinants.len()).any(|group| {
             let rate = fastest(self, node, group) * per_turn;
             // The squared ratio is a product of a sine for each pair of unknowns, squared; this is their mean.
@@ -222,7 +222,7 @@ fn nearest_to_singularity(node: &Node) -> Option<usize> {
 fn relative_rates(path: &Path, node: &Node, unknown: Unknown) -> [f64; 2] {
     let unit = match unknown {
         Unknown::Spin(_) => 1.0,
-        Unknown::Slide(_) => path.size(),
+        Unknown::Slide(_) => path.size,
     };
     rates(&node.block, unknown).map(|rate| rate / unit)
 }

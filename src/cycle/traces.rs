@@ -131,7 +131,7 @@ fn ghosts(shown: &PointPaths, is_closed: bool, own: &Pose, count: usize) -> Vec<
     let runs_off = path.runs_off();
     let is_near = |pose: &Pose| {
         let mut pairs = pose.points.iter().zip(&own.points);
-        !runs_off || pairs.all(|(a, b)| (a - b).norm() <= REACH * path.size())
+        !runs_off || pairs.all(|(a, b)| (a - b).norm() <= REACH * path.size)
     };
     let mut walker = path.walker();
     let others = values.filter(|value| (value - path.start()).abs() > SAME * path.unit());

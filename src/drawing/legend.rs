@@ -187,7 +187,7 @@ pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
     let points: Vec<String> = context.traces.paths.iter().map(|path| shown(&path.name)).collect();
     let (language, units) = (context.words.language, context.solution.scene.units);
     let number = |value: f64| context.words.write(value, STEP);
-    let step = match drive.is_angle() {
+    let step = match drive.is_angle {
         true => format!("{}°", number(*step)),
         false => format!("{} {}", number(*step), units.length.as_str()),
     };

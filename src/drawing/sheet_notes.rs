@@ -52,12 +52,12 @@ impl<'a> SheetLabels<'a> {
 impl SheetContext<'_> {
     /// How a quantity is written on the sheets, in markup: a segment or length by its ends, a rate by its symbol.
     pub(super) fn quantity(&self, asked: &QuantityRequest) -> String {
-        let plan = match asked.what() {
+        let plan = match &asked.what {
             What::Segment(order, _) => self.construction().plan(*order),
             _ => None,
         };
         let between = |from: &str, to: &str| format!("{} {}", self.shown(from, plan), self.shown(to, plan));
-        match asked.what() {
+        match &asked.what {
             What::Segment(_, [from, to]) => between(from, to),
             What::Length(from, to) => between(from.name(), to.name()),
             _ => asked.symbol(self.mechanism(), self.words.notation, &|name| self.shown(name, None)),
@@ -72,7 +72,7 @@ impl SheetContext<'_> {
     /// Which sense is positive, of links and of slides.
     fn note_on_senses(&self, asked: &[QuantityRequest]) -> String {
         let language = self.words.language;
-        let slides = asked.iter().filter(|a| matches!(a.what(), What::Rate(Rate::Slide(..))));
+        let slides = asked.iter().filter(|a| matches!(a.what, What::Rate(Rate::Slide(..))));
         let slides: Vec<String> = slides.map(|asked| self.quantity(asked)).collect();
         match slides.is_empty() {
             true => language.exercise_senses().to_owned(),
@@ -84,7 +84,7 @@ impl SheetContext<'_> {
     fn note_on_points(&self, asked: &[QuantityRequest]) -> Option<String> {
         let language = self.words.language;
         let is_named = |plan: &Plan, name: &str| {
-            asked.iter().any(|asked| match asked.what() {
+            asked.iter().any(|asked| match &asked.what {
                 What::Segment(order, [from, to]) => *order == plan.order && (from == name || to == name),
                 _ => false,
             })

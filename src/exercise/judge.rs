@@ -179,7 +179,7 @@ pub(super) fn key_page(students: Page) -> Page {
 
 /// Whether a hand finds all angular velocities and accelerations well.
 fn is_sure(rows: &[KeyRow<'_>]) -> Result<(), Refusal> {
-    let is_rate = |row: &&KeyRow<'_>| matches!(row.asked.what(), What::Rate(Rate::Angular(..)));
+    let is_rate = |row: &&KeyRow<'_>| matches!(&row.asked.what, What::Rate(Rate::Angular(..)));
     let rates = || rows.iter().filter(is_rate);
     for KeyRow { asked, value, allowed } in rates() {
         let alike = rates().filter(|other| other.asked.kind() == asked.kind());

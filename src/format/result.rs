@@ -384,7 +384,7 @@ pub fn pencil_result(pencil: &Pencil, units: Units) -> PencilResult {
         let name = asked.name().to_owned();
         match band {
             Ok(Band { value, band, is_rough }) => {
-                let unit = if asked.is_on_paper() { "mm".to_owned() } else { asked.kind().unit(units) };
+                let unit = if asked.written.on_paper { "mm".to_owned() } else { asked.kind().unit(units) };
                 let result = BandResult { value: *value, band: *band, unit, rough: *is_rough };
                 bands.insert(name, result);
             }

@@ -48,8 +48,8 @@ pub(super) fn status(number: f64) -> &'static str {
 /// Rows of a table as lines of JSON, one object per line: `null` where there is no number, a list of two for a vector.
 #[must_use]
 pub fn json_lines(sweep: &Sweep, numbers: &[Option<f64>]) -> String {
-    let mut keys = vec![(sweep.drive().quantity(), false)];
-    for column in sweep.columns() {
+    let mut keys = vec![(sweep.path.drive.quantity.clone(), false)];
+    for column in &sweep.columns {
         keys.push((column.name().to_owned(), column.is_vector()));
         keys.extend(sweep.error_name(column).map(|name| (name, false)));
     }

@@ -190,7 +190,7 @@ impl<'a> Compiler<'a> {
         let slider = self.mechanism.slider(id);
         let (through, direction) = slider.line();
         let direction = self.in_class(slider.on, direction);
-        let at = self.mechanism.slider_at(id);
+        let at = self.mechanism.local(slider.link, slider.at);
         let (slot, anchor) = self.anchors[from.0].unwrap_or((0, Point::origin()));
         if slider.on == from {
             // A link without points slides: its place gets a slot of its own.

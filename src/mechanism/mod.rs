@@ -190,6 +190,11 @@ impl Mechanism {
         &self.bodies[id.0]
     }
 
+    /// A point in the frame of a body; its origin for a point that the body does not have, and in a drawn configuration.
+    pub(crate) fn local(&self, body: BodyId, point: PointId) -> Point {
+        self.body(body).local_of(point).unwrap_or_else(Point::origin)
+    }
+
     /// The name of a point.
     #[must_use]
     pub fn point_name(&self, id: PointId) -> &str {

@@ -100,7 +100,8 @@ pub struct Paper {
     pub step: f64,
     /// Number of places in a row, and of rows.
     pub size: [usize; 2],
-    dark: Vec<f32>,
+    /// How dark places are, row by row.
+    pub dark: Vec<f32>,
 }
 
 impl Paper {
@@ -153,12 +154,6 @@ impl Paper {
         light.iter_mut().for_each(|light| *light /= (count * count) as f32);
         let dark = darkness(&light, size, (BLOCK / step).ceil() as usize);
         Paper { corner: from, step, size, dark }
-    }
-
-    /// How dark places are, row by row.
-    #[must_use]
-    pub fn dark(&self) -> &[f32] {
-        &self.dark
     }
 
     /// How dark a place on the sheet is, in mm, from the four places around it; outside 0.

@@ -101,7 +101,7 @@ fn ridges(paper: &Paper) -> Ridges {
     if width <= 2 * radius || height <= 2 * radius {
         return Ridges { strength, direction };
     }
-    let dark = paper.dark();
+    let dark = &paper.dark;
     let scale = (1.0 / (paper.step * paper.step)) as f32;
     let mut columns = [vec![0.0_f32; width], vec![0.0_f32; width], vec![0.0_f32; width]];
     for y in radius..height - radius {

@@ -90,7 +90,7 @@ impl Frames {
         let slider = mechanism.slider(id);
         let (on, link) = (self.of(slider.on)?, self.of(slider.link)?);
         let (through, direction) = slider.line();
-        let at = link * local(mechanism, slider.link, slider.at);
+        let at = link * mechanism.local(slider.link, slider.at);
         Some((on.inverse() * at - through).dot(&direction))
     }
 }
@@ -100,16 +100,10 @@ pub(super) fn pinned(turn: Turn, local: Point, place: Point) -> Placement {
     Placement::from_parts((place - turn * local).into(), turn)
 }
 
-/// A point in the frame of a body; its origin for a point that the body does not have.
-pub(super) fn local(mechanism: &Mechanism, body: BodyId, point: PointId) -> Point {
-    let local = mechanism.body(body).local_of(point);
-    local.unwrap_or_else(Point::origin)
-}
-
 /// Placement of the body on the other side of a slider in the frame of `from`, at slider position `s`.
 fn placement_across(mechanism: &Mechanism, slider: &Slider, from: BodyId, s: f64) -> Placement {
     let (through, direction) = slider.line();
-    let at = local(mechanism, slider.link, slider.at);
+    let at = mechanism.local(slider.link, slider.at);
     // The sliding link in the frame of the guide's body.
     let forward = pinned(slider.turn(), at, through + direction * s);
     if slider.on == from { forward } else { forward.inverse() }

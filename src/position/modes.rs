@@ -1,5 +1,5 @@
 use super::closing::{Assembled, Closer, places};
-use super::frames::{Frames, local, pinned};
+use super::frames::{Frames, pinned};
 use super::platform::Platform;
 use super::search::{Rough, Search};
 use crate::geometry::{BoundingBox, Point, Turn, Vector, cross, degrees_of};
@@ -335,5 +335,5 @@ impl Lever {
 
 /// The point of a one-point link, in its frame.
 fn only_point(mechanism: &Mechanism, link: BodyId) -> Point {
-    local(mechanism, link, mechanism.body(link).points[0])
+    mechanism.local(link, mechanism.body(link).points[0])
 }

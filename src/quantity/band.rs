@@ -80,7 +80,7 @@ pub fn pencil(solution: &Solution, scales: &Scales, tolerance: Tolerance, asked:
             if !(band.value.is_finite() && band.band.is_finite()) {
                 return Err(Unread::Apart);
             }
-            if asked.is_on_paper() {
+            if asked.written.on_paper {
                 let per_mm = per_sheet[reading.sheet];
                 band.value /= per_mm;
                 band.band /= per_mm;

@@ -3,7 +3,7 @@
 use crate::Problem;
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::scene::{Component, Head, QuantityName};
+use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
 
@@ -62,8 +62,10 @@ impl QuantityError {
 #[derive(Clone, Debug)]
 pub struct QuantityRequest {
     pub(super) name: String,
-    pub(super) written: QuantityName,
-    pub(super) what: What,
+    /// Its name, taken apart.
+    pub written: QuantityName,
+    /// The quantity that it asks for.
+    pub what: What,
 }
 
 /// The quantity that a name asks for.
@@ -143,22 +145,10 @@ impl QuantityRequest {
         &self.name
     }
 
-    /// The quantity that it asks for.
-    #[must_use]
-    pub fn what(&self) -> &What {
-        &self.what
-    }
-
     /// The vector of which it asks for a number; itself, where it asks for none.
     #[must_use]
     pub fn without_component(&self) -> QuantityRequest {
         QuantityRequest { written: QuantityName { component: None, ..self.written.clone() }, ..self.clone() }
-    }
-
-    /// The number of a vector that it asks for, if any.
-    #[must_use]
-    pub fn component(&self) -> Option<Component> {
-        self.written.component
     }
 }
 

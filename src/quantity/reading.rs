@@ -104,7 +104,7 @@ impl Reader<'_> {
 
     fn number(&mut self, asked: &QuantityRequest) -> Result<(NumberId, Sense), Unread> {
         let name = asked.name();
-        let number = match asked.what() {
+        let number = match &asked.what {
             What::Rate(rate) => self.rate(*rate)?,
             What::Angle(link) => return Ok((self.axis(name, *link)?, Sense::Angle)),
             What::SlidePosition(id) => self.slide_position(name, *id)?,
@@ -129,7 +129,7 @@ impl Reader<'_> {
 
     /// One number of a vector: measured from the segment, or computed.
     fn component(&mut self, asked: &QuantityRequest, drawn: VectorSource) -> Result<(NumberId, Sense), Unread> {
-        let (Some(component), Some(order)) = (asked.component(), asked.order()) else {
+        let (Some(component), Some(order)) = (asked.written.component, asked.order()) else {
             return Err(Unread::Vector);
         };
         let ends = match (drawn, component) {

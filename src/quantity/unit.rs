@@ -26,12 +26,6 @@ impl QuantityRequest {
         self.written.component.is_none() && self.is_of_vectors()
     }
 
-    /// Whether it is a length on paper, in millimetres.
-    #[must_use]
-    pub fn is_on_paper(&self) -> bool {
-        self.written.on_paper
-    }
-
     pub(super) fn is_of_vectors(&self) -> bool {
         matches!(self.what, What::Coriolis(..) | What::Motion(..) | What::Part(..))
     }
@@ -100,12 +94,6 @@ impl QuantityRequest {
     #[must_use]
     pub fn has_dead_centres(&self) -> bool {
         matches!(self.what, What::Rate(rate) if rate.order() == Order::Velocity)
-    }
-
-    /// The part of its name in parentheses, as `4` of `omega(4)` and `alpha(4)`.
-    #[must_use]
-    pub fn subject(&self) -> String {
-        self.written.subject()
     }
 
     /// Its symbol in markup, as `ω_{4}`; of a vector that of its size, as `|v_{D}|`. `shown` gives the text for a name;

@@ -90,7 +90,7 @@ impl QuantityRequest {
                     AccelerationPart::Tangential => tangential,
                 })
             }
-            What::Segment(order, ends) if !self.is_on_paper() => Number(reader.segment(*order, ends)?),
+            What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?),
             What::Segment(order, ends) => {
                 let length = reader.segment(*order, ends)?;
                 let mu = scales.and_then(|scales| scales[order.sheet()]);

@@ -115,7 +115,7 @@ fn sampled(path: &Path, steps: Option<Steps>, wanted: &Wanted) -> Vec<f64> {
         return Vec::new();
     };
     let width = sweep.header().len();
-    let numbers = sweep.rows(0..sweep.steps().count());
+    let numbers = sweep.rows(0..sweep.steps.count());
     let size = |row: &[Option<f64>]| match row {
         // The drive's own value is the first column, and not there twice.
         [drive] => drive.unwrap_or(f64::NAN),

@@ -35,7 +35,7 @@ fn all(check: impl Fn(&str, &Path<'_>, f64)) {
         for name in mechanism.drive_names() {
             let alone = alone(&mechanism, &name);
             let drive = Drive::new(&alone, Some(&name)).expect("it is one of the drives");
-            let turns = drive.is_angle();
+            let turns = drive.is_angle;
             let width = match turns {
                 true => TO_EACH_SIDE[0],
                 false => TO_EACH_SIDE[1] * span(pose.points.iter().copied()),

@@ -65,7 +65,7 @@ fn a_pulled_point_comes_nearest() {
         for (index, start) in solution.pose.points.iter().enumerate() {
             let id = PointId(index);
             let Ok(mut pull) = Pull::of_point(&solution, id) else { continue };
-            let unit = if pull.drive().is_angle() { 360.0 } else { size };
+            let unit = if pull.drive().is_angle { 360.0 } else { size };
             if !pull.moves(id) {
                 let stays = pull.to_place(id, start + Vector::new(size, 0.0));
                 assert_eq!(stays.pose.points, pull.to_value(pull.value()).pose.points, "{name}");

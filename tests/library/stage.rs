@@ -27,7 +27,7 @@ fn ids(drawing: &Drawing) -> BTreeSet<String> {
 fn positions(own: &Solution) -> Vec<Solution> {
     let Ok(mut pull) = Pull::new(own, None) else { return vec![own.clone()] };
     let start = pull.value();
-    let step = if pull.drive().is_angle() { 35.0 } else { 0.1 };
+    let step = if pull.drive().is_angle { 35.0 } else { 0.1 };
     let poses = (-2..=2).map(|k| pull.to_value(start + step * f64::from(k)).pose);
     poses.filter_map(|pose| own.moved(pose).ok()).collect()
 }

@@ -56,9 +56,9 @@ fn files_hold_the_same_bytes() {
     branch.cover(Some(-130.0), Some(130.0)).expect("it can be followed");
     let steps = Steps::new(-130.0, 130.0, 0.02).expect("steps");
     let table = Sweep::new(&branch, steps, None).expect("all quantities");
-    let rows: Vec<usize> = (0..table.steps().count()).step_by(2048).collect();
+    let rows: Vec<usize> = (0..table.steps.count()).step_by(2048).collect();
     let rows = |text: &dyn Fn(&[Option<f64>]) -> String| -> String {
-        let piece = |first: &usize| table.rows(*first..(first + 2048).min(table.steps().count()));
+        let piece = |first: &usize| table.rows(*first..(first + 2048).min(table.steps.count()));
         rows.iter().map(|first| text(&piece(first))).collect()
     };
     let columns = format::columns_of(&table);

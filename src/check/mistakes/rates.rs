@@ -49,7 +49,7 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
 pub(super) fn senses_reversed(site: &Site<'_>) -> Vec<Candidate> {
     let is_turning = |what: &What| matches!(what, What::Rate(Rate::Angular(..)));
     let signed = site.entries.iter().enumerate().filter(|(index, entry)| {
-        is_turning(entry.asked.what()) && !entry.is_magnitude && site.model.readings[*index].is_ok()
+        is_turning(&entry.asked.what) && !entry.is_magnitude && site.model.readings[*index].is_ok()
     });
     let all: Vec<usize> = signed.map(|(index, _)| index).collect();
     // Of a single rate this is `wrong_sense`.
@@ -170,7 +170,7 @@ fn by_factor(site: &Site<'_>, tell: fn(Blank) -> Told, also_alpha: bool, factor:
         }
     }
     for (index, entry) in site.entries.iter().enumerate() {
-        if matches!(entry.asked.what(), What::Rate(rate) if is_meant(rate)) {
+        if matches!(&entry.asked.what, What::Rate(rate) if is_meant(rate)) {
             let as_written = |factor| only_written(site, tell(entry_symbol(entry)), &[index], factor);
             found.extend([factor, 1.0 / factor].map(as_written));
         }

@@ -126,7 +126,7 @@ fn wrong_steps(key: &AnswerKey<'_>, found: &[&Candidate], language: &Language) -
         // scheme.
         let solves = matches!(step.action, Action::Solve { .. });
         let rate = candidate.told.quantity().and_then(|name| QuantityRequest::new(name, &key.solution.mechanism).ok());
-        let link = match rate.as_ref().map(QuantityRequest::what) {
+        let link = match rate.as_ref().map(|asked| &asked.what) {
             Some(What::Rate(Rate::Angular(_, link))) => key.solution.mechanism.body(*link).name.as_str(),
             _ => "",
         };

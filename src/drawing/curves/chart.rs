@@ -41,7 +41,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
     let [width, _] = context.dims.page;
     let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
-    let drive = Axis::new(context.words, shown_range(&context), across, APART, context.path.drive.is_angle());
+    let drive = Axis::new(context.words, shown_range(&context), across, APART, context.path.drive.is_angle);
     let mut drawing = context.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {
         graph.draw(&mut drawing, index, &context, &drive);
@@ -98,7 +98,7 @@ fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Grap
 /// By curve: the number of its colour and dash. Curves of one link or point have the same number in all panels, curves
 /// of one panel different ones.
 fn looks(curves: &Curves, kinds: &[(QuantityKind, Vec<usize>)]) -> Vec<usize> {
-    let subject = |index: &usize| curves.curves[*index].asked[0].subject();
+    let subject = |index: &usize| curves.curves[*index].asked[0].written.subject();
     // The links and points with curves in more than one panel.
     let mut shared: Vec<String> = Vec::new();
     for (number, (_, members)) in kinds.iter().enumerate() {
@@ -203,7 +203,7 @@ fn description(context: &CurveContext<'_>, graphs: &[Graph<'_>]) -> String {
     let (units, language, drive) = (context.scene.units, context.words.language, &context.path.drive);
     let amount = |value: f64| context.words.number(drive.amount(value));
     let [from, to] = context.range.map(amount);
-    let mut text = language.over(&drive.quantity(), &from, &to);
+    let mut text = language.over(&drive.quantity, &from, &to);
     for graph in graphs {
         let unit = graph.kind.unit(units);
         let value = |value: f64| format!("{} {unit}", context.number(value, 6));

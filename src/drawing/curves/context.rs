@@ -114,7 +114,7 @@ impl<'a> CurveContext<'a> {
 
     /// A value of the drive with its unit.
     pub fn drive_value(&self, value: f64) -> String {
-        let unit = if self.path.drive.is_angle() { "°" } else { "" };
+        let unit = if self.path.drive.is_angle { "°" } else { "" };
         format!("{}{unit}", self.number(value, 5))
     }
 
@@ -122,7 +122,7 @@ impl<'a> CurveContext<'a> {
     pub fn drive(&self) -> Line {
         let link = self.shown(&self.path.drive.name);
         let language = self.words.language;
-        if self.path.drive.is_angle() {
+        if self.path.drive.is_angle {
             Line::around(|symbol| language.drive_angle(symbol), RichText::math(&format!("φ_{{{link}}}")))
         } else {
             Line::new(vec![RichText::plain(&language.drive_position(&link, self.scene.units.length.as_str()))])

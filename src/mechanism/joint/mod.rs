@@ -128,7 +128,7 @@ impl Mechanism {
         let joint = self.joint(id);
         match joint.slider.map(|slider| self.slider(slider)) {
             Some(slider) if slider.on == body => slider.line().0,
-            _ => self.body(body).local_of(self.joint_point(id)).unwrap_or_else(Point::origin),
+            _ => self.local(body, self.joint_point(id)),
         }
     }
 }

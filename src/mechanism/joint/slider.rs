@@ -116,13 +116,6 @@ impl Mechanism {
         JointId(index.expect("every slider is a joint"))
     }
 
-    /// The sliding point in the frame of its link.
-    #[must_use]
-    pub(crate) fn slider_at(&self, id: SliderId) -> Point {
-        let slider = self.slider(id);
-        self.body(slider.link).local_of(slider.at).unwrap_or_else(Point::origin)
-    }
-
     /// The slider of that index.
     #[must_use]
     pub fn slider(&self, id: SliderId) -> &Slider {

@@ -86,7 +86,7 @@ impl Seen {
         let mut walker = path.walker();
         let mut before: Option<Pose> = None;
         let wide = path.high() - path.low();
-        let unit = if path.drive.is_angle() { TURN } else { size };
+        let unit = if path.drive.is_angle { TURN } else { size };
         let steps = (wide / unit / step()) as usize;
         for value in (0..steps).map(|k| path.low() + wide * k as f64 / steps as f64) {
             let Some(position) = walker.position(value) else {

@@ -131,7 +131,7 @@ fn accuracy_is_even() {
     let names = ["angle(3)", "omega(3)", "alpha(3)"].map(String::from);
     let steps = Steps::new(0.05, 5.0, 0.01).expect("steps");
     let table = Sweep::new(&path, steps, Some(&names)).expect("quantities");
-    for row in table.rows(0..table.steps().count()).chunks(4) {
+    for row in table.rows(0..table.steps.count()).chunks(4) {
         let [value, angle, omega, alpha] = [0, 1, 2, 3].map(|k| row[k].expect("a number"));
         let turned = value.to_radians();
         let off = [angle.to_radians() - turned, omega - 1.0, alpha - 1.0];

@@ -73,7 +73,7 @@ fn size_does_not_matter() {
         let path = followed(&mechanism, &pose);
         for factor in [libm::exp2(-20.0), libm::exp2(20.0)] {
             let (other, pose) = posed(&transformed(&text, factor, [0.0; 2]));
-            let unit = if path.drive.is_angle() { 1.0 } else { factor };
+            let unit = if path.drive.is_angle { 1.0 } else { factor };
             let scaled = followed(&other, &pose);
             assert_eq!(scaled.node_count(), path.node_count(), "{name} {factor}");
             let (mut own, mut others) = (path.walker(), scaled.walker());
@@ -115,7 +115,7 @@ fn place_does_not_matter() {
         for above in [false, true] {
             let [near, far] = [&path, &far].map(|path| path.end(above).map(|end| end.at));
             let apart = near.zip(far).map_or(0.0, |(a, b)| (a - b).abs());
-            let size = if path.drive.is_angle() { TURN } else { 100.0 };
+            let size = if path.drive.is_angle { TURN } else { 100.0 };
             assert!(near.is_some() == far.is_some() && apart < 1e-12 * size, "{name}: {near:?} {far:?}");
         }
     }
@@ -129,7 +129,7 @@ fn cycles_close() {
         let drives = mechanism.bodies.iter().filter(|b| matches!(b.role, Role::Driver { .. } | Role::Pushed { .. }));
         let mut path = path(&mechanism, &pose);
         path.follow_to(path.low() + 5.0 * TURN);
-        if drives.count() > 1 || path.end(true).is_some() || !path.drive.is_angle() {
+        if drives.count() > 1 || path.end(true).is_some() || !path.drive.is_angle {
             continue;
         }
         let mut walker = path.walker();

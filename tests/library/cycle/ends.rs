@@ -13,7 +13,7 @@ fn events(scene: &str) -> Vec<Event> {
     let (mechanism, pose) = posed(scene);
     let path = followed(&mechanism, &pose);
     let mut events = path.events();
-    if path.drive.is_angle() {
+    if path.drive.is_angle {
         events.retain(|event| event.at < path.low() + TURN);
     }
     events

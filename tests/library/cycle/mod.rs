@@ -42,7 +42,7 @@ fn path<'a>(mechanism: &'a Mechanism, pose: &Pose) -> Path<'a> {
 /// The same, followed once around, or from end to end.
 fn followed<'a>(mechanism: &'a Mechanism, pose: &Pose) -> Path<'a> {
     let mut path = path(mechanism, pose);
-    if path.drive.is_angle() {
+    if path.drive.is_angle {
         path.cover(None, None).expect("it can be followed");
     } else {
         // Farther than any slider gets.

@@ -90,7 +90,7 @@ fn the_last_row_is_there() {
     path.cover(Some(69.7), Some(70.0)).expect("it can be followed");
     let names = ["L(B,S3)", "vplan(b,s3)", "position(3/2)", "v_r(3/2)", "a(D).size"];
     let sweep = sweep(&path, steps(69.7, 70.0, 0.1), &names);
-    let numbers = sweep.rows(0..sweep.steps().count());
+    let numbers = sweep.rows(0..sweep.steps.count());
     assert_eq!(numbers.len(), 4 * 6);
     assert!(numbers.iter().all(Option::is_some));
     // `FACTS` of the paper, to 12 digits.
@@ -134,7 +134,7 @@ fn rows_are_positions() {
         let wide = high - low;
         let all = steps(low - 0.1 * wide, high + 0.1 * wide, wide / 1000.0);
         let table = Sweep::new(&path, all, None).expect("all quantities");
-        let count = table.steps().count();
+        let count = table.steps.count();
         assert!((999..=1001).contains(&count), "{name} {count}");
         let width = table.header().len();
         let numbers = table.rows(0..count);
@@ -180,7 +180,7 @@ fn errors_are_bounded() {
     let header = "angle(1),angle(3),angle(3)_error,omega(3),omega(3)_error,alpha(3),alpha(3)_error,v(C).x,v(C).y,v(C)_error,\
                   x(C),x(C)_error,a(C).size,a(C).size_error,\"vplan(b,c)\"\n";
     assert_eq!(format::csv_header(&format::columns_of(&table)), header);
-    let numbers = table.rows(0..table.steps().count());
+    let numbers = table.rows(0..table.steps.count());
     let mut shares: Vec<f64> = Vec::new();
     for row in numbers.chunks(table.header().len()) {
         let number = |k: usize| row[k].expect("a number");

@@ -26,8 +26,8 @@ fn symbols_as_on_the_blackboard() {
     ] {
         let asked = QuantityRequest::new(name, &mechanism).expect(name);
         assert_eq!(asked.symbol(&mechanism, notation, &display), symbol);
-        assert_eq!((asked.kind(), asked.subject().as_str()), (kind, subject), "{name}");
+        assert_eq!((asked.kind(), asked.written.subject().as_str()), (kind, subject), "{name}");
     }
     let paper = QuantityRequest::new("vplan(b,s3)/mu", &mechanism).expect("a known form");
-    assert!(paper.is_on_paper());
+    assert!(paper.written.on_paper);
 }

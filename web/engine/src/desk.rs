@@ -130,11 +130,11 @@ impl Kept {
 fn drive(solution: &Solution, name: &str, has_range: bool) -> Option<Drive> {
     let words = solution.wording();
     let drive = cycle::Drive::new(&solution.mechanism, Some(name)).ok()?;
-    let asked = QuantityRequest::new(&drive.quantity(), &solution.mechanism).ok()?;
+    let asked = QuantityRequest::new(&drive.quantity, &solution.mechanism).ok()?;
     let Ok(Quantity::Number(value)) = asked.value(&solution.snapshot(), None, None) else { return None };
     let mut moved = Drive {
         name: name.to_owned(),
-        is_angle: drive.is_angle(),
+        is_angle: drive.is_angle,
         value,
         shown: drive.shown(value, &words),
         low: None,

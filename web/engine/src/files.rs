@@ -210,7 +210,7 @@ impl Kept {
         let (path, range) = self.path().map_err(refused)?;
         let steps = path.rows(range, path.usual_step(range)).map_err(|error| refused(error.into()))?;
         let sweep = Sweep::new(&path, steps, names).map_err(|error| refused(error.into()))?;
-        let count = sweep.steps().count();
+        let count = sweep.steps.count();
         if count.saturating_mul(sweep.header().len()) > MOST_NUMBERS {
             let message = format!("the table would have {count} rows of {} numbers", sweep.header().len());
             let hint = "write it with `kinegon sweep`, or name fewer quantities in the scene's `want`";

@@ -133,7 +133,7 @@ impl Gesture {
                     _ => return Err(Refused::whole("a drive goes to a value, a joint to a place")),
                 };
                 let words = self.now.wording();
-                let place = |at| format!("{} = {}", pull.drive().quantity(), pull.drive().shown(at, &words));
+                let place = |at| format!("{} = {}", pull.drive().quantity, pull.drive().shown(at, &words));
                 let limit = pulled.limit.map(|end| end.text(&place(end.at), &words));
                 let moved = self.staged.own.moved(pulled.pose.clone());
                 if let Some(drive) = self.drives.iter_mut().find(|drive| drive.name == pull.drive().name) {
