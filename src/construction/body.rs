@@ -1,14 +1,13 @@
 //! Velocity and acceleration of a body's point, laid off in a plan: from the pole where the scene gives the vector,
 //! else from a point of known motion.
 
-use super::constructed::Anchor;
 use super::name::{coriolis_name, point_on, slide_name};
 use super::number::{NumberId, NumberKind, Product, ProductKind, Rate};
 use super::operation::{Along, PlaceId};
 use super::step::{Action, Arrow, PointRole, VectorOf, VectorPart};
 use super::writer::Writer;
 use crate::geometry::{Ball, Pair, UNIT_ROUNDOFF, unit};
-use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, PointId, Role};
+use crate::mechanism::{BodyId, Carried, DrivenSlide, Group, JointId, PointId, Role};
 use crate::sheet::Order;
 
 impl Writer<'_> {
@@ -111,7 +110,7 @@ impl Writer<'_> {
         if let Some(&(from, place)) = self.construction.record.first_motions.get(&(order, body)) {
             return self.add_rotation(order, body, (from, place), point);
         }
-        if let Some(&Anchor { joint, from }) = self.construction.record.anchors.get(&body) {
+        if let Some(&(joint, from)) = self.construction.record.anchors.get(&body) {
             let at = mechanism.joint_point(joint);
             let mut place = self.motion(order, from, at);
             if let Some(slider) = mechanism.joint(joint).slider {
@@ -267,18 +266,18 @@ impl Writer<'_> {
         for (special, leg) in legs() {
             let link = leg.carried.map_or_else(|| mechanism.lead(special.link), |carried| carried.carrier);
             let outer = mechanism.side(leg.outer, link);
-            self.construction.record.anchors.entry(outer).or_insert(Anchor { joint: leg.outer, from: leg.base });
+            self.construction.record.anchors.entry(outer).or_insert((leg.outer, leg.base));
         }
         for (special, leg) in legs() {
             if let Some(Carried { carrier, inner }) = leg.carried {
                 let holder = mechanism.side(inner, mechanism.lead(special.link));
                 let from = mechanism.side(inner, carrier);
-                self.construction.record.anchors.entry(holder).or_insert(Anchor { joint: inner, from });
+                self.construction.record.anchors.entry(holder).or_insert((inner, from));
             }
         }
         for (joint, from, link) in group.hanging(mechanism) {
             let [from, holder] = [from, link].map(|body| mechanism.side(joint, body));
-            self.construction.record.anchors.entry(holder).or_insert(Anchor { joint, from });
+            self.construction.record.anchors.entry(holder).or_insert((joint, from));
         }
         while let Some((link, anchor)) = self.next_anchor(group) {
             self.construction.record.anchors.insert(link, anchor);
@@ -287,7 +286,7 @@ impl Writer<'_> {
 
     /// A joint of the group from a body that is known or has an anchor to a link that no leg reaches, as in a group of
     /// higher class. Pins go before sliders.
-    fn next_anchor(&self, group: &Group) -> Option<(BodyId, Anchor)> {
+    fn next_anchor(&self, group: &Group) -> Option<(BodyId, (JointId, BodyId))> {
         let mechanism = self.mechanism;
         let is_anchored = |body: BodyId| {
             let mut bodies = mechanism.compound(mechanism.root(body)).into_iter();
@@ -303,7 +302,7 @@ impl Writer<'_> {
                 (false, true) => (b, a),
                 _ => return None,
             };
-            Some((link, Anchor { joint, from }))
+            Some((link, (joint, from)))
         })
     }
 }

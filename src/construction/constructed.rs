@@ -152,7 +152,7 @@ impl Construction {
     /// not the reason.
     pub fn without(&self) -> impl Iterator<Item = &[String]> {
         self.steps[Sheet::Velocity].iter().filter_map(|action| match action {
-            Action::NoConstruction { far } => Some(far.as_slice()),
+            Action::NoConstruction(far) => Some(far.as_slice()),
             _ => None,
         })
     }
@@ -288,17 +288,8 @@ pub(super) struct Record {
     pub first_motions: IndexMap<(Order, BodyId), (PointId, PlaceId)>,
     /// By its end, each vector laid off between images of points: where it begins, and its meaning.
     pub laid_off: IndexMap<PlaceId, (PlaceId, VectorOf)>,
-    /// The joint by which the motion of a body follows from a known one.
-    pub anchors: IndexMap<BodyId, Anchor>,
-}
-
-/// The joint by which the motion of a body follows from that of a neighbour.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Anchor {
-    /// The joint.
-    pub joint: JointId,
-    /// The neighbour, whose motion is known.
-    pub from: BodyId,
+    /// The joint by which the motion of a body follows from that of a neighbour, and the neighbour.
+    pub anchors: IndexMap<BodyId, (JointId, BodyId)>,
 }
 
 impl Record {

@@ -203,10 +203,10 @@ impl Writer<'_> {
             self.show(order, &name, pole, PointRole::Pole);
             return;
         }
-        if let Some(anchor) = self.construction.record.anchors.get(&body).copied() {
-            let at = mechanism.joint_point(anchor.joint);
+        if let Some(&(joint, from)) = self.construction.record.anchors.get(&body) {
+            let at = mechanism.joint_point(joint);
             if at != point {
-                for body in [anchor.from, body] {
+                for body in [from, body] {
                     self.relative_image(order, body, at);
                 }
             }

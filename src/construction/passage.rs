@@ -88,7 +88,7 @@ fn aim(steps: &[NumberedStep<'_>], last: Option<Aim>) -> Aim {
         Action::SpecialPoint { .. } | Action::Measure { .. } if first.plan.is_none() => Aim::SpecialPoints,
         Action::Pole { .. } => Aim::Start,
         Action::Solve { .. } => Aim::Rates,
-        Action::NoConstruction { .. } => Aim::Nothing,
+        Action::NoConstruction(_) => Aim::Nothing,
         Action::Divide { .. } | Action::Coincide { .. } => Aim::Images,
         Action::Measure { .. } => {
             let after = actions().find(|action| !action.is_measured());

@@ -77,7 +77,7 @@ impl<'a> Teller<'a> {
                 let names: Vec<String> = unknowns.iter().map(|u| rate_symbol(&u.0)).collect();
                 language.solve(&names.join(", "))
             }
-            Action::NoConstruction { far } => no_construction(self.words, far),
+            Action::NoConstruction(far) => no_construction(self.words, far),
         }
     }
 
@@ -99,7 +99,7 @@ impl<'a> Teller<'a> {
             | Action::Cross { .. }
             | Action::Coincide { .. }
             | Action::Solve { .. }
-            | Action::NoConstruction { .. } => Formula::default(),
+            | Action::NoConstruction(_) => Formula::default(),
         }
     }
 

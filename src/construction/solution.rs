@@ -148,7 +148,7 @@ impl Writer<'_> {
         let far: Vec<String> = far.collect();
         for &order in self.orders() {
             let step = self.begin(order);
-            self.finish(step, Action::NoConstruction { far: far.clone() });
+            self.finish(step, Action::NoConstruction(far.clone()));
         }
         self.take_computed_rates(group, equations);
         self.note_anchors(group);

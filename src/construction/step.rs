@@ -74,11 +74,9 @@ pub enum Action {
         /// The link.
         link: BodyId,
     },
-    /// There is no construction by two rays.
-    NoConstruction {
-        /// Names of the special points at infinity, where these are the reason; else empty.
-        far: Vec<String>,
-    },
+    /// There is no construction by two rays: names of the special points at infinity, where these are the reason; else
+    /// none.
+    NoConstruction(Vec<String>),
 }
 
 impl Action {

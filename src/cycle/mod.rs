@@ -59,11 +59,8 @@ use crate::quantity::QuantityError;
 pub enum CycleError {
     /// A drawn configuration has one position.
     Drawn,
-    /// Mechanisms to be computed side by side are not of one kind.
-    NotOfOneKind {
-        /// The number of the mechanism that differs, from 0.
-        number: usize,
-    },
+    /// Mechanisms to be computed side by side are not of one kind: the number of the one that differs, from 0.
+    NotOfOneKind(usize),
     /// The mechanism has no drive.
     NoDrive,
     /// The drive that was asked for does not exist.
@@ -111,7 +108,7 @@ impl CycleError {
         match self {
             CycleError::Drawn => Problem::new("a drawn configuration cannot be moved: it has no lengths")
                 .hint("a scene with `lengths` or `shape` and a drive with its `angle` or `position`"),
-            CycleError::NotOfOneKind { number } => Problem::new(format!(
+            CycleError::NotOfOneKind(number) => Problem::new(format!(
                 "mechanism {number} is not of the kind of mechanism 0"
             ))
             .hint("the same links, joints and drives in the same order; only lengths, places and drives may differ"),

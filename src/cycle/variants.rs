@@ -41,7 +41,7 @@ impl<'a> Variants<'a> {
         let kernels: Vec<Kernel> =
             mechanisms.iter().map(Kernel::new).collect::<Option<_>>().ok_or(CycleError::Drawn)?;
         if let Some(number) = kernels.iter().position(|k| !kernels[0].is_like(k)) {
-            return Err(CycleError::NotOfOneKind { number });
+            return Err(CycleError::NotOfOneKind(number));
         }
         let count = kernels.len();
         let block = |first: usize| {

@@ -44,7 +44,7 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
     }
     let mut tree = tree(mechanism, near)?;
     let (mut whole, remarks) =
-        if tree.rough().count() == 0 { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree) }?;
+        if tree.assembler.rough.count() == 0 { first(mechanism, &mut tree) } else { closest(mechanism, &mut tree) }?;
     if mechanism.placing.is_some() {
         let assembly = number(&mut tree, &whole);
         whole.assemblies = vec![assembly; mechanism.groups.len()];
@@ -246,7 +246,7 @@ fn far_remark(tree: &mut Tree<'_>, nearest: &WholeAssembly) -> Option<String> {
         ));
     }
     let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
-    let (point, off) = tree.rough().points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (point, off) = tree.assembler.rough.points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
     (off > FAR * size).then(|| {
         let (name, place) = (mechanism.point_name(point), points[point.0]);
         format!(

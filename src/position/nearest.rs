@@ -208,7 +208,7 @@ pub(super) struct Wishes {
 
 impl Wishes {
     fn new(tree: &Tree<'_>) -> Wishes {
-        let (mechanism, rough) = (tree.mechanism, tree.rough());
+        let (mechanism, rough) = (tree.mechanism, &tree.assembler.rough);
         let group_of = |body: &BodyId| mechanism.groups.iter().position(|group| group.bodies.contains(body));
         let mut wishes = Wishes {
             points: vec![Vec::new(); mechanism.groups.len()],
@@ -252,7 +252,7 @@ impl Wishes {
             |&(body, local, place): &(BodyId, Point, Point)| Some((frame(body)? * local - place).norm_squared());
         let mut cost: f64 = self.points[placed.group].iter().filter_map(distance).sum();
         let mut laid = before;
-        if !tree.rough().angles.is_empty() {
+        if !tree.assembler.rough.angles.is_empty() {
             for &(link, angle) in &self.angles[placed.group] {
                 let chord = frame(link).map_or(0.0, |frame| chord(frame, angle));
                 laid.chords += chord * chord;

@@ -53,11 +53,6 @@ impl<'a> Tree<'a> {
         Tree { mechanism, assembler, down: WholeAssembly { frames, slides, assemblies }, order }
     }
 
-    /// The rough places by which an assembly is chosen.
-    pub(super) fn rough(&self) -> &Rough {
-        &self.assembler.rough
-    }
-
     /// The modes of a group, in their order; all groups on which it hangs must be down, and it must not.
     pub(super) fn modes(&mut self, group: usize) -> Result<Vec<Placed>, NoMode> {
         let found = self.assembler.modes(group, &self.down.frames, &self.down.slides)?;
@@ -93,7 +88,7 @@ impl<'a> Tree<'a> {
     /// Root mean square of an assembly's distances from the rough places; an angle counts as its chord on a circle whose
     /// radius is the mechanism's size.
     pub(super) fn distance(&self, whole: &WholeAssembly) -> f64 {
-        let (rough, frames) = (self.rough(), &whole.frames);
+        let (rough, frames) = (&self.assembler.rough, &whole.frames);
         let (points, _) = places(self.mechanism, frames);
         let size = span(points.iter().copied());
         let placed = |p: PointId| {

@@ -17,7 +17,6 @@ mod figure;
 mod given;
 mod joint;
 mod kinds;
-mod known;
 mod link;
 mod name;
 mod names;
@@ -41,8 +40,8 @@ pub use figure::Figure;
 pub use given::{Drive, GivenBy, LinkMotion, PointMotion, SliderDrive};
 pub use joint::*;
 pub use kinds::Kind;
-pub use known::Near;
 pub use link::{Length, Link, Shape};
+pub use points::Near;
 pub use quantity_name::{Argument, Component, Head, QuantityName};
 pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests

@@ -8,6 +8,9 @@ use super::error::{Wrong, shortened, suggestion};
 use super::link::Link;
 use super::name::no_point;
 
+/// Coordinates in the fixed frame, by the name of the point.
+pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
+
 /// All names of a scene, and the points of each link.
 #[derive(Debug)]
 pub(super) struct Names<'a> {

@@ -114,5 +114,5 @@ fn one_that_cannot_get_there_holds_up_no_other() {
 fn other_kinds_are_refused() {
     let (mechanisms, poses): (Vec<_>, Vec<_>) = SCENES[..2].iter().map(|t| posed(t)).unzip();
     let error = Variants::new(&mechanisms, &poses).expect_err("a four-bar is no slider-crank");
-    assert_eq!(error, CycleError::NotOfOneKind { number: 1 });
+    assert_eq!(error, CycleError::NotOfOneKind(1));
 }
