@@ -1,5 +1,4 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
-use super::error::radians_warnings;
 use super::group::group;
 use super::joint::{add_given, add_pins};
 use super::shape::{Side, local_points};
@@ -9,8 +8,9 @@ use super::{
     StructureError,
 };
 use crate::geometry::{Point, Vector};
-use crate::scene::{GivenBy, Scene};
+use crate::scene::{Along, GivenBy, Scene};
 use indexmap::IndexSet;
+use std::f64::consts::{PI, TAU};
 
 /// The mechanism that a scene describes.
 ///
@@ -209,4 +209,91 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         mechanism.bodies.push(body(name, std::slice::from_ref(name), role, Vec::new()));
     }
     Ok(mechanism)
+}
+
+impl StructureError {
+    /// Links with `missing` free motions too many (`under`) and links with `surplus` constraints too many (`over`).
+    fn misfit(
+        scene: &Scene,
+        mechanism: &Mechanism,
+        under: &[BodyId],
+        missing: usize,
+        over: &[BodyId],
+        surplus: usize,
+    ) -> Self {
+        let names = |links: &[BodyId]| {
+            let names = links.iter().map(|&b| mechanism.body(b).name.as_str());
+            let noun = if links.len() == 1 { "link" } else { "links" };
+            format!("{noun} {}", names.collect::<Vec<_>>().join(", "))
+        };
+        let many = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let mut parts = Vec::new();
+        let mut hints = Vec::new();
+        if !under.is_empty() {
+            let free = many(missing, "free motion");
+            parts.push(format!("{} can still move ({free} left)", names(under)));
+            hints.push(format!("add {} or a joint there", many(missing, "drive")));
+        }
+        if !over.is_empty() {
+            let surplus = many(surplus, "constraint");
+            parts.push(format!("{} cannot move as driven ({surplus} too many)", names(over)));
+            hints.push("take a drive or a joint away there".to_owned());
+        }
+        parts.extend(mobility(scene, missing, surplus));
+        let hint = Some(hints.join("; "));
+        scene.error_at(&["links"], parts.join("; "), hint).into()
+    }
+}
+
+/// The mobility of the joined links without drives, by the count of Grübler, beside the number of drives; `None` where motions are given otherwise than by
+/// drives.
+fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<String> {
+    if !scene.known.is_empty() || scene.links.values().any(|link| link.motion.is_some()) {
+        return None;
+    }
+    let turning = scene.links.values().filter(|link| link.drive.is_some()).count();
+    let drives = turning + scene.sliders.iter().filter(|slider| slider.drive.is_some()).count();
+    let links = scene.links.len();
+    // The freedoms of the links that are joined but not driven: as many as drives, and those missing, less surplus constraints.
+    let mobility = (drives + missing) as i64 - surplus as i64;
+    let constraints = 3 * links as i64 - mobility;
+    let drives = if drives == 1 { "1 drive".to_owned() } else { format!("{drives} drives") };
+    Some(format!("mobility 3·{links} − {constraints} = {mobility} with {drives}"))
+}
+
+/// Most by which a rounded angle may differ from a multiple of 15° in radians.
+const ROUNDED: f64 = 1e-3;
+
+/// Warnings of angles that are near multiples of π/12, less than a turn in radians, and no round number of degrees.
+fn radians_warnings(scene: &Scene) -> Vec<String> {
+    let links = scene.links.iter().filter_map(|(name, link)| {
+        let angle = link.angle_deg.or(link.drive.and_then(|drive| drive.angle_deg))?;
+        Some((format!("the angle of link {name}"), angle))
+    });
+    let sliders = scene.sliders.iter().filter_map(|slider| match slider.along {
+        Along::Degrees(angle) => {
+            let slides = slider.link.as_ref().or(slider.pin.as_ref())?;
+            Some((format!("the guide of {slides}"), angle))
+        }
+        _ => None,
+    });
+    let near = scene.near.angles_deg.iter().map(|(name, &angle)| (format!("`near` for angle({name})"), angle));
+    let all = links.chain(sliders).chain(near);
+    let warning = |(what, angle): (String, f64)| {
+        let degrees = degrees_meant(angle)?;
+        Some(format!(
+            "{what} is taken as {angle}°, which looks like radians: angles are in degrees, so {degrees} if that is meant"
+        ))
+    };
+    all.filter_map(warning).collect()
+}
+
+/// The multiple of 15° that an angle is in radians; `None` where it looks like degrees.
+fn degrees_meant(angle: f64) -> Option<f64> {
+    let tenths = angle * 10.0;
+    let is_round = (tenths - libm::round(tenths)).abs() < 1e-9;
+    let step = PI / 12.0;
+    let count = libm::round(angle / step);
+    let is_near = count != 0.0 && (angle - count * step).abs() <= ROUNDED;
+    (!is_round && is_near && angle.abs() < TAU + ROUNDED).then_some(15.0 * count)
 }

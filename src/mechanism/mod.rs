@@ -13,7 +13,6 @@
 mod build;
 mod compound;
 mod drives;
-mod error;
 mod group;
 mod joint;
 mod loops;
@@ -25,13 +24,13 @@ pub use build::mechanism;
 #[doc(hidden)] // for tests
 pub use build::mechanism_with;
 pub(crate) use build::mirrored_mechanism;
-pub use error::StructureError;
 pub use group::{Carried, Class, Group, Leg, Loop, SpecialPoint};
 pub use joint::{AngularConstraint, DrivenSlide, Guide, Joint, Mark, Slider};
 pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, Slide, SlideRate};
 
+use crate::Problem;
 use crate::geometry::{Point, Vector};
-use crate::scene::GivenBy;
+use crate::scene::{GivenBy, SceneError};
 
 /// Index of a named point in [`Mechanism::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -269,5 +268,39 @@ impl Body {
     pub fn local_of(&self, point: PointId) -> Option<Point> {
         let index = self.points.iter().position(|&p| p == point)?;
         self.local.get(index).copied()
+    }
+}
+
+/// Why a scene is no mechanism, or one that cannot be solved.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StructureError {
+    /// The scene contradicts itself, or has too few or too many constraints or drives.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A group whose prismatic joints leave it without a definite motion in every position.
+    #[error("{}", self.problem())]
+    Singular {
+        /// Names of the group's links.
+        links: String,
+        /// Its class.
+        class: &'static str,
+        /// Its joints in the order of [`Group::pattern`], R revolute, P prismatic.
+        pattern: String,
+    },
+}
+
+impl StructureError {
+    /// What is wrong, and what to try.
+    #[must_use]
+    pub fn problem(&self) -> Problem {
+        match self {
+            StructureError::Scene(error) => error.problem(),
+            StructureError::Singular { links, class, pattern } => Problem::new(format!(
+                "links {links} have no definite motion in any position: a group of class {class} with its prismatic joints as in {pattern} \
+                 is singular by its structure"
+            ))
+            .hint("make one of the prismatic joints revolute"),
+        }
     }
 }
