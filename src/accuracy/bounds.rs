@@ -134,7 +134,9 @@ impl Bounds<'_> {
     /// `None` for special points and for what is measured on a plan, and for the direction of a vector that may be zero.
     #[must_use]
     pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
-        let whole = asked.without_component().value(&self.snapshot(), None, None).ok()?;
+        let mut whole = asked.clone();
+        whole.written.component = None;
+        let whole = whole.value(&self.snapshot(), None, None).ok()?;
         let rounding = |whole: &Quantity| whole.as_number().abs() * ROUNDINGS;
         let bound = match &asked.what {
             What::Rate(Rate::Angular(order, link)) => self.angular_rates(*link)[*order],

@@ -38,8 +38,8 @@ fn extreme_positions(path: &Path) -> Vec<Event> {
     let mut events = Vec::new();
     let mut walker = path.walker();
     let fastest = |unknown: Unknown| path.nodes.iter().map(|n| rates(&n.block, unknown)[0].abs()).fold(0.0, f64::max);
-    let spins = kernel.unknowns.iter().flatten().filter(|u| matches!(u, Unknown::Spin(_)));
-    let fastest_turn = spins.map(|u| fastest(*u)).fold(0.0, f64::max);
+    let turning = kernel.unknowns.iter().flatten().filter(|u| matches!(u, Unknown::Spin(_)));
+    let fastest_turn = turning.map(|u| fastest(*u)).fold(0.0, f64::max);
     for unknown in kernel.unknowns.iter().flatten().copied() {
         let scale = match unknown {
             Unknown::Spin(_) => fastest_turn,

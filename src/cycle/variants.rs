@@ -322,8 +322,8 @@ fn kept_branch(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -
             let rates = |end: usize| [speeds[end][lane], seconds[end][lane]];
             let by = passed(time[lane], rates(0), rates(1));
             let size = to[lane].abs().max(from[lane].abs());
-            let went = to[lane] - from[lane];
-            ask(lane, (went - by).abs() <= AGREED * size.max(went.abs()));
+            let moved = to[lane] - from[lane];
+            ask(lane, (moved - by).abs() <= AGREED * size.max(moved.abs()));
         }
     }
     wrong.0.map(|count| count == 0.0)

@@ -25,8 +25,6 @@ pub mod legs;
 mod modes;
 mod nearest;
 mod platform;
-#[doc(hidden)] // for tests
-pub mod roots;
 mod search;
 mod tree;
 

@@ -144,12 +144,6 @@ impl QuantityRequest {
     pub fn name(&self) -> &str {
         &self.name
     }
-
-    /// The vector of which it asks for a number; itself, where it asks for none.
-    #[must_use]
-    pub fn without_component(&self) -> QuantityRequest {
-        QuantityRequest { written: QuantityName { component: None, ..self.written.clone() }, ..self.clone() }
-    }
 }
 
 pub(super) fn unknown<'n>(

@@ -2,9 +2,8 @@
 
 use kinegon::geometry::{Placement, Point, Vector, turn_of_degrees};
 use kinegon::mechanism::mechanism;
-use kinegon::position::legs::{LegCondition, placements};
+use kinegon::position::legs::{LegCondition, placements, real_roots, real_roots_of_first_degree};
 use kinegon::position::pose;
-use kinegon::position::roots::{real_roots, real_roots_of_first_degree};
 use kinegon::scene::Scene;
 use serde_json::json;
 use std::f64::consts::PI;
