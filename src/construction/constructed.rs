@@ -158,7 +158,6 @@ impl Construction {
     }
 
     /// How many places, lines and numbers the operations make.
-    #[must_use]
     pub(crate) fn counts(&self) -> [usize; 3] {
         self.record.counts()
     }
@@ -184,7 +183,6 @@ impl Construction {
     }
 
     /// The quantity name of a number, as in `L(B,S3)`, `vplan(b,s3)`, `omega(2)`; empty for the size of a vector.
-    #[must_use]
     pub(crate) fn number_name(&self, mechanism: &Mechanism, number: NumberId) -> String {
         match &self.numbers[number.0] {
             NumberKind::Length(ends) => {
@@ -199,7 +197,6 @@ impl Construction {
     }
 
     /// The name of the joint or special point at an end of a length.
-    #[must_use]
     pub(crate) fn end_name<'n>(&'n self, mechanism: &'n Mechanism, end: End) -> &'n str {
         match end {
             End::Joint(point) => mechanism.point_name(point),
@@ -242,7 +239,6 @@ impl Construction {
     }
 
     /// For each quantity, by name, the first step that yields it.
-    #[must_use]
     pub(crate) fn steps_of_quantities(&self) -> IndexMap<String, StepId> {
         let mut steps = IndexMap::new();
         for step in self.numbered_steps() {

@@ -134,7 +134,6 @@ impl CutLine {
     }
 
     /// The joint from which the length to the sought point is measured; none where no equation contains it.
-    #[must_use]
     pub(super) fn measured_from(&self) -> Option<PointId> {
         self.terms.iter().find_map(|term| match term {
             Term::Turn { from, to: None, .. } => Some(*from),
@@ -180,7 +179,6 @@ pub struct Special {
 impl Special {
     /// Names of the ends of the normal parts of both legs, as in `n_b3`; where both legs start from the same point, the
     /// second name has a prime.
-    #[must_use]
     pub(crate) fn normal_names(&self, mechanism: &Mechanism) -> [String; 2] {
         let name = |cut: &CutLine| {
             let start = cut.start().map(|point| point_on(mechanism, cut.leg.base, point));
@@ -195,7 +193,6 @@ impl Special {
 
     /// Name of the end of the Coriolis acceleration of the slider in a leg, as in `k_a3`: laid off from the image of A,
     /// of a slider that leads to link 3. Empty for a leg without a slider.
-    #[must_use]
     pub(crate) fn coriolis_name(&self, mechanism: &Mechanism, side: usize) -> String {
         let cut = &self.cuts[side];
         let start = cut.start().map(|point| image_name(&point_on(mechanism, cut.leg.base, point)));
@@ -205,7 +202,6 @@ impl Special {
 }
 
 /// The special points (and dyads' inner joints) by which the plans of a group are drawn.
-#[must_use]
 pub(super) fn special_points(mechanism: &Mechanism, pose: &Pose, index: usize) -> Vec<Special> {
     let points = mechanism.groups[index].special.iter().map(|point| {
         let cuts = point.legs.map(|leg| CutLine::new(mechanism, pose, point, &leg));

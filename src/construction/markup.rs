@@ -12,7 +12,6 @@ pub(super) fn marked(name: &str) -> String {
 }
 
 /// A caption or an equation as plain text: names as they are, subscripts after `_`.
-#[must_use]
 pub(crate) fn plain_text(markup: &str) -> String {
     let mut text = String::with_capacity(markup.len());
     push_plain(&mut text, markup);
@@ -53,7 +52,6 @@ pub(super) fn subscript(names: &[&str]) -> String {
 }
 
 /// The symbol of a rate by its quantity name, in markup: `ω_{2}` for `omega(2)`.
-#[must_use]
 pub(crate) fn rate_symbol(name: &str) -> String {
     let parsed = QuantityName::parse(name);
     match parsed.as_ref().map(|name| (name.head, name.arguments.as_slice())) {
@@ -64,7 +62,6 @@ pub(crate) fn rate_symbol(name: &str) -> String {
 }
 
 /// The sentence that there is no construction; `far` are the names of special points at infinity.
-#[must_use]
 pub(super) fn no_construction(words: &Wording, far: &[String]) -> String {
     let language = words.language;
     if far.is_empty() {

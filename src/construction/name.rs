@@ -30,13 +30,11 @@ pub fn normal_name(start: &str, special: &str) -> String {
 
 /// Name of the end of a driven slider's relative velocity or acceleration, laid off from plan point `start`, as in
 /// `r_a3` for link 3. `entered` are the names of the links that the driven sliders lead to, one after another.
-#[must_use]
 pub(super) fn slide_name(start: &str, entered: &str) -> String {
     format!("r_{start}{entered}")
 }
 
 /// Name of the end of a driven slider's Coriolis acceleration, laid off after its relative acceleration, as in `k_a3`.
-#[must_use]
 pub(super) fn coriolis_name(start: &str, entered: &str) -> String {
     format!("k_{start}{entered}")
 }
@@ -48,7 +46,6 @@ pub fn coincident_name(point: &str, body: &str) -> String {
 }
 
 /// Name of a body's point at `point`: `B` where the body has that point, else `B_2`.
-#[must_use]
 pub(crate) fn point_on(mechanism: &Mechanism, body: BodyId, point: PointId) -> String {
     let (name, body) = (mechanism.point_name(point), mechanism.body(body));
     if body.has(point) { name.to_owned() } else { coincident_name(name, &body.name) }

@@ -242,7 +242,6 @@ impl Along {
 
 impl OperationKind {
     /// Whether several steps may use its result: what is given, joining lines and sums belong to no step.
-    #[must_use]
     pub(super) fn is_shared(&self) -> bool {
         use OperationKind::{Compute, Join, Plot, Pole, Take};
         matches!(self, Pole { .. } | Plot { .. } | Join { .. } | Take { .. } | Compute { .. })

@@ -104,7 +104,6 @@ impl<'a> Teller<'a> {
     }
 
     /// The line of the mechanism that gives a ray its direction, by name.
-    #[must_use]
     pub(crate) fn line_of(&self, ray: &Ray) -> String {
         let name = |point: PointId| self.mechanism.point_name(point);
         let (special, side) = match ray.of {

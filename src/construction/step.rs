@@ -81,7 +81,6 @@ pub enum Action {
 
 impl Action {
     /// Whether it reads a length off a sheet.
-    #[must_use]
     pub(crate) fn is_measured(&self) -> bool {
         matches!(self, Action::Measure { .. })
     }
@@ -211,7 +210,6 @@ impl VectorPart {
 impl Arrow {
     /// Whether the vector points from the new plan point back to the one that was there: a chain that passes a slider
     /// from the sliding link to the guide subtracts its relative motion.
-    #[must_use]
     pub(super) fn is_backwards(&self) -> bool {
         matches!(self.of, VectorOf::Passed(slide, _) if slide.sign < 0.0)
     }
@@ -343,14 +341,12 @@ impl Plan {
     }
 
     /// The vector from one plan point to another as it is shown: zero where only rounding is left of it.
-    #[must_use]
     pub(crate) fn shown_segment(&self, from: &str, to: &str) -> Option<Vector> {
         let segment = self.segment(from, to)?;
         Some(if self.is_nothing(segment.norm()) { Vector::zeros() } else { segment })
     }
 
     /// Whether a size is what rounding leaves of zero in this plan.
-    #[must_use]
     pub(crate) fn is_nothing(&self, size: f64) -> bool {
         size.abs() <= NOTHING * self.largest
     }

@@ -50,7 +50,6 @@ impl Mechanism {
     }
 
     /// +1 if `from`, or another link of its compound link, carries the slider's guide; −1 if it slides.
-    #[must_use]
     pub(crate) fn slide_sign(&self, slider: SliderId, from: BodyId) -> f64 {
         let on = self.slider(slider).on;
         let carries = on == from || self.lead(on) == self.lead(from);
@@ -59,7 +58,6 @@ impl Mechanism {
 
     /// The driven sliders between one body and another of the same compound link, in the order from the first to the
     /// second; none from a body to itself.
-    #[must_use]
     pub(crate) fn slides_between(&self, from: BodyId, to: BodyId) -> Vec<DrivenSlide> {
         let (mut up, mut down) = (self.slides_to_root(from), self.slides_to_root(to));
         while !up.is_empty() && up.last() == down.last() {

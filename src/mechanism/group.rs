@@ -98,7 +98,6 @@ pub struct Leg {
 impl Leg {
     /// The driven sliders within the carrying link, from its outer to its inner joint; none for a leg without a
     /// carrying link.
-    #[must_use]
     pub(crate) fn carrier_slides(&self, mechanism: &Mechanism) -> Vec<DrivenSlide> {
         let Some(Carried { carrier, inner }) = self.carried else {
             return Vec::new();
@@ -142,7 +141,6 @@ impl Group {
 
     /// The links that no loop passes, each as the joint that places it, the body at that joint whose place is found
     /// before, and the link; in an order in which they can be placed.
-    #[must_use]
     pub(crate) fn hanging(&self, mechanism: &Mechanism) -> Vec<(JointId, BodyId, BodyId)> {
         let mut placed: Vec<BodyId> = self.loops.iter().flat_map(|l| &l.bodies).copied().collect();
         let mut found = Vec::new();
@@ -186,7 +184,6 @@ impl Group {
     }
 
     /// Whether the kinds of its joints make its equations singular in every position.
-    #[must_use]
     pub(super) fn is_singular_by_structure(&self, mechanism: &Mechanism) -> bool {
         let pattern = self.pattern(mechanism);
         match self.class {

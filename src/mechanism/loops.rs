@@ -154,7 +154,6 @@ impl LoopEquations {
 
     /// The index of the unknown that is the rate of `slider`; `None` for a slider of another group and for a driven
     /// one.
-    #[must_use]
     pub(crate) fn slide_unknown(&self, slider: SliderId) -> Option<usize> {
         self.slides.iter().find(|(s, _)| *s == slider).map(|(_, unknown)| *unknown)
     }
@@ -170,7 +169,6 @@ impl LoopEquations {
     }
 
     /// The angular rate of `link`: an unknown, or that of the known body with which it turns.
-    #[must_use]
     pub(crate) fn angular_rate_of(&self, link: BodyId) -> AngularRate {
         rate_of(&self.angular_rates, link)
     }
@@ -187,7 +185,6 @@ impl LoopEquations {
     }
 
     /// Whether there are as many equations as unknowns; else the group is singular in every position.
-    #[must_use]
     pub(super) fn is_square(&self) -> bool {
         self.count() == self.unknowns
     }

@@ -97,7 +97,6 @@ impl Joint {
 
     /// Whether it constrains places: the place of one of its bodies then limits that of the other. Loops run over such
     /// joints only.
-    #[must_use]
     pub(crate) fn holds_places(&self) -> bool {
         self.pin.is_some() || self.slider.is_some()
     }
@@ -123,7 +122,6 @@ impl Mechanism {
 
     /// The place of a joint in the frame of one of its bodies: the pin; on the guide's body the place from which the
     /// slider's position counts; on the sliding link its point. The origin in a drawn configuration.
-    #[must_use]
     pub(crate) fn joint_on(&self, id: JointId, body: BodyId) -> Point {
         let joint = self.joint(id);
         match joint.slider.map(|slider| self.slider(slider)) {

@@ -110,7 +110,6 @@ impl Mechanism {
     }
 
     /// The joint of a slider.
-    #[must_use]
     pub(crate) fn slider_joint(&self, id: SliderId) -> JointId {
         let index = self.joints.iter().position(|joint| joint.slider == Some(id));
         JointId(index.expect("every slider is a joint"))
