@@ -1,5 +1,6 @@
 //! The units of a scene, and what its figure may choose among, with the sheet that it is drawn on: the words for it in a
-//! scene file, and what they mean.
+//! scene file, and what they mean. Numbers of a scene and of results are never converted; a figure may show values in
+//! another unit of length.
 
 use schemars::JsonSchema;
 use serde::de::{Error, Unexpected, Visitor};
@@ -173,8 +174,7 @@ impl<T> Visitor<'_> for YesNoOr<T> {
     }
 }
 
-/// Units of every length and time of the scene. Its numbers and those of results are never converted; a figure may show
-/// values in another unit of length.
+/// Units of every length and time of the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"units as { "length": "mm", "time": "s" }"#)]
 #[schemars(rename = "units")]
