@@ -69,7 +69,7 @@ impl StudyFile {
         for (name, figures) in &self.keys.want {
             let asked = QuantityRequest::new(name, &mechanism)
                 .map_err(|error| refused(self, &["want", name], &error.problem()))?;
-            if asked.is_on_paper() {
+            if asked.written.on_paper {
                 return self.refuse(&["want", name], "a study has no paper", Some("the name without `/mu`"));
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
@@ -92,7 +92,7 @@ impl Study {
         let number = |name: &str, unit: &str| column(name, Content::Number, unit.to_owned());
         let units = self.scene.units;
         let drive =
-            if self.task.range.drive.is_angle() { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
+            if self.task.range.drive.is_angle { QuantityKind::Angle } else { QuantityKind::Position }.unit(units);
         let mut columns = vec![column("index", Content::Index, String::new())];
         columns.extend(self.varied.iter().map(|v| number(&v.name, &v.number.unit(units))));
         columns.push(column("status", Content::Status, String::new()));
@@ -218,7 +218,7 @@ fn drive_range(file: &StudyFile, mechanism: &Mechanism) -> Result<DriveRange, St
         return file.refuse(&["cycle", "step"], message, Some(&hint));
     }
     Ok(DriveRange {
-        is_turn: drive.is_angle() && wide.abs() == 360.0,
+        is_turn: drive.is_angle && wide.abs() == 360.0,
         drive,
         from: cycle.from,
         to: cycle.to,
@@ -240,7 +240,7 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
             return file.refuse(&path, message, Some(&hint));
         };
-        let moved = if driven.drive.is_angle() { "angle" } else { "position" };
+        let moved = if driven.drive.is_angle { "angle" } else { "position" };
         if found.name == format!("{}.{moved}", driven.drive.name) {
             let hint = "leave it out of `vary`: `cycle` says where the drive goes";
             return file.refuse(&path, "this is the drive that moves", Some(hint));
