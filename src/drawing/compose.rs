@@ -4,8 +4,7 @@
 use super::canvas::Held;
 use super::context::SheetContext;
 use super::dims::{Dims, MARGIN, TITLE};
-use super::layout::{Aside, Item, LEAST_WHITE, Layout, Needs, layout};
-use super::legend::{self, Legend};
+use super::layout::{Aside, Item, Layout, Needs, layout};
 use super::lines;
 use super::markers::{SheetCode, draw_markers};
 use super::panel::Panel;
@@ -15,7 +14,7 @@ use super::style::Style;
 use super::table::Table;
 use super::text::{PlacedText, RichText};
 use crate::scene::Figure;
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::Scales;
 use crate::text::Untrusted;
 use crate::words::Wording;
 use kurbo::{Point, Rect};
@@ -86,7 +85,7 @@ impl<'a> Composition<'a> {
         self
     }
 
-    /// Height that the items need below the scales, in mm.
+    /// Height that the items need below the panels, in mm.
     pub(super) fn height_below(&self) -> f64 {
         self.items.iter().map(|item| item.height()).fold(0.0, f64::max)
     }
@@ -96,38 +95,21 @@ impl<'a> Composition<'a> {
         self.layout_above(self.height_below())
     }
 
-    /// The layout with `below` mm of height below the scales, which are in as few rows as possible.
+    /// The layout with `below` mm of height below the panels.
     pub(super) fn layout_above(&self, below: f64) -> Layout {
-        self.layout_for(self.panels.iter().map(|panel| panel.needs).collect(), below)
+        self.layout_for(&self.panels.iter().map(|panel| panel.needs).collect::<Vec<_>>(), below)
     }
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
         let needs = self.panels.iter().map(|panel| Needs { mu: scales[panel.needs.sheet], ..panel.needs });
-        self.layout_for(needs.collect(), self.height_below())
+        self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
 
-    /// The layout for needs. On the sheets of steps and on sheets with markers at given scales there is less white round
-    /// the contents where they do not fit with the usual white: words and markers take room there that is free on the
-    /// figure.
-    fn layout_for(&self, mut needs: Vec<Needs>, below: f64) -> Layout {
+    fn layout_for(&self, needs: &[Needs], below: f64) -> Layout {
         let asides = |room: Rect| -> Vec<Aside> { self.items.iter().flat_map(|item| item.asides(room)).collect() };
-        let fits = |layout: &Layout| Legend::of(self.context).fits(layout);
-        let layout_with = |needs: &[Needs]| {
-            let dims = &self.context.surface.dims;
-            let heights = |columns: usize| [legend::height(needs.len(), columns), below];
-            let in_columns = |columns: usize| layout(dims, needs, heights(columns), columns, asides);
-            [3, 2].into_iter().map(in_columns).find(fits).unwrap_or_else(|| in_columns(1))
-        };
-        let layout = layout_with(&needs);
-        let may_be_closer = (self.is_stepwise || self.code.is_some()) && needs.iter().all(|needs| needs.mu.is_some());
-        if !may_be_closer || layout.shows_all() {
-            return layout;
-        }
-        for needs in &mut needs {
-            needs.white = LEAST_WHITE[usize::from(needs.sheet == Sheet::Scheme)];
-        }
-        Some(layout_with(&needs)).filter(Layout::shows_all).unwrap_or(layout)
+        let surface = &self.context.surface;
+        layout(&surface.dims, surface.series, needs, below, asides)
     }
 
     /// Draws the sheet as it is laid out.
@@ -145,6 +127,9 @@ impl<'a> Composition<'a> {
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
             panel.draw(&mut drawing, placed, &figure.labels, dims, held.as_deref_mut());
+        }
+        if layout.below.height() > 0.0 && self.height_below() > 0.0 {
+            drawing.draw(Pen::Frame, Shape::rectangle(layout.below));
         }
         for item in &self.items {
             item.draw(&mut drawing, layout);

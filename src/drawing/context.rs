@@ -4,6 +4,7 @@
 use super::dims::Dims;
 use super::facts::Facts;
 use super::text::RichText;
+use super::view::Series;
 use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
 use crate::cycle::{OtherModes, Traces};
 use crate::mechanism::{BodyId, Mechanism, PointId};
@@ -39,6 +40,8 @@ pub(super) struct SheetContext<'a> {
 pub(super) struct Surface {
     pub page: Page,
     pub dims: Dims,
+    /// From which the scales of panels are chosen.
+    pub series: Series,
     /// The scales of the panels, in units per mm of paper: given, or chosen for all sheets of a figure; a panel without
     /// one gets the finest that fits.
     pub mu: Scales,
@@ -55,6 +58,18 @@ pub(super) enum Purpose {
     Exercise,
 }
 
+impl Surface {
+    /// A page for a figure.
+    fn of(page: Page, figure: &Figure, purpose: Purpose) -> Surface {
+        let series = match purpose {
+            _ if page.size == PageSize::Wide => Series::Any,
+            Purpose::Figure if !figure.worksheet => Series::Ruler,
+            _ => Series::Hand,
+        };
+        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu }
+    }
+}
+
 impl<'a> SheetContext<'a> {
     /// The context of a solution for a sheet without values.
     pub(super) fn new(solution: &'a Solution, purpose: Purpose) -> Self {
@@ -68,7 +83,7 @@ impl<'a> SheetContext<'a> {
             solution,
             facts: Arc::new(Facts::of(solution)),
             words: solution.wording(),
-            surface: Surface { page: figure.page, dims: Dims::of(figure), mu: figure.mu },
+            surface: Surface::of(figure.page, figure, purpose),
             purpose,
             traces,
             modes: NO_MODES,
@@ -78,7 +93,7 @@ impl<'a> SheetContext<'a> {
 
     /// This context for another page, at scales of its own.
     pub(super) fn on_page(&self, page: Page, mu: Scales) -> Self {
-        let surface = Surface { page, dims: Dims::on_page(page, self.figure()), mu };
+        let surface = Surface { mu, ..Surface::of(page, self.figure(), self.purpose) };
         Self { surface, ..self.clone() }
     }
 

@@ -5,7 +5,6 @@ use super::compose::{Composition, blank, further_sheets};
 use super::context::{Purpose, SheetContext};
 use super::dims::Dims;
 use super::layout::{Layout, Placed};
-use super::legend::Legend;
 use super::lines;
 use super::markers::SheetCode;
 use super::overlay::{Notes, Overlay, OwnLayer, WordsPlace, cross};
@@ -82,7 +81,7 @@ fn sheet<'a>(
     for panel in &mut panels {
         panel.own = Some(OwnLayer { overlay, context, panel: panel.needs.sheet });
     }
-    let sheet = Composition::new(context, panels).with(Legend::of(context)).with(notes);
+    let sheet = Composition::new(context, panels).with(notes);
     Composition { title: overlay.titled(&sheet.title), ..sheet }
 }
 

@@ -6,7 +6,6 @@ use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext};
 use super::labels::LabelRequest;
 use super::layout::{Needs, Placed};
-use super::legend::Legend;
 use super::lines::{Line, Lines};
 use super::panel::{Frame, Panel, content, extents, panels};
 use super::plan::on_paper::extent;
@@ -125,7 +124,7 @@ fn with_notes<'a>(sheet: Composition<'a>, [before, after]: [Vec<String>; 2], has
     let notes = before.iter().chain(&own_line).chain(&after);
     let lines = Lines::of(notes, context.surface.dims.width_below());
     let ruler = has_ruler.then(|| Ruler::with_lines(context, &lines));
-    sheet.with(Legend::of(context)).with(lines).with_optional(ruler).with_optional(fields)
+    sheet.with(lines).with_optional(ruler).with_optional(fields)
 }
 
 /// The teacher's key: the scene's figure with all values, a table of the form's quantities, and notes below the scales.
@@ -155,7 +154,7 @@ fn key<'a>(context: &'a SheetContext<'a>, rows: &[KeyRow<'_>]) -> Composition<'a
     let asked: Vec<QuantityRequest> = rows.iter().map(|row| row.asked.clone()).collect();
     let allowed = context.words.language.exercise_allowed().to_owned();
     let notes = Lines::of([allowed].iter().chain(&context.notes(&asked)), context.surface.dims.width_below());
-    Composition::new(context, panels).with(table).with(Legend::of(context)).with(notes)
+    Composition::new(context, panels).with(table).with(notes)
 }
 
 /// Whether scheme and plans show all their points at their places, none by an arrow.
@@ -216,11 +215,11 @@ fn sheet_of_plans(context: &SheetContext<'_>, plans: &[Sheet], number: u16, name
 fn panel<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
     let plan = context.plan(sheet)?;
     let name = context.words.language.sheet(sheet);
-    let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading);
+    let frame = Frame::new(Line::new(vec![RichText::plain(name)]), Pen::Heading).with_scale(context);
     let needs = Needs {
         mu: context.surface.mu[sheet],
         white: AROUND_PLAN,
-        ..Needs::usual(sheet, extent(plan, ConstructionShown::Whole), frame.width())
+        ..frame.needs(context, sheet, extent(plan, ConstructionShown::Whole))
     };
     let pole = plan.order.pole();
     let layer = move |canvas: &mut Canvas<'_>, view: &View| {

@@ -6,17 +6,18 @@ use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
 use super::layout::{Layout, Placed};
-use super::legend::{self, Legend};
-use super::panel::{COMPANION, Extents, Panel, content, extent_of_images, extents, hints, panels};
+use super::panel::{Extents, Panel, content, extent_of_images, extents, hints, panels};
+use super::remarks;
+use super::scale_bar::SCALE;
 use super::sheet::Drawing;
 use super::values::value_list;
-use super::view::{Extent, next_scale};
+use super::view::{Extent, Series, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text, shown_text};
 use crate::cycle::{Animation, Traces};
 use crate::scene::ScalesFor;
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::Wording;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -24,9 +25,8 @@ use std::sync::Arc;
 /// The sheets that have the same scales. A work sheet has them, too, but its table stands where there is room.
 const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None];
 
-/// Weight of the scheme's size beside those of the plans: of equals the one with the larger scheme, which must not
-/// shrink for the sake of one plan.
-const SCHEME: f64 = 1.1;
+/// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
+const SHARED: f64 = 1.25;
 
 /// Positions in which the largest plans of a cycle are looked for.
 const POSITIONS: usize = 72;
@@ -258,32 +258,22 @@ impl LaidOut<'_> {
     }
 }
 
-/// Scales at which the content fits on every sheet: of the sets between those that the sheets themselves would have, the
-/// one with the largest contents.
+/// Scales at which the content fits on every sheet, where that makes no sheet's content much smaller; those of sheets that are measured always. None
+/// for a sheet that has scales of its own.
 fn common_scales(context: &SheetContext<'_>) -> Scales {
     let (figure, given) = (context.figure(), context.surface.mu);
     if figure.scales == ScalesFor::Sheet || figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
         return given;
     }
     let extents = extents_to_fit(context);
-    let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
-    let own: Vec<Layout> = sheets.iter().map(|sheet| sheet.layout()).collect();
-    // By panel: the scales between the finest and the coarsest that a sheet would have.
-    let choices = extents.iter().enumerate().map(|(index, &(panel, _))| {
-        let own = own.iter().map(|layout| layout.panels[index].mu);
-        (panel, scales_between(own))
+    let own = SHEETS.map(|steps| {
+        let sheet = composed(context, &extents, Contents { steps, ..Contents::default() });
+        sheet.layout().mu()
     });
-    let mut sets = combined(given, &choices.collect::<Vec<_>>());
-    let weight = |panel: Sheet| match panel {
-        Sheet::Scheme if figure.focus.is_some() => COMPANION,
-        Sheet::Scheme => SCHEME,
-        _ => 1.0,
-    };
-    // The sum of the logarithms of the scales: the set with the largest contents comes first.
-    let coarseness = |set: &Scales| set.given().map(|(panel, mu)| weight(panel) * libm::log(mu)).sum();
-    sets.sort_by(|a, b| f64::total_cmp(&coarseness(a), &coarseness(b)));
-    let fits = |set: &&Scales| sheets.iter().all(|sheet| sheet.layout_at(set).shows_all());
-    sets.iter().find(fits).or(sets.last()).copied().unwrap_or(given)
+    let coarsest = PerSheet::from_fn(|sheet| own.iter().filter_map(|scales| scales[sheet]).reduce(f64::max));
+    let is_near = |own: &Scales| own.given().all(|(sheet, mu)| coarsest[sheet].is_some_and(|most| most <= SHARED * mu));
+    let is_shared = context.surface.series == Series::Hand || own.iter().all(is_near);
+    if is_shared { given.or(coarsest) } else { given }
 }
 
 /// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the first
@@ -305,35 +295,11 @@ pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
     own.into_iter().map(with_others).collect()
 }
 
-/// The round scales from the finest to the coarsest of some.
-fn scales_between(own: impl Iterator<Item = f64>) -> Vec<f64> {
-    let (finest, coarsest) = own.fold((f64::INFINITY, 0.0_f64), |(low, high), mu| (low.min(mu), high.max(mu)));
-    let next = |mu: &f64| Some(next_scale(1.01 * mu)).filter(|next| *next < coarsest);
-    let mut all: Vec<f64> = std::iter::successors(Some(finest), next).collect();
-    all.push(coarsest);
-    all.dedup();
-    all
-}
-
-/// All sets with a scale of each panel.
-fn combined(given: Scales, choices: &[(Sheet, Vec<f64>)]) -> Vec<Scales> {
-    choices.iter().fold(vec![given], |sets, (panel, scales)| {
-        let with = |set: Scales| {
-            scales.iter().map(move |&mu| {
-                let mut set = set;
-                set[*panel] = Some(mu);
-                set
-            })
-        };
-        sets.into_iter().flat_map(with).collect()
-    })
-}
-
 /// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
 fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
     let (key, words) = (panel.facts().scale_key, Wording::default());
     let panel = words.language.sheet(panel).to_lowercase();
-    let written = |mu| words.write(mu, legend::SCALE);
+    let written = |mu| words.write(mu, SCALE);
     let fitting = fitting.map_or_else(|| "none".to_owned(), written);
     let given = written(given);
     format!(
@@ -367,16 +333,16 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
         // A work sheet has all values in its table.
         let values = if table.is_none() { value_list(context, None) } else { None };
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
-        let agreement = legend::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
-        return sheet.with_optional(values).with(Legend::of(context)).with(agreement).with_optional(ruler);
+        let agreement = remarks::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
+        return sheet.with_optional(values).with(agreement).with_optional(ruler);
     };
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);
     let words = StepWords::new(context, steps, only_step);
-    let sheet = Composition { is_stepwise: true, ..sheet }.with(Legend::of(context)).with(words);
+    let sheet = Composition { is_stepwise: true, ..sheet }.with(words);
     match value_list(context, after) {
         Some(values) => sheet.with(values),
-        None => sheet.with(legend::agreement(context, after, 0.0)),
+        None => sheet.with(remarks::agreement(context, after, 0.0)),
     }
 }
 
@@ -396,5 +362,5 @@ fn description(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> String {
     let groups = groups
         .map(|group| language.described_group(group.class.in_words(language), &group.link_names(context.mechanism())));
     let description = language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "));
-    legend::sentence_on_paths(context).into_iter().fold(description, |text, paths| format!("{text} {paths}"))
+    remarks::sentence_on_paths(context).into_iter().fold(description, |text, paths| format!("{text} {paths}"))
 }

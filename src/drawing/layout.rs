@@ -1,25 +1,28 @@
+//! Division of a sheet into panels with scales, an area without panels, and one for words below.
+
 use super::dims::Dims;
+use super::division::{Division, Sharing};
 use super::sheet::Drawing;
-use super::view::{Extent, fitting_scale, next_scale};
+use super::view::{Extent, Series, fitting_scale};
 use crate::geometry;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Affine, Rect};
 
 /// White between panels, in mm.
-const GAP: f64 = 4.0;
-/// White inside a panel around its content, for labels, in mm.
-const WHITE: f64 = 7.0;
-/// That white where contents need the room at given scales: around a plan, and around the scheme, where the feet of pivots
-/// stand in it.
-pub(super) const LEAST_WHITE: [f64; 2] = [4.8, 6.4];
+pub(super) const GAP: f64 = 4.0;
+/// White inside a panel around its content, for labels, in mm: around a plan, and around the scheme, where the feet of
+/// pivots stand in it.
+const WHITE: [f64; 2] = [4.8, 6.4];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
+/// Height of its scale where that has a row of its own, in mm.
+pub(super) const SCALE_ROW: f64 = 6.0;
 /// Rounding of sizes on paper, in mm.
 const ROUNDING: f64 = 1e-6;
-/// Parts of the room that a companion of the panel in focus may have.
-const COMPANION: [f64; 4] = [0.24, 0.28, 0.32, 0.36];
 /// Smallest width and height of a panel's content area, in mm.
-const LEAST: f64 = 20.0;
+pub(super) const LEAST: f64 = 20.0;
+/// Difference of the logarithms of scales that makes no difference to the eye.
+const ALIKE: f64 = 0.02;
 
 /// The room that a panel needs.
 #[derive(Clone, Copy, Debug)]
@@ -30,20 +33,59 @@ pub(super) struct Needs {
     pub extent: Extent,
     /// Width of its heading, in mm.
     pub heading: f64,
+    /// Width of its scale at its narrowest, in mm; 0 where none is written.
+    pub scale: f64,
     /// Further white between heading and content, in mm.
     pub above: f64,
     /// The scale that is given, in units per mm of paper.
     pub mu: Option<f64>,
     /// White around its content inside the panel, for labels, in mm.
     pub white: f64,
-    /// Exponent of its content's size in the quality of a layout: how much it counts among the panels.
+    /// How much the size of its content counts among the panels.
     pub weight: f64,
 }
 
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
-        Needs { sheet, extent, heading, above: 0.0, mu: None, white: WHITE, weight: 1.0 }
+        let white = WHITE[usize::from(sheet == Sheet::Scheme)];
+        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, mu: None, white, weight: 1.0 }
+    }
+
+    /// The scale where the content does not ask for one: that which is given, or any for a single point.
+    pub(super) fn fixed(&self) -> Option<f64> {
+        let size = self.extent.size();
+        let is_nothing = !(size.x.max(size.y) > 0.0 && size.norm().is_finite());
+        self.mu.or(is_nothing.then_some(1.0))
+    }
+
+    /// Least width of the frame, in mm.
+    pub(super) fn least_width(&self) -> f64 {
+        self.heading.max(self.scale).max(LEAST + 2.0 * self.white)
+    }
+
+    /// Whether the scale stands below the heading in a frame of some width in mm, and not beside it.
+    pub(super) fn is_scale_below(&self, width: f64) -> bool {
+        self.heading + self.scale > width + ROUNDING
+    }
+
+    /// Height of heading and scale in a frame of some width, in mm.
+    pub(super) fn header(&self, width: f64) -> f64 {
+        HEADING - 2.0 + self.above + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
+    }
+
+    /// Least width and height of the frame at a scale in units per unit of the layout, in mm.
+    pub(super) fn frame(&self, mu: f64) -> [f64; 2] {
+        let size = self.extent.size() / mu;
+        let width = (size.x + 2.0 * self.white).max(self.least_width());
+        [width + ROUNDING, size.y + 2.0 * self.white + self.header(width) + ROUNDING]
+    }
+
+    /// The finest scale at which the content fits into a frame, in units per unit of the layout.
+    pub(super) fn fitting(&self, [width, height]: [f64; 2]) -> f64 {
+        let size = self.extent.size();
+        let room = [width - 2.0 * self.white, height - 2.0 * self.white - self.header(width)].map(|room| room.max(0.1));
+        (size.x / room[0]).max(size.y / room[1])
     }
 }
 
@@ -61,14 +103,14 @@ pub(super) struct Placed {
 }
 
 impl Placed {
-    /// A panel in a frame, at its scale or else at the finest at which its content fits.
-    fn new(needs: &Needs, frame: Rect, unit: f64) -> Placed {
+    /// A panel in a frame at a scale.
+    fn new(needs: &Needs, frame: Rect, mu: f64, unit: f64) -> Placed {
         let mut area = frame.inset(-needs.white);
-        area.y0 += HEADING - 2.0 + needs.above;
-        Placed::with_area(needs, frame, area, unit)
+        area.y0 += needs.header(frame.width());
+        Placed { needs: *needs, frame, area, mu, unit }
     }
 
-    /// A panel in a frame with this area for its content.
+    /// A panel in a frame with this area for its content, at its scale or else at the finest at which that fits.
     pub(super) fn with_area(needs: &Needs, frame: Rect, area: Rect, unit: f64) -> Placed {
         let on_paper = Affine::scale(unit).transform_rect_bbox(area);
         let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper));
@@ -87,7 +129,7 @@ impl Placed {
 
     /// Whether something fits into an area at the panel's scale.
     pub(super) fn holds_in(&self, area: Rect, extent: &Extent) -> bool {
-        let (size, area) = (self.shown(extent), area.inflate(ROUNDING, ROUNDING));
+        let (size, area) = (self.shown(extent), area.inflate(2.0 * ROUNDING, 2.0 * ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     }
 
@@ -95,12 +137,18 @@ impl Placed {
     pub(super) fn size(&self) -> f64 {
         self.shown(&self.needs.extent).norm()
     }
+
+    /// The room for its content over the size of that.
+    fn ease(&self) -> f64 {
+        let (size, area) = (self.shown(&self.needs.extent), self.area);
+        (area.width() / size.x).min(area.height() / size.y)
+    }
 }
 
 /// An area of the sheet without panels, for a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Aside {
-    /// Between panels and legend, of this height in mm.
+    /// Between panels and words, of this height in mm.
     Below(f64),
     /// To the right of the panels, of this width in mm.
     Right(f64),
@@ -108,7 +156,7 @@ pub(super) enum Aside {
 
 /// Something on a sheet beside or below its panels.
 pub(super) trait Item {
-    /// Height that it needs below the scales, in mm.
+    /// Height that it needs below the panels, in mm.
     fn height(&self) -> f64 {
         0.0
     }
@@ -124,15 +172,14 @@ pub(super) trait Item {
 /// Frames of all parts of a sheet.
 #[derive(Clone)]
 pub(super) struct Layout {
-    pub legend: Rect,
-    /// Height of the legend's upper part with the scales, and their number of columns.
-    pub scales: f64,
-    pub columns: usize,
+    /// The area below the panels.
+    pub below: Rect,
     /// The area without panels.
     pub aside: Option<Rect>,
     pub panels: Vec<Placed>,
-    /// Its quality, compared element by element.
-    pub worth: [f64; 4],
+    /// Its quality, compared element by element: whether all panels have room for their headings and for a content, how
+    /// many contents fit, and how large they are.
+    pub worth: [f64; 3],
 }
 
 impl Layout {
@@ -144,11 +191,6 @@ impl Layout {
     /// Whether they are wide enough for their headings and for a content, too.
     pub(super) fn shows_all(&self) -> bool {
         self.worth[0] > 0.0 && self.holds_all()
-    }
-
-    /// The legend's lower part.
-    pub(super) fn below(&self) -> Rect {
-        Rect { y0: self.legend.y0 + self.scales, ..self.legend }
     }
 
     /// The place of the panel of a sheet.
@@ -167,66 +209,60 @@ impl Layout {
     }
 }
 
-/// The area above a legend of some height, for panels and a table.
-pub(super) fn room(dims: &Dims, legend: f64) -> Rect {
-    let ([width, height], free) = (dims.page, dims.free);
-    let bottom = height - free.edge - legend - GAP;
-    Rect::new(free.edge, free.top, width - free.edge, bottom)
-}
-
-/// Divides a room among panels, with a unit of the layout in mm.
-type Arrange = fn(Rect, &[Needs], f64) -> Vec<Vec<Rect>>;
-
-/// Divides a sheet so that the panels' contents are largest at round scales.
+/// Divides a sheet so that the panels' contents are largest at scales of a series: in every way, with each area of
+/// `asides`. `below` mm of height are for words below the panels.
 ///
-/// A few arrangements are tried: side by side, one beside two, one above two, and two before one, each with every area
-/// of `asides`. The best has most contents within their panels, then the largest product of the contents' sizes. The
-/// legend has a part for the scales and one `below` it.
+/// First comes that headings have room, then how many contents fit, then how large they are; of divisions with which
+/// they are alike, the one that leaves most room to the panel that has least.
 pub(super) fn layout(
     dims: &Dims,
+    series: Series,
     needs: &[Needs],
-    [scales, below]: [f64; 2],
-    columns: usize,
+    below: f64,
     asides: impl Fn(Rect) -> Vec<Aside>,
 ) -> Layout {
-    let whole = room(dims, (scales + below).max(dims.free.corner));
+    let words = if below > 0.0 { below + GAP } else { 0.0 };
+    let ([width, height], free) = (dims.page, dims.free);
+    let bottom = height - free.edge - words.max(if free.corner > 0.0 { free.corner + GAP } else { 0.0 });
+    let whole = Rect::new(free.edge, free.top, width - free.edge, bottom);
     let asides: Vec<Aside> = asides(whole);
     let rooms = match asides.is_empty() {
         true => vec![(whole, None)],
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
-    // Its quality, the area without panels, and the panels.
-    let mut best: Option<([f64; 4], Option<Rect>, Vec<Placed>)> = None;
-    let passes: [(Arrange, bool); 3] = [(arrangements, false), (paired, false), (by_headings, true)];
-    for (arrange, is_last_resort) in passes {
-        if is_last_resort && best.as_ref().is_some_and(|(worth, ..)| worth[0] > 0.0) {
-            break;
-        }
-        // Two panels that share a column must not make the smallest content smaller.
-        let least = best.as_ref().map_or(0.0, |(.., placed)| smallest(placed));
-        for &(room, aside) in &rooms {
-            for frames in arrange(room, needs, dims.unit) {
-                let placed = needs.iter().zip(frames).map(|(needs, frame)| Placed::new(needs, frame, dims.unit));
-                let placed: Vec<Placed> = placed.collect();
-                let worth = worth(&placed);
-                let is_better = best.as_ref().is_none_or(|(most, ..)| worth > *most);
-                // Headings come before all else.
-                let is_first = best.as_ref().is_some_and(|(most, ..)| most[0] == 0.0) && worth[0] > 0.0;
-                if is_first || (is_better && smallest(&placed) >= least - ROUNDING) {
-                    best = Some((worth, aside, placed));
-                }
+    let sharing = Sharing { needs, unit: dims.unit, series };
+    let divisions = if needs.is_empty() { Vec::new() } else { Division::all(needs.len()) };
+    let mut best: Option<Layout> = None;
+    for (room, aside) in rooms {
+        for division in &divisions {
+            let (mu, _, loss) = sharing.best(division, [room.width(), room.height()]);
+            let mut frames = vec![room; needs.len()];
+            sharing.frames(division, room, &mu, &mut frames);
+            let placed = needs.iter().zip(frames).zip(mu);
+            let panels: Vec<Placed> =
+                placed.map(|((needs, frame), mu)| Placed::new(needs, frame, mu, dims.unit)).collect();
+            let worth = worth(&panels, loss);
+            let found = Layout { below: Rect::ZERO, aside, panels, worth };
+            if best.as_ref().is_none_or(|best| found.is_better_than(best)) {
+                best = Some(found);
             }
         }
     }
-    let (worth, aside, panels) = best.unwrap_or_default();
-    let [_, height] = dims.page;
-    Layout {
-        legend: Rect::new(whole.x0, whole.y1 + GAP, whole.x1 - dims.beside_code(), height - dims.free.edge),
-        scales,
-        columns,
-        aside,
-        panels,
-        worth,
+    let best = best.unwrap_or(Layout { below: Rect::ZERO, aside: None, panels: Vec::new(), worth: [0.0; 3] });
+    let top = height - free.edge - words.max(free.corner) + if below > 0.0 { GAP } else { 0.0 };
+    let below = Rect::new(whole.x0, top.min(height - free.edge), whole.x1 - dims.beside_code(), height - free.edge);
+    Layout { below, ..best }
+}
+
+impl Layout {
+    /// Whether it shows more than another, or as much with more room for the panel that has least.
+    fn is_better_than(&self, other: &Layout) -> bool {
+        let ease = |layout: &Layout| layout.panels.iter().map(Placed::ease).fold(f64::INFINITY, f64::min);
+        match (self.worth[..2].partial_cmp(&other.worth[..2]), self.worth[2] - other.worth[2]) {
+            (Some(std::cmp::Ordering::Equal), more) if more.abs() <= ALIKE => ease(self) > ease(other),
+            (Some(std::cmp::Ordering::Equal), more) => more > 0.0,
+            (order, _) => order == Some(std::cmp::Ordering::Greater),
+        }
     }
 }
 
@@ -246,149 +282,21 @@ pub(super) fn cut_off(room: Rect, aside: Aside) -> (Rect, Option<Rect>) {
     (left, Some(kept))
 }
 
-/// Quality of an arrangement: first whether no panel is too narrow, then how many contents fit, then their sizes, then
-/// at given scales, how much room the panel with least has for its content, or how large the panel in focus is.
-fn worth(panels: &[Placed]) -> [f64; 4] {
+/// Quality of an arrangement with a loss: see [`Layout::worth`]. Where contents do not fit, that of which more is seen is better.
+fn worth(panels: &[Placed], loss: f64) -> [f64; 3] {
     let is_wide = |placed: &Placed| {
-        placed.area.width().min(placed.area.height()) >= LEAST && placed.frame.width() >= placed.needs.heading
+        placed.area.width().min(placed.area.height()) >= LEAST - 2.0 * ROUNDING
+            && placed.frame.width() >= placed.needs.heading
     };
-    // The size of what is not cut off.
+    // The logarithm of the part that is seen.
     let seen = |placed: &Placed| {
         let (size, area) = (placed.shown(&placed.needs.extent), placed.area);
-        geometry::Vector::new(size.x.min(area.width()), size.y.min(area.height())).norm()
+        let part = |size: f64, room: f64| if size > room { libm::log(room.max(0.1) / size) } else { 0.0 };
+        part(size.x, area.width()) + part(size.y, area.height())
     };
-    let weighed = |placed: &Placed| match placed.needs.weight {
-        1.0 => seen(placed),
-        weight => libm::pow(seen(placed), weight),
-    };
-    let room = |placed: &Placed| {
-        let (size, area) = (placed.shown(&placed.needs.extent), placed.area);
-        (area.width() / size.x).min(area.height() / size.y)
-    };
-    let has_companion = panels.iter().any(|placed| placed.needs.weight < 1.0);
-    let focus = panels.iter().find(|placed| has_companion && placed.needs.weight == 1.0);
     [
         f64::from(u8::from(panels.iter().all(is_wide))),
         panels.iter().filter(|placed| placed.holds(&placed.needs.extent)).count() as f64,
-        // The product of the diagonals: enlarging one content must not reduce another by a larger factor.
-        panels.iter().map(weighed).product(),
-        match (panels.iter().all(|placed| placed.needs.mu.is_some()), focus) {
-            (_, Some(panel)) => panel.frame.area(),
-            (true, None) => panels.iter().map(room).fold(f64::INFINITY, f64::min),
-            (false, None) => 0.0,
-        },
+        panels.iter().map(seen).sum::<f64>() - loss,
     ]
-}
-
-/// The size of the smallest content.
-fn smallest(panels: &[Placed]) -> f64 {
-    panels.iter().map(Placed::size).fold(f64::INFINITY, f64::min)
-}
-
-/// Divisions of `room` among panels: of two and three in every way, of more the first beside or above the others.
-fn arrangements(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
-    let mut divisions = Vec::new();
-    match needs {
-        [] | [_] => divisions.push(vec![room; needs.len()]),
-        // A companion is as small as its content allows.
-        [a, b] if a.weight < b.weight => {
-            for down in [false, true] {
-                let whole = if down { room.height() } else { room.width() } - GAP;
-                divisions.extend(COMPANION.map(|share| divided(room, down, share * whole).to_vec()));
-            }
-        }
-        [a, b] => {
-            for down in [false, true] {
-                divisions.extend(splits(room, down, [&[*a], &[*b]], unit).into_iter().map(|both| both.to_vec()));
-            }
-        }
-        [a, others @ ..] if others.len() > 2 => {
-            for down in [false, true] {
-                for [first, rest] in splits(room, down, [&[*a], &[]], unit) {
-                    let frames = arrangements(rest, others, unit).into_iter();
-                    divisions.extend(frames.map(|others| [vec![first], others].concat()));
-                }
-            }
-        }
-        [a, others @ ..] => {
-            for (down, then) in [(false, true), (false, false), (true, false)] {
-                // Two panels side by side share the width; one above the other both have all of it.
-                let second = if down == then { &others[..0] } else { others };
-                for [first, rest] in splits(room, down, [&[*a], second], unit) {
-                    for [b, c] in splits(rest, then, [&others[..1], &others[1..]], unit) {
-                        divisions.push(vec![first, b, c]);
-                    }
-                }
-            }
-        }
-    }
-    divisions
-}
-
-/// Divisions of `room` among three panels of which the first two share a column or a row.
-fn paired(room: Rect, needs: &[Needs], unit: f64) -> Vec<Vec<Rect>> {
-    let [a, b, c] = needs else { return Vec::new() };
-    let mut divisions = Vec::new();
-    for down in [false, true] {
-        let both: &[Needs] = if down { &[] } else { &[*a, *b] };
-        for [both, third] in splits(room, down, [both, &[*c]], unit) {
-            let halves = splits(both, !down, [&[*a], &[*b]], unit);
-            divisions.extend(halves.into_iter().map(|[a, b]| vec![a, b, third]));
-        }
-    }
-    divisions
-}
-
-/// Divisions of `room` so that headings fit: two panels as narrow as theirs beside a third, or all three so.
-fn by_headings(room: Rect, needs: &[Needs], _: f64) -> Vec<Vec<Rect>> {
-    let [a, b, c] = needs else { return Vec::new() };
-    let [a, b, c] = [a, b, c].map(|needs| needs.heading + ROUNDING);
-    let all = room.width() - 2.0 * GAP;
-    let spare = all - a - b - c;
-    if spare < 0.0 {
-        return Vec::new();
-    }
-    let row = |widths: [f64; 3]| {
-        let [first, rest] = divided(room, false, widths[0]);
-        let [second, third] = divided(rest, false, widths[1]);
-        vec![first, second, third]
-    };
-    let third = spare / 3.0;
-    vec![row([a + spare, b, c]), row([a, b + spare, c]), row([a, b, c + spare]), row([a + third, b + third, c + third])]
-}
-
-/// Divisions of `room` into two: at the middle, and where the content of either side just fits at a round scale.
-fn splits(room: Rect, down: bool, [first, second]: [&[Needs]; 2], unit: f64) -> Vec<[Rect; 2]> {
-    let whole = if down { room.height() } else { room.width() } - GAP;
-    let widths = |w: &Needs| {
-        let size = w.extent.size();
-        let (size, extra) = if down { (size.y, HEADING - 2.0 + w.above) } else { (size.x, 0.0) };
-        let least = if down { 0.0 } else { w.heading };
-        let at = move |mu: f64| (size / (mu * unit) + 2.0 * w.white + extra).max(least) + ROUNDING;
-        // The scale that fits the whole room, and the next larger one.
-        let mut mu = w.mu.unwrap_or_else(|| Placed::new(w, room, unit).mu);
-        std::array::from_fn::<f64, 2, _>(|_| {
-            let need = at(mu);
-            if w.mu.is_none() {
-                mu = next_scale(1.01 * mu);
-            }
-            need
-        })
-    };
-    let mut cuts = vec![0.5 * whole];
-    cuts.extend(first.iter().flat_map(widths));
-    cuts.extend(second.iter().flat_map(widths).map(|need| whole - need));
-    cuts.retain(|cut| (0.2..=0.8).contains(&(cut / whole)));
-    cuts.into_iter().map(|cut| divided(room, down, cut)).collect()
-}
-
-/// A room divided after `cut` mm, from the left or from above.
-fn divided(room: Rect, down: bool, cut: f64) -> [Rect; 2] {
-    let (mut a, mut b) = (room, room);
-    if down {
-        (a.y1, b.y0) = (room.y0 + cut, room.y0 + cut + GAP);
-    } else {
-        (a.x1, b.x0) = (room.x0 + cut, room.x0 + cut + GAP);
-    }
-    [a, b]
 }

@@ -81,7 +81,7 @@ impl Item for Lines {
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let from = drawing.marks.len();
-        draw(drawing, layout.below(), 0, &self.lines);
+        draw(drawing, layout.below, 0, &self.lines);
         if let Some(step) = self.step {
             for mark in &mut drawing.marks[from..] {
                 (mark.since, mark.passing) = (step, true);

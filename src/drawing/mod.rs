@@ -59,6 +59,7 @@ mod correction;
 #[doc(hidden)] // for tests
 pub mod curves;
 mod dims;
+mod division;
 mod exercise;
 mod facts;
 mod figure;
@@ -69,7 +70,7 @@ mod held_layout;
 mod inset;
 mod labels;
 mod layout;
-mod legend;
+
 mod lines;
 mod look;
 pub mod markers;
@@ -79,6 +80,8 @@ pub mod overlay;
 mod panel;
 mod passages;
 mod plan;
+mod remarks;
+mod scale_bar;
 mod scheme;
 mod shape;
 mod sheet;

@@ -3,11 +3,12 @@
 use super::canvas::{Canvas, Held};
 use super::context::SheetContext;
 use super::dims::Dims;
-use super::layout::{HEADING, Needs, Placed};
+use super::layout::{HEADING, Needs, Placed, SCALE_ROW};
 use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::overlay::OwnLayer;
 use super::plan;
+use super::scale_bar::ScaleBars;
 use super::scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
@@ -19,7 +20,7 @@ use crate::sheet::Sheet;
 use crate::text::Untrusted;
 use crate::words::Language;
 use indexmap::IndexMap;
-use kurbo::{Rect, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 /// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -27,6 +28,8 @@ const SIZE: f64 = 1.05 * CAPTION;
 const AROUND: f64 = 5.0;
 /// White before a heading, in mm.
 const BEFORE: f64 = 2.5;
+/// White between a heading and the scale beside it, in mm.
+const APART: f64 = 5.0;
 /// Weight of the size of a panel beside that in focus.
 pub(super) const COMPANION: f64 = 0.2;
 
@@ -75,11 +78,12 @@ impl<'a> Panel<'a> {
         let before = drawing.marks.len();
         let mut canvas = Canvas::new(drawing, [&self.name, &self.prefix], placed.frame, renamed, *dims);
         canvas.held = held;
+        canvas.header = placed.header();
         if let Some(own) = &self.own {
             own.reserve(&mut canvas, &view);
         }
         if let Some(frame) = &self.frame {
-            frame.draw(&mut canvas);
+            frame.draw(&mut canvas, Some(placed));
         }
         for layer in &self.layers {
             layer(&mut canvas, &view);
@@ -109,10 +113,15 @@ impl Placed {
         view
     }
 
+    /// Height of heading and scale, in mm.
+    fn header(&self) -> f64 {
+        HEADING + if self.needs.is_scale_below(self.frame.width()) { SCALE_ROW } else { 0.0 }
+    }
+
     /// Where the pole of a plan is always in sight, with its name.
     pub(super) fn room_of_pole(&self) -> Rect {
         let room = self.frame.inset(-AROUND);
-        Rect { y0: room.y0 + HEADING, ..room }
+        Rect { y0: room.y0 + self.header(), ..room }
     }
 
     /// The panel on a sheet, for programs that read a photograph of it.
@@ -131,12 +140,29 @@ pub(super) struct Frame {
     pub pen: Pen,
     /// Start of the heading, from the panel's upper left corner, in mm.
     pub at: Vec2,
+    /// What the panel's scale is written with, where it is written here.
+    pub scale: Option<ScaleBars>,
 }
 
 impl Frame {
     /// A frame with the heading inside.
     pub(super) fn new(heading: Line, pen: Pen) -> Frame {
-        Frame { heading, short: None, pen, at: Vec2::new(BEFORE, 6.0) }
+        Frame { heading, short: None, pen, at: Vec2::new(BEFORE, 6.0), scale: None }
+    }
+
+    /// This frame with the panel's scale beside or below the heading.
+    pub(super) fn with_scale(self, context: &SheetContext<'_>) -> Frame {
+        Frame { scale: Some(ScaleBars::of(context)), ..self }
+    }
+
+    /// What a panel of a sheet with this frame needs.
+    pub(super) fn needs(&self, context: &SheetContext<'_>, sheet: Sheet, extent: Extent) -> Needs {
+        let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
+        let size = extent.size();
+        let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
+        let mu = context.surface.mu[sheet].unwrap_or(coarse);
+        let width = self.scale.map(|scales| scales.least_width(sheet, mu) + BEFORE + APART);
+        Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) }
     }
 
     /// Smallest width of a panel with this heading, in mm.
@@ -144,16 +170,29 @@ impl Frame {
         self.heading.width(SIZE) + 2.0 * BEFORE
     }
 
-    pub(super) fn draw(&self, canvas: &mut Canvas<'_>) {
-        canvas.drawing.draw(Pen::Frame, Shape::rectangle(canvas.frame));
+    /// Draws it; the scale of a panel in its place.
+    pub(super) fn draw(&self, canvas: &mut Canvas<'_>, placed: Option<&Placed>) {
+        let frame = canvas.frame;
+        canvas.drawing.draw(Pen::Frame, Shape::rectangle(frame));
         // A short one is no smaller than captions.
         let (heading, size) = match &self.short {
             // White on the right may be narrower: letters of panels differ in width.
-            Some(short) if self.width() - BEFORE > canvas.frame.width() => (short, CAPTION),
+            Some(short) if self.width() - BEFORE > frame.width() => (short, CAPTION),
             _ => (&self.heading, SIZE),
         };
-        let ink = heading.starting(canvas.drawing, self.pen, canvas.frame.origin() + self.at, size);
+        let from = frame.origin() + self.at;
+        let ink = heading.starting(canvas.drawing, self.pen, from, size);
         canvas.obstacles.add_boxes([ink]);
+        if let (Some(scales), Some(placed)) = (self.scale, placed) {
+            let room = Rect { x0: frame.x0 + BEFORE, x1: frame.x1 - BEFORE, ..frame };
+            let below = placed.needs.is_scale_below(frame.width());
+            let room = if below { room } else { Rect { x0: ink.x1 + APART, ..room } };
+            let bar = scales.bar_within(placed.needs.sheet, placed.mu, room.width());
+            let from = Point::new(room.x1 - bar.width(), from.y);
+            let from = if below { Point::new(room.x0, from.y + SCALE_ROW) } else { from };
+            let ink = bar.draw(canvas.drawing, from, Some(format!("scale-{}", placed.needs.sheet.as_str())));
+            canvas.obstacles.add_boxes([ink]);
+        }
         canvas.exclude_drawn();
     }
 }
@@ -199,13 +238,16 @@ pub(super) fn panels<'a>(
     let panel = |(index, &(sheet, extent)): (usize, &(Sheet, Extent))| {
         let name = context.words.language.sheet(sheet);
         let line = |heading: &str| Line::new(vec![RichText::plain(heading)]);
-        let frame = |index| Frame { short: Some(line(name)), ..Frame::new(line(&numbered(index, name)), Pen::Heading) };
+        let frame = |index| Frame {
+            short: Some(line(name)),
+            ..Frame::new(line(&numbered(index, name)), Pen::Heading).with_scale(context)
+        };
         let needs = Needs {
             above: if sheet == Sheet::Scheme { scheme::above(context) } else { 0.0 },
             mu: context.surface.mu[sheet],
             weight: if context.figure().focus.is_some_and(|focus| focus != sheet) { COMPANION } else { 1.0 },
             // The width of the first panel's heading: it must not depend on the panel's letter.
-            ..Needs::usual(sheet, extent, frame(0).width())
+            ..frame(0).needs(context, sheet, extent)
         };
         Panel {
             language: Some(context.words.language),

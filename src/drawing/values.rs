@@ -271,7 +271,7 @@ impl Item for ValueList {
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         let area = match (self.after, layout.aside) {
-            (Some(_), _) => layout.below(),
+            (Some(_), _) => layout.below,
             (None, Some(area)) => {
                 drawing.draw(Pen::Frame, Shape::rectangle(area));
                 area

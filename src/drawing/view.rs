@@ -132,25 +132,70 @@ pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k that is not below `least`, which must be positive.
 #[must_use]
 pub fn next_scale(least: f64) -> f64 {
-    next_of(&[1.0, 2.0, 2.5, 5.0], least)
+    Series::Hand.next(least)
+}
+
+/// From which scales that of a panel is chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Series {
+    /// 1, 2, 2.5, 5 × 10^k, with which a hand calculates: on work sheets, exercises and keys.
+    Hand,
+    /// Those between them, too, that a ruler reads easily: in figures on paper.
+    Ruler,
+    /// All, to three digits: where nobody measures, and a bar says how long a value is.
+    Any,
+}
+
+impl Series {
+    /// The scales from 1 to below 10; none where there are too many.
+    fn steps(self) -> Option<&'static [f64]> {
+        match self {
+            Series::Hand => Some(&[1.0, 2.0, 2.5, 5.0]),
+            Series::Ruler => Some(&[1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0]),
+            Series::Any => None,
+        }
+    }
+
+    /// The smallest scale that is not below `least`, which must be positive.
+    pub(super) fn next(self, least: f64) -> f64 {
+        match self.steps() {
+            Some(steps) => next_of(steps, least),
+            None => {
+                let last_digit = decade(least) - 2;
+                scaled(libm::ceil(least / scaled(1.0, last_digit) - 1e-9), last_digit)
+            }
+        }
+    }
+
+    /// A scale below another, the next one if there are steps; positive.
+    pub(super) fn finer(self, than: f64) -> f64 {
+        let Some(steps) = self.steps() else { return self.next(0.98 * than) };
+        let decade = decade(than);
+        let near = [decade - 1, decade].into_iter().flat_map(|at| steps.iter().map(move |step| scaled(*step, at)));
+        near.filter(|mu| *mu < 0.999 * than).fold(scaled(1.0, decade - 1), f64::max)
+    }
 }
 
 /// The smallest number not below `least` that is a power of ten times an element of `series`, which has numbers from 1
 /// to below 10. `least` must be positive.
 pub(super) fn next_of(series: &[f64], least: f64) -> f64 {
-    // The decade from the binary exponent is fast to compute and at most one too low.
-    let binary = (least.to_bits() >> 52) as i32 - 1023;
+    let decade = decade(least);
+    let steps = [decade, decade + 1].into_iter().flat_map(|at| series.iter().map(move |step| scaled(*step, at)));
+    steps.into_iter().find(|scale| *scale >= least).unwrap_or(least)
+}
+
+/// The exponent of the largest power of ten that is not above a positive number.
+fn decade(number: f64) -> i32 {
+    // That from the binary exponent is fast to compute and at most one too low.
+    let binary = (number.to_bits() >> 52) as i32 - 1023;
     let decade = (f64::from(binary) * std::f64::consts::LOG10_2).floor() as i32;
-    for exponent in [decade, decade + 1] {
-        for step in series {
-            // Division by an integral power of ten keeps 0.25 and the like exact to the last digit.
-            let scale = if exponent < 0 { step / power_of_ten(-exponent) } else { step * power_of_ten(exponent) };
-            if scale >= least {
-                return scale;
-            }
-        }
-    }
-    least
+    if scaled(1.0, decade + 1) <= number { decade + 1 } else { decade }
+}
+
+/// A number times an integral power of ten.
+fn scaled(step: f64, exponent: i32) -> f64 {
+    // Division by a power of ten keeps 0.25 and the like exact to the last digit.
+    if exponent < 0 { step / power_of_ten(-exponent) } else { step * power_of_ten(exponent) }
 }
 
 /// 10 to an integral power, exact as far as f64 allows.

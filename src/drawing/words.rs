@@ -4,9 +4,10 @@ use super::context::SheetContext;
 use super::dims::MARGIN;
 use super::facts::Steps;
 use super::layout::{Item, Layout, Needs, Placed};
-use super::legend::{HUNDREDTHS, SCALE, VALUE};
 use super::lines::PAD;
 use super::panel::extents;
+use super::remarks::{HUNDREDTHS, VALUE};
+use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
@@ -70,8 +71,8 @@ impl<'a> StepWords<'a> {
             unit: context.surface.dims.unit,
         };
         let panels = extents(context).into_iter().map(placed).collect();
-        let legend = Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0);
-        let layout = Layout { legend, scales: 0.0, columns: 1, aside: None, panels, worth: [0.0; 4] };
+        let below = Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0);
+        let layout = Layout { below, aside: None, panels, worth: [0.0; 3] };
         for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
             let trial = |start: Option<f64>, parts: [bool; 2]| {
                 let mut drawing = Drawing::new(width, height);
@@ -80,14 +81,14 @@ impl<'a> StepWords<'a> {
             };
             let caption = extent(&trial(None, [true, false]));
             let caption_end = caption.x1;
-            let tab = (layout.legend.width() - 2.0 * PAD) / TABS;
+            let tab = (layout.below.width() - 2.0 * PAD) / TABS;
             let start = tab * libm::ceil((caption_end - PAD + BETWEEN) / tab);
             let beside = trial(Some(start), [false, true]);
             let is_whole = |mark: &Mark| match &mark.shape {
                 Shape::Text(text) => text.size >= SMALL,
                 _ => true,
             };
-            let fits = extent(&beside).x1 <= layout.legend.x1 - PAD && beside.marks.iter().all(is_whole);
+            let fits = extent(&beside).x1 <= layout.below.x1 - PAD && beside.marks.iter().all(is_whole);
             let start = Some(start).filter(|_| fits);
             let details = if fits { extent(&beside) } else { extent(&trial(None, [true; 2])) };
             words.height = words.height.max(caption.y1.max(details.y1) + FOOT);
@@ -110,7 +111,7 @@ impl<'a> StepWords<'a> {
         start: Option<f64>,
         [caption, details]: [bool; 2],
     ) {
-        let (context, area) = (self.context, layout.below());
+        let (context, area) = (self.context, layout.below);
         let passage = self.passages.as_ref().map(|passages| &passages[index]);
         let steps: Vec<NumberedStep<'_>> = match passage {
             Some(passage) => context.construction().steps_of(passage).collect(),
@@ -159,8 +160,6 @@ impl Item for StepWords<'_> {
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let area = layout.below();
-        drawing.draw(Pen::Frame, Shape::Line(area.origin(), Point::new(area.x1, area.y0)));
         for (&index, &start) in &self.starts {
             self.write(drawing, layout, index, start, [true; 2]);
         }

@@ -3,9 +3,9 @@
 
 use super::context::SheetContext;
 use super::layout::{Aside, Item, Layout, cut_off};
-use super::legend::{HUNDREDTHS, VALUE};
 use super::lines::{Lines, PAD};
 use super::panel::Panel;
+use super::remarks::{HUNDREDTHS, VALUE};
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::table::{Cells, Heading, Table};
@@ -256,7 +256,7 @@ impl Item for Ruler {
     }
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
-        let area = layout.below();
+        let area = layout.below;
         let from = Point::new(area.x1 - self.width() + BEFORE, area.y0 + self.lines + 4.6);
         drawing.caption(self.words.clone(), from);
         ruler(drawing, from + Vec2::new(self.words.width(CAPTION) + BEFORE, -3.2), self.unit);

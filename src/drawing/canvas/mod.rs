@@ -24,6 +24,8 @@ pub(super) struct Canvas<'a> {
     pub obstacles: Obstacles,
     requests: Vec<Wanted>,
     pub frame: Rect,
+    /// Height of heading and scale below the upper edge of the frame.
+    pub header: f64,
     /// Index of the first mark of the panel's content; earlier marks are not cut off at its edge.
     content_start: usize,
     /// The step of the construction with which new marks and labels appear.
@@ -86,6 +88,7 @@ impl<'a> Canvas<'a> {
             obstacles: Obstacles::new(frame.inset(-1.2)),
             requests: Vec::new(),
             frame,
+            header: HEADING,
             step: 0,
             renamed,
             dims,
@@ -108,7 +111,7 @@ impl<'a> Canvas<'a> {
     /// The panel without its border and heading, the area for lines.
     pub(super) fn room(&self) -> Rect {
         let bounds = self.obstacles.bounds;
-        Rect { y0: bounds.y0 + HEADING, ..bounds }
+        Rect { y0: bounds.y0 + self.header, ..bounds }
     }
 
     /// Draws a mark that labels keep off: off joints and arrowheads always, off lines if possible.

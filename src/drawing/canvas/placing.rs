@@ -3,7 +3,6 @@
 use super::{Canvas, Wanted};
 use crate::drawing::clip::{clipped, clipped_segment, holds, is_within};
 use crate::drawing::labels::{LabelRequest, place, place_near};
-use crate::drawing::layout::HEADING;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::{CAPTION, PlacedText, RichText};
@@ -107,7 +106,7 @@ impl Canvas<'_> {
         let text = RichText::plain(words);
         let size = Vec2::new(text.width(CAPTION), CAPTION);
         let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
-        let (top, bottom) = (self.frame.y0 + HEADING, self.frame.y1 - CUT_EDGE);
+        let (top, bottom) = (self.frame.y0 + self.header, self.frame.y1 - CUT_EDGE);
         let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
         let corners = corners.map(|(x, y)| Point::new(x, y));
         let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);

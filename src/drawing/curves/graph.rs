@@ -83,7 +83,7 @@ impl<'a> Graph<'a> {
         let area = Rect::new(drive.places[0], self.rows[1], drive.places[1], self.rows[2]);
         let mut canvas = Canvas::new(drawing, [name, prefix], area, &context.scene.figure.labels, context.dims);
         self.grid(canvas.drawing, area, drive);
-        frame.draw(&mut canvas);
+        frame.draw(&mut canvas, None);
         self.content(&mut canvas, context, drive);
         canvas.finish(None);
     }

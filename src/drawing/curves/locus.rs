@@ -9,13 +9,13 @@ use crate::drawing::clip::{clipped_chain, holds, simplified};
 use crate::drawing::dims::{MARGIN, TITLE};
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::{HEADING, Needs, Placed};
-use crate::drawing::legend::{Entry, Legend};
 use crate::drawing::lines::Line;
 use crate::drawing::panel::{Frame, Layer, Panel, numbered};
+use crate::drawing::scale_bar::{ScaleBar, ScaleBars};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{Anchor, CAPTION, PlacedText, RichText};
-use crate::drawing::view::{Extent, View, together};
+use crate::drawing::view::{Extent, Series, View, together};
 use crate::geometry;
 use crate::scene::{DecimalMark, Scene};
 use crate::sheet::Sheet;
@@ -164,8 +164,9 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], [left, 
 }
 
 /// The scale of a panel, with its bar.
-fn scale(context: &CurveContext<'_>, sheet: Sheet, mu: f64) -> Entry {
-    Legend { words: context.words, units: context.scene.units, dims: context.dims }.entry(sheet, mu)
+fn scale(context: &CurveContext<'_>, sheet: Sheet, mu: f64) -> ScaleBar {
+    ScaleBars { words: context.words, units: context.scene.units, unit: context.dims.unit, series: Series::Hand }
+        .bar(sheet, mu)
 }
 
 /// The layer with the scale of a panel.
@@ -174,7 +175,7 @@ fn scale_of<'a>(context: &'a CurveContext<'a>, sheet: Sheet) -> Layer<'a> {
         let entry = scale(context, sheet, view.mu() / context.dims.unit);
         let frame = canvas.frame;
         let foot = Point::new(frame.x0 + BESIDE_SCALE, frame.y1 - 2.8);
-        entry.draw(canvas.drawing, foot);
+        entry.draw(canvas.drawing, foot, None);
         canvas.obstacles.add_boxes([Rect::new(frame.x0, foot.y - 4.4, foot.x + entry.width(), frame.y1)]);
         canvas.exclude_drawn();
     })

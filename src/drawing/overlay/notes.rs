@@ -107,7 +107,7 @@ impl Item for Notes<'_> {
                 drawing.draw(Pen::Frame, Shape::rectangle(column));
                 Rect { y0: column.y0 + TOP, ..column }
             }
-            _ => layout.below(),
+            _ => layout.below,
         };
         self.draw_key(drawing, area);
         lines::draw(drawing, area, self.key_lines(), &self.lines());

@@ -1,0 +1,76 @@
+//! The sentences below the panels: on paths, and on how two routes agree.
+
+use super::context::{SheetContext, Surface};
+use super::lines::Lines;
+use crate::cycle::Times;
+use crate::scene::PageSize;
+use crate::text::Untrusted;
+use crate::words::{Medium, NumberStyle};
+
+/// Number style of values in tables and words.
+pub(super) const VALUE: NumberStyle = NumberStyle::significant(5).in_full(-4, 7).on(Medium::Figure);
+/// Number style of lengths on paper and angles.
+pub(super) const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2).on(Medium::Figure);
+/// Number style of the steps between ticks.
+const STEP: NumberStyle = NumberStyle::significant(3).trimmed().in_full(-3, 6).on(Medium::Figure);
+/// Number style of the difference between construction and loop equations.
+const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
+
+/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations. Beside values
+/// and on a projector only what is not as it should be is said. They are there in all steps or only in `step`; `beside` mm of
+/// the width are kept free.
+pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f64) -> Lines {
+    let (sentence, agrees) = routes(context);
+    let Surface { page, dims, .. } = context.surface;
+    let is_projected = page.size == PageSize::Wide || dims.unit > 1.0;
+    let is_said = !agrees || (context.values.is_empty() && !is_projected);
+    let sentence = is_said.then_some(sentence);
+    Lines {
+        step,
+        ..Lines::of(sentence_on_paths(context).iter().chain(&sentence), context.surface.dims.width_below() - beside)
+    }
+}
+
+/// The sentence on the agreement of the construction with the loop equations, and whether they agree.
+fn routes(context: &SheetContext<'_>) -> (String, bool) {
+    let (language, construction) = (context.words.language, context.construction());
+    let known = construction.agreement.iter().flatten();
+    let worst = known.max_by(|a, b| a.difference.total_cmp(&b.difference));
+    match worst {
+        Some(worst) if construction.agreement.iter().all(Option::is_some) => {
+            let [difference, allowed] = [worst.difference, worst.allowed].map(|x| context.words.write(x, BOUND));
+            (language.agreement(&difference, &allowed), true)
+        }
+        _ => {
+            let far = construction.special.iter().any(|special| special.place.finite().is_none());
+            let why = if far { language.one_route_far() } else { language.one_route() };
+            (why.to_owned(), false)
+        }
+    }
+}
+
+/// The sentence on the paths and their ticks, in markup.
+pub(super) fn sentence_on_paths(context: &SheetContext<'_>) -> Option<String> {
+    let Times { drive, step, time, .. } = context.traces.times.as_ref()?;
+    let shown = |name: &str| context.shown(name, None);
+    let points: Vec<String> = context.traces.paths.iter().map(|path| shown(&path.name)).collect();
+    let (language, units) = (context.words.language, context.solution.scene.units);
+    let number = |value: f64| context.words.write(value, STEP);
+    let step = match drive.is_angle {
+        true => format!("{}°", number(*step)),
+        false => format!("{} {}", number(*step), units.length.as_str()),
+    };
+    let drive = context.figure().labels.get(&drive.name).map_or_else(|| drive.name.clone(), Untrusted::for_setting);
+    let points = points.join(", ");
+    let mut sentence = match time {
+        Some(time) => {
+            let time = format!("{} {}", number(*time), units.time.as_str());
+            language.paths_in_time(&points, &step, &drive, &time)
+        }
+        None => language.paths(&points, &step, &drive),
+    };
+    if context.traces.paths.iter().any(|path| !path.beyond.is_empty()) {
+        sentence = format!("{sentence} {}", language.paths_beyond());
+    }
+    Some(sentence)
+}

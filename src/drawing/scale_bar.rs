@@ -1,0 +1,121 @@
+//! The scale of a panel: on paper the units that a millimetre stands for, with a bar; elsewhere a bar alone, for nobody
+//! lays a ruler on a screen.
+
+use super::context::SheetContext;
+use super::shape::Shape;
+use super::sheet::{Drawing, Pen};
+use super::text::{CAPTION, RichText};
+use super::view::{Series, next_of};
+use crate::scene::Units;
+use crate::sheet::Sheet;
+use crate::words::{NumberStyle, Wording};
+use kurbo::{Point, Rect};
+
+/// Length of the bar beside a scale, in mm of paper.
+const BAR: f64 = 10.0;
+/// Least and most length of a bar alone, in units of the layout.
+const ALONE: [f64; 2] = [6.0, 24.0];
+/// White between the parts of a scale, in mm.
+const GAPS: [f64; 3] = [1.2, 3.0, 1.4];
+/// Half the height of the bar's ends, in mm.
+const TICK: f64 = 0.9;
+/// Number style of scales.
+pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
+
+/// What scales are written with.
+#[derive(Clone, Copy)]
+pub(super) struct ScaleBars {
+    pub words: Wording,
+    pub units: Units,
+    /// A unit of the layout, in mm of paper.
+    pub unit: f64,
+    pub series: Series,
+}
+
+/// A scale, and a bar of a round value.
+pub(super) struct ScaleBar {
+    /// Symbol and value; none where the bar stands alone.
+    value: Option<[RichText; 2]>,
+    /// What the bar stands for, and its length in units of the layout; none where it has no room.
+    bar: Option<(RichText, f64)>,
+}
+
+impl ScaleBars {
+    pub(super) fn of(context: &SheetContext<'_>) -> ScaleBars {
+        let surface = context.surface;
+        let units = context.solution.scene.units;
+        ScaleBars { words: context.words, units, unit: surface.dims.unit, series: surface.series }
+    }
+
+    /// The scale of a sheet: `mu` units a millimetre.
+    pub(super) fn bar(&self, sheet: Sheet, mu: f64) -> ScaleBar {
+        if self.series == Series::Any {
+            return self.alone(sheet, mu, ALONE[1]);
+        }
+        let unit = sheet.facts().drawn.unit(self.units);
+        let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
+        let [value, bar] = [mu, BAR * mu].map(|value| self.words.write(value, SCALE));
+        let value = RichText::plain(&format!("= {value} {per_mm}"));
+        ScaleBar {
+            value: Some([RichText::math(sheet.facts().scale_symbol), value]),
+            bar: Some((RichText::plain(&format!("{bar} {unit}")), BAR / self.unit)),
+        }
+    }
+
+    /// The scale of a sheet in a room of that width in mm: without the bar, or with a shorter one alone.
+    pub(super) fn bar_within(&self, sheet: Sheet, mu: f64, width: f64) -> ScaleBar {
+        let whole = self.bar(sheet, mu);
+        if whole.width() <= width {
+            return whole;
+        }
+        match self.series {
+            Series::Any => self.alone(sheet, mu, (ALONE[1] - whole.width() + width).max(ALONE[0])),
+            _ => ScaleBar { bar: None, ..whole },
+        }
+    }
+
+    /// A bar of a round value of at most this length, in units of the layout.
+    fn alone(&self, sheet: Sheet, mu: f64, most: f64) -> ScaleBar {
+        let mu = mu * self.unit;
+        let shown = next_of(&[1.0, 2.0, 5.0], 0.4 * most * mu);
+        let unit = sheet.facts().drawn.unit(self.units);
+        let text = RichText::plain(&format!("{} {unit}", self.words.write(shown, SCALE)));
+        ScaleBar { value: None, bar: Some((text, shown / mu)) }
+    }
+
+    /// Width of the narrowest scale of a sheet near `mu`, in mm.
+    pub(super) fn least_width(&self, sheet: Sheet, mu: f64) -> f64 {
+        let near = [1.0, 1.3, 2.2].map(|factor| self.bar_within(sheet, self.series.next(factor * mu), 0.0).width());
+        near.into_iter().fold(0.0, f64::max)
+    }
+}
+
+impl ScaleBar {
+    pub(super) fn width(&self) -> f64 {
+        let value =
+            self.value.as_ref().map(|texts| texts.iter().map(|text| text.width(CAPTION)).sum::<f64>() + GAPS[0]);
+        let bar = self.bar.as_ref().map(|(text, length)| length + GAPS[2] + text.width(CAPTION));
+        value.unwrap_or(0.0) + bar.unwrap_or(0.0) + if value.is_some() && bar.is_some() { GAPS[1] } else { 0.0 }
+    }
+
+    /// Draws it from the left end of its baseline, the bar with this id.
+    pub(super) fn draw(&self, drawing: &mut Drawing, from: Point, id: Option<String>) -> Rect {
+        let mut x = from.x;
+        if let Some([symbol, value]) = &self.value {
+            drawing.caption(symbol.clone(), from);
+            x += symbol.width(CAPTION) + GAPS[0];
+            drawing.caption(value.clone(), Point::new(x, from.y));
+            x += value.width(CAPTION) + GAPS[1];
+        }
+        if let Some((text, length)) = &self.bar {
+            let y = from.y - 1.3;
+            let ends = [x, x + length].map(|x| Point::new(x, y));
+            drawing.draw(Pen::Ground, Shape::Line(ends[0], ends[1])).id = id;
+            for end in ends {
+                drawing.draw(Pen::Ground, Shape::Line(Point::new(end.x, y - TICK), Point::new(end.x, y + TICK)));
+            }
+            drawing.caption(text.clone(), Point::new(x + length + GAPS[2], from.y));
+        }
+        Rect::new(from.x, from.y - CAPTION, from.x + self.width(), from.y + 0.3 * CAPTION)
+    }
+}
