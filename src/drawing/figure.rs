@@ -26,7 +26,7 @@ use std::sync::Arc;
 const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None];
 
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
-const SHARED: f64 = 1.25;
+const SHARED: f64 = 1.2;
 
 /// Positions in which the largest plans of a cycle are looked for.
 const POSITIONS: usize = 72;
@@ -131,8 +131,7 @@ impl<'a> FigureSheets<'a> {
         let sheet = OnceCell::new();
         let warning = |(index, placed): (usize, &Placed)| {
             let (panel, extent) = extents[index];
-            // Content may reach into the white margin of the frame.
-            if placed.holds_in(placed.frame, &extent) {
+            if placed.holds(&extent) {
                 return None;
             }
             let mut mu = context.surface.mu;

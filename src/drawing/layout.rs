@@ -13,6 +13,9 @@ pub(super) const GAP: f64 = 4.0;
 /// White inside a panel around its content, for labels, in mm: around a plan, and around the scheme, where the feet of
 /// pivots stand in it.
 const WHITE: [f64; 2] = [4.8, 6.4];
+/// That white where scales have steps, which mostly leave more: heads, dots and the feet of pivots reach so far beyond
+/// their points.
+const LEAST_WHITE: [f64; 2] = [2.2, 4.4];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Height of its scale where that has a row of its own, in mm.
@@ -50,6 +53,11 @@ impl Needs {
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
         let white = WHITE[usize::from(sheet == Sheet::Scheme)];
         Needs { sheet, extent, heading, scale: 0.0, above: 0.0, mu: None, white, weight: 1.0 }
+    }
+
+    /// These at scales with steps, of which most leave more white than labels need.
+    pub(super) fn tight(self) -> Needs {
+        Needs { white: LEAST_WHITE[usize::from(self.sheet == Sheet::Scheme)], ..self }
     }
 
     /// The scale where the content does not ask for one: that which is given, or any for a single point.
@@ -124,12 +132,7 @@ impl Placed {
 
     /// Whether something fits into the area of the panel's content.
     pub(super) fn holds(&self, extent: &Extent) -> bool {
-        self.holds_in(self.area, extent)
-    }
-
-    /// Whether something fits into an area at the panel's scale.
-    pub(super) fn holds_in(&self, area: Rect, extent: &Extent) -> bool {
-        let (size, area) = (self.shown(extent), area.inflate(2.0 * ROUNDING, 2.0 * ROUNDING));
+        let (size, area) = (self.shown(extent), self.area.inflate(2.0 * ROUNDING, 2.0 * ROUNDING));
         size.x <= area.width() && size.y <= area.height()
     }
 

@@ -13,7 +13,7 @@ use super::scheme;
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, RichText};
-use super::view::{Extent, View};
+use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution};
 use crate::geometry;
 use crate::sheet::Sheet;
@@ -162,7 +162,8 @@ impl Frame {
         let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
         let mu = context.surface.mu[sheet].unwrap_or(coarse);
         let width = self.scale.map(|scales| scales.least_width(sheet, mu) + BEFORE + APART);
-        Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) }
+        let needs = Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) };
+        if context.surface.series == Series::Any { needs } else { needs.tight() }
     }
 
     /// Smallest width of a panel with this heading, in mm.
