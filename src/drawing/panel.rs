@@ -160,8 +160,12 @@ impl Frame {
         let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
         let size = extent.size();
         let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
-        let mu = context.surface.mu[sheet].unwrap_or(coarse);
-        let width = self.scale.map(|scales| scales.least_width(sheet, mu) + BEFORE + APART);
+        // With a given scale no more room than without.
+        let width = |scales: ScaleBars| match context.surface.mu[sheet] {
+            Some(mu) => scales.bar_within(sheet, mu, 0.0).width(),
+            None => scales.least_width(sheet, coarse),
+        };
+        let width = self.scale.map(|scales| width(scales) + BEFORE + APART);
         let needs = Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) };
         if context.surface.series == Series::Any { needs } else { needs.tight() }
     }

@@ -83,10 +83,12 @@ impl ScaleBars {
         ScaleBar { value: None, bar: Some((text, shown / mu)) }
     }
 
-    /// Width of the narrowest scale of a sheet near `mu`, in mm.
+    /// Width of the narrowest scale of a sheet from `mu` to ten times that, in mm.
     pub(super) fn least_width(&self, sheet: Sheet, mu: f64) -> f64 {
-        let near = [1.0, 1.3, 2.2].map(|factor| self.bar_within(sheet, self.series.next(factor * mu), 0.0).width());
-        near.into_iter().fold(0.0, f64::max)
+        // Of the scales of a decade 1.25 and 2.5 have most digits, and 1000 has one more than 800.
+        let longest = self.series.longest();
+        let near = [next_of(&[longest], 0.1 * mu), next_of(&[longest], mu), 3.0 * mu, 10.0 * mu];
+        near.map(|mu| self.bar_within(sheet, self.series.next(mu), 0.0).width()).into_iter().fold(0.0, f64::max)
     }
 }
 

@@ -156,6 +156,15 @@ impl Series {
         }
     }
 
+    /// The scale from 1 to below 10 with most digits.
+    pub(super) fn longest(self) -> f64 {
+        match self {
+            Series::Hand => 2.5,
+            Series::Ruler => 1.25,
+            Series::Any => 1.11,
+        }
+    }
+
     /// The smallest scale that is not below `least`, which must be positive.
     pub(super) fn next(self, least: f64) -> f64 {
         match self.steps() {
