@@ -15,7 +15,7 @@ pub(super) const GAP: f64 = 4.0;
 const WHITE: [f64; 2] = [4.8, 6.4];
 /// That white where scales have steps, which mostly leave more: heads, dots and the feet of pivots reach so far beyond
 /// their points.
-const LEAST_WHITE: [f64; 2] = [2.2, 4.4];
+const LEAST_WHITE: [f64; 2] = [2.2, 5.0];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Height of its scale where that has a row of its own, in mm.

@@ -120,7 +120,7 @@ impl Placed {
 
     /// Where the pole of a plan is always in sight, with its name.
     pub(super) fn room_of_pole(&self) -> Rect {
-        let room = self.frame.inset(-AROUND);
+        let room = self.frame.inset(-AROUND.min(self.needs.white));
         Rect { y0: room.y0 + self.header(), ..room }
     }
 
