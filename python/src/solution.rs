@@ -4,7 +4,7 @@ use kinegon::Order;
 use kinegon::accuracy::bounds;
 use kinegon::construction::{Action, NumberedStep, Teller, Tolerance, shown_text};
 use kinegon::cycle::Traces;
-use kinegon::drawing::{Drawing, Style};
+use kinegon::drawing::{Drawing, FigureSheets, Style};
 use kinegon::editing::with_mode;
 use kinegon::format::{OpenScene, workbench};
 use kinegon::mechanism::Mechanism;
@@ -72,7 +72,7 @@ impl Solution {
     pub fn value(&self, name: &str) -> Result<ValueOf, Refused> {
         let solution = self.solved(Order::Acceleration)?;
         let asked = QuantityRequest::new(name, &solution.mechanism)?;
-        let scales = asked.written.on_paper.then(|| solution.scales());
+        let scales = asked.written.on_paper.then(|| FigureSheets::new(solution).scales());
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), scales.as_ref())?;
         let numbers = match value {
             Quantity::Number(x) => vec![x],

@@ -45,6 +45,8 @@ pub(super) struct Surface {
     /// The scales of the panels, in units per mm of paper: given, or chosen for all sheets of a figure; a panel without
     /// one gets the finest that fits.
     pub mu: Scales,
+    /// The scales on paper, where the sheet is not for paper: words of steps tell lengths at these.
+    pub told: Option<Scales>,
 }
 
 /// What a sheet is for.
@@ -66,7 +68,7 @@ impl Surface {
             Purpose::Figure if !figure.worksheet => Series::Ruler,
             _ => Series::Hand,
         };
-        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu }
+        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None }
     }
 }
 
@@ -95,6 +97,21 @@ impl<'a> SheetContext<'a> {
     pub(super) fn on_page(&self, page: Page, mu: Scales) -> Self {
         let surface = Surface { mu, ..Surface::of(page, self.figure(), self.purpose) };
         Self { surface, ..self.clone() }
+    }
+
+    /// This context on paper for a hand, which draws and measures at its own series of scales.
+    pub(super) fn for_hand(&self) -> Self {
+        let mut context = self.on_paper();
+        context.surface.series = Series::Hand;
+        context
+    }
+
+    /// This context on paper: the same if it is, else on A4.
+    pub(super) fn on_paper(&self) -> Self {
+        match self.surface.page.size {
+            PageSize::Wide => self.on_page(Page::default(), self.figure().mu),
+            _ => self.clone(),
+        }
     }
 
     /// This context with room for markers along the edges of a sheet to be drawn on, where it is to have them: not for a

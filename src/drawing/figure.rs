@@ -5,7 +5,7 @@ use super::canvas::ascii;
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
-use super::layout::{Layout, Placed};
+use super::layout::{Item, Layout, Placed};
 use super::panel::{Extents, Panel, content, extent_of_images, extents, hints, panels};
 use super::remarks;
 use super::scale_bar::SCALE;
@@ -16,7 +16,7 @@ use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text, shown_text};
 use crate::cycle::{Animation, Traces};
-use crate::scene::ScalesFor;
+use crate::scene::{ScalesFor, ValuesShown};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::Wording;
 use std::cell::OnceCell;
@@ -27,6 +27,9 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
+
+/// How much coarser a scale may be for the list of results.
+const STEP: f64 = 1.25;
 
 /// Positions in which the largest plans of a cycle are looked for.
 const POSITIONS: usize = 72;
@@ -51,8 +54,8 @@ const TRIED: usize = 120;
 /// ```
 pub struct FigureSheets<'a> {
     base: SheetContext<'a>,
-    /// The scales that all sheets share.
-    common: OnceCell<Scales>,
+    /// The scales of the sheets, in the order of [`SHEETS`].
+    scales: OnceCell<[Scales; SHEETS.len()]>,
     figure: OnceCell<LaidOut<'a>>,
 }
 
@@ -74,8 +77,11 @@ impl<'a> FigureSheets<'a> {
     /// The sheets of a solution whose paths and ghosts are known.
     #[must_use]
     pub fn with_traces(solution: &'a Solution, traces: Arc<Traces>) -> Self {
-        let base = SheetContext::with_traces(solution, Purpose::Figure, traces).with_values();
-        FigureSheets { base, common: OnceCell::new(), figure: OnceCell::new() }
+        Self::of(SheetContext::with_traces(solution, Purpose::Figure, traces).with_values())
+    }
+
+    fn of(base: SheetContext<'a>) -> Self {
+        FigureSheets { base, scales: OnceCell::new(), figure: OnceCell::new() }
     }
 
     /// The figure: its panels on a sheet of paper, true to scale, all labels placed.
@@ -104,19 +110,23 @@ impl<'a> FigureSheets<'a> {
     /// caption and equation below the panels. Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn steps(&self, steps: Steps) -> Drawing {
-        let laid_out = self.lay_out(self.scaled(), Some(steps));
+        let mut context = self.scaled(Some(steps));
+        if context.surface.series == Series::Any {
+            context.surface.told = Some(self.scales());
+        }
+        let laid_out = self.lay_out(context, Some(steps));
         laid_out.composition().draw(&laid_out.layout).in_steps(steps, &laid_out.context)
     }
 
-    /// The scales of the figure; for a plan without a panel the scene's scale, if there is one.
+    /// The scales of the figure on paper, for a projector those that it would have on A4; for a plan without a panel the
+    /// scene's scale, if there is one.
     #[must_use]
     pub fn scales(&self) -> Scales {
         let figure = self.base.figure();
-        let mu = self.common();
-        let are_known =
-            figure.scales != ScalesFor::Sheet || figure.shown_panels().iter().all(|&sheet| mu[sheet].is_some());
-        let chosen = if are_known { mu } else { self.laid_out().layout.mu() };
-        figure.mu.or(chosen)
+        if self.base.surface.series == Series::Any {
+            return FigureSheets::of(self.base.on_paper()).scales();
+        }
+        figure.mu.or(self.scaled(None).surface.mu)
     }
 
     /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
@@ -162,53 +172,55 @@ impl<'a> FigureSheets<'a> {
         missing.map(|value| plain_text(&value.symbol)).collect()
     }
 
-    /// The context of sheets at their scales: the common ones, or where each sheet has its own, those of the finished
-    /// figure or of the sheets with steps.
-    pub(super) fn context_of(&self, steps: Option<Steps>) -> SheetContext<'a> {
-        let mut context = self.scaled();
-        let shown = context.figure().shown_panels();
-        if shown.iter().any(|&sheet| context.surface.mu[sheet].is_none()) {
-            let own = self.lay_out(context.clone(), steps).layout.mu();
-            context.surface.mu = context.surface.mu.or(own);
-        }
-        context
-    }
-
-    fn scaled(&self) -> SheetContext<'a> {
+    /// The context of the finished figure, or of the sheets with steps, at their scales. They do not depend on values, which
+    /// have the room that is left.
+    pub(super) fn scaled(&self, steps: Option<Steps>) -> SheetContext<'a> {
         let mut context = self.base.clone();
-        context.surface.mu = self.common();
+        let sheet = SHEETS.iter().position(|sheet| *sheet == steps).unwrap_or_default();
+        context.surface.mu = self.scales.get_or_init(|| sheets_scales(&self.base.with_values_as(ValuesShown::Hidden)))[sheet];
         context
-    }
-
-    fn common(&self) -> Scales {
-        *self.common.get_or_init(|| common_scales(&self.base))
     }
 
     /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
     /// their scales.
     fn laid_out(&self) -> &LaidOut<'a> {
         self.figure.get_or_init(|| {
-            let context = self.scaled();
+            let context = self.scaled(None);
             let marked = context.with_markers();
             let marked = (context.figure().worksheet && marked.surface.dims.free.has_markers())
                 .then(|| self.lay_out(marked, None))
                 .filter(|marked| marked.layout.shows_all());
-            marked.unwrap_or_else(|| self.lay_out(context, None))
+            let figure = marked.unwrap_or_else(|| self.lay_out(context, None));
+            let has_list = !figure.context.figure().worksheet && value_list(&figure.context, None).is_some();
+            if has_list { self.listed(figure) } else { figure }
         })
     }
 
-    /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it at these
-    /// scales; where each sheet has scales of its own, it always is.
+    /// The finished figure with the list of its results: where that has room at the scales, or costs none of them more than
+    /// a step.
+    fn listed(&self, without: LaidOut<'a>) -> LaidOut<'a> {
+        let contents = Contents { list: true, ..without.contents };
+        let LaidOut { context, extents, layout, .. } = &without;
+        let sheet = composed(context, extents, contents);
+        let is_near = |with: &Layout| layout.mu().given().all(|(panel, mu)| with.mu_of(panel) <= Some(STEP * mu));
+        let tried = [layout.mu(), context.figure().mu].into_iter().map(|scales| sheet.layout_at(&scales));
+        let found = tried.into_iter().find(|with| with.shows_all() && is_near(with));
+        drop(sheet);
+        match found {
+            Some(layout) => LaidOut { layout, contents, ..without },
+            None => without,
+        }
+    }
+
+    /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it.
     fn lay_out(&self, context: SheetContext<'a>, steps: Option<Steps>) -> LaidOut<'a> {
         let extents = extents(&context);
         let laid_out = |table: Option<TablePlace>| {
-            let contents = Contents { steps, only_step: None, table };
+            let contents = Contents { steps, table, ..Contents::default() };
             (contents, composed(&context, &extents, contents).layout())
         };
         let (contents, layout) = if !context.figure().worksheet {
             laid_out(None)
-        } else if context.surface.mu.iter().any(|(_, mu)| mu.is_none()) {
-            laid_out(Some(TablePlace::Anywhere))
         } else {
             let (apart, beside) = (laid_out(Some(TablePlace::Apart)), laid_out(Some(TablePlace::Beside)));
             let shown = |layout: &Layout| [layout.worth[0], layout.worth[1]];
@@ -244,10 +256,12 @@ impl Solution {
         FigureSheets::new(self).steps(Steps::Coarse)
     }
 
-    /// The scales of the figure: see [`FigureSheets::scales`].
+    /// The scales for a hand that draws the plans, and of work sheets, forms and exercises: the scene's, else the finest of
+    /// 1, 2, 2.5, 5 × 10^k at which all sheets of the figure have room on paper. Those of the figure are
+    /// [`FigureSheets::scales`].
     #[must_use]
     pub fn scales(&self) -> Scales {
-        FigureSheets::new(self).scales()
+        FigureSheets::of(SheetContext::new(self, Purpose::Figure).for_hand()).scales()
     }
 }
 
@@ -257,22 +271,22 @@ impl LaidOut<'_> {
     }
 }
 
-/// Scales at which the content fits on every sheet, where that makes no sheet's content much smaller; those of sheets that are measured always. None
-/// for a sheet that has scales of its own.
-fn common_scales(context: &SheetContext<'_>) -> Scales {
+/// The scales of all sheets: the same where that makes no sheet's content much smaller, and for a hand always.
+fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
     let (figure, given) = (context.figure(), context.surface.mu);
-    if figure.scales == ScalesFor::Sheet || figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
-        return given;
+    if figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
+        return [given; SHEETS.len()];
     }
     let extents = extents_to_fit(context);
     let own = SHEETS.map(|steps| {
         let sheet = composed(context, &extents, Contents { steps, ..Contents::default() });
-        sheet.layout().mu()
+        given.or(sheet.layout().mu())
     });
     let coarsest = PerSheet::from_fn(|sheet| own.iter().filter_map(|scales| scales[sheet]).reduce(f64::max));
     let is_near = |own: &Scales| own.given().all(|(sheet, mu)| coarsest[sheet].is_some_and(|most| most <= SHARED * mu));
     let is_shared = context.surface.series == Series::Hand || own.iter().all(is_near);
-    if is_shared { given.or(coarsest) } else { given }
+    let is_shared = is_shared && figure.scales != ScalesFor::Sheet;
+    if is_shared { [coarsest; SHEETS.len()] } else { own }
 }
 
 /// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the first
@@ -315,11 +329,13 @@ pub(super) struct Contents {
     pub only_step: Option<usize>,
     /// The table of measured lengths, on a work sheet.
     pub table: Option<TablePlace>,
+    /// Whether the finished figure has the list of results.
+    pub list: bool,
 }
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table } = contents;
+    let Contents { steps, only_step, table, list } = contents;
     let panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
@@ -329,8 +345,7 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());
     let sheet = sheet.with_optional(worksheet);
     let Some(steps) = steps else {
-        // A work sheet has all values in its table.
-        let values = if table.is_none() { value_list(context, None) } else { None };
+        let values = if list { value_list(context, None) } else { None };
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
         let agreement = remarks::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
         return sheet.with_optional(values).with(agreement).with_optional(ruler);
@@ -338,8 +353,10 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);
     let words = StepWords::new(context, steps, only_step);
+    let height = words.height();
     let sheet = Composition { is_stepwise: true, ..sheet }.with(words);
-    match value_list(context, after) {
+    // They must not take more room than the words before them.
+    match value_list(context, after).filter(|values| values.height() <= height) {
         Some(values) => sheet.with(values),
         None => sheet.with(remarks::agreement(context, after, 0.0)),
     }

@@ -96,7 +96,7 @@ impl HeldLayout {
     #[must_use]
     pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> HeldLayout {
         let traces = Arc::new(Traces::of(own));
-        let mut context = with_modes(FigureSheets::with_traces(own, Arc::clone(&traces)).context_of(steps), modes);
+        let mut context = with_modes(FigureSheets::with_traces(own, Arc::clone(&traces)).scaled(steps), modes);
         let animation = Animation::new(own, None, POSITIONS).ok();
         let positions = animation.as_ref().map_or(&[][..], |animation| &animation.positions);
         let own_extents = extents(&context);
@@ -233,7 +233,7 @@ impl HeldLayout {
     }
 
     fn composed<'a>(&self, context: &'a SheetContext<'a>, only_step: Option<usize>) -> Composition<'a> {
-        let contents = Contents { steps: self.steps, only_step, table: None };
+        let contents = Contents { steps: self.steps, only_step, ..Contents::default() };
         let mut composition = composed(context, &self.extents, contents);
         // The frame stands still, where the scene's own position is in sight.
         for panel in composition.panels.iter_mut().filter(|panel| panel.needs.sheet == Sheet::Scheme) {

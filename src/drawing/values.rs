@@ -44,8 +44,8 @@ impl SheetContext<'_> {
     }
 
     /// This context with these values.
-    pub(super) fn with_values_as(self, shown: ValuesShown) -> Self {
-        Self { values: values(&self, shown).into(), ..self }
+    pub(super) fn with_values_as(&self, shown: ValuesShown) -> Self {
+        Self { values: values(self, shown).into(), ..self.clone() }
     }
 }
 

@@ -359,7 +359,8 @@ impl Writer<'_> {
     pub(super) fn size(&self, value: f64, sheet: Sheet) -> String {
         let unit = sheet.facts().drawn.unit(self.context.solution.scene.units);
         let words = &self.context.words;
-        let on_paper = self.layout.mu_of(sheet).and_then(|mu| {
+        let mu = self.context.surface.told.map_or_else(|| self.layout.mu_of(sheet), |told| told[sheet]);
+        let on_paper = mu.and_then(|mu| {
             let mm = words.on_paper(value, mu, HUNDREDTHS)?;
             Some(format!(" ({mm} mm × {})", words.write(mu, SCALE)))
         });

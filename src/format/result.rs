@@ -1,5 +1,6 @@
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
+use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
@@ -308,7 +309,7 @@ impl Solution {
         let mut result = self.result();
         let names = self.scene.want.clone().unwrap_or_else(|| measured_names(&self.construction));
         let on_paper = names.iter().any(|name| name.ends_with("/mu"));
-        let scales = on_paper.then(|| self.scales());
+        let scales = on_paper.then(|| FigureSheets::new(self).scales());
         for (index, name) in names.iter().enumerate() {
             let value = QuantityRequest::new(name, &self.mechanism)
                 .and_then(|asked| asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref()));
