@@ -159,7 +159,9 @@ pub(super) fn blank(figure: &Figure, [width, height]: [f64; 2], title: Untrusted
 /// An empty sheet of a figure with its title, in units of the layout.
 pub(super) fn titled(figure: &Figure, dims: &Dims, title: Untrusted) -> Drawing {
     let mut drawing = blank(figure, dims.page, title);
-    draw_title(&mut drawing, dims.title_line(), dims.free.has_markers());
+    if dims.has_title() {
+        draw_title(&mut drawing, dims.title_line(), dims.free.has_markers());
+    }
     drawing
 }
 

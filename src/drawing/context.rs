@@ -3,6 +3,7 @@
 
 use super::dims::Dims;
 use super::facts::Facts;
+use super::held_layout::Pane;
 use super::text::RichText;
 use super::view::Series;
 use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
@@ -10,7 +11,7 @@ use crate::cycle::{OtherModes, Traces};
 use crate::mechanism::{BodyId, Mechanism, PointId};
 use crate::quantity::QuantityKind;
 use crate::scene::{Figure, Page, PageSize};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::text::Untrusted;
 use crate::words::Wording;
 use std::sync::Arc;
@@ -70,6 +71,11 @@ impl Surface {
         };
         Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None }
     }
+
+    /// A part of a screen for the same figure.
+    pub(super) fn on_pane(self, pane: Pane, figure: &Figure) -> Surface {
+        Surface { dims: Dims::on_pane(pane, figure), series: Series::Any, mu: PerSheet::default(), ..self }
+    }
 }
 
 impl<'a> SheetContext<'a> {
@@ -97,6 +103,12 @@ impl<'a> SheetContext<'a> {
     pub(super) fn on_page(&self, page: Page, mu: Scales) -> Self {
         let surface = Surface { mu, ..Surface::of(page, self.figure(), self.purpose) };
         Self { surface, ..self.clone() }
+    }
+
+    /// This context for another position of its mechanism.
+    pub(super) fn at_position<'b>(&self, solution: &'b Solution) -> SheetContext<'b> {
+        let context = SheetContext::with_traces(solution, self.purpose, Arc::clone(&self.traces)).with_values();
+        SheetContext { surface: self.surface, ..context }
     }
 
     /// This context on paper for a hand, which draws and measures at its own series of scales.

@@ -4,6 +4,7 @@
 //! on a smaller sheet for a style with larger letters. [`Drawing::enlarged`] brings it to its size on paper. So all
 //! that has no size of its own is in proportion to the letters; "mm" of the layout are these units.
 
+use super::held_layout::Pane;
 use super::markers::{CODE_WHITE, EDGE, SIDE, WHITE, code_place};
 use super::shape::Shape;
 use super::sheet::Drawing;
@@ -16,6 +17,10 @@ use kurbo::{Affine, Point};
 pub(super) const MARGIN: f64 = 8.0;
 /// Height of the title above the panels, in mm.
 pub(super) const TITLE: f64 = 9.0;
+/// White around the panels on a part of a screen, in units of the layout.
+const PANE_EDGE: f64 = 1.0;
+/// A pixel of a style sheet, in mm.
+const PIXEL: f64 = 25.4 / 96.0;
 /// Room for half of the width of lines beside markers, in mm of paper.
 const BORDER: f64 = 0.3;
 /// White between the scales and the small code, in units of the layout.
@@ -72,6 +77,20 @@ impl Dims {
         let [head, dot, joint] = [sizes.arrowheads, sizes.points, sizes.joints].map(|size| size.on(page) / unit);
         let page = page.map(|side| side / unit);
         Dims { unit, page, head, dot: 0.5 * dot, joint: 0.5 * joint, free: Free::PLAIN }
+    }
+
+    /// Those of a figure on a part of a screen, which has no title: its letters have a size there, and signs are in
+    /// proportion to them.
+    pub(super) fn on_pane(pane: Pane, figure: &Figure) -> Dims {
+        let unit = pane.letters * PIXEL / CAPTION;
+        let page = [pane.width, pane.height].map(|pixels| pixels * PIXEL / unit);
+        let free = Free { edge: PANE_EDGE, top: PANE_EDGE, corner: 0.0, middle: 0.0 };
+        Dims { unit, page, free, ..Dims::of(figure) }
+    }
+
+    /// Whether the title stands above the panels.
+    pub(super) fn has_title(&self) -> bool {
+        self.free.top > self.free.edge
     }
 
     /// These sizes with room for markers and the code along the edges.

@@ -6,16 +6,16 @@ use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
 use super::layout::{Item, Layout, Placed};
-use super::panel::{Extents, Panel, content, extent_of_images, extents, hints, panels};
+use super::panel::{Extents, Panel, content, cycles_of, extents, extents_in, hints, panels};
 use super::remarks;
 use super::scale_bar::SCALE;
 use super::sheet::Drawing;
 use super::values::value_list;
-use super::view::{Extent, Series, next_scale};
+use super::view::{Series, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text, shown_text};
-use crate::cycle::{Animation, Traces};
+use crate::cycle::Traces;
 use crate::scene::{ScalesFor, ValuesShown};
 use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::Wording;
@@ -30,9 +30,6 @@ const SHARED: f64 = 1.2;
 
 /// How much coarser a scale may be for the list of results.
 const STEP: f64 = 1.25;
-
-/// Positions in which the largest plans of a cycle are looked for.
-const POSITIONS: usize = 72;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -177,8 +174,14 @@ impl<'a> FigureSheets<'a> {
     pub(super) fn scaled(&self, steps: Option<Steps>) -> SheetContext<'a> {
         let mut context = self.base.clone();
         let sheet = SHEETS.iter().position(|sheet| *sheet == steps).unwrap_or_default();
-        context.surface.mu = self.scales.get_or_init(|| sheets_scales(&self.base.with_values_as(ValuesShown::Hidden)))[sheet];
+        context.surface.mu =
+            self.scales.get_or_init(|| sheets_scales(&self.base.with_values_as(ValuesShown::Hidden)))[sheet];
         context
+    }
+
+    /// The context of the sheets, without scales but those that the scene gives.
+    pub(super) fn unscaled(&self) -> SheetContext<'a> {
+        self.base.clone()
     }
 
     /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
@@ -289,23 +292,12 @@ fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
     if is_shared { [coarsest; SHEETS.len()] } else { own }
 }
 
-/// What must fit at the scales: the content in the scene's own position or, for a cycle, in all positions of the first
-/// drive.
-pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
-    let own = extents(context);
-    if context.figure().scales != ScalesFor::Cycle {
-        return own;
+/// What must fit at the scales: the content in the scene's own position, or in all positions of its cycle.
+fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
+    match context.figure().scales {
+        ScalesFor::Cycle => extents_in(context, &cycles_of(context.solution)),
+        ScalesFor::Position | ScalesFor::Sheet => extents(context),
     }
-    let Ok(animation) = Animation::new(context.solution, None, POSITIONS) else {
-        return own;
-    };
-    let with_others = |(panel, extent): (Sheet, Extent)| {
-        let others = animation.positions.iter().filter_map(|position| extent_of_images(position, panel));
-        // At the ends of a range rates go to infinity.
-        let all = if animation.is_round { extent.with_all(others) } else { extent.with_most(others) };
-        (panel, all)
-    };
-    own.into_iter().map(with_others).collect()
 }
 
 /// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.

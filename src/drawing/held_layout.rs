@@ -2,38 +2,41 @@
 
 use super::canvas::Held;
 use super::compose::Composition;
-use super::context::{Purpose, SheetContext};
+use super::context::{Purpose, SheetContext, Surface};
 use super::facts::Steps;
-use super::figure::{Contents, FigureSheets, composed, described, extents_to_fit};
+use super::figure::{Contents, FigureSheets, composed, described};
 use super::layout::{Layout, Placed};
-use super::panel::{Extents, extent_of_images, extents};
-use super::plan;
+use super::panel::{Extents, cycles_of, extents, extents_in};
 use super::sheet::Drawing;
 use super::values::is_hidden;
-use super::view::{Extent, View, next_scale};
+use super::view::{Series, View};
 use crate::construction::{Plan, Solution, shown_text};
-use crate::cycle::{Animation, OtherModes, Traces};
+use crate::cycle::{OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
-use crate::scene::ScalesFor;
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::Sheet;
 use kurbo::{Affine, Point, Rect};
 use std::sync::Arc;
 
-/// Positions of the cycle for which there is room on the panels.
-const POSITIONS: usize = 24;
 /// Every so many of them is asked for the height of its words.
-const WORDS_OF: usize = 4;
-/// Scales that are tried for one at which the joints stay in sight.
-const TRIED: usize = 6;
+const WORDS_OF: usize = 12;
+/// A part of a screen on which a figure is shown, in pixels as style sheets count them: 96 to an inch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pane {
+    /// Its width.
+    pub width: f64,
+    /// Its height.
+    pub height: f64,
+    /// Height of the em of its letters.
+    pub letters: f64,
+}
 
-/// The layout of a mechanism's figure, for drawing it in any of its positions.
+/// The layout of a mechanism's figure, for drawing it in any of its positions: scales, panels and poles stand still.
 ///
-/// Scales are those of the figure in the scene's own position; the scheme's is coarser where joints would leave the panel on their
-/// way, unless the scene gives it. Panels are large enough for its whole content and, as far
-/// as the sheet allows, for the joints and their images in the other positions of the first drive, except for plans
-/// several times as large as most: near a limit position rates and special points go to infinity. Where a position's
-/// content does not fit, the panel says that it is cut at the edge; poles stay in sight. There is no work sheet.
+/// That [of the figure](HeldLayout::of_figure) is what the file shows, in the scene's own position; others are cut off
+/// where they leave their panels. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the figure's
+/// page or on a part of a screen; of a drive that swings it has room for 97 % of them, for vectors run off to infinity at
+/// the ends of its range. A panel says that its content is cut. There is no work sheet.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
@@ -41,7 +44,7 @@ const TRIED: usize = 6;
 ///
 /// let scene = kinegon::Scene::read(include_str!("../../templates/four-bar.json"))?;
 /// let own = kinegon::solve(&scene)?;
-/// let layout = HeldLayout::new(&own, None, None);
+/// let layout = HeldLayout::of_cycle(&own, None, None, None);
 /// let mut pull = Pull::new(&own, None)?;
 /// for degrees in [60.0, 61.0, 62.0] {
 ///     let moved = own.moved(pull.to_value(degrees).pose)?;
@@ -51,12 +54,10 @@ const TRIED: usize = 6;
 /// ```
 pub struct HeldLayout {
     layout: Layout,
-    /// The scales that were chosen, by panel.
-    mu: Scales,
-    /// By panel: the extent of all positions.
+    /// Where it is laid out, at the scales that were chosen.
+    surface: Surface,
+    /// By panel: the extent that is seen.
     extents: Extents,
-    /// The extent of the scheme in the own position, which is held in sight.
-    scheme: Option<Extent>,
     steps: Option<Steps>,
     /// The paths and ghosts, and the lengths of the mechanism that has them.
     traces: Arc<Traces>,
@@ -91,34 +92,61 @@ pub struct HeldPanel {
 }
 
 impl HeldLayout {
-    /// The layout of a scene in its own position: for its finished figure, or with room for the words of steps; with room
-    /// for other modes, if they are to be seen.
+    /// The layout of a scene's figure, as in its file: for the finished figure, or with room for the words of steps; with
+    /// other modes, if they are to be seen.
     #[must_use]
-    pub fn new(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> HeldLayout {
+    pub fn of_figure(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> HeldLayout {
         let traces = Arc::new(Traces::of(own));
-        let mut context = with_modes(FigureSheets::with_traces(own, Arc::clone(&traces)).scaled(steps), modes);
-        let animation = Animation::new(own, None, POSITIONS).ok();
-        let positions = animation.as_ref().map_or(&[][..], |animation| &animation.positions);
-        let own_extents = extents(&context);
-        let extents: Extents = match own.scene.figure.scales {
-            ScalesFor::Cycle => extents_to_fit(&context),
-            _ => {
-                let with_most = |&(panel, extent): &(Sheet, Extent)| {
-                    let others = positions.iter().filter_map(|position| extent_of_images(position, panel));
-                    (panel, extent.with_most(others))
-                };
-                own_extents.iter().map(with_most).collect()
-            }
-        };
+        let context = FigureSheets::with_traces(own, Arc::clone(&traces)).scaled(steps);
+        let context = with_modes(context, modes);
+        let extents = extents(&context);
+        HeldLayout::new(context, extents, steps, 0.0)
+    }
+
+    /// The layout of all positions of a scene's mechanism, on a part of a screen or else on the figure's page: for its
+    /// finished figure, or with room for the words of steps; with other modes, if they are to be seen.
+    #[must_use]
+    pub fn of_cycle(
+        own: &Solution,
+        steps: Option<Steps>,
+        modes: Option<&OtherModes>,
+        pane: Option<Pane>,
+    ) -> HeldLayout {
+        let sheets = FigureSheets::new(own);
+        let mut context = sheets.unscaled();
+        if let Some(pane) = pane {
+            context.surface = context.surface.on_pane(pane, context.figure());
+        }
+        if steps.is_some() && context.surface.series == Series::Any {
+            context.surface.told = Some(sheets.scales());
+        }
+        let context = with_modes(context, modes);
+        let cycles = cycles_of(own);
+        let extents = extents_in(&context, &cycles);
+        let positions = cycles.iter().flat_map(|cycle| cycle.positions.iter().step_by(WORDS_OF));
         let contents = Contents { steps, ..Contents::default() };
-        let height = |context: &SheetContext<'_>| composed(context, &extents, contents).height_below();
-        let mu = context.surface.mu;
-        let others = positions.iter().step_by(WORDS_OF).map(|position| height(&at_scales(position, &traces, mu)));
-        let below = others.fold(height(&context), f64::max);
-        let (layout, extents) = laid_out(&mut context, &own_extents, extents, contents, below);
-        let scheme = own_extents.iter().find(|(panel, _)| *panel == Sheet::Scheme).map(|(_, extent)| *extent);
-        let (mu, mechanism) = (context.surface.mu, own.mechanism.clone());
-        HeldLayout { layout, mu, extents, scheme, steps, traces, mechanism, held: Held::default() }
+        let heights =
+            positions.map(|position| composed(&context.at_position(position), &extents, contents).height_below());
+        let below = heights.fold(0.0, f64::max);
+        HeldLayout::new(context, extents, steps, below)
+    }
+
+    /// The layout of a context for these extents, with at least `below` mm for words.
+    fn new(mut context: SheetContext<'_>, extents: Extents, steps: Option<Steps>, below: f64) -> HeldLayout {
+        let contents = Contents { steps, ..Contents::default() };
+        let sheet = composed(&context, &extents, contents);
+        let layout = sheet.layout_above(sheet.height_below().max(below));
+        drop(sheet);
+        context.surface.mu = context.surface.mu.or(layout.mu());
+        HeldLayout {
+            layout,
+            surface: context.surface,
+            extents,
+            steps,
+            traces: Arc::clone(&context.traces),
+            mechanism: context.mechanism().clone(),
+            held: Held::default(),
+        }
     }
 
     /// The figure in a position of the same mechanism, or of one with other lengths; with other modes, pale. With steps
@@ -229,29 +257,29 @@ impl HeldLayout {
             true => Arc::clone(&self.traces),
             false => Arc::new(Traces::of(solution)),
         };
-        with_modes(at_scales(solution, &traces, self.mu), modes)
+        let context = SheetContext::with_traces(solution, Purpose::Figure, traces).with_values();
+        with_modes(SheetContext { surface: self.surface, ..context }, modes)
     }
 
     fn composed<'a>(&self, context: &'a SheetContext<'a>, only_step: Option<usize>) -> Composition<'a> {
         let contents = Contents { steps: self.steps, only_step, ..Contents::default() };
         let mut composition = composed(context, &self.extents, contents);
-        // The frame stands still, where the scene's own position is in sight.
-        for panel in composition.panels.iter_mut().filter(|panel| panel.needs.sheet == Sheet::Scheme) {
-            panel.content = self.scheme;
+        for panel in &mut composition.panels {
+            // The view stands still.
+            panel.content = None;
         }
         composition
     }
 
     fn scheme_view(&self) -> Option<View> {
-        Some(self.layout.placed(Sheet::Scheme)?.view(self.scheme))
+        Some(self.layout.placed(Sheet::Scheme)?.view(None))
     }
 
     /// The plans that are shown, with their views.
     fn plan_views<'a>(&self, solution: &'a Solution) -> Vec<(Sheet, &'a Plan, View)> {
         let shown = solution.construction.plans().filter_map(|plan| {
             let sheet = plan.sheet();
-            let content = plan::on_paper::extent(plan, solution.scene.figure.construction);
-            Some((sheet, plan, self.layout.placed(sheet)?.view(Some(content))))
+            Some((sheet, plan, self.layout.placed(sheet)?.view(None)))
         });
         shown.collect()
     }
@@ -260,49 +288,6 @@ impl HeldLayout {
     fn enlarged(&self) -> Affine {
         Affine::scale(self.layout.panels.first().map_or(1.0, |placed| placed.unit))
     }
-}
-
-/// The layout in which the own position is seen whole and no joint leaves the scheme on its way, because a hand holds it: at
-/// the finest scale of the scheme that allows it, with room for the plans of all positions, else of the own one. The scale is
-/// put into the context. Where there is no such layout it is the own position's, as on the sheets of its steps. With the
-/// extents that it has room for.
-fn laid_out(
-    own: &mut SheetContext<'_>,
-    own_extents: &Extents,
-    all: Extents,
-    contents: Contents,
-    below: f64,
-) -> (Layout, Extents) {
-    // Plans: the shown position only; scheme: the whole cycle.
-    let joints = |(all, own): (&(Sheet, Extent), &(Sheet, Extent))| if own.0 == Sheet::Scheme { *all } else { *own };
-    let least: Extents = all.iter().zip(own_extents).map(joints).collect();
-    let scale = own.surface.mu[Sheet::Scheme];
-    let is_free = own.figure().mu[Sheet::Scheme].is_none() && all.iter().any(|(panel, _)| *panel == Sheet::Scheme);
-    let coarser = |mu: &Option<f64>| Some(mu.map(|mu| next_scale(1.01 * mu)));
-    for mu in std::iter::successors(Some(scale), coarser).take(if is_free { TRIED } else { 1 }) {
-        own.surface.mu[Sheet::Scheme] = mu;
-        for extents in [&all, &least] {
-            let layout = composed(own, extents, contents).layout_above(below);
-            let seen = least.iter().zip(&layout.panels).all(|((_, extent), placed)| placed.holds(extent));
-            if seen {
-                return (layout, extents.clone());
-            }
-        }
-    }
-    own.surface.mu[Sheet::Scheme] = scale;
-    let mut layout = composed(own, own_extents, contents).layout_above(below);
-    // It shows the middle of all positions.
-    for (placed, (_, extent)) in layout.panels.iter_mut().zip(&all) {
-        placed.needs.extent = *extent;
-    }
-    (layout, all)
-}
-
-/// The context of a position at scales that are given.
-fn at_scales<'a>(solution: &'a Solution, traces: &Arc<Traces>, mu: Scales) -> SheetContext<'a> {
-    let mut context = SheetContext::with_traces(solution, Purpose::Figure, Arc::clone(traces)).with_values();
-    context.surface.mu = mu;
-    context
 }
 
 fn with_modes<'a>(context: SheetContext<'a>, modes: Option<&'a OtherModes>) -> SheetContext<'a> {

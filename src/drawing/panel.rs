@@ -15,6 +15,7 @@ use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, RichText};
 use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution};
+use crate::cycle::Animation;
 use crate::geometry;
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
@@ -26,6 +27,10 @@ use kurbo::{Point, Rect, Vec2};
 const SIZE: f64 = 1.05 * CAPTION;
 /// Least distance of a pole from the edge, in mm: room for its name.
 const AROUND: f64 = 5.0;
+/// Positions in which the largest content of a cycle is looked for.
+const POSITIONS: usize = 72;
+/// Share of them that is seen whole where vectors run off to infinity, at the ends of a range.
+const MOST: f64 = 0.97;
 /// White before a heading, in mm.
 const BEFORE: f64 = 2.5;
 /// White between a heading and the scale beside it, in mm.
@@ -224,14 +229,27 @@ pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
     context.figure().shown_panels().iter().filter_map(extent).collect()
 }
 
-/// The extent of the joints or of their images in a panel, in the position of a solution.
-pub(super) fn extent_of_images(solution: &Solution, sheet: Sheet) -> Option<Extent> {
-    match sheet {
-        Sheet::Scheme => Some(Extent::of(scheme::on_paper::places(solution))),
-        Sheet::Velocity | Sheet::Acceleration => {
-            solution.construction.plan_on(sheet).map(plan::on_paper::extent_of_images)
-        }
-    }
+/// All positions of the mechanism on its branch, by drive.
+pub(super) fn cycles_of(own: &Solution) -> Vec<Animation> {
+    let drives = own.mechanism.drive_names();
+    drives.iter().filter_map(|drive| Animation::new(own, Some(drive), POSITIONS).ok()).collect()
+}
+
+/// The extents of the panels over all positions of cycles.
+pub(super) fn extents_in(own: &SheetContext<'_>, cycles: &[Animation]) -> Extents {
+    let seen = |cycle: &Animation| -> Vec<Extents> {
+        cycle.positions.iter().map(|position| extents(&own.at_position(position))).collect()
+    };
+    let seen: Vec<(bool, Vec<Extents>)> = cycles.iter().map(|cycle| (cycle.is_round, seen(cycle))).collect();
+    let with_cycles = |(panel, extent): (Sheet, Extent)| {
+        let of_panel = |all: &Extents| all.iter().find(|(own, _)| *own == panel).map(|(_, extent)| *extent);
+        let whole = seen.iter().fold(extent, |whole, (is_round, all)| {
+            let all = all.iter().filter_map(of_panel);
+            if *is_round { whole.with_all(all) } else { whole.with_share(MOST, all) }
+        });
+        (panel, whole)
+    };
+    extents(own).into_iter().map(with_cycles).collect()
 }
 
 /// Panels of these extents, with layers from `layers`.

@@ -1,9 +1,9 @@
 //! The sentences below the panels: on paths, and on how two routes agree.
 
-use super::context::{SheetContext, Surface};
+use super::context::SheetContext;
 use super::lines::Lines;
+use super::view::Series;
 use crate::cycle::Times;
-use crate::scene::PageSize;
 use crate::text::Untrusted;
 use crate::words::{Medium, NumberStyle};
 
@@ -21,8 +21,7 @@ const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 /// the width are kept free.
 pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f64) -> Lines {
     let (sentence, agrees) = routes(context);
-    let Surface { page, dims, .. } = context.surface;
-    let is_projected = page.size == PageSize::Wide || dims.unit > 1.0;
+    let is_projected = context.surface.series == Series::Any || context.surface.dims.unit > 1.0;
     let is_said = !agrees || (context.values.is_empty() && !is_projected);
     let sentence = is_said.then_some(sentence);
     Lines {

@@ -3,7 +3,6 @@
 
 use super::canvas::{Canvas, Wanted, ascii};
 use super::context::{SheetContext, Value, ValueOf};
-use super::dims::MARGIN;
 use super::labels::LabelRequest;
 use super::layout::{Aside, Item, Layout};
 use super::shape::Shape;
@@ -185,11 +184,11 @@ impl List<'_> {
 pub(super) fn value_list(context: &SheetContext<'_>, after: Option<u16>) -> Option<ValueList> {
     let entry = |value: &Value| (value.text(), format!("{}-{}", value.panel.as_str(), value.name));
     let entries: Vec<(RichText, String)> = context.values.iter().filter(|value| value.is_listed()).map(entry).collect();
-    let page = context.surface.dims.page;
-    let list = ValueList { entries, after, page };
+    let (page, width) = (context.surface.dims.page, context.surface.dims.width_below());
+    let list = ValueList { entries, after, width };
     // Values that nobody has asked for must not take the panels' room.
     let most = if context.figure().values.is_some() { f64::INFINITY } else { MOST * page[1] };
-    let fits = list.height_in(page[0] - 2.0 * MARGIN) <= most;
+    let fits = list.height_in(width) <= most;
     (!list.entries.is_empty() && fits).then_some(list)
 }
 
@@ -231,7 +230,8 @@ pub(super) struct ValueList {
     entries: Vec<(RichText, String)>,
     /// The step after the last one, on a stepwise sheet.
     after: Option<u16>,
-    page: [f64; 2],
+    /// Width below the panels, in mm.
+    width: f64,
 }
 
 impl ValueList {
@@ -254,7 +254,7 @@ impl ValueList {
 
 impl Item for ValueList {
     fn height(&self) -> f64 {
-        if self.after.is_some() { self.height_in(self.page[0] - 2.0 * MARGIN) } else { 0.0 }
+        if self.after.is_some() { self.height_in(self.width) } else { 0.0 }
     }
 
     fn asides(&self, room: Rect) -> Vec<Aside> {

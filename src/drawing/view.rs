@@ -23,14 +23,12 @@ impl Extent {
         Extent::of([self.low, self.high, place])
     }
 
-    /// The extent of this content and the others, without large ones: larger than the median and than twice this one.
-    pub(super) fn with_most(self, others: impl Iterator<Item = Extent>) -> Extent {
-        let size = |extent: &Extent| extent.size().norm();
+    /// The extent of this content and a share of the others, from 0 to 1: those of the smallest size.
+    pub(super) fn with_share(self, share: f64, others: impl Iterator<Item = Extent>) -> Extent {
         let mut others: Vec<Extent> = others.collect();
-        others.sort_by(|a, b| size(a).total_cmp(&size(b)));
-        let middle = others.get(others.len() / 2).map_or(0.0, size);
-        let most = middle.max(2.0 * size(&self));
-        self.with_all(others.into_iter().filter(|other| size(other) <= most))
+        others.sort_by(|a, b| a.size().norm().total_cmp(&b.size().norm()));
+        let count = libm::ceil(share * others.len() as f64) as usize;
+        self.with_all(others.into_iter().take(count))
     }
 
     /// The extent of this content and all others.

@@ -1,7 +1,6 @@
 //! Words about each step below the panels: caption, equation, results.
 
 use super::context::SheetContext;
-use super::dims::MARGIN;
 use super::facts::Steps;
 use super::layout::{Item, Layout, Needs, Placed};
 use super::lines::PAD;
@@ -71,7 +70,7 @@ impl<'a> StepWords<'a> {
             unit: context.surface.dims.unit,
         };
         let panels = extents(context).into_iter().map(placed).collect();
-        let below = Rect::new(0.0, 0.0, width - 2.0 * MARGIN, 0.0);
+        let below = Rect::new(0.0, 0.0, context.surface.dims.width_below(), 0.0);
         let layout = Layout { below, aside: None, panels, worth: [0.0; 3] };
         for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
             let trial = |start: Option<f64>, parts: [bool; 2]| {

@@ -44,15 +44,15 @@ fn centre(drawing: &Drawing, id: &str) -> Option<Point> {
 #[test]
 fn the_own_position_has_the_marks_of_the_figure() {
     for (name, own) in scenes() {
-        let stepwise = HeldLayout::new(&own, Some(Steps::Fine), None).draw(&own, None);
+        let stepwise = HeldLayout::of_figure(&own, Some(Steps::Fine), None).draw(&own, None);
         assert_eq!(ids(&stepwise), ids(&own.stepwise_figure()), "{name}");
         assert_eq!(stepwise.steps, own.stepwise_figure().steps, "{name}");
-        let coarse = HeldLayout::new(&own, Some(Steps::Coarse), None).draw(&own, None);
+        let coarse = HeldLayout::of_figure(&own, Some(Steps::Coarse), None).draw(&own, None);
         assert_eq!(ids(&coarse), ids(&own.coarse_figure()), "{name}");
         assert_eq!(coarse.steps, own.coarse_figure().steps, "{name}");
         let mut plain = own.clone();
         plain.scene.figure.worksheet = false;
-        assert_eq!(ids(&HeldLayout::new(&plain, None, None).draw(&plain, None)), ids(&plain.figure()), "{name}");
+        assert_eq!(ids(&HeldLayout::of_figure(&plain, None, None).draw(&plain, None)), ids(&plain.figure()), "{name}");
     }
 }
 
@@ -60,7 +60,7 @@ fn the_own_position_has_the_marks_of_the_figure() {
 fn layout_and_scales_are_held() {
     for (name, own) in scenes() {
         for steps in [None, Some(Steps::Fine)] {
-            let stage = HeldLayout::new(&own, steps, None);
+            let stage = HeldLayout::of_figure(&own, steps, None);
             let drawing = stage.draw(&own, None);
             let frames = |drawing: &Drawing| -> Vec<_> {
                 stage.panels(drawing).into_iter().map(|panel| (panel.panel, panel.frame)).collect()
@@ -84,7 +84,7 @@ fn layout_and_scales_are_held() {
 fn handles_are_where_points_are_drawn() {
     let mut checked = 0;
     for (name, own) in scenes() {
-        let stage = HeldLayout::new(&own, None, None);
+        let stage = HeldLayout::of_figure(&own, None, None);
         for moved in positions(&own) {
             let drawing = stage.draw(&moved, None);
             let mut same = |handle: &Handle| {
@@ -129,7 +129,7 @@ fn other_modes_have_their_numbers() {
         for (number, pose) in &modes.shown {
             assert_eq!(pose.points, all[number - 1].points, "{name}");
         }
-        let stage = HeldLayout::new(&own, None, Some(&modes));
+        let stage = HeldLayout::of_figure(&own, None, Some(&modes));
         let ids = ids(&stage.draw(&own, Some(&modes)));
         for (number, _) in &modes.shown {
             assert!(ids.iter().any(|id| id.starts_with(&format!("scheme-mode-{number}-link-"))), "{name}: {ids:?}");
@@ -170,7 +170,7 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
     for name in ["templates/third-class", "templates/watt-1", "templates/stephenson-3", "tests/lecture/jansen"] {
         let own = solved(&files::read(&format!("{name}.json"))).expect("it can be solved");
         let mut pull = Pull::new(&own, None).expect("it can be moved");
-        let mut stage = HeldLayout::new(&own, None, None);
+        let mut stage = HeldLayout::of_figure(&own, None, None);
         let mut last = [stage.drag(&own, None, None), stage.draw(&own, None)];
         assert_eq!(last[0].marks, last[1].marks, "{name}");
         let start = pull.value();
@@ -184,11 +184,11 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
             last = next;
         }
         // Only the words of the step that is seen are written.
-        let mut stage = HeldLayout::new(&own, Some(Steps::Fine), None);
+        let mut stage = HeldLayout::of_figure(&own, Some(Steps::Fine), None);
         let step = stage.drag(&own, None, Some(9));
         let whole = stage.draw(&own, None).after_step(9);
         assert_eq!((step.marks, step.description), (whole.marks, whole.description), "{name}");
-        let mut stage = HeldLayout::new(&own, Some(Steps::Coarse), None);
+        let mut stage = HeldLayout::of_figure(&own, Some(Steps::Coarse), None);
         assert_eq!(stage.drag(&own, None, Some(2)).marks, stage.draw(&own, None).after_step(2).marks, "{name}");
     }
     assert!(held < free, "{held} jumps, {free} without");
@@ -204,7 +204,7 @@ fn joints_stay_in_sight_all_round_the_cycle() {
             continue;
         }
         for steps in [None, Some(Steps::Fine)] {
-            let stage = HeldLayout::new(&own, steps, None);
+            let stage = HeldLayout::of_figure(&own, steps, None);
             let drawing = stage.draw(&own, None);
             let Some(frame) = stage.panels(&drawing).into_iter().find(|panel| panel.panel == Sheet::Scheme) else {
                 continue;

@@ -17,6 +17,6 @@ pub fn answer_key(solution: &Solution, depth: usize) -> AnswerKey<'_> {
 
 /// The stepwise figures of positions on one stage, that of the position of an index.
 pub fn staged(positions: &[Solution], own: usize) -> Vec<Drawing> {
-    let stage = HeldLayout::new(&positions[own], Some(Steps::Fine), None);
+    let stage = HeldLayout::of_figure(&positions[own], Some(Steps::Fine), None);
     positions.iter().map(|position| stage.draw(position, None)).collect()
 }

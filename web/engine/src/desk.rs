@@ -112,7 +112,7 @@ impl Kept {
                 }
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
                 let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
-                let stage = HeldLayout::new(&own, steps, modes.as_ref());
+                let stage = HeldLayout::of_figure(&own, steps, modes.as_ref());
                 Staged { view: view.clone(), own, stage, modes }
             }
         };
