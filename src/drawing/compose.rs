@@ -131,7 +131,9 @@ impl<'a> Composition<'a> {
         if layout.below.height() > 0.0 && self.height_below() > 0.0 {
             drawing.draw(Pen::Frame, Shape::rectangle(layout.below));
         }
-        for item in &self.items {
+        // First what stands below the panels, in the frame that is drawn for it.
+        let (below, beside): (Vec<_>, Vec<_>) = self.items.iter().partition(|item| item.height() > 0.0);
+        for item in below.into_iter().chain(beside) {
             item.draw(&mut drawing, layout);
         }
         if !self.is_stepwise {

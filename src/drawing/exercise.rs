@@ -236,7 +236,7 @@ fn panel<'a>(context: &'a SheetContext<'a>, sheet: Sheet) -> Option<Panel<'a>> {
 /// that it tells little about the plan and that others have room, too.
 fn pole(placed: &Placed) -> Point {
     let (plan, area) = (placed.needs.extent, placed.area);
-    let (room, mu) = (placed.room_of_pole(), placed.mu * placed.unit);
+    let mu = placed.mu * placed.unit;
     let within = |middle: f64, [from, to]: [f64; 2], [first, last]: [f64; 2]| {
         let place = if from <= to { middle.clamp(from, to) } else { 0.5 * (from + to) };
         let [first, last] = [libm::ceil(first * placed.unit), libm::floor(last * placed.unit)];
@@ -244,7 +244,7 @@ fn pole(placed: &Placed) -> Point {
     };
     let middle = area.center();
     Point::new(
-        within(middle.x, [area.x0 - plan.low.x / mu, area.x1 - plan.high.x / mu], [room.x0, room.x1]),
-        within(middle.y, [area.y0 + plan.high.y / mu, area.y1 + plan.low.y / mu], [room.y0, room.y1]),
+        within(middle.x, [area.x0 - plan.low.x / mu, area.x1 - plan.high.x / mu], [area.x0, area.x1]),
+        within(middle.y, [area.y0 + plan.high.y / mu, area.y1 + plan.low.y / mu], [area.y0, area.y1]),
     )
 }

@@ -15,7 +15,7 @@ pub(super) const GAP: f64 = 4.0;
 const WHITE: [f64; 2] = [4.8, 6.4];
 /// That white where scales have steps, which mostly leave more: heads, dots and the feet of pivots reach so far beyond
 /// their points.
-const LEAST_WHITE: [f64; 2] = [2.2, 5.0];
+const LEAST_WHITE: [f64; 2] = [2.2, 6.2];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
 /// Height of its scale where that has a row of its own, in mm.
@@ -79,7 +79,7 @@ impl Needs {
 
     /// Height of heading and scale in a frame of some width, in mm.
     pub(super) fn header(&self, width: f64) -> f64 {
-        HEADING - 2.0 + self.above + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
+        HEADING + self.above + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
     }
 
     /// Least width and height of the frame at a scale in units per unit of the layout, in mm.

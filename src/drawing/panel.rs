@@ -25,8 +25,6 @@ use kurbo::{Point, Rect, Vec2};
 
 /// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
-/// Least distance of a pole from the edge, in mm: room for its name.
-const AROUND: f64 = 5.0;
 /// Positions in which the largest content of a cycle is looked for.
 const POSITIONS: usize = 72;
 /// Share of them that is seen whole where vectors run off to infinity, at the ends of a range.
@@ -113,7 +111,7 @@ impl Placed {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
         if self.needs.sheet.order().is_some() {
-            view = view.holding(geometry::Point::origin(), self.room_of_pole());
+            view = view.holding(geometry::Point::origin(), self.area);
         }
         view
     }
@@ -121,12 +119,6 @@ impl Placed {
     /// Height of heading and scale, in mm.
     fn header(&self) -> f64 {
         HEADING + if self.needs.is_scale_below(self.frame.width()) { SCALE_ROW } else { 0.0 }
-    }
-
-    /// Where the pole of a plan is always in sight, with its name.
-    pub(super) fn room_of_pole(&self) -> Rect {
-        let room = self.frame.inset(-AROUND.min(self.needs.white));
-        Rect { y0: room.y0 + self.header(), ..room }
     }
 
     /// The panel on a sheet, for programs that read a photograph of it.

@@ -128,7 +128,7 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
         }
         return;
     }
-    assert!(panel.origin.iter().all(|mm| mm.fract() == 0.0), "{name}: {:?}", panel.origin);
+    assert!(panel.origin.iter().all(|mm| (mm - mm.round()).abs() < 1e-9), "{name}: {:?}", panel.origin);
     let dot = sheet.marks.iter().filter(|mark| mark.pen == Pen::Pole).map(|mark| mark.shape.bounds().center());
     let off =
         dot.map(|dot| (dot - Point::from((panel.origin[0], panel.origin[1]))).hypot()).fold(f64::INFINITY, f64::min);

@@ -239,6 +239,10 @@ fn a_class_of_good_drawings_passes_and_an_empty_folder_is_misuse() {
 #[test]
 fn marks_follow_a_mistake_through() {
     let folder = scratch("class-marks");
+    let scene = folder.join("scene.json");
+    let figure = r#""figure": { "mu_l": 2.5, "mu_v": 5, "mu_a": 50,"#;
+    std::fs::write(&scene, files::read(FOUR_BAR).replace(r#""figure": {"#, figure)).expect("written");
+    let scene = scene.to_str().expect("UTF-8");
     let [b, c] = joints();
     let turned = |v: [f64; 2]| [-v[1], v[0]];
     let (cb, cd) = ([c[0] - b[0], c[1] - b[1]], [c[0] - 160.0, c[1]]);
@@ -266,21 +270,23 @@ fn marks_follow_a_mistake_through() {
     )
     .replace("(p;b)", "(p,b)")
     .replace("(b;c)", "(b,c)");
-    std::fs::write(folder.join("x.csv"), values).expect("written");
-    let scheme = folder.join("marks.json");
+    let forms = folder.join("forms");
+    std::fs::create_dir(&forms).expect("a folder");
+    std::fs::write(forms.join("x.csv"), values).expect("written");
+    let scheme = forms.join("marks.json");
     let awarded = |text: &str| {
         std::fs::write(&scheme, text).expect("written");
         let marks = ["--marks", scheme.to_str().expect("UTF-8")];
-        let output = run(FOUR_BAR, &folder, &marks);
+        let output = run(scene, &forms, &marks);
         assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
         let rows = rows(&stdout(&output));
         assert_eq!(rows.len(), 1, "the marking scheme is no form");
-        let single = run(FOUR_BAR, &folder.join("x.csv"), &[&marks[..], &["--json"]].concat());
+        let single = run(scene, &forms.join("x.csv"), &[&marks[..], &["--json"]].concat());
         let single: serde_json::Value = serde_json::from_slice(&single.stdout).expect("JSON");
         let [earned, of] = ["earned", "of"].map(|key| single["marks"][key].as_f64());
         assert_eq!(rows[0]["marks"].parse().ok(), earned);
         assert_eq!(rows[0]["marks_of"].parse().ok(), of);
-        let told = run(FOUR_BAR, &folder.join("x.csv"), &marks);
+        let told = run(scene, &forms.join("x.csv"), &marks);
         let told = stdout(&told);
         let line = told.lines().last().unwrap_or_default().to_owned();
         assert!(line.starts_with("Marks: "), "{told}");
