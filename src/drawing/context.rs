@@ -136,11 +136,6 @@ impl<'a> SheetContext<'a> {
         marked
     }
 
-    /// This context with that room where a hand draws or measures.
-    pub(super) fn with_markers_for_hand(&self) -> Self {
-        if self.surface.series == Series::Hand { self.with_markers() } else { self.clone() }
-    }
-
     pub(super) fn figure(&self) -> &'a Figure {
         &self.solution.scene.figure
     }

@@ -174,7 +174,7 @@ impl<'a> FigureSheets<'a> {
     pub(super) fn scaled(&self, steps: Option<Steps>) -> SheetContext<'a> {
         let mut context = self.base.clone();
         let sheet = SHEETS.iter().position(|sheet| *sheet == steps).unwrap_or_default();
-        let scales = || sheets_scales(&self.base.with_values_as(ValuesShown::Hidden).with_markers_for_hand());
+        let scales = || sheets_scales(&self.base.with_values_as(ValuesShown::Hidden));
         context.surface.mu = self.scales.get_or_init(scales)[sheet];
         context
     }

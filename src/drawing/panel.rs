@@ -164,7 +164,11 @@ impl Frame {
         };
         let width = self.scale.map(|scales| width(scales) + BEFORE + APART);
         let needs = Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) };
-        if context.surface.series == Series::Any { needs } else { needs.tight() }
+        // Scales for a hand are chosen with more white: on a work sheet markers need a part of it.
+        match (context.surface.series, context.surface.mu[sheet]) {
+            (Series::Any, _) | (Series::Hand, None) => needs,
+            _ => needs.tight(),
+        }
     }
 
     /// Smallest width of a panel with this heading, in mm.
