@@ -293,7 +293,7 @@ fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
 }
 
 /// What must fit at the scales: the content in the scene's own position, or in all positions of its cycle.
-fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
+pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
     match context.figure().scales {
         ScalesFor::Cycle => extents_in(context, &cycles_of(context.solution)),
         ScalesFor::Position | ScalesFor::Sheet => extents(context),

@@ -4,9 +4,9 @@ use super::canvas::Held;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext, Surface};
 use super::facts::Steps;
-use super::figure::{Contents, FigureSheets, composed, described};
+use super::figure::{Contents, FigureSheets, composed, described, extents_to_fit};
 use super::layout::{Layout, Placed};
-use super::panel::{Extents, cycles_of, extents, extents_in};
+use super::panel::{Extents, cycles_of, extents_in};
 use super::sheet::Drawing;
 use super::values::is_hidden;
 use super::view::{Series, View};
@@ -99,7 +99,7 @@ impl HeldLayout {
         let traces = Arc::new(Traces::of(own));
         let context = FigureSheets::with_traces(own, Arc::clone(&traces)).scaled(steps);
         let context = with_modes(context, modes);
-        let extents = extents(&context);
+        let extents = extents_to_fit(&context);
         HeldLayout::new(context, extents, steps, 0.0)
     }
 

@@ -15,6 +15,8 @@ const NEAR: f64 = 2.0;
 const CROWD: usize = 3;
 /// Radii of the circle that are tried, in mm.
 const RADII: [f64; 3] = [16.0, 13.0, 10.5];
+/// Least white between the enlarged points and the circle round them, in mm.
+const AROUND: f64 = 0.8;
 /// Radius of the enlarged crowd over that of the circle; the rest is for names.
 const FILLED: f64 = 0.62;
 /// Factors of enlargement, in rising order.
@@ -44,10 +46,15 @@ impl Inset {
 
     fn anew(canvas: &Canvas<'_>, crowd: Point, reach: f64) -> Option<Inset> {
         RADII.into_iter().find_map(|radius| {
-            let fits = |factor: &f64| reach * factor <= FILLED * radius;
+            // The circle round the crowd stays within the panel.
+            let within = |factor: f64| {
+                let room = canvas.frame.inset(-(radius / factor + AROUND));
+                Point::new(crowd.x.min(room.x1).max(room.x0), crowd.y.min(room.y1).max(room.y0))
+            };
+            let fits = |factor: &f64| (reach + (within(*factor) - crowd).hypot()) * factor <= FILLED * radius;
             let factor = FACTORS.into_iter().rfind(fits)?;
             let centre = free_place(canvas, crowd, radius)?;
-            let inset = Inset { crowd, centre, radius, factor };
+            let inset = Inset { crowd: within(factor), centre, radius, factor };
             // The circle must not cover what it shows.
             let apart = (centre - crowd).hypot() > radius + inset.shown();
             apart.then_some(inset)
@@ -87,7 +94,7 @@ impl Inset {
         let since = first.map(|mark| mark.since).min();
         canvas.step = since.unwrap_or_default();
         canvas.reserve_circle(self.centre, self.radius);
-        let small = self.shown().max(FILLED * self.shown() + 0.8);
+        let small = self.shown().max(FILLED * self.shown() + AROUND);
         for (center, radius) in [(self.crowd, small), (self.centre, self.radius)] {
             for start in [0.0, PI] {
                 let half = Shape::Arc { center, radius, start, sweep: PI };

@@ -77,22 +77,25 @@ impl Needs {
         self.heading + self.scale > width + ROUNDING
     }
 
-    /// Height of heading and scale in a frame of some width, in mm.
+    /// Height above the content in a frame of some width, in mm: heading and scale, and white below them.
     pub(super) fn header(&self, width: f64) -> f64 {
-        HEADING + self.above + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
+        HEADING
+            + self.above
+            + (self.white - 2.0).max(LEAST_WHITE[0])
+            + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
     }
 
     /// Least width and height of the frame at a scale in units per unit of the layout, in mm.
     pub(super) fn frame(&self, mu: f64) -> [f64; 2] {
         let size = self.extent.size() / mu;
         let width = (size.x + 2.0 * self.white).max(self.least_width());
-        [width + ROUNDING, size.y + 2.0 * self.white + self.header(width) + ROUNDING]
+        [width + ROUNDING, self.header(width) + size.y + self.white + ROUNDING]
     }
 
     /// The finest scale at which the content fits into a frame, in units per unit of the layout.
     pub(super) fn fitting(&self, [width, height]: [f64; 2]) -> f64 {
         let size = self.extent.size();
-        let room = [width - 2.0 * self.white, height - 2.0 * self.white - self.header(width)].map(|room| room.max(0.1));
+        let room = [width - 2.0 * self.white, height - self.header(width) - self.white].map(|room| room.max(0.1));
         (size.x / room[0]).max(size.y / room[1])
     }
 }
@@ -113,8 +116,7 @@ pub(super) struct Placed {
 impl Placed {
     /// A panel in a frame at a scale.
     fn new(needs: &Needs, frame: Rect, mu: f64, unit: f64) -> Placed {
-        let mut area = frame.inset(-needs.white);
-        area.y0 += needs.header(frame.width());
+        let area = Rect { y0: frame.y0 + needs.header(frame.width()), ..frame.inset(-needs.white) };
         Placed { needs: *needs, frame, area, mu, unit }
     }
 

@@ -1,11 +1,11 @@
 //! Sheets with markers: nothing stands where the markers and the code are, these are where they are said to be, and the code says what is on
 //! the sheet.
 
-use kinegon::Sheet;
 use kinegon::drawing::markers::{CODE_WHITE, CODES, SheetCode, WHITE, cells, code_place, places};
 use kinegon::drawing::{Drawing, Pen, Point, Rect, Shape, Style};
 use kinegon::exercise::Exercises;
 use kinegon::scene::{Figure, Page, StyleName};
+use kinegon::{PerSheet, Sheet};
 use kinegon::{Scene, Solution};
 use support::files;
 use support::stages::solved;
@@ -139,10 +139,13 @@ fn assert_holds(name: &str, solution: &Solution, sheet: &Drawing, panel: &kinego
     }
 }
 
-/// A work sheet of figure 2.
+/// A work sheet of figure 2, at scales that leave room for markers.
 fn sheet(page: &str, style: StyleName) -> Drawing {
     let solution = solved(&files::read("examples/figure-2.json")).expect("a good scene");
-    let solution = with_page(&solution, page, |figure| (figure.worksheet, figure.style) = (true, style));
+    let solution = with_page(&solution, page, |figure| {
+        (figure.worksheet, figure.style) = (true, style);
+        figure.mu = PerSheet::from_fn(|sheet| Some(if sheet == Sheet::Scheme { 10.0 } else { 2.0 }));
+    });
     solution.sheets().swap_remove(0)
 }
 
