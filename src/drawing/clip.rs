@@ -13,8 +13,8 @@ pub(super) fn holds(area: Rect, point: Point) -> bool {
     area.inflate(1e-9, 1e-9).contains(point)
 }
 
-/// The parts of a shape in `area`. Lines are cut at its border; an arrow whose tip is outside becomes a line; circles
-/// are dropped; other round shapes and texts are kept whole if their centre is inside, else dropped.
+/// The parts of a shape in `area`. Lines are cut at its border; an arrow whose tip is outside becomes a line; round
+/// shapes and texts are kept whole if their centre is inside, else dropped.
 pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     if is_within(area, &shape) {
         return vec![shape];
@@ -37,9 +37,7 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             let chains = chains.iter().map(|corners| inside(area, corners)).filter(|corners| corners.len() > 2);
             vec![Shape::Area(chains.collect())]
         }
-        // What is left of a joint or a dot would say nothing.
-        Shape::Circle { .. } => Vec::new(),
-        Shape::Arc { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => {
+        Shape::Circle { .. } | Shape::Arc { .. } | Shape::ArcArrow { .. } | Shape::Text(_) => {
             holds(area, shape.bounds().center()).then_some(shape).into_iter().collect()
         }
     }

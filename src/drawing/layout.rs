@@ -81,7 +81,7 @@ impl Needs {
     pub(super) fn header(&self, width: f64) -> f64 {
         HEADING
             + self.above
-            + (self.white - 2.0).max(LEAST_WHITE[0])
+            + (self.white - 1.0).max(LEAST_WHITE[0])
             + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
     }
 

@@ -185,11 +185,15 @@ impl Canvas<'_> {
     /// Cuts off the content's marks at the panel's edge.
     fn cut_off(&mut self) {
         let marks = &mut self.drawing.marks;
-        let leaves = |mark: &Mark| !is_within(self.frame, &mark.shape);
+        let frame = self.frame;
+        let leaves = |mark: &Mark| !is_within(frame, &mark.shape);
         if !marks[self.content_start..].iter().any(leaves) {
             return;
         }
-        for mark in marks.split_off(self.content_start) {
+        // What is left of a joint or a point that is cut would say nothing.
+        let is_point = |mark: &Mark| matches!(mark.pen, Pen::Joint | Pen::ImagePoint | Pen::Special);
+        let content = marks.split_off(self.content_start).into_iter();
+        for mark in content.filter(|mark| !(is_point(mark) && leaves(mark))) {
             let mut id = mark.id;
             for shape in clipped(self.frame, mark.shape) {
                 marks.push(Mark { id: id.take(), shape, ..mark });
