@@ -11,8 +11,8 @@ use kurbo::Rect;
 
 /// Loss where the content of a panel at a given scale is too large by the factor e.
 const CUT: f64 = 100.0;
-/// Steps of the search for the place of a cut: to a two-hundredth of the room.
-const SEARCHED: usize = 11;
+/// Steps of the search for the place of a cut: to a hundredth of the room.
+const SEARCHED: usize = 9;
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 

@@ -60,10 +60,16 @@ impl Needs {
         Needs { white: LEAST_WHITE[usize::from(self.sheet == Sheet::Scheme)], ..self }
     }
 
+    /// Width and height of the content, in units of what is drawn.
+    pub(super) fn size(&self) -> [f64; 2] {
+        let Extent { low, high } = self.extent;
+        [high.x - low.x, high.y - low.y]
+    }
+
     /// The scale where the content does not ask for one: that which is given, or any for a single point.
     pub(super) fn fixed(&self) -> Option<f64> {
-        let size = self.extent.size();
-        let is_nothing = !(size.x.max(size.y) > 0.0 && size.norm().is_finite());
+        let [width, height] = self.size();
+        let is_nothing = !(width.max(height) > 0.0 && (width + height).is_finite());
         self.mu.or(is_nothing.then_some(1.0))
     }
 
@@ -87,16 +93,16 @@ impl Needs {
 
     /// Least width and height of the frame at a scale in units per unit of the layout, in mm.
     pub(super) fn frame(&self, mu: f64) -> [f64; 2] {
-        let size = self.extent.size() / mu;
-        let width = (size.x + 2.0 * self.white).max(self.least_width());
-        [width + ROUNDING, self.header(width) + size.y + self.white + ROUNDING]
+        let size = self.size().map(|size| size / mu);
+        let width = (size[0] + 2.0 * self.white).max(self.least_width());
+        [width + ROUNDING, self.header(width) + size[1] + self.white + ROUNDING]
     }
 
     /// The finest scale at which the content fits into a frame, in units per unit of the layout.
     pub(super) fn fitting(&self, [width, height]: [f64; 2]) -> f64 {
-        let size = self.extent.size();
+        let size = self.size();
         let room = [width - 2.0 * self.white, height - self.header(width) - self.white].map(|room| room.max(0.1));
-        (size.x / room[0]).max(size.y / room[1])
+        (size[0] / room[0]).max(size[1] / room[1])
     }
 }
 

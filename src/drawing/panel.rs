@@ -159,7 +159,7 @@ impl Frame {
         let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
         // With a given scale no more room than without.
         let width = |scales: ScaleBars| match context.surface.mu[sheet] {
-            Some(mu) => scales.bar_within(sheet, mu, 0.0).width(),
+            Some(mu) => scales.narrowest(sheet, mu).width(),
             None => scales.least_width(sheet, coarse),
         };
         let width = self.scale.map(|scales| width(scales) + BEFORE + APART);

@@ -52,14 +52,8 @@ impl ScaleBars {
         if self.series == Series::Any {
             return self.alone(sheet, mu, ALONE[1]);
         }
-        let unit = sheet.facts().drawn.unit(self.units);
-        let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
-        let [value, bar] = [mu, BAR * mu].map(|value| self.words.write(value, SCALE));
-        let value = RichText::plain(&format!("= {value} {per_mm}"));
-        ScaleBar {
-            value: Some([RichText::math(sheet.facts().scale_symbol), value]),
-            bar: Some((RichText::plain(&format!("{bar} {unit}")), BAR / self.unit)),
-        }
+        let text = format!("{} {}", self.words.write(BAR * mu, SCALE), sheet.facts().drawn.unit(self.units));
+        ScaleBar { value: Some(self.value(sheet, mu)), bar: Some((RichText::plain(&text), BAR / self.unit)) }
     }
 
     /// The scale of a sheet in a room of that width in mm: without the bar, or with a shorter one alone.
@@ -70,7 +64,7 @@ impl ScaleBars {
         }
         match self.series {
             Series::Any => self.alone(sheet, mu, (ALONE[1] - whole.width() + width).max(ALONE[0])),
-            _ => ScaleBar { bar: None, ..whole },
+            _ => self.narrowest(sheet, mu),
         }
     }
 
@@ -87,8 +81,24 @@ impl ScaleBars {
     pub(super) fn least_width(&self, sheet: Sheet, mu: f64) -> f64 {
         // Of the scales of a decade 1.25 and 2.5 have most digits, and 1000 has one more than 800.
         let longest = self.series.longest();
-        let near = [next_of(&[longest], 0.1 * mu), next_of(&[longest], mu), 3.0 * mu, 10.0 * mu];
-        near.map(|mu| self.bar_within(sheet, self.series.next(mu), 0.0).width()).into_iter().fold(0.0, f64::max)
+        let near = [0.1 * mu, mu].map(|mu| next_of(&[longest], mu));
+        near.map(|mu| self.narrowest(sheet, mu).width()).into_iter().fold(0.0, f64::max)
+    }
+
+    /// The narrowest scale of a sheet: without the bar, or with a short one alone.
+    pub(super) fn narrowest(&self, sheet: Sheet, mu: f64) -> ScaleBar {
+        match self.series {
+            Series::Any => self.alone(sheet, mu, ALONE[0]),
+            _ => ScaleBar { value: Some(self.value(sheet, mu)), bar: None },
+        }
+    }
+
+    /// Symbol and value of a scale.
+    fn value(&self, sheet: Sheet, mu: f64) -> [RichText; 2] {
+        let unit = sheet.facts().drawn.unit(self.units);
+        let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
+        let value = RichText::plain(&format!("= {} {per_mm}", self.words.write(mu, SCALE)));
+        [RichText::math(sheet.facts().scale_symbol), value]
     }
 }
 

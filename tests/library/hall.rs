@@ -192,10 +192,7 @@ fn a_panel_in_focus_takes_most_of_the_sheet() {
             let [scheme, plan] = [0, 1].map(|panel| drawing.panels[panel].1);
             // As high as all panels together it cannot show more.
             let least = if scheme.height() > 0.99 * plan.height() { 1.2 } else { 1.7 };
-            assert!(
-                plan.area() > least * scheme.area(),
-                "{name}, {focus:?}: {plan} beside {scheme}"
-            );
+            assert!(plan.area() > least * scheme.area(), "{name}, {focus:?}: {plan} beside {scheme}");
         }
     }
 }
