@@ -153,7 +153,7 @@ impl Frame {
             _ => (&self.heading, SIZE),
         };
         let ink = heading.starting(canvas.drawing, self.pen, canvas.frame.origin() + self.at, size);
-        canvas.obstacles.add_boxes([ink]);
+        canvas.obstacles.add_texts([ink]);
         canvas.exclude_drawn();
     }
 }
