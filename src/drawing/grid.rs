@@ -5,6 +5,7 @@
 //! boxes all overlap, and labels move often. A grid takes lines cell by cell, and a move costs a few cells.
 
 use super::shape::{crosses_line, distance_to_box};
+use super::text::{ABOVE, BESIDE};
 use kurbo::{Line, ParamCurveNearest, Point, Rect};
 use smallvec::SmallVec;
 use std::cell::RefCell;
@@ -18,6 +19,8 @@ const MOST: f64 = 256.0;
 const FAR: f64 = 1e6;
 /// White around a line's cells, in mm, against rounding.
 const SLACK: f64 = 1e-3;
+/// Least white between a label's ink and a box, in mm.
+pub(super) const BOX_GAP: f64 = 0.3;
 
 /// The numbers of things by the cells that they touch.
 ///
@@ -148,7 +151,7 @@ impl Grid {
 pub struct Obstacles {
     /// Joints, arrowheads, boxes: never touched.
     pub boxes: Vec<Rect>,
-    /// Lines: crossing one costs by the length inside the label's box.
+    /// Lines: no label stands on one as long as another place is free.
     pub lines: Vec<(Point, Point)>,
     /// The panel: no label leaves it.
     pub bounds: Rect,
@@ -171,7 +174,12 @@ impl Obstacles {
         }
     }
 
-    /// Adds lines that labels cross only where there is no better place.
+    /// Adds texts, from which other texts keep as much white as two texts need.
+    pub(super) fn add_texts(&mut self, inks: impl IntoIterator<Item = Rect>) {
+        self.add_boxes(inks.into_iter().map(|ink| ink.inflate(BESIDE - BOX_GAP, ABOVE - BOX_GAP)));
+    }
+
+    /// Adds lines that labels cross only where there is no other place.
     pub fn add_lines(&mut self, lines: impl IntoIterator<Item = (Point, Point)>) {
         for line in lines {
             self.grid_of_lines.add_line(self.lines.len(), line);

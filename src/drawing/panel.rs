@@ -188,7 +188,7 @@ impl Frame {
         };
         let from = frame.origin() + self.at;
         let ink = heading.starting(canvas.drawing, self.pen, from, size);
-        canvas.obstacles.add_boxes([ink]);
+        canvas.obstacles.add_texts([ink]);
         if let (Some(scales), Some(placed)) = (self.scale, placed) {
             let room = Rect { x0: frame.x0 + BEFORE, x1: frame.x1 - BEFORE, ..frame };
             let below = placed.needs.is_scale_below(frame.width());
@@ -197,7 +197,7 @@ impl Frame {
             let from = Point::new(room.x1 - bar.width(), from.y);
             let from = if below { Point::new(room.x0, from.y + SCALE_ROW) } else { from };
             let ink = bar.draw(canvas.drawing, from, Some(format!("scale-{}", placed.needs.sheet.as_str())));
-            canvas.obstacles.add_boxes([ink]);
+            canvas.obstacles.add_texts([ink]);
         }
         canvas.exclude_drawn();
     }

@@ -14,6 +14,11 @@ pub(super) const LABEL: f64 = 4.7;
 /// Size of captions, in mm of one em; no words of a figure are smaller.
 pub(super) const CAPTION: f64 = 4.7;
 
+/// Least white between two texts side by side, in mm: half an em. With less they read as one.
+pub(super) const BESIDE: f64 = 0.5 * LABEL;
+/// Least white between two texts one above the other, in mm.
+pub(super) const ABOVE: f64 = 0.2 * LABEL;
+
 /// Most texts of a setting that are remembered.
 const MOST_SET: usize = 4096;
 

@@ -204,7 +204,11 @@ pub(super) fn label(
         ValueOf::Rate(link) => context.number(*link),
         ValueOf::Vector(_) | ValueOf::Length(..) => None,
     };
-    let request = LabelRequest::new(value.text(), anchor, 0.9, prefer, 0);
+    let may_stand_apart = value.is_listed();
+    let request = LabelRequest {
+        may_stand_apart,
+        ..LabelRequest::new(value.text(), anchor, 0.9, prefer, u8::from(may_stand_apart))
+    };
     canvas.step = value.since;
     let wanted = Wanted::new(value.name.clone(), request);
     canvas.request_label(Wanted { number, optional: true, last: true, ..wanted });

@@ -66,6 +66,7 @@ mod honest_checks;
 mod inside;
 mod invariants;
 mod lectured;
+mod legible;
 mod levers;
 mod markers;
 mod paper_facts;

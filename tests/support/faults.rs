@@ -117,7 +117,7 @@ pub fn faults(drawing: &Drawing) -> Vec<String> {
     faults
 }
 
-/// Whether a convex area and a box have a point in common: no side of either separates them.
+/// Whether a convex area and a box have a point in common.
 pub fn covers(corners: &[Point], area: Rect) -> bool {
     let box_corners = [
         Point::new(area.x0, area.y0),
@@ -125,7 +125,12 @@ pub fn covers(corners: &[Point], area: Rect) -> bool {
         Point::new(area.x1, area.y1),
         Point::new(area.x0, area.y1),
     ];
-    let separated = |sides: &[Point], one: &[Point], other: &[Point]| {
+    meet(corners, &box_corners)
+}
+
+/// Whether two convex areas have more than an edge in common: no side of either separates them.
+pub fn meet(one: &[Point], other: &[Point]) -> bool {
+    let separated = |sides: &[Point]| {
         (0..sides.len()).any(|side| {
             let run = sides[(side + 1) % sides.len()] - sides[side];
             let along = |p: &Point| run.cross(*p - sides[side]);
@@ -138,5 +143,5 @@ pub fn covers(corners: &[Point], area: Rect) -> bool {
             b <= c || d <= a
         })
     };
-    !separated(corners, corners, &box_corners) && !separated(&box_corners, corners, &box_corners)
+    !separated(one) && !separated(other)
 }

@@ -12,6 +12,7 @@ pub mod groups;
 pub mod images;
 pub mod ink;
 pub mod later;
+pub mod legible;
 pub mod outputs;
 pub mod photographs;
 pub mod planted;

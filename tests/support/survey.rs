@@ -92,6 +92,10 @@ pub const DRIVEN_POSITIONS: By<u32> = By(8, 24, 72);
 pub const PROPERTIES: By<u32> = By(12, 48, 256);
 /// Pictures of each animation in `hall`.
 pub const HALL: By<usize> = By(18, 18, 36);
+/// Of the sheets of `legible` every so many-th.
+pub const LEGIBLE: By<usize> = By(23, 5, 1);
+/// The most texts there that run together beside each other and above each other, that are struck through, and that are left out.
+pub const MISREAD: By<[usize; 4]> = By([250, 130, 800, 0], [1000, 500, 3000, 0], [5000, 2500, 15000, 0]);
 
 // Students.
 

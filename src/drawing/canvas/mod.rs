@@ -50,9 +50,9 @@ pub(super) struct Wanted {
     pub pen: Pen,
     /// Number of the link or curve that it belongs to.
     pub number: Option<usize>,
-    /// Whether it is left out if no place is free.
+    /// Whether it is left out if no place is free and off all lines.
     pub optional: bool,
-    /// Whether it is placed after all others, near its anchor where nothing strikes it through, or not at all.
+    /// Whether it is placed after all others.
     pub last: bool,
     /// A shorter text for it, where there is no room for the whole.
     pub short: Option<RichText>,
@@ -154,7 +154,8 @@ impl<'a> Canvas<'a> {
 
     fn add_obstacle(&mut self, pen: Pen, shape: &Shape) {
         match shape {
-            Shape::Circle { .. } | Shape::Text(_) => self.obstacles.add_boxes([shape.bounds()]),
+            Shape::Circle { .. } => self.obstacles.add_boxes([shape.bounds()]),
+            Shape::Text(text) => self.obstacles.add_texts([text.ink_box()]),
             Shape::Line(..) if pen == Pen::Hatch => self.obstacles.add_boxes([shape.bounds()]),
             Shape::Polygon(corners) if pen == Pen::Slider => {
                 let boxes = pieces(corners).map(|piece| piece.inflate(0.4, 0.4));

@@ -2,19 +2,16 @@
 
 use super::{Canvas, Wanted};
 use crate::drawing::clip::{clipped, clipped_segment, holds, is_within};
-use crate::drawing::labels::{LabelRequest, place, place_near};
+use crate::drawing::labels::{LabelRequest, place};
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Mark, Pen};
-use crate::drawing::text::{CAPTION, PlacedText, RichText};
+use crate::drawing::text::{ABOVE, BESIDE, CAPTION, PlacedText, RichText};
 use crate::text::Untrusted;
 use crate::words::Language;
 use kurbo::{Point, Rect, Vec2};
 
 /// White between a panel's edge and the words on what is cut off there, in mm.
 const CUT_EDGE: f64 = 2.5;
-
-/// Length of lines through a label that has to be legible, in mm.
-const STRUCK: f64 = 1.0;
 
 impl Canvas<'_> {
     /// Requests a label beside `anchor`, at least `clearance` mm away: `standard`, unless the scene renames `name`.
@@ -111,7 +108,7 @@ impl Canvas<'_> {
         let corners = corners.map(|(x, y)| Point::new(x, y));
         let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
         let covered = |from: &Point| {
-            let ink = place(*from).ink_box().inflate(0.5, 0.5);
+            let ink = place(*from).ink_box().inflate(BESIDE, ABOVE);
             let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some());
             lines.count() + 4 * self.obstacles.boxes.iter().filter(|area| area.overlaps(ink)).count()
         };
@@ -119,13 +116,28 @@ impl Canvas<'_> {
         let area = text.ink_box();
         self.step = step;
         self.draw_named(name, Pen::Caption, Shape::Text(text));
-        area.inflate(1.0, 1.0)
+        area.inflate(BESIDE, ABOVE)
     }
 
-    /// Places labels and draws them; returns those for which there is no room.
+    /// Places labels and draws them, those that come last after all others; returns those for which there is no room.
     fn place(&mut self, requests: Vec<Wanted>) -> Vec<String> {
-        let mut left_out = Vec::new();
         let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|wanted| wanted.last);
+        let first = self.drawing.marks.len();
+        let left_out = self.place_together(requests);
+        if !last.is_empty() {
+            for mark in &self.drawing.marks[first..] {
+                match &mark.shape {
+                    Shape::Text(text) => self.obstacles.add_texts([text.ink_box()]),
+                    leader => self.obstacles.add_lines(leader.lines()),
+                }
+            }
+            self.place_together(last);
+        }
+        left_out
+    }
+
+    /// Places labels at once and draws them; returns those for which there is no room, but for optional ones.
+    fn place_together(&mut self, requests: Vec<Wanted>) -> Vec<String> {
         let mut asked: Vec<LabelRequest> = requests.iter().map(|wanted| wanted.request.clone()).collect();
         let ids: Vec<String> = match self.held {
             Some(_) => requests.iter().map(|wanted| self.id(&wanted.name)).collect(),
@@ -137,7 +149,7 @@ impl Canvas<'_> {
         let mut placed = place(&asked, &self.obstacles, before.as_deref());
         let mut is_shortened = false;
         for ((label, wanted), asked) in placed.iter().zip(&requests).zip(&mut asked) {
-            if let (true, Some(short)) = (label.crowded || label.struck > STRUCK, &wanted.short) {
+            if let (true, Some(short)) = (label.crowded || label.struck > 0.0, &wanted.short) {
                 (asked.text, is_shortened) = (short.clone(), true);
             }
         }
@@ -149,15 +161,14 @@ impl Canvas<'_> {
             let offsets = free.map(|((id, label), asked)| (id, label.text.ink_box().center() - asked.anchor));
             held.now.labels.extend(offsets);
         }
+        let mut left_out = Vec::new();
         for (label, wanted) in placed.into_iter().zip(requests) {
-            if label.left_out || wanted.optional && label.crowded {
-                if !wanted.optional {
-                    left_out.push(label.text.text.content());
-                }
+            if wanted.optional && (label.crowded || label.struck > 0.0) {
                 continue;
             }
-            if !last.is_empty() {
-                self.obstacles.add_boxes([label.text.ink_box()]);
+            if label.left_out {
+                left_out.push(label.text.text.content());
+                continue;
             }
             self.step = wanted.before.first().map_or(wanted.since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
@@ -172,12 +183,6 @@ impl Canvas<'_> {
             }
             self.step = wanted.since;
             self.draw_below(&wanted.name, wanted.pen, Shape::Text(label.text)).number = wanted.number;
-        }
-        for wanted in last {
-            let label = place_near(&wanted.request, &self.obstacles).filter(|label| label.struck <= STRUCK);
-            let Some(label) = label else { continue };
-            self.step = wanted.since;
-            self.draw_named(&wanted.name, wanted.pen, Shape::Text(label.text)).number = wanted.number;
         }
         left_out
     }

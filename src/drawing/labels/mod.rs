@@ -1,10 +1,11 @@
 //! Placement of labels beside the points that they name, off all other things.
 //!
 //! All labels have the same kinds of places around their anchors: the ink box touches a circle about the anchor, in 24
-//! directions and at a few distances. A place is *free* if it is inside the panel and off every obstacle box; a free
-//! place has a *cost* in millimetres for its distance, its direction, lines that it crosses, and other labels' anchors
-//! that are nearer than its own. Labels with the fewest free places choose first; then labels move, alone or in pairs,
-//! as long as the sum of the costs decreases. Christensen, Marks and Shieber, "An Empirical Study of Algorithms for
+//! directions and at a few distances. A place is *free* if it is inside the panel and off every obstacle box, and *clear*
+//! if it is off all lines, too; a free place has a *cost* in millimetres for its distance, its direction, lines near it,
+//! and other labels' anchors that are nearer than its own. Labels with the fewest free places choose first; those
+//! without a clear place push others away or stand apart, anywhere on the panel, with a thin leader to their anchor;
+//! then labels move, alone or in pairs, as long as the sum of the costs decreases. Christensen, Marks and Shieber, "An Empirical Study of Algorithms for
 //! Point-Feature Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one is deterministic:
 //! the same labels always get the same places.
 
@@ -22,19 +23,18 @@ use search::Search;
 
 /// The places of the labels, in the order of the requests.
 ///
-/// No label touches another, an obstacle box or the edge of the panel, unless it is `crowded`: then the panel has no
-/// free place, and it is where it covers least. The search for so many labels that no panel could show them ends early;
+/// Between two labels is so much white that they are not read as one. No label touches an obstacle box or the edge of the
+/// panel, unless it is `crowded`: then the panel has no free place, and it is where it covers least. The search for so many labels that no panel could show them ends early;
 /// labels without a place are then `left_out`. The same input gives the same places on every platform.
 ///
 /// While a mechanism moves, `before` has for each label where the middle of its ink was from its anchor: it stays there
 /// as long as nothing is much better, and the search is short.
 pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, before: Option<&[Option<Vec2>]>) -> Vec<PlacedLabel> {
     let mut search = Search::new(requests, obstacles, before);
-    search.choose_first(requests);
-    search.make_room();
+    search.choose_first();
+    search.settle();
     search.improve();
-    search.free_struck();
-    search.search_panel();
+    search.settle();
     let is_cut_short = search.is_cut_short.get();
     let found: Vec<Option<Spot>> =
         search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
@@ -49,17 +49,6 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, before: Option<&[
         PlacedLabel { text: text_at(request, place), leader: place.leader, struck, crowded, left_out }
     });
     placed.collect()
-}
-
-/// The best place near its anchor for one more label; `None` where nothing is free there. Other labels do not move for
-/// it.
-pub(super) fn place_near(request: &LabelRequest, obstacles: &Obstacles) -> Option<PlacedLabel> {
-    let mut search = Search::new(std::slice::from_ref(request), obstacles, None);
-    let count = search.labels[0].places.len();
-    let cheapest = (0..count).map(|place| (search.cost(0, place), place)).min_by(|a, b| a.0.total_cmp(&b.0));
-    let place = search.labels[0].places[cheapest?.1];
-    let (text, struck) = (text_at(request, place), search.struck(place.ink));
-    Some(PlacedLabel { text, leader: place.leader, struck, crowded: false, left_out: false })
 }
 
 fn text_at(request: &LabelRequest, spot: Spot) -> PlacedText {

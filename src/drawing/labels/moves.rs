@@ -3,22 +3,18 @@
 use kurbo::{Rect, Vec2};
 
 use super::super::shape::distance_to_box;
-use super::places::{LINE_GAP, LabelRequest, SIDES, Spot};
-use super::search::{Effort, Search};
+use super::places::{LINE_GAP, SIDES, Spot};
+use super::search::{Effort, STRUCK, Search};
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.
 const LEAST_GAIN: f64 = 1e-6;
 
 /// Most rounds in which all labels may move; three or four are enough for every figure tried.
 const ROUNDS: usize = 8;
-/// Cost of a place, as where a line strikes through the label, above which one with a leader may be better.
-const STRUCK: f64 = 5.0;
-/// By how much such a place may cost more.
-const APART: f64 = 4.0;
-/// Cost of a leader that crosses another label or its leader, in mm of distance.
+/// Cost of a leader that crosses another one, in mm of distance.
 const CROSSED: f64 = 30.0;
-/// Grid of the last search over the whole panel, in mm.
-const LAST_STEP: f64 = 1.5;
+/// Grid of the search over the whole panel, in mm.
+const STEP: f64 = 1.5;
 
 /// What is moved to make room.
 #[derive(Default)]
@@ -31,76 +27,68 @@ struct Pushed {
 
 impl Search<'_> {
     /// Assigns to every label its cheapest place; labels with fewest places first.
-    pub(super) fn choose_first(&mut self, requests: &[LabelRequest]) {
-        let mut order: Vec<usize> = (0..requests.len()).collect();
+    pub(super) fn choose_first(&mut self) {
+        let mut order: Vec<usize> = (0..self.labels.len()).collect();
         order.sort_by_key(|&index| {
             let label = &self.labels[index];
-            (label.before.is_none(), u8::MAX - requests[index].priority, label.places.len(), index)
+            (label.before.is_none(), u8::MAX - label.priority, label.places.len(), index)
         });
         for index in order {
-            self.choose_cheapest(index);
+            self.choose_cheapest(index, f64::INFINITY);
         }
     }
 
-    fn choose_cheapest(&mut self, index: usize) {
-        let place = self.cheapest(index, f64::INFINITY).map(|(place, _)| place);
+    fn choose_cheapest(&mut self, index: usize, limit: f64) -> bool {
+        let place = self.cheapest(index, limit).map(|(place, _)| place);
         self.choose(index, place);
+        place.is_some()
     }
 
-    /// Makes room for labels without a place: others move, or the label gets a place far from its anchor.
-    pub(super) fn make_room(&mut self) {
+    /// Finds clear places for labels that have none: others move, or the label stands apart with a leader, as near as it
+    /// can. Without a clear place anywhere it stays on a line.
+    pub(super) fn settle(&mut self) {
         self.begin();
-        for index in 0..self.labels.len() {
-            if self.labels[index].chosen.is_some() || self.labels[index].is_blank() {
+        let mut order: Vec<usize> = (0..self.labels.len()).collect();
+        order.sort_by_key(|&index| (u8::MAX - self.labels[index].priority, index));
+        for index in order {
+            if self.labels[index].is_blank() || self.is_clear(index) {
                 continue;
             }
-            // Without time for pushing there are still places farther away.
-            if self.push_others(index) {
-                continue;
-            }
-            self.add_far_places(index);
-            self.choose_cheapest(index);
-            if self.labels[index].chosen.is_none() {
-                self.push_others(index);
+            let is_settled = self.push_others(index) || self.stand_apart(index);
+            if !is_settled && self.labels[index].chosen.is_none() {
+                self.choose_cheapest(index, f64::INFINITY);
             }
         }
     }
 
-    /// Finds a place for a label by moving others, while there is time for it.
+    /// Whether a label has a place off all lines.
+    fn is_clear(&mut self, index: usize) -> bool {
+        self.labels[index].chosen.is_some_and(|chosen| self.cost(index, chosen) < STRUCK)
+    }
+
+    /// Gives a label a clear place with a leader, if it may have one.
+    fn stand_apart(&mut self, index: usize) -> bool {
+        if !self.labels[index].may_stand_apart {
+            return false;
+        }
+        self.add_far_places(index);
+        if let Some((place, _)) = self.cheapest(index, STRUCK) {
+            self.choose(index, Some(place));
+            return true;
+        }
+        self.push_others(index) || self.search_panel(index)
+    }
+
+    /// Finds a clear place for a label by moving others, while there is time for it.
     fn push_others(&mut self, index: usize) -> bool {
         let Effort { pushes, mut tries } = self.effort;
         !self.is_enough() && self.push(index, pushes, &mut Pushed::default(), &mut tries)
     }
 
-    /// Gives labels that lines strike through a place with a leader, where that is better.
-    pub(super) fn free_struck(&mut self) {
-        self.begin();
-        for index in 0..self.labels.len() {
-            if self.is_enough() {
-                return;
-            }
-            let Some(chosen) = self.labels[index].chosen else { continue };
-            let cost = self.cost(index, chosen);
-            if cost > STRUCK {
-                self.add_far_places(index);
-                let places = 0..self.labels[index].places.len();
-                let is_clear = |place: &usize| {
-                    !self.is_struck(self.labels[index].places[*place].ink) && self.blockers(index, *place, 0).1 == 0
-                };
-                let clear: Vec<usize> = places.filter(is_clear).collect();
-                let costs = clear.into_iter().map(|place| (self.cost(index, place), place));
-                let best = costs.min_by(|a, b| a.0.total_cmp(&b.0));
-                if let Some((_, place)) = best.filter(|(least, _)| *least < cost + APART) {
-                    self.choose(index, Some(place));
-                }
-            }
-        }
-    }
-
-    /// Finds a place for a label by moving at most two others, which may move others in turn; changes nothing if that
-    /// fails.
+    /// Finds a clear place for a label by moving at most two others, which may move others in turn; changes nothing if
+    /// that fails.
     fn push(&mut self, index: usize, depth: usize, pushed: &mut Pushed, tries: &mut usize) -> bool {
-        if let Some((place, _)) = self.cheapest(index, f64::INFINITY) {
+        if let Some((place, _)) = self.cheapest(index, STRUCK) {
             pushed.moved.push((index, self.labels[index].chosen));
             self.choose(index, Some(place));
             return true;
@@ -109,16 +97,17 @@ impl Search<'_> {
             return false;
         }
         pushed.fixed.push(index);
-        let mut order: Vec<(f64, usize)> =
-            (0..self.labels[index].places.len()).map(|place| (self.cost(index, place), place)).collect();
+        let places = 0..self.labels[index].places.len();
+        let costs = places.filter_map(|place| Some((self.cost_below(index, place, STRUCK)?, place)));
+        let mut order: Vec<(f64, usize)> = costs.collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         for (_, place) in order {
-            if self.is_enough() {
+            if *tries == 0 || self.is_enough() {
                 break;
             }
-            let (others, count) = self.blockers(index, place, 2);
-            let others = &others[..count.min(2)];
-            if count > 2 || *tries == 0 || others.iter().any(|other| pushed.fixed.contains(other)) {
+            let around = self.around(index, place, 2);
+            let others = &around.blockers[..around.count.min(2)];
+            if around.count > 2 || others.iter().any(|other| pushed.fixed.contains(other)) {
                 continue;
             }
             *tries -= 1;
@@ -163,7 +152,7 @@ impl Search<'_> {
         let Some(here) = self.labels[index].chosen else {
             return false;
         };
-        let cost_here = self.cost(index, here);
+        let cost_here = self.cost(index, here) + self.around(index, here, 0).closeness;
         // The largest gain so far, and its moves.
         let mut gain = LEAST_GAIN;
         let mut best: Option<(usize, Option<(usize, usize)>)> = None;
@@ -171,20 +160,25 @@ impl Search<'_> {
             let Some(cost) = self.cost_below(index, place, cost_here - gain) else {
                 continue;
             };
-            let gain_here = cost_here - cost;
+            let around = self.around(index, place, 1);
+            let gain_here = cost_here - cost - around.closeness;
             if gain_here <= gain {
                 continue;
             }
-            match self.blockers(index, place, 1) {
-                (_, 0) => {
+            match around.count {
+                0 => {
                     gain = gain_here;
                     best = Some((place, None));
                 }
-                ([other, _], 1) => {
+                1 => {
+                    let other = around.blockers[0];
                     let Some(others_place) = self.labels[other].chosen else {
                         continue;
                     };
-                    let others_cost = self.cost(other, others_place);
+                    // What each of the two costs the other counts once.
+                    let between = self.labels[index].places[here].closeness(&self.labels[other].places[others_place]);
+                    let others_cost =
+                        self.cost(other, others_place) + self.around(other, others_place, 0).closeness - between;
                     self.choose(index, Some(place));
                     if let Some((there, cost)) = self.cheapest(other, others_cost + gain_here - gain) {
                         gain = gain_here + others_cost - cost;
@@ -205,54 +199,71 @@ impl Search<'_> {
         true
     }
 
-    /// Assigns to labels still without a place the free place nearest to the anchor anywhere on the panel. Its leader
-    /// may cross others; that counts as additional distance.
-    pub(super) fn search_panel(&mut self) {
-        self.begin();
-        for index in 0..self.labels.len() {
-            if self.is_cut_short.get() || self.is_enough() {
-                return;
+    /// Gives a label the clear place nearest to its anchor anywhere on the panel: a search in growing squares around the
+    /// anchor.
+    fn search_panel(&mut self, index: usize) -> bool {
+        let label = &self.labels[index];
+        let (bounds, size, anchor) = (self.obstacles.bounds, label.ink.size(), label.anchor);
+        // The middles of ink within the panel, in steps from the anchor.
+        let steps = |low: f64, high: f64| [(low / STEP).ceil(), (high / STEP).floor()].map(|step| step as i32);
+        let columns = steps(bounds.x0 + 0.5 * size.width - anchor.x, bounds.x1 - 0.5 * size.width - anchor.x);
+        let rows = steps(bounds.y0 + 0.5 * size.height - anchor.y, bounds.y1 - 0.5 * size.height - anchor.y);
+        let most = [columns, rows].as_flattened().iter().map(|step| step.saturating_abs()).max().unwrap_or(0);
+        let mut best: Option<(f64, Spot)> = None;
+        for ring in 1..=most.min(1000) {
+            let nearest = f64::from(ring) * STEP - 0.5 * size.width.max(size.height) - label.clearance;
+            if best.is_some_and(|(least, _)| nearest >= least) || self.is_enough() {
+                break;
             }
-            let label = &self.labels[index];
-            if label.chosen.is_some() || label.is_blank() {
-                continue;
-            }
-            let (bounds, size) = (self.obstacles.bounds, label.ink.size());
-            let steps = |room: f64| {
-                if room >= 0.0 { (room / LAST_STEP).min(1000.0) as usize + 1 } else { 0 }
+            let across = |row: i32| {
+                let is_on = rows[0] <= row && row <= rows[1];
+                (if is_on { columns[0].max(-ring)..=columns[1].min(ring) } else { 1..=0 })
+                    .map(move |column| (column, row))
             };
-            let mut best: Option<(f64, Spot)> = None;
-            for row in 0..steps(bounds.height() - size.height) {
-                if self.is_enough() {
-                    break;
+            let down = |column: i32| {
+                let is_on = columns[0] <= column && column <= columns[1];
+                (if is_on { rows[0].max(1 - ring)..=rows[1].min(ring - 1) } else { 1..=0 })
+                    .map(move |row| (column, row))
+            };
+            for (column, row) in across(-ring).chain(across(ring)).chain(down(-ring)).chain(down(ring)) {
+                let center = anchor + Vec2::new(f64::from(column), f64::from(row)) * STEP;
+                let ink = Rect::from_center_size(center, size);
+                let limit = best.map_or(f64::INFINITY, |(least, _)| least);
+                if let Some((worth, place)) = self.free_place(index, ink, limit) {
+                    best = Some((worth, place));
                 }
-                for column in 0..steps(bounds.width() - size.width) {
-                    let corner = bounds.origin() + Vec2::new(column as f64, row as f64) * LAST_STEP;
-                    let ink = Rect::from_origin_size(corner, size);
-                    let distance = distance_to_box(ink, label.anchor) - label.clearance;
-                    self.count(1);
-                    if distance < 0.0 || best.is_some_and(|(least, _)| distance >= least) {
-                        continue;
-                    }
-                    let place = label.place_at(ink, distance, 0.0);
-                    if self.is_on_obstacle(ink) || self.is_overlapped(&place) {
-                        continue;
-                    }
-                    let near = self.chosen_near(place.area().inflate(LINE_GAP, LINE_GAP));
-                    let crossings: usize = near.map(|other| place.crossings(other)).sum();
-                    let worth = distance + CROSSED * crossings as f64;
-                    if best.is_none_or(|(least, _)| worth < least) {
-                        best = Some((worth, place));
-                    }
-                }
-            }
-            if let Some((_, place)) = best {
-                let label = &mut self.labels[index];
-                let added = label.places.len();
-                label.places.push(place);
-                self.choose(index, Some(added));
             }
         }
+        let Some((worth, place)) = best else {
+            return false;
+        };
+        let label = &mut self.labels[index];
+        label.places.push(Spot { least: worth, known: true, ..place });
+        let added = label.places.len() - 1;
+        self.choose(index, Some(added));
+        true
+    }
+
+    /// A place for this ink apart from the anchor, if it is clear and costs less than `limit`, with its cost.
+    fn free_place(&self, index: usize, ink: Rect, limit: f64) -> Option<(f64, Spot)> {
+        let label = &self.labels[index];
+        let distance = distance_to_box(ink, label.anchor) - label.clearance;
+        self.count(1);
+        if distance < 0.0 || distance >= limit || self.is_on_obstacle(ink) || self.is_struck(ink) {
+            return None;
+        }
+        let place = label.place_at(ink, distance, 0.0);
+        let mut worth = place.least + self.ambiguity(index, ink);
+        for (other, spot) in self.chosen_near(place.surroundings()) {
+            if other != index {
+                if place.conflicts(spot) {
+                    return None;
+                }
+                worth += place.closeness(spot) + if place.crosses(spot) { CROSSED } else { 0.0 };
+            }
+        }
+        worth += place.leader.map_or(0.0, |leader| self.cost_of_leader(leader));
+        (worth < limit).then_some((worth, place))
     }
 
     /// A place inside the panel for a label without one, which covers as little as possible.
@@ -260,7 +271,8 @@ impl Search<'_> {
         let label = &self.labels[index];
         let bounds = self.obstacles.bounds;
         let covered = |ink: Rect| {
-            let all = self.chosen_near(ink).map(|other| other.ink).chain(self.obstacles.boxes_near(ink));
+            let near = ink.inflate(LINE_GAP, LINE_GAP);
+            let all = self.chosen_near(near).map(|(_, other)| other.ink).chain(self.obstacles.boxes_near(ink));
             all.map(|other| {
                 let both = other.intersect(ink);
                 both.width().max(0.0) * both.height().max(0.0)

@@ -3,7 +3,7 @@
 use kurbo::{Point, Rect, Vec2};
 
 use super::super::shape::crosses_line;
-use super::super::text::{LABEL, PlacedText, RichText};
+use super::super::text::{ABOVE, BESIDE, LABEL, PlacedText, RichText};
 
 /// A label without a place.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +20,8 @@ pub struct LabelRequest {
     pub prefer: Option<Vec2>,
     /// Labels of higher priority choose first.
     pub priority: u8,
+    /// Whether it may stand apart from the anchor, with a leader, where no place near it is free.
+    pub may_stand_apart: bool,
 }
 
 impl LabelRequest {
@@ -31,7 +33,7 @@ impl LabelRequest {
         prefer: Option<Vec2>,
         priority: u8,
     ) -> LabelRequest {
-        LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority }
+        LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority, may_stand_apart: true }
     }
 }
 
@@ -42,7 +44,7 @@ pub struct PlacedLabel {
     pub text: PlacedText,
     /// A thin line from near the anchor to near the text, where the text had to stand apart.
     pub leader: Option<(Point, Point)>,
-    /// Length of the lines that cross the ink's box, in mm.
+    /// Length of the lines that cross the ink's box, with half the width of a line around it, in mm.
     pub struck: f64,
     /// Whether the panel holds no free place, so that this label touches something.
     pub crowded: bool,
@@ -54,12 +56,12 @@ pub struct PlacedLabel {
 pub(super) const NEAR: [f64; 4] = [0.0, 0.6, 1.3, 2.2];
 /// Distances that need a leader; tried only where nothing near is free.
 pub(super) const FAR: [f64; 6] = [3.5, 5.0, 7.0, 9.5, 12.5, 16.0];
-/// Least white between the ink of two labels, in mm.
-pub(super) const LABEL_GAP: f64 = 0.4;
-/// Least white between a label's ink and an obstacle box, in mm.
-pub(super) const OBSTACLE_GAP: f64 = 0.3;
+/// White beside a label's ink from which the next one is clearly another, in mm: an em.
+pub(super) const CLEAR: f64 = LABEL;
 /// White around a label's ink that a line should not enter, in mm.
 pub(super) const LINE_GAP: f64 = 0.6;
+/// White around it that no line enters as long as another place is free, in mm: half the width of a line.
+pub(super) const STRIKE_GAP: f64 = 0.4;
 /// White between a leader and the ink it leads to, in mm.
 pub(super) const LEADER_GAP: f64 = 0.4;
 
@@ -74,6 +76,8 @@ const ELSEWHERE: [f64; 2] = [0.4, 2.5];
 /// The preferred direction of such labels.
 const HABITUAL: Vec2 = Vec2::new(0.6, -0.8);
 const LEADER: f64 = 3.0;
+/// Of a label beside another with the least white; of one with clear white nothing.
+const CLOSE: f64 = 2.0;
 
 /// A direction from an anchor to a box.
 pub(super) struct Side {
@@ -153,6 +157,7 @@ pub(super) struct Label {
     /// The ink box of the text set at the origin.
     pub(super) ink: Rect,
     pub(super) prefer: Option<Vec2>,
+    pub(super) priority: u8,
     /// Its free places, and the index of the present one.
     pub(super) places: Vec<Spot>,
     pub(super) chosen: Option<usize>,
@@ -160,6 +165,7 @@ pub(super) struct Label {
     pub(super) lines: Vec<u32>,
     pub(super) anchors: Vec<Point>,
     pub(super) reach: Rect,
+    pub(super) may_stand_apart: bool,
     pub(super) has_far: bool,
     /// Where the middle of its ink was from the anchor in the picture before, if there is one.
     pub(super) before: Option<Vec2>,
@@ -172,11 +178,13 @@ impl Label {
             clearance: request.clearance.max(0.0),
             ink: request.text.ink_box(request.size),
             prefer: request.prefer.and_then(unit),
+            priority: request.priority,
             places: Vec::new(),
             chosen: None,
             lines: Vec::new(),
             anchors: Vec::new(),
             reach: Rect::ZERO,
+            may_stand_apart: request.may_stand_apart,
             has_far: false,
             before: None,
         };
@@ -249,22 +257,33 @@ impl Spot {
         self.leader.map_or(self.ink, |(from, to)| self.ink.union_pt(from).union_pt(to))
     }
 
-    /// Whether two labels cannot have these places together.
-    pub(super) fn conflicts(&self, other: &Self) -> bool {
-        self.overlaps(other) || self.crossings(other) > 0
-    }
-    pub(super) fn overlaps(&self, other: &Self) -> bool {
-        touch(self.ink, other.ink, LABEL_GAP)
+    /// The area in which another label matters.
+    pub(super) fn surroundings(&self) -> Rect {
+        self.area().union(self.ink.inflate(CLEAR, ABOVE)).inflate(LINE_GAP, LINE_GAP)
     }
 
-    /// Number of crossings of one's leader with the other's ink or leader.
-    pub(super) fn crossings(&self, other: &Self) -> usize {
+    /// Whether two labels cannot have these places together: they would read as one, or the leader of one strikes through
+    /// the other.
+    pub(super) fn conflicts(&self, other: &Self) -> bool {
         let strikes = |leader: Option<(Point, Point)>, ink: Rect| {
             leader.is_some_and(|leader| Clipped::new(leader).share_inside(ink.inflate(LINE_GAP, LINE_GAP)) > 0.0)
         };
-        let leaders = matches!((self.leader, other.leader), (Some(one), Some(two)) if crosses_line(one, two));
-        let struck = [strikes(self.leader, other.ink), strikes(other.leader, self.ink)];
-        usize::from(leaders) + struck.into_iter().filter(|is| *is).count()
+        let (a, b) = (self.ink, other.ink);
+        let is_near = a.x0 < b.x1 + BESIDE && b.x0 < a.x1 + BESIDE && a.y0 < b.y1 + ABOVE && b.y0 < a.y1 + ABOVE;
+        is_near || strikes(self.leader, b) || strikes(other.leader, a)
+    }
+
+    /// Whether the leaders of two labels cross.
+    pub(super) fn crosses(&self, other: &Self) -> bool {
+        matches!((self.leader, other.leader), (Some(one), Some(two)) if crosses_line(one, two))
+    }
+
+    /// The cost of another label beside this one.
+    pub(super) fn closeness(&self, other: &Self) -> f64 {
+        let (a, b) = (self.ink, other.ink);
+        let white = (a.x0 - b.x1).max(b.x0 - a.x1);
+        let is_beside = white < CLEAR && a.y0 < b.y1 + ABOVE && b.y0 < a.y1 + ABOVE;
+        if is_beside { CLOSE * ((CLEAR - white) / (CLEAR - BESIDE)).min(1.0) } else { 0.0 }
     }
 }
 
@@ -309,11 +328,6 @@ pub(super) fn greater(a: f64, b: f64) -> f64 {
 pub(super) fn unit(vector: Vec2) -> Option<Vec2> {
     let size = vector.hypot2().sqrt();
     (size > 0.0 && size.is_finite()).then(|| vector / size)
-}
-
-/// Whether two boxes overlap or are closer than `gap`.
-pub(super) fn touch(a: Rect, b: Rect, gap: f64) -> bool {
-    a.x0 < b.x1 + gap && b.x0 < a.x1 + gap && a.y0 < b.y1 + gap && b.y0 < a.y1 + gap
 }
 
 pub(super) fn inside(area: Rect, point: Point) -> bool {

@@ -1,15 +1,20 @@
 //! The labels of a panel, their free places, and the cost of each place.
 
-use kurbo::{Rect, Vec2};
+use kurbo::{Point, Rect, Vec2};
+use smallvec::SmallVec;
 use std::cell::Cell;
 
-use super::super::grid::{Grid, Obstacles};
-use super::super::shape::distance_to_box;
-use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, OBSTACLE_GAP, SIDES, Spot, inside, touch};
+use super::super::grid::{BOX_GAP, Grid, Obstacles};
+use super::super::shape::{crosses_line, distance_to_box};
+use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, SIDES, STRIKE_GAP, Spot, inside};
 
 // Costs, in mm of distance from the anchor.
-/// Per millimetre of line inside the box.
+/// Of a place that a line strikes through: more than that of any clear place on a sheet.
+pub(super) const STRUCK: f64 = 1000.0;
+/// Per millimetre of line near the ink.
 const CROSSING: f64 = 1.6;
+/// Of a leader for each line that it crosses, and for each joint, arrowhead or text.
+const ACROSS: [f64; 2] = [0.7, 6.0];
 /// Per millimetre by which another anchor is not clearly farther than the label's own.
 const AMBIGUITY: f64 = 2.5;
 /// Difference from which another anchor is clearly farther, in mm.
@@ -38,6 +43,17 @@ impl Effort {
     const WHOLE: Effort = Effort { pushes: 3, tries: 1_000 };
     /// For a picture that is soon replaced by the next one.
     const MOVING: Effort = Effort { pushes: 2, tries: 40 };
+}
+
+/// What the other labels at their present places do to a place.
+#[derive(Default)]
+pub(super) struct Around {
+    /// Those in the way, two at most, and their number, at most one above what was asked for; zero means that the place
+    /// can be taken.
+    pub(super) blockers: [usize; 2],
+    pub(super) count: usize,
+    /// The cost of the others' being near.
+    pub(super) closeness: f64,
 }
 
 /// All labels with their present places.
@@ -105,19 +121,10 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The present places near a box, in the order of their labels; at least all that touch it.
-    pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = &Spot> {
+    /// Labels with a present place near a box, in rising order; at least all that touch it.
+    pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = (usize, &Spot)> {
         let near = self.chosen.near(area).into_iter();
-        near.filter_map(|index| Some(&self.labels[index].places[self.labels[index].chosen?]))
-    }
-
-    /// Whether a present place overlaps another.
-    pub(super) fn is_overlapped(&self, place: &Spot) -> bool {
-        let overlaps = |other: usize| {
-            let label = &self.labels[other];
-            label.chosen.is_some_and(|chosen| place.overlaps(&label.places[chosen]))
-        };
-        self.chosen.any(place.ink.inflate(LINE_GAP, LINE_GAP), overlaps)
+        near.filter_map(|index| Some((index, &self.labels[index].places[self.labels[index].chosen?])))
     }
 
     /// Finds the lines and anchors that the places of a label could touch.
@@ -127,8 +134,7 @@ impl<'a> Search<'a> {
         let lines = lines.filter(|&line| self.lines[line].share_inside(reach) > 0.0);
         let lines = lines.take(MOST_AROUND).map(|line| line as u32).collect();
         let others = self.anchors.near(reach).into_iter().map(|other| self.labels[other].anchor);
-        // Labels of the same point do not compete for it.
-        let anchors = others.filter(|&other| inside(reach, other) && (other - anchor).hypot2() > 1e-6);
+        let anchors = others.filter(|&other| inside(reach, other) && is_other(other, anchor));
         let anchors = anchors.take(MOST_AROUND).collect();
         let label = &mut self.labels[index];
         (label.lines, label.anchors) = (lines, anchors);
@@ -179,8 +185,8 @@ impl<'a> Search<'a> {
 
     /// Whether ink is too near to an obstacle box.
     pub(super) fn is_on_obstacle(&self, ink: Rect) -> bool {
-        let near = ink.inflate(OBSTACLE_GAP, OBSTACLE_GAP);
-        self.obstacles.any_box(near, |other| touch(other, ink, OBSTACLE_GAP))
+        let near = ink.inflate(BOX_GAP, BOX_GAP);
+        self.obstacles.any_box(near, |other| other.overlaps(near))
     }
 
     /// Adds the distant places of a label, with leaders.
@@ -196,15 +202,36 @@ impl<'a> Search<'a> {
         self.add_places(index, &FAR);
     }
 
-    /// Length of the lines inside a box, in mm.
+    /// Length of the lines that strike through ink, in mm.
     pub(super) fn struck(&self, ink: Rect) -> f64 {
-        let lines = self.obstacles.lines_near(ink).into_iter().map(|line| &self.lines[line]);
-        lines.map(|line| line.share_inside(ink) * line.length).sum()
+        let area = ink.inflate(STRIKE_GAP, STRIKE_GAP);
+        let lines = self.obstacles.lines_near(area).into_iter().map(|line| &self.lines[line]);
+        lines.map(|line| line.share_inside(area) * line.length).sum()
     }
 
-    /// Whether a line crosses a box.
+    /// Whether a line strikes through ink.
     pub(super) fn is_struck(&self, ink: Rect) -> bool {
-        self.obstacles.any_line(ink, |line| self.lines[line].share_inside(ink) * self.lines[line].length > 0.0)
+        let area = ink.inflate(STRIKE_GAP, STRIKE_GAP);
+        self.obstacles.any_line(area, |line| self.lines[line].share_inside(area) * self.lines[line].length > 0.0)
+    }
+
+    /// The cost of what a leader crosses.
+    pub(super) fn cost_of_leader(&self, leader: (Point, Point)) -> f64 {
+        let area = Rect::from_points(leader.0, leader.1);
+        let is_crossed = |line: &usize| crosses_line(self.obstacles.lines[*line], leader);
+        let clipped = Clipped::new(leader);
+        let is_touched = |other: &Rect| clipped.share_inside(*other) > 0.0;
+        let lines = self.obstacles.lines_near(area).into_iter().filter(is_crossed).count();
+        let boxes = self.obstacles.boxes_near(area).filter(is_touched).count();
+        ACROSS[0] * lines as f64 + ACROSS[1] * boxes as f64
+    }
+
+    /// The cost of other anchors that are not clearly farther from ink than its own.
+    pub(super) fn ambiguity(&self, index: usize, ink: Rect) -> f64 {
+        let label = &self.labels[index];
+        let near = self.anchors.near(ink.inflate(FAR[0] + CLEARLY, FAR[0] + CLEARLY)).into_iter();
+        let anchors = near.map(|other| self.labels[other].anchor).filter(|other| is_other(*other, label.anchor));
+        ambiguity(ink, label.anchor, anchors)
     }
 
     /// The whole cost of a place if it is less than `limit`.
@@ -215,29 +242,29 @@ impl<'a> Search<'a> {
             return (least < limit).then_some(least);
         }
         // Summation stops at the limit; the sum is then a better lower bound for the next time.
-        let mut whole = true;
-        let own_gap = distance_to_box(ink, label.anchor);
-        for &other in &label.anchors {
-            least += AMBIGUITY * (own_gap + CLEARLY - distance_to_box(ink, other)).max(0.0);
-        }
-        let area = ink.inflate(LINE_GAP, LINE_GAP);
+        let (mut whole, mut is_struck) = (true, false);
+        least += ambiguity(ink, label.anchor, label.anchors.iter().copied());
+        let (area, narrow) = (ink.inflate(LINE_GAP, LINE_GAP), ink.inflate(STRIKE_GAP, STRIKE_GAP));
         self.work.set(self.work.get() + 1 + label.anchors.len() + label.lines.len());
         for &line in &label.lines {
             let line = &self.lines[line as usize];
-            least += CROSSING * line.share_inside(area) * line.length;
-            if least >= limit {
-                whole = false;
-                break;
+            let inside = line.share_inside(area) * line.length;
+            if inside > 0.0 {
+                least += CROSSING * inside;
+                if !is_struck && line.share_inside(narrow) * line.length > 0.0 {
+                    is_struck = true;
+                    least += STRUCK;
+                }
+                if least >= limit {
+                    whole = false;
+                    break;
+                }
             }
         }
         if whole && let Some(leader) = leader {
-            let area = Rect::from_points(leader.0, leader.1);
-            let leader = Clipped::new(leader);
-            for other in self.obstacles.boxes_near(area) {
-                least += CROSSING * leader.share_inside(other) * leader.length;
-            }
+            least += self.cost_of_leader(leader);
         }
-        let place = &mut label.places[place];
+        let place = &mut self.labels[index].places[place];
         if whole {
             place.least = least;
             place.known = true;
@@ -252,43 +279,62 @@ impl<'a> Search<'a> {
         self.cost_below(index, place, f64::INFINITY).unwrap_or(f64::INFINITY)
     }
 
-    /// The labels in the way of a place, two at most, and their number, at most one above `most`; zero means that the
-    /// place can be taken.
-    pub(super) fn blockers(&self, index: usize, place: usize, most: usize) -> ([usize; 2], usize) {
-        let (mut found, mut count, mut seen) = ([usize::MAX; 2], 0, 1);
+    /// What other labels do to a place; it is enough to know whether more than `most` are in the way.
+    pub(super) fn around(&self, index: usize, place: usize, most: usize) -> Around {
+        let (mut around, mut looked_at) = (Around { blockers: [usize::MAX; 2], ..Around::default() }, 1);
+        let mut seen: SmallVec<[usize; 8]> = SmallVec::new();
         let wanted = &self.labels[index].places[place];
-        self.chosen.any(wanted.area().inflate(LINE_GAP, LINE_GAP), |other| {
-            seen += 1;
-            let label = &self.labels[other];
-            if other != index
-                && !found.contains(&other)
-                && label.chosen.is_some_and(|chosen| wanted.conflicts(&label.places[chosen]))
-            {
-                if count < found.len() {
-                    found[count] = other;
-                }
-                count += 1;
+        self.chosen.any(wanted.surroundings(), |other| {
+            looked_at += 1;
+            if other == index || seen.contains(&other) {
+                return false;
             }
-            count > most
+            seen.push(other);
+            let Some(chosen) = self.labels[other].chosen else { return false };
+            let spot = &self.labels[other].places[chosen];
+            if wanted.conflicts(spot) || wanted.crosses(spot) {
+                if let Some(blocker) = around.blockers.get_mut(around.count) {
+                    *blocker = other;
+                }
+                around.count += 1;
+            } else {
+                around.closeness += wanted.closeness(spot);
+            }
+            around.count > most
         });
-        self.count(seen);
-        found.sort_unstable();
-        (found, count)
+        self.count(looked_at);
+        around.blockers.sort_unstable();
+        around
     }
 
-    /// The cheapest place of a label without another label in the way, if it costs less than `limit`.
+    /// The cheapest place of a label without another label in the way, if it costs less than `limit`, with its cost.
     pub(super) fn cheapest(&mut self, index: usize, limit: f64) -> Option<(usize, f64)> {
         let mut best = None;
         let mut limit = limit;
         for place in 0..self.labels[index].places.len() {
-            if self.labels[index].places[place].least >= limit || self.blockers(index, place, 0).1 > 0 {
+            if self.labels[index].places[place].least >= limit {
                 continue;
             }
-            if let Some(cost) = self.cost_below(index, place, limit) {
-                limit = cost;
-                best = Some((place, cost));
+            let around = self.around(index, place, 0);
+            if around.count == 0
+                && let Some(cost) = self.cost_below(index, place, limit - around.closeness)
+            {
+                limit = cost + around.closeness;
+                best = Some((place, limit));
             }
         }
         best
     }
+}
+
+/// Whether a point is another one than an anchor: labels of the same point do not compete for it.
+fn is_other(point: Point, anchor: Point) -> bool {
+    (point - anchor).hypot2() > 1e-6
+}
+
+/// The cost of anchors that are not clearly farther from ink than its own; from a label with a leader it is enough that
+/// they are not near.
+fn ambiguity(ink: Rect, own: Point, others: impl Iterator<Item = Point>) -> f64 {
+    let gap = distance_to_box(ink, own).min(FAR[0]);
+    others.map(|other| AMBIGUITY * (gap + CLEARLY - distance_to_box(ink, other)).max(0.0)).sum()
 }

@@ -233,6 +233,7 @@ mod labels {
             clearance: 1.6,
             prefer: (index % 3 == 0).then_some(Vec2::new(1.0, -0.2)),
             priority: 0,
+            may_stand_apart: true,
         };
         let requests = anchors.iter().enumerate().map(request).collect();
         let mut obstacles = Obstacles::new(bounds);
@@ -282,6 +283,7 @@ mod labels {
                 clearance: 1.5,
                 prefer: Some(wish),
                 priority: 0,
+                may_stand_apart: true,
             };
             let placed = place(&[request], &obstacles, None);
             let away = placed[0].text.ink_box().center() - anchor;
@@ -296,8 +298,15 @@ mod labels {
         let anchor = Point::new(50.0, 50.0);
         let mut obstacles = Obstacles::new(Rect::new(0.0, 0.0, 100.0, 100.0));
         obstacles.add_boxes([Rect::from_center_size(anchor, (14.0, 14.0))]);
-        let request =
-            LabelRequest { text: RichText::math("S_3"), size: 4.0, anchor, clearance: 1.5, prefer: None, priority: 0 };
+        let request = LabelRequest {
+            text: RichText::math("S_3"),
+            size: 4.0,
+            anchor,
+            clearance: 1.5,
+            prefer: None,
+            priority: 0,
+            may_stand_apart: true,
+        };
         let placed = place(&[request], &obstacles, None);
         check(&placed, &obstacles);
         assert!(placed[0].leader.is_some());
@@ -313,6 +322,7 @@ mod labels {
             clearance: 1.0,
             prefer: None,
             priority: 0,
+            may_stand_apart: true,
         };
         let placed = place(&[request(1.0), request(f64::NAN)], &obstacles, None);
         assert!(placed.iter().all(|label| label.crowded));
