@@ -176,7 +176,15 @@ impl Sharing<'_> {
         }
     }
 
-    /// Frames by panel: what a room has beyond the needs of the contents is shared in proportion to them; where it is too
+    /// The largest weight of the panels of a division.
+    fn weight(&self, division: &Division) -> f64 {
+        match division {
+            Division::Panel(index) => self.needs[*index].weight,
+            Division::Parts { parts, .. } => self.weight(&parts[0]).max(self.weight(&parts[1])),
+        }
+    }
+
+    /// Frames by panel: what a room has beyond the needs of the contents is shared in proportion to them and to how much the panels count; where it is too
     /// small all have too little, but headings have room first.
     pub(super) fn frames(&self, division: &Division, room: Rect, mu: &[f64], frames: &mut [Rect]) {
         match division {
@@ -187,7 +195,10 @@ impl Sharing<'_> {
                 let [a, b] = parts.each_ref().map(|part| self.least(part, mu)[along]);
                 let [least_a, least_b] = parts.each_ref().map(|part| self.narrowest(part, *down));
                 let cut = match () {
-                    () if a + b <= whole => whole * a / (a + b),
+                    () if a + b <= whole => {
+                        let [more_a, more_b] = [a * self.weight(&parts[0]), b * self.weight(&parts[1])];
+                        a + (whole - a - b) * more_a / (more_a + more_b)
+                    }
                     () if least_a + least_b >= whole => whole * least_a / (least_a + least_b),
                     () => {
                         let (more_a, more_b) = ((a - least_a).max(0.0), (b - least_b).max(1e-9));

@@ -3,7 +3,7 @@
 use kinegon::drawing::{Drawing, Mark, Pen, Point, Rect, RichText, Shape};
 
 /// Most bytes of a figure's SVG file.
-pub const MOST_BYTES: usize = 70_000;
+pub const MOST_BYTES: usize = 120_000;
 /// Rounding of coordinates on the sheet, in mm.
 const ROUNDING: f64 = 1e-9;
 /// Least height of small letters in names, headings and captions, in mm; what stands high or low beside them is smaller.

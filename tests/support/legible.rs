@@ -149,7 +149,7 @@ fn to_side(point: Point, a: Point, b: Point) -> f64 {
 /// the subject of a step have none.
 fn strokes(drawing: &Drawing, mark: &Mark) -> Vec<Vec<Point>> {
     let look = drawing.look(mark);
-    if look.stroke.is_none() || mark.pen == Pen::Hint {
+    if look.stroke.is_none() || matches!(mark.pen, Pen::Hint | Pen::Ghost) {
         return Vec::new();
     }
     let straight = |a: Point, b: Point| {

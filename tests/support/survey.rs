@@ -95,7 +95,7 @@ pub const HALL: By<usize> = By(18, 18, 36);
 /// Of the sheets of `legible` every so many-th.
 pub const LEGIBLE: By<usize> = By(23, 5, 1);
 /// The most texts there that run together beside each other and above each other, that are struck through, and that are left out.
-pub const MISREAD: By<[usize; 4]> = By([250, 130, 800, 0], [1000, 500, 3000, 0], [5000, 2500, 15000, 0]);
+pub const MISREAD: By<[usize; 4]> = By([4, 8, 340, 20], [20, 40, 1600, 100], [100, 200, 8000, 500]);
 
 // Students.
 
