@@ -63,8 +63,10 @@ impl Division {
 impl Sharing<'_> {
     /// The best scales by panel for a division of a room, whether all contents fit, and the loss.
     pub(super) fn best(&self, division: &Division, [width, height]: [f64; 2]) -> (Vec<f64>, bool, f64) {
-        let mut mu = vec![0.0; self.needs.len()];
-        self.finest(division, [width, height], &mut mu);
+        let mut mu: Vec<f64> = self.needs.iter().map(|needs| needs.fixed().unwrap_or_default()).collect();
+        if mu.contains(&0.0) {
+            self.finest(division, [width, height], &mut mu);
+        }
         let fits = |mu: &[f64]| {
             let [w, h] = self.least(division, mu);
             w <= width && h <= height

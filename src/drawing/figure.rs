@@ -17,7 +17,7 @@ use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text, shown_text};
 use crate::cycle::Traces;
 use crate::scene::{ScalesFor, ValuesShown};
-use crate::sheet::{PerSheet, Scales, Sheet};
+use crate::sheet::{Scales, Sheet};
 use crate::words::Wording;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -281,15 +281,34 @@ fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
         return [given; SHEETS.len()];
     }
     let extents = extents_to_fit(context);
-    let own = SHEETS.map(|steps| {
-        let sheet = composed(context, &extents, Contents { steps, ..Contents::default() });
-        given.or(sheet.layout().mu())
-    });
-    let coarsest = PerSheet::from_fn(|sheet| own.iter().filter_map(|scales| scales[sheet]).reduce(f64::max));
-    let is_near = |own: &Scales| own.given().all(|(sheet, mu)| coarsest[sheet].is_some_and(|most| most <= SHARED * mu));
+    let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
+    let own = sheets.each_ref().map(|sheet| given.or(sheet.layout().mu()));
+    if figure.scales == ScalesFor::Sheet {
+        return own;
+    }
+    // Of the sets of scales that the sheets would have by themselves, and their mixtures, the finest that fits on all.
+    let mut sets = own.iter().skip(1).fold(vec![own[0]], |sets, other| mixed(&sets, other));
+    let coarseness = |set: &Scales| set.given().map(|(_, mu)| libm::log(mu)).sum::<f64>();
+    sets.sort_by(|a, b| coarseness(a).total_cmp(&coarseness(b)));
+    let fits = |set: &&Scales| sheets.iter().all(|sheet| sheet.layout_at(set).shows_all());
+    let Some(shared) = (if sets.len() == 1 { sets.first() } else { sets.iter().find(fits) }) else { return own };
+    let is_near = |own: &Scales| own.given().all(|(sheet, mu)| shared[sheet].is_some_and(|most| most <= SHARED * mu));
     let is_shared = context.surface.series == Series::Hand || own.iter().all(is_near);
-    let is_shared = is_shared && figure.scales != ScalesFor::Sheet;
-    if is_shared { [coarsest; SHEETS.len()] } else { own }
+    if is_shared { [*shared; SHEETS.len()] } else { own }
+}
+
+/// Sets of scales, and those in which scales of another set stand in the place of their own.
+fn mixed(sets: &[Scales], other: &Scales) -> Vec<Scales> {
+    let mut all = sets.to_vec();
+    for sheet in Sheet::ALL {
+        for mut set in all.clone() {
+            set[sheet] = other[sheet];
+            if !all.contains(&set) {
+                all.push(set);
+            }
+        }
+    }
+    all
 }
 
 /// What must fit at the scales: the content in the scene's own position, or in all positions of its cycle.
