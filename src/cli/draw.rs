@@ -130,11 +130,10 @@ impl Draw {
             if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
                 && (self.values.is_some() && steps.is_none() && !figure.worksheet)
             {
+                figures.cost_of_list().iter().for_each(|text| note(text));
                 let missing = figures.values_without_room(sheet).join(", ");
                 if !missing.is_empty() {
-                    note(&format!(
-                        "no room for the values of {missing}; they are in the table of a work sheet (--worksheet)"
-                    ));
+                    note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));
                 }
             }
             drawings.extend(sheets);

@@ -10,7 +10,7 @@ use super::panel::{Extents, Panel, content, cycles_of, extents, extents_in, hint
 use super::remarks;
 use super::scale_bar::SCALE;
 use super::sheet::Drawing;
-use super::values::value_list;
+use super::values::{self, value_list};
 use super::view::{Series, next_scale};
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
@@ -88,7 +88,8 @@ impl<'a> FigureSheets<'a> {
         laid_out.composition().draw(&laid_out.layout)
     }
 
-    /// All finished sheets: first the figure; then, for a work sheet whose table has no room beside the panels, the table.
+    /// All finished sheets: first the figure; then, for a work sheet whose table has no room beside the panels, the table,
+    /// or a table of the values that have no room, where the figure asks for values.
     #[must_use]
     pub fn sheets(&self) -> Vec<Drawing> {
         let laid_out = self.laid_out();
@@ -97,6 +98,10 @@ impl<'a> FigureSheets<'a> {
         let mut sheets = vec![sheet.draw(layout)];
         if context.figure().worksheet && layout.aside.is_none() {
             let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
+            sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        if !context.figure().worksheet && context.figure().values.is_some() {
+            let table = values::table(context, self.unplaced(&sheets[0]));
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
         sheets
@@ -123,7 +128,7 @@ impl<'a> FigureSheets<'a> {
         if self.base.surface.series == Series::Any {
             return FigureSheets::of(self.base.on_paper()).scales();
         }
-        figure.mu.or(self.scaled(None).surface.mu)
+        figure.mu.or(self.laid_out().layout.mu())
     }
 
     /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
@@ -156,17 +161,35 @@ impl<'a> FigureSheets<'a> {
         layout.panels.iter().enumerate().filter_map(warning).collect()
     }
 
-    /// The symbols of the values that the figure asks for and that stand nowhere on its drawing: their labels found no
-    /// room, and the list of results does not have them.
+    /// The symbols of the values that the figure asks for and that have no room on its drawing: they are in a table on the
+    /// sheet after it.
     #[must_use]
     pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
+        self.unplaced(drawing).map(|value| plain_text(&value.symbol)).collect()
+    }
+
+    /// The values whose labels found no room, and which are not in the list of results.
+    fn unplaced(&self, drawing: &Drawing) -> impl Iterator<Item = &Value> {
         let has = |value: &Value| {
             let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
             drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
         };
-        let is_listed = value_list(&self.base, None).is_some();
-        let missing = self.base.values.iter().filter(|value| !(has(value) || is_listed && value.is_listed()));
-        missing.map(|value| plain_text(&value.symbol)).collect()
+        let is_listed = self.laid_out().contents.list;
+        self.base.values.iter().filter(move |value| !(is_listed && value.is_listed()) && !has(value))
+    }
+
+    /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.
+    #[must_use]
+    pub fn cost_of_list(&self) -> Option<String> {
+        let (without, with) = (self.scaled(None).surface, &self.laid_out().layout);
+        let coarser = with.panels.iter().filter_map(|placed| {
+            let (symbol, before) = (placed.needs.sheet.facts().scale_symbol, without.mu[placed.needs.sheet]?);
+            let [now, before] = [placed.mu, before].map(|mu| Wording::default().write(mu, SCALE));
+            (now != before).then(|| format!("{symbol} = {now} in place of {before}"))
+        });
+        let coarser: Vec<String> = coarser.collect();
+        let is_told = without.series != Series::Any && !coarser.is_empty();
+        is_told.then(|| format!("scales leave room for the list of results: {}", coarser.join(", ")))
     }
 
     /// The context of the finished figure, or of the sheets with steps, at their scales. They do not depend on values, which

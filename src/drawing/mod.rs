@@ -7,8 +7,8 @@
 //!   scales) and what the sheet is for. It is made once and passed on; only a `Surface` knows the page.
 //! - `figure` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
 //!   scales while a mechanism moves, a canvas where names were in the picture before.
-//! - A sheet is put together of `panel`s with their layers, a `table` beside them, the `legend` and `words` below;
-//!   `compose` makes a sheet of it with a `layout`. `exercise`, `correction` and `curves` are other sheets.
+//! - A sheet is put together of `panel`s with their layers and `scale_bar`s, a `table` beside them, `remarks` and `words`
+//!   below; `compose` makes a sheet of it with a `layout`, for which `division` finds cuts and scales. `exercise`, `correction` and `curves` are other sheets.
 //! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
 //!   `style`, its `text`, the places of its `labels` off all obstacles, which a `grid` finds.
@@ -24,9 +24,13 @@
 //! # A sheet has the size of its letters
 //!
 //! It is laid out in units in which letters have one size, and then enlarged (`dims`): a style with larger letters is
-//! a smaller sheet, and all that has no size of its own is in proportion. Scales are chosen once for all sheets of a
-//! scene: of the sets between those that figure, steps and work sheet would have by themselves, the one with the
-//! largest contents that fits everywhere.
+//! a smaller sheet, and all that has no size of its own is in proportion.
+//!
+//! # Contents are as large as the sheet allows
+//!
+//! A room is cut where the weighted sum of the logarithms of the scales is least (`division`): enlarging one content must
+//! not reduce another by a larger factor. Scales are those that a ruler reads, those of a hand, or any (`view`). All
+//! sheets of a scene have the same where that costs none of them much; values never change them without a word.
 //!
 //! # Values are a layer
 //!

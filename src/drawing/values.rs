@@ -8,6 +8,7 @@ use super::layout::{Aside, Item, Layout};
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::style::Style;
+use super::table::{Cells, Heading, Table};
 use super::text::{CAPTION, PlacedText, RichText};
 use crate::construction::{NOTHING, Plan, PlanVector, PointRole, Solution, rate_symbol};
 use crate::mechanism::{BodyId, Role};
@@ -190,6 +191,18 @@ pub(super) fn value_list(context: &SheetContext<'_>, after: Option<u16>) -> Opti
     let most = if context.figure().values.is_some() { f64::INFINITY } else { MOST * page[1] };
     let fits = list.height_in(width) <= most;
     (!list.entries.is_empty() && fits).then_some(list)
+}
+
+/// A table of values.
+pub(super) fn table<'v>(context: &SheetContext<'_>, values: impl Iterator<Item = &'v Value>) -> Table {
+    let language = context.words.language;
+    let heads = [(language.column_quantity(), "name", false), (language.value(), "value", true), ("", "unit", false)];
+    let rows = values.map(|value| {
+        let texts = vec![RichText::math(&value.symbol), RichText::plain(&value.written), RichText::plain(&value.unit)];
+        Cells::new(texts, format!("listed-{}-{}", value.panel.as_str(), ascii(&value.name)))
+    });
+    let heads = heads.map(|(text, id, is_number)| Heading::new(RichText::plain(text), id, is_number));
+    Table::new(heads.to_vec(), rows.collect())
 }
 
 /// Requests the label of a value beside `anchor`; it is left out where there is no room.
