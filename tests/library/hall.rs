@@ -4,7 +4,7 @@
 use kinegon::Sheet;
 use kinegon::construction::Aim;
 use kinegon::cycle::Animation;
-use kinegon::drawing::{Drawing, Pen, Shape};
+use kinegon::drawing::{Drawing, Mark, Pen, Shape};
 use kinegon::scene::{Figure, Page, ScalesFor, StyleName};
 use kinegon::{Scene, Solution};
 use support::faults::{faults, id, panels};
