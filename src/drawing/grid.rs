@@ -155,6 +155,8 @@ pub struct Obstacles {
     pub lines: Vec<(Point, Point)>,
     /// The panel: no label leaves it.
     pub bounds: Rect,
+    /// By box: the ink of the text that it keeps white, if it does.
+    inks: Vec<Option<Rect>>,
     grid_of_boxes: Grid,
     grid_of_lines: Grid,
 }
@@ -163,20 +165,23 @@ impl Obstacles {
     /// A panel without obstacles.
     pub fn new(bounds: Rect) -> Self {
         let (grid_of_boxes, grid_of_lines) = (Grid::new(bounds), Grid::new(bounds));
-        Self { boxes: Vec::new(), lines: Vec::new(), bounds, grid_of_boxes, grid_of_lines }
+        Self { boxes: Vec::new(), lines: Vec::new(), bounds, inks: Vec::new(), grid_of_boxes, grid_of_lines }
     }
 
     /// Adds boxes that nothing may touch.
     pub fn add_boxes(&mut self, areas: impl IntoIterator<Item = Rect>) {
-        for area in areas {
-            self.grid_of_boxes.add(self.boxes.len(), area);
-            self.boxes.push(area);
-        }
+        areas.into_iter().for_each(|area| self.add_box(area, None));
+    }
+
+    fn add_box(&mut self, area: Rect, ink: Option<Rect>) {
+        self.grid_of_boxes.add(self.boxes.len(), area);
+        self.boxes.push(area);
+        self.inks.push(ink);
     }
 
     /// Adds texts, from which other texts keep as much white as two texts need.
     pub(super) fn add_texts(&mut self, inks: impl IntoIterator<Item = Rect>) {
-        self.add_boxes(inks.into_iter().map(|ink| ink.inflate(BESIDE - BOX_GAP, ABOVE - BOX_GAP)));
+        inks.into_iter().for_each(|ink| self.add_box(ink.inflate(BESIDE - BOX_GAP, ABOVE - BOX_GAP), Some(ink)));
     }
 
     /// Adds lines that labels cross only where there is no other place.
@@ -195,6 +200,12 @@ impl Obstacles {
     /// The boxes near `area`, in the order in which they came.
     pub(super) fn boxes_near(&self, area: Rect) -> impl Iterator<Item = Rect> {
         self.grid_of_boxes.near(area).into_iter().map(|index| self.boxes[index])
+    }
+
+    /// The boxes near `area` without the white around texts, and whether each is a text's.
+    pub(super) fn things_near(&self, area: Rect) -> impl Iterator<Item = (Rect, bool)> {
+        let near = self.grid_of_boxes.near(area).into_iter();
+        near.map(|index| (self.inks[index].unwrap_or(self.boxes[index]), self.inks[index].is_some()))
     }
 
     /// The lines near `area` by their numbers, in rising order.

@@ -1,9 +1,10 @@
 //! Enlarged detail: a crowd of plan points, drawn larger in a circle beside it.
 
-use super::canvas::{Canvas, Inset};
+use super::canvas::{Canvas, Inset, Wanted};
+use super::labels::LabelRequest;
 use super::shape::{Shape, around};
 use super::sheet::{Mark, Pen};
-use super::text::{CAPTION, PlacedText, RichText};
+use super::text::RichText;
 use crate::words::{NumberStyle, Wording};
 use kurbo::{Point, Vec2};
 use petgraph::unionfind::UnionFind;
@@ -105,27 +106,9 @@ impl Inset {
         let line = Shape::Line(self.crowd + along * small, self.centre - along * self.radius);
         canvas.draw(Pen::Frame, line);
         let text = RichText::plain(&format!("{} : 1", words.write(self.factor, NumberStyle::shortest())));
-        // Within the circle below or above; where both are taken, beneath it, over it or beside it, within the panel.
-        let half = 0.5 * text.width(CAPTION);
-        let at = |(x, y): (f64, f64)| PlacedText::new(text.clone(), CAPTION, self.centre + Vec2::new(x - half, y));
-        let (radius, beside) = (self.radius, self.radius + half + 1.0);
-        let middle = 0.3 * CAPTION;
-        let places = [
-            (0.0, radius - 1.4),
-            (0.0, CAPTION - radius),
-            (0.0, radius + CAPTION),
-            (0.0, -radius - 1.4),
-            (beside, middle),
-            (-beside, middle),
-        ]
-        .map(at);
-        let frame = canvas.frame;
-        let free = places.iter().find(|place| {
-            let ink = place.ink_box().inflate(0.3, 0.3);
-            frame.union(ink) == frame && !canvas.obstacles.overlaps(ink)
-        });
-        let text = free.unwrap_or(&places[0]).clone();
-        canvas.draw(Pen::Label, Shape::Text(text));
+        // Below the circle, or where there is room beside it.
+        let request = LabelRequest::new(text, self.centre, self.radius, Some(Vec2::new(0.0, 1.0)), 1);
+        canvas.request_label(Wanted::new("factor".to_owned(), request));
     }
 
     /// The enlarged parts of a shape in the circle.

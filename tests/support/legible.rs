@@ -1,7 +1,7 @@
 //! What a reader could misread: texts of a panel that run together, and texts that a line goes through. Texts are measured
 //! by the convex hulls of their letters' outlines, lines with their widths.
 
-use super::faults::{meet, panels};
+use super::faults::{covers, meet};
 use kinegon::drawing::{Drawing, Mark, OutlinePart, Pen, PlacedText, Point, Rect, Shape, Vec2};
 use std::f64::consts::PI;
 
@@ -38,16 +38,20 @@ struct Text<'a> {
 /// against each other.
 pub fn misread(drawing: &Drawing) -> Misread {
     let mut found = Misread::default();
-    for (_, marks) in panels(drawing) {
-        let texts: Vec<Text<'_>> = marks.iter().filter_map(text).collect();
+    for (_, frame) in &drawing.panels {
+        let marks = || drawing.marks.iter().filter(|mark| frame.overlaps(mark.shape.bounds()));
+        let texts: Vec<Text<'_>> = marks().filter_map(text).collect();
         for (index, one) in texts.iter().enumerate() {
             for other in texts[..index].iter().filter(|other| one.pen != Pen::Caption || other.pen != Pen::Caption) {
                 compare(one, other, &mut found);
             }
         }
-        for mark in marks {
+        for mark in marks() {
             let strokes = strokes(drawing, mark);
-            for text in texts.iter().filter(|text| strokes.iter().any(|stroke| meet_boxes(text, stroke))) {
+            let strikes = |text: &&Text<'_>| {
+                strokes.iter().any(|stroke| covers(stroke, text.ink) && meet(&text.hull, stroke))
+            };
+            for text in texts.iter().filter(strikes) {
                 let what = mark.id.as_deref().unwrap_or("");
                 found.struck.push(format!("{} by {:?} {what}", text.text.text.content(), mark.pen));
             }
@@ -184,12 +188,4 @@ fn strokes(drawing: &Drawing, mark: &Mark) -> Vec<Vec<Point>> {
     // The notch of a head is hardly seen: tip and barbs are a triangle.
     strokes.extend(mark.shape.head().map(|[tip, left, _, right]| vec![tip, left, right]));
     strokes
-}
-
-fn meet_boxes(text: &Text<'_>, stroke: &[Point]) -> bool {
-    let Rect { x0, y0, x1, y1 } = text.ink;
-    let beyond = |is: fn(Point) -> f64, low: f64, high: f64| {
-        stroke.iter().all(|p| is(*p) < low) || stroke.iter().all(|p| is(*p) > high)
-    };
-    !beyond(|p| p.x, x0, x1) && !beyond(|p| p.y, y0, y1) && meet(&text.hull, stroke)
 }

@@ -147,8 +147,11 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Draws a mark that appears in one step only; it is no obstacle.
+    /// Draws a mark that appears in one step only; labels keep off it, but for hints.
     pub(super) fn draw_in_step(&mut self, step: u16, pen: Pen, shape: Shape) -> &mut Mark {
+        if pen != Pen::Hint {
+            self.add_obstacle(pen, &shape);
+        }
         self.drawing.add(Mark { since: step, passing: true, ..Mark::new(pen, shape) })
     }
 

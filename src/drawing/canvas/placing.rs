@@ -166,7 +166,7 @@ impl Canvas<'_> {
             if wanted.optional && (label.crowded || label.struck > 0.0) {
                 continue;
             }
-            if label.left_out {
+            if label.crowded {
                 left_out.push(label.text.text.content());
                 continue;
             }

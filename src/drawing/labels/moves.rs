@@ -263,7 +263,7 @@ impl Search<'_> {
             }
         }
         worth += place.leader.map_or(0.0, |leader| self.cost_of_leader(leader));
-        (worth < limit).then_some((worth, place))
+        (worth < limit.min(STRUCK)).then_some((worth, place))
     }
 
     /// A place inside the panel for a label without one, which covers as little as possible.

@@ -13,7 +13,7 @@ use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, SIDES, ST
 pub(super) const STRUCK: f64 = 1000.0;
 /// Per millimetre of line near the ink.
 const CROSSING: f64 = 1.6;
-/// Of a leader for each line that it crosses, and for each joint, arrowhead or text.
+/// Of a leader for each line that it crosses, and for each joint or arrowhead.
 const ACROSS: [f64; 2] = [0.7, 6.0];
 /// Per millimetre by which another anchor is not clearly farther than the label's own.
 const AMBIGUITY: f64 = 2.5;
@@ -219,11 +219,15 @@ impl<'a> Search<'a> {
     pub(super) fn cost_of_leader(&self, leader: (Point, Point)) -> f64 {
         let area = Rect::from_points(leader.0, leader.1);
         let is_crossed = |line: &usize| crosses_line(self.obstacles.lines[*line], leader);
-        let clipped = Clipped::new(leader);
-        let is_touched = |other: &Rect| clipped.share_inside(*other) > 0.0;
         let lines = self.obstacles.lines_near(area).into_iter().filter(is_crossed).count();
-        let boxes = self.obstacles.boxes_near(area).filter(is_touched).count();
-        ACROSS[0] * lines as f64 + ACROSS[1] * boxes as f64
+        let clipped = Clipped::new(leader);
+        let near = self.obstacles.things_near(area.inflate(LINE_GAP, LINE_GAP));
+        let boxes = near.map(|(other, is_text)| match is_text {
+            true if clipped.share_inside(other.inflate(LINE_GAP, LINE_GAP)) > 0.0 => STRUCK,
+            false if clipped.share_inside(other) > 0.0 => ACROSS[1],
+            _ => 0.0,
+        });
+        ACROSS[0] * lines as f64 + boxes.sum::<f64>()
     }
 
     /// The cost of other anchors that are not clearly farther from ink than its own.

@@ -291,6 +291,7 @@ impl<'a> PlanOnPaper<'a> {
         canvas.step = last;
         let text = words(&self.shown(names));
         let label = canvas.ask(&id(names), LabelRequest::new(text, tail, 1.0, None, 2));
+        label.short = before.is_empty().then(|| RichText::math(&self.shown(names)));
         label.before = before;
     }
 

@@ -140,6 +140,7 @@ impl<'a> SchemeOnPaper<'a> {
                 let (at, across) = (self.view.at(tick.place), Vec2::new(-along.y, along.x) * TICK);
                 let name = format!("tick-{}-{}", path.name, index + 1);
                 let stroke = Shape::Line(at - across, at + across);
+                canvas.reserve(&stroke);
                 canvas.draw_below(&name, Pen::Trace, stroke).number = number;
             }
         }

@@ -192,7 +192,8 @@ impl SchemeOnPaper<'_> {
         };
         let name = format!("point-{}", special.name);
         canvas.draw_named(&name, Pen::Special, canvas.arrow(tail, edge));
-        canvas.ask(&special.name, LabelRequest::new(RichText::plain(&distance), tail, 1.0, None, 3));
+        let request = LabelRequest::new(RichText::plain(&distance), tail, 1.0, None, 3);
+        canvas.ask(&special.name, request).short = Some(RichText::math(&label));
     }
 }
 

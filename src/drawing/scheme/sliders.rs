@@ -78,7 +78,7 @@ impl SchemeOnPaper<'_> {
         let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
         let across = Vec2::new(-along.y, along.x);
         // White for the ground line and its hatching beside the block.
-        let bounds = canvas.obstacles.bounds.inset(-(half.y + HATCH));
+        let bounds = canvas.room().inset(-(half.y + HATCH));
         let Some((a, b)) = clipped_segment(bounds, at - along * reach, at + along * reach) else {
             return;
         };
