@@ -149,7 +149,8 @@ impl Canvas<'_> {
         let mut placed = place(&asked, &self.obstacles, before.as_deref());
         let mut is_shortened = false;
         for ((label, wanted), asked) in placed.iter().zip(&requests).zip(&mut asked) {
-            if let (true, Some(short)) = (label.crowded || label.struck > 0.0, &wanted.short) {
+            let has_room = label.as_ref().is_some_and(|label| !label.is_struck);
+            if let (false, Some(short)) = (has_room, &wanted.short) {
                 (asked.text, is_shortened) = (short.clone(), true);
             }
         }
@@ -157,19 +158,20 @@ impl Canvas<'_> {
             placed = place(&asked, &self.obstacles, before.as_deref());
         }
         if let Some(held) = &mut self.held {
-            let free = ids.into_iter().zip(&placed).zip(&asked).filter(|((_, label), _)| !label.crowded);
-            let offsets = free.map(|((id, label), asked)| (id, label.text.ink_box().center() - asked.anchor));
+            let all = ids.into_iter().zip(&placed).zip(&asked);
+            let offsets = all.filter_map(|((id, label), asked)| {
+                Some((id, label.as_ref()?.text.ink_box().center() - asked.anchor))
+            });
             held.now.labels.extend(offsets);
         }
         let mut left_out = Vec::new();
-        for (label, wanted) in placed.into_iter().zip(requests) {
-            if wanted.optional && (label.crowded || label.struck > 0.0) {
+        for ((label, asked), wanted) in placed.into_iter().zip(asked).zip(requests) {
+            let Some(label) = label.filter(|label| !label.is_struck) else {
+                if !wanted.optional && !asked.text.is_empty() {
+                    left_out.push(asked.text.content());
+                }
                 continue;
-            }
-            if label.crowded {
-                left_out.push(label.text.text.content());
-                continue;
-            }
+            };
             self.step = wanted.before.first().map_or(wanted.since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
                 self.add_mark(None, Pen::Leader, Shape::Line(a, b));

@@ -152,17 +152,16 @@ fn name_verticals(drawing: &mut Drawing, context: &CurveContext<'_>, y: f64, dri
         };
         let text = RichText::plain(&format!("{word} {}", context.drive_value(value)));
         let (anchor, prefer) = (Point::new(drive.at(value), y), Some(Vec2::new(0.0, -1.0)));
-        LabelRequest { size: CAPTION, ..LabelRequest::new(text, anchor, 0.7, prefer, 1) }
+        let request = LabelRequest::new(text, anchor, 0.7, prefer, 1);
+        LabelRequest { size: CAPTION, may_stand_apart: false, ..request }
     };
     let requests: Vec<LabelRequest> = context.verticals().into_iter().map(request).collect();
     // All names are on one baseline.
     let row = Rect::new(MARGIN, y - 0.7 - CAPTION, drawing.width - MARGIN, y);
-    for label in place(&requests, &Obstacles::new(row), None) {
-        if !label.crowded {
-            let mut text = label.text;
-            text.origin.y = y - 1.4;
-            drawing.draw(Pen::Caption, Shape::Text(text));
-        }
+    for label in place(&requests, &Obstacles::new(row), None).into_iter().flatten() {
+        let mut text = label.text;
+        text.origin.y = y - 1.4;
+        drawing.draw(Pen::Caption, Shape::Text(text));
     }
 }
 

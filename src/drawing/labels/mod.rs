@@ -9,7 +9,7 @@
 //! Point-Feature Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one is deterministic:
 //! the same labels always get the same places.
 
-use kurbo::{Point, Vec2};
+use kurbo::{Point, Rect, Vec2};
 
 mod moves;
 mod places;
@@ -21,37 +21,35 @@ use places::Spot;
 pub use places::{LabelRequest, PlacedLabel};
 use search::Search;
 
-/// The places of the labels, in the order of the requests.
+/// The places of the labels, in the order of the requests; none for a label without a place, as on a panel that is full,
+/// and for one without text.
 ///
-/// Between two labels is so much white that they are not read as one. No label touches an obstacle box or the edge of the
-/// panel, unless it is `crowded`: then the panel has no free place, and it is where it covers least. The search for so many labels that no panel could show them ends early;
-/// labels without a place are then `left_out`. The same input gives the same places on every platform.
+/// Between two labels is so much white that they are not read as one, and none touches an obstacle box or leaves the panel.
+/// The search for so many labels that no panel could show them ends early. The same input gives the same places on every
+/// platform.
 ///
 /// While a mechanism moves, `before` has for each label where the middle of its ink was from its anchor: it stays there
 /// as long as nothing is much better, and the search is short.
-pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, before: Option<&[Option<Vec2>]>) -> Vec<PlacedLabel> {
+pub fn place(
+    requests: &[LabelRequest],
+    obstacles: &Obstacles,
+    before: Option<&[Option<Vec2>]>,
+) -> Vec<Option<PlacedLabel>> {
     let mut search = Search::new(requests, obstacles, before);
     search.choose_first();
     search.settle();
     search.improve();
     search.settle();
-    let is_cut_short = search.is_cut_short.get();
-    let found: Vec<Option<Spot>> =
-        search.labels.iter().map(|label| label.chosen.map(|chosen| label.places[chosen])).collect();
-    let placed = requests.iter().zip(found).enumerate().map(|(index, (request, found))| {
-        let crowded = found.is_none() && !request.text.is_empty();
-        let left_out = crowded && is_cut_short;
-        let place = found.unwrap_or_else(|| match left_out {
-            true => search.labels[index].first_place(),
-            false => search.least_covering(index),
-        });
-        let struck = if left_out { 0.0 } else { search.struck(place.ink) };
-        PlacedLabel { text: text_at(request, place), leader: place.leader, struck, crowded, left_out }
+    let placed = requests.iter().enumerate().map(|(index, request)| {
+        let is_struck = !search.is_clear(index);
+        let label = &search.labels[index];
+        let Spot { ink, leader, .. } = label.places[label.chosen?];
+        Some(PlacedLabel { text: text_at(request, ink), leader, is_struck })
     });
     placed.collect()
 }
 
-fn text_at(request: &LabelRequest, spot: Spot) -> PlacedText {
-    let origin = Point::ORIGIN + (spot.ink.origin() - request.text.ink_box(request.size).origin());
+fn text_at(request: &LabelRequest, ink: Rect) -> PlacedText {
+    let origin = Point::ORIGIN + (ink.origin() - request.text.ink_box(request.size).origin());
     PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle)
 }

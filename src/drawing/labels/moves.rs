@@ -3,7 +3,7 @@
 use kurbo::{Rect, Vec2};
 
 use super::super::shape::distance_to_box;
-use super::places::{LINE_GAP, SIDES, Spot};
+use super::places::Spot;
 use super::search::{Effort, STRUCK, Search};
 
 /// Least gain in mm that makes a label move, so that rounding cannot make two labels swap for ever.
@@ -62,7 +62,7 @@ impl Search<'_> {
     }
 
     /// Whether a label has a place off all lines.
-    fn is_clear(&mut self, index: usize) -> bool {
+    pub(super) fn is_clear(&mut self, index: usize) -> bool {
         self.labels[index].chosen.is_some_and(|chosen| self.cost(index, chosen) < STRUCK)
     }
 
@@ -264,36 +264,5 @@ impl Search<'_> {
         }
         worth += place.leader.map_or(0.0, |leader| self.cost_of_leader(leader));
         (worth < limit.min(STRUCK)).then_some((worth, place))
-    }
-
-    /// A place inside the panel for a label without one, which covers as little as possible.
-    pub(super) fn least_covering(&self, index: usize) -> Spot {
-        let label = &self.labels[index];
-        let bounds = self.obstacles.bounds;
-        let covered = |ink: Rect| {
-            let near = ink.inflate(LINE_GAP, LINE_GAP);
-            let all = self.chosen_near(near).map(|(_, other)| other.ink).chain(self.obstacles.boxes_near(ink));
-            all.map(|other| {
-                let both = other.intersect(ink);
-                both.width().max(0.0) * both.height().max(0.0)
-            })
-            .sum::<f64>()
-        };
-        let mut best: Option<(f64, Rect)> = None;
-        for side in &SIDES {
-            let ink = label.ink_beside(side, label.clearance);
-            // Moved into the panel; where it is too small, against its left and upper edges.
-            let back = Vec2::new(
-                (bounds.x1 - ink.x1).min(0.0).max(bounds.x0 - ink.x0),
-                (bounds.y1 - ink.y1).min(0.0).max(bounds.y0 - ink.y0),
-            );
-            let ink = ink + back;
-            let hidden = covered(ink);
-            if best.is_none_or(|(least, _)| hidden < least) {
-                best = Some((hidden, ink));
-            }
-        }
-        let ink = best.map_or(label.ink + label.anchor.to_vec2(), |(_, ink)| ink);
-        Spot { ink, least: 0.0, known: false, leader: None }
     }
 }

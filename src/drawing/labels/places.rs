@@ -44,12 +44,8 @@ pub struct PlacedLabel {
     pub text: PlacedText,
     /// A thin line from near the anchor to near the text, where the text had to stand apart.
     pub leader: Option<(Point, Point)>,
-    /// Length of the lines that cross the ink's box, with half the width of a line around it, in mm.
-    pub struck: f64,
-    /// Whether the panel holds no free place, so that this label touches something.
-    pub crowded: bool,
-    /// Whether there are so many labels that the search was ended before this one had a place: it is better left out.
-    pub left_out: bool,
+    /// Whether a line goes through it, or its leader through another text.
+    pub is_struck: bool,
 }
 
 /// Distances beyond the clearance, in mm, at which a label still clearly belongs to its anchor.
@@ -208,11 +204,6 @@ impl Label {
         let center =
             self.anchor + side.shift * distance + Vec2::new(side.align.x * 0.5 * width, side.align.y * 0.5 * height);
         Rect::from_center_size(center, (width, height))
-    }
-
-    /// The place that comes first, free or not.
-    pub(super) fn first_place(&self) -> Spot {
-        self.place_at(self.ink_beside(&SIDES[0], self.clearance), 0.0, 0.0)
     }
 
     /// By side: the cost of its direction.

@@ -202,13 +202,6 @@ impl<'a> Search<'a> {
         self.add_places(index, &FAR);
     }
 
-    /// Length of the lines that strike through ink, in mm.
-    pub(super) fn struck(&self, ink: Rect) -> f64 {
-        let area = ink.inflate(STRIKE_GAP, STRIKE_GAP);
-        let lines = self.obstacles.lines_near(area).into_iter().map(|line| &self.lines[line]);
-        lines.map(|line| line.share_inside(area) * line.length).sum()
-    }
-
     /// Whether a line strikes through ink.
     pub(super) fn is_struck(&self, ink: Rect) -> bool {
         let area = ink.inflate(STRIKE_GAP, STRIKE_GAP);
