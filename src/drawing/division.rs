@@ -35,6 +35,18 @@ pub(super) struct Sharing<'a> {
     pub series: Series,
 }
 
+/// What is found for a division.
+pub(super) struct Best {
+    /// The scales by panel.
+    pub mu: Vec<f64>,
+    /// By the bits of a number: which panels are wide enough for the scale beside the heading.
+    pub wide: u32,
+    pub loss: f64,
+}
+
+/// Scales by panel, and which panels are wide.
+type At<'a> = (&'a [f64], u32);
+
 impl Division {
     /// All divisions among some panels, of which there is at least one.
     pub(super) fn all(panels: usize) -> Vec<Division> {
@@ -61,39 +73,41 @@ impl Division {
 }
 
 impl Sharing<'_> {
-    /// The best scales by panel for a division of a room, whether all contents fit, and the loss.
-    pub(super) fn best(&self, division: &Division, [width, height]: [f64; 2]) -> (Vec<f64>, bool, f64) {
+    /// The best scales by panel for a division of a room; the coarsest of those that were tried where not all contents fit.
+    pub(super) fn best(&self, division: &Division, room: [f64; 2]) -> Best {
         let mut mu: Vec<f64> = self.needs.iter().map(|needs| needs.fixed().unwrap_or_default()).collect();
         if mu.contains(&0.0) {
-            self.finest(division, [width, height], &mut mu);
+            self.finest(division, room, &mut mu);
         }
-        let fits = |mu: &[f64]| {
-            let [w, h] = self.least(division, mu);
-            w <= width && h <= height
-        };
         let loss = |mu: &[f64]| self.needs.iter().zip(mu).map(|(needs, mu)| needs.weight * libm::log(*mu)).sum::<f64>();
         let steps: Vec<Vec<f64>> = self.needs.iter().zip(&mu).map(|(needs, mu)| self.neighbours(needs, *mu)).collect();
-        let mut best: Option<(Vec<f64>, f64)> = None;
+        let mut best: Option<Best> = None;
         let mut tried = vec![0; steps.len()];
         loop {
-            let set: Vec<f64> = tried.iter().zip(&steps).map(|(at, steps)| steps[*at]).collect();
-            let loss = loss(&set);
-            if best.as_ref().is_none_or(|(_, least)| loss < *least) && fits(&set) {
-                best = Some((set, loss));
+            let mu: Vec<f64> = tried.iter().zip(&steps).map(|(at, steps)| steps[*at]).collect();
+            let loss = loss(&mu);
+            if best.as_ref().is_none_or(|best| loss < best.loss)
+                && let Some(wide) = self.fitting(division, &mu, room)
+            {
+                best = Some(Best { mu, wide, loss });
             }
             // The next set, as a counter counts.
             let Some(at) = (0..tried.len()).find(|at| tried[*at] + 1 < steps[*at].len()) else { break };
             tried[..at].fill(0);
             tried[at] += 1;
         }
-        match best {
-            Some((mu, loss)) => (mu, true, loss),
-            None => {
-                let mu: Vec<f64> = steps.iter().map(|steps| steps[steps.len() - 1]).collect();
-                let loss = loss(&mu);
-                (mu, false, loss)
-            }
-        }
+        best.unwrap_or_else(|| {
+            let mu: Vec<f64> = steps.iter().map(|steps| steps[steps.len() - 1]).collect();
+            Best { loss: loss(&mu), mu, wide: 0 }
+        })
+    }
+
+    /// Which panels are wide enough for the scale beside the heading, by the bits of a number, where all contents fit.
+    fn fitting(&self, division: &Division, mu: &[f64], [width, height]: [f64; 2]) -> Option<u32> {
+        (0..1 << self.needs.len()).find(|wide| {
+            let [w, h] = self.least(division, (mu, *wide));
+            w <= width && h <= height
+        })
     }
 
     /// The scales of the series about one without steps, the finest first; the one that is given.
@@ -150,11 +164,11 @@ impl Sharing<'_> {
     }
 
     /// Width and height that the contents need at these scales.
-    fn least(&self, division: &Division, mu: &[f64]) -> [f64; 2] {
+    fn least(&self, division: &Division, at: At<'_>) -> [f64; 2] {
         match division {
-            Division::Panel(index) => self.needs[*index].frame(mu[*index] * self.unit),
+            Division::Panel(index) => self.needs[*index].frame(at.0[*index] * self.unit, at.1 & (1 << index) != 0),
             Division::Parts { down, parts } => {
-                let [a, b] = parts.each_ref().map(|part| self.least(part, mu));
+                let [a, b] = parts.each_ref().map(|part| self.least(part, at));
                 let along = usize::from(*down);
                 let mut both = [a[0].max(b[0]), a[1].max(b[1])];
                 both[along] = a[along] + GAP + b[along];
@@ -188,13 +202,13 @@ impl Sharing<'_> {
 
     /// Frames by panel: what a room has beyond the needs of the contents is shared in proportion to them and to how much the panels count; where it is too
     /// small all have too little, but headings have room first.
-    pub(super) fn frames(&self, division: &Division, room: Rect, mu: &[f64], frames: &mut [Rect]) {
+    pub(super) fn frames(&self, division: &Division, room: Rect, at: At<'_>, frames: &mut [Rect]) {
         match division {
             Division::Panel(index) => frames[*index] = room,
             Division::Parts { down, parts } => {
                 let along = usize::from(*down);
                 let whole = [room.width(), room.height()][along] - GAP;
-                let [a, b] = parts.each_ref().map(|part| self.least(part, mu)[along]);
+                let [a, b] = parts.each_ref().map(|part| self.least(part, at)[along]);
                 let [least_a, least_b] = parts.each_ref().map(|part| self.narrowest(part, *down));
                 let cut = match () {
                     () if a + b <= whole => {
@@ -208,8 +222,8 @@ impl Sharing<'_> {
                     }
                 };
                 let [first, rest] = divided(room, *down, cut);
-                self.frames(&parts[0], first, mu, frames);
-                self.frames(&parts[1], rest, mu, frames);
+                self.frames(&parts[0], first, at, frames);
+                self.frames(&parts[1], rest, at, frames);
             }
         }
     }

@@ -297,7 +297,8 @@ impl LaidOut<'_> {
     }
 }
 
-/// The scales of all sheets: the same where that makes no sheet's content much smaller, and for a hand always.
+/// The scales of all sheets: the same where that makes no sheet's content much smaller, and for a hand always; on a
+/// projector, where nobody lays a ruler, each sheet has its own.
 fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
     let (figure, given) = (context.figure(), context.surface.mu);
     if figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
@@ -306,7 +307,7 @@ fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
     let extents = extents_to_fit(context);
     let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
     let own = sheets.each_ref().map(|sheet| given.or(sheet.layout().mu()));
-    if figure.scales == ScalesFor::Sheet {
+    if figure.scales == ScalesFor::Sheet || context.surface.series == Series::Any {
         return own;
     }
     // Of the sets of scales that the sheets would have by themselves, and their mixtures, the finest that fits on all.

@@ -1,7 +1,7 @@
 //! Division of a sheet into panels with scales, an area without panels, and one for words below.
 
 use super::dims::Dims;
-use super::division::{Division, Sharing};
+use super::division::{Best, Division, Sharing};
 use super::sheet::Drawing;
 use super::view::{Extent, Series, fitting_scale};
 use crate::geometry;
@@ -91,10 +91,12 @@ impl Needs {
             + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
     }
 
-    /// Least width and height of the frame at a scale in units per unit of the layout, in mm.
-    pub(super) fn frame(&self, mu: f64) -> [f64; 2] {
+    /// Least width and height of the frame at a scale in units per unit of the layout, in mm: as narrow as it may be, or wide
+    /// enough for the scale beside the heading.
+    pub(super) fn frame(&self, mu: f64, is_wide: bool) -> [f64; 2] {
         let size = self.size().map(|size| size / mu);
-        let width = (size[0] + 2.0 * self.white).max(self.least_width());
+        let beside = if is_wide { self.heading + self.scale } else { 0.0 };
+        let width = (size[0] + 2.0 * self.white).max(self.least_width()).max(beside);
         [width + ROUNDING, self.header(width) + size[1] + self.white + ROUNDING]
     }
 
@@ -246,9 +248,9 @@ pub(super) fn layout(
     let mut best: Option<Layout> = None;
     for (room, aside) in rooms {
         for division in &divisions {
-            let (mu, _, loss) = sharing.best(division, [room.width(), room.height()]);
+            let Best { mu, wide, loss } = sharing.best(division, [room.width(), room.height()]);
             let mut frames = vec![room; needs.len()];
-            sharing.frames(division, room, &mu, &mut frames);
+            sharing.frames(division, room, (&mu, wide), &mut frames);
             let placed = needs.iter().zip(frames).zip(mu);
             let panels: Vec<Placed> =
                 placed.map(|((needs, frame), mu)| Placed::new(needs, frame, mu, dims.unit)).collect();

@@ -157,12 +157,8 @@ impl Frame {
         let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
         let size = extent.size();
         let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
-        // With a given scale no more room than without.
-        let width = |scales: ScaleBars| match context.surface.mu[sheet] {
-            Some(mu) => scales.narrowest(sheet, mu).width(),
-            None => scales.least_width(sheet, coarse),
-        };
-        let width = self.scale.map(|scales| width(scales) + BEFORE + APART);
+        let given = context.surface.mu[sheet];
+        let width = self.scale.map(|scales| scales.least_width(sheet, given, coarse) + BEFORE + APART);
         let needs = Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) };
         // Scales for a hand are chosen with more white: on a work sheet markers need a part of it.
         match (context.surface.series, context.surface.mu[sheet]) {

@@ -77,12 +77,18 @@ impl ScaleBars {
         ScaleBar { value: None, bar: Some((text, shown / mu)) }
     }
 
-    /// Width of the narrowest scale of a sheet from `mu` to ten times that, in mm.
-    pub(super) fn least_width(&self, sheet: Sheet, mu: f64) -> f64 {
+    /// Width that the narrowest scale of a sheet needs, in mm; without a scale that of any from `mu` to ten times that.
+    pub(super) fn least_width(&self, sheet: Sheet, given: Option<f64>, mu: f64) -> f64 {
         // Of the scales of a decade 1.25 and 2.5 have most digits, and 1000 has one more than 800.
         let longest = self.series.longest();
-        let near = [0.1 * mu, mu].map(|mu| next_of(&[longest], mu));
-        near.map(|mu| self.narrowest(sheet, mu).width()).into_iter().fold(0.0, f64::max)
+        let near = [0.1 * mu, mu, 10.0 * mu].map(|mu| given.unwrap_or_else(|| next_of(&[longest], mu)));
+        let width = |mu: f64| match self.narrowest(sheet, mu) {
+            // A bar alone has a round value, so its length is known with the scale alone.
+            ScaleBar { value: None, bar: Some((text, _)) } => ALONE[0] + GAPS[2] + text.width(CAPTION),
+            bar => bar.width(),
+        };
+        let count = if given.is_some() { 1 } else { near.len() };
+        near.into_iter().take(count).map(width).fold(0.0, f64::max)
     }
 
     /// The narrowest scale of a sheet: without the bar, or with a short one alone.

@@ -1,7 +1,7 @@
 //! Values asked for on the command line: their unit, those without room, and what is refused.
 
 use support::files;
-use support::program::{kinegon, stderr};
+use support::program::{kinegon, scratch, stderr};
 
 fn run(arguments: &[&str]) -> std::process::Output {
     kinegon().args(arguments).current_dir(files::path(".")).output().expect("the program runs")
@@ -23,18 +23,19 @@ fn values_have_the_unit_asked_for() {
 /// What stands nowhere is named, once and with what helps.
 #[test]
 fn values_without_room_are_named() {
-    let output = run(&["draw", "tests/lecture/valve.json", "--values", "-o", "-"]);
+    let folder = scratch("values-without-room");
+    let [svg, next] = ["valve.svg", "valve-2.svg"].map(|name| folder.join(name));
+    let output = run(&["draw", "tests/lecture/valve.json", "--values", "-o", svg.to_str().expect("UTF-8")]);
     assert!(output.status.success(), "{}", stderr(&output));
     let said = stderr(&output);
     let notes: Vec<&str> = said.lines().filter(|line| line.contains("no room for the values of")).collect();
     assert_eq!(notes.len(), 1, "{said}");
-    assert!(notes[0].contains("--worksheet"), "{said}");
-    let svg = String::from_utf8(output.stdout).expect("SVG is text");
-    // The results have a place in any case.
-    assert!(svg.contains("listed-velocity-value-v_C"));
+    assert!(notes[0].contains("next sheet"), "{said}");
+    let [svg, next] = [svg, next].map(|path| std::fs::read_to_string(path).expect("a sheet"));
     let names = notes[0].split("of ").nth(1).and_then(|rest| rest.split(';').next()).expect("names");
     for name in names.split(", ").filter(|name| name.starts_with("v_")) {
         assert!(!svg.contains(&format!("id=\"velocity-value-{name}\"")), "{name}");
+        assert!(next.contains(&format!("listed-velocity-value-{name}-name")), "{name}");
     }
     assert!(!stderr(&run(&["draw", "tests/lecture/valve.json", "-o", "-"])).contains("no room"));
 }

@@ -48,9 +48,8 @@ pub fn misread(drawing: &Drawing) -> Misread {
         }
         for mark in marks() {
             let strokes = strokes(drawing, mark);
-            let strikes = |text: &&Text<'_>| {
-                strokes.iter().any(|stroke| covers(stroke, text.ink) && meet(&text.hull, stroke))
-            };
+            let strikes =
+                |text: &&Text<'_>| strokes.iter().any(|stroke| covers(stroke, text.ink) && meet(&text.hull, stroke));
             for text in texts.iter().filter(strikes) {
                 let what = mark.id.as_deref().unwrap_or("");
                 found.struck.push(format!("{} by {:?} {what}", text.text.text.content(), mark.pen));

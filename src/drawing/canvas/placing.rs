@@ -159,9 +159,8 @@ impl Canvas<'_> {
         }
         if let Some(held) = &mut self.held {
             let all = ids.into_iter().zip(&placed).zip(&asked);
-            let offsets = all.filter_map(|((id, label), asked)| {
-                Some((id, label.as_ref()?.text.ink_box().center() - asked.anchor))
-            });
+            let offsets = all
+                .filter_map(|((id, label), asked)| Some((id, label.as_ref()?.text.ink_box().center() - asked.anchor)));
             held.now.labels.extend(offsets);
         }
         let mut left_out = Vec::new();

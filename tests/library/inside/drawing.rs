@@ -250,7 +250,10 @@ mod labels {
         for (index, label) in all.iter().enumerate() {
             let ink = label.text.ink_box();
             assert_eq!(ink.union(obstacles.bounds), obstacles.bounds, "label {index} leaves the panel");
-            assert!(!obstacles.boxes.iter().any(|&other| touch(ink, other, [0.0; 2])), "label {index} touches an obstacle");
+            assert!(
+                !obstacles.boxes.iter().any(|&other| touch(ink, other, [0.0; 2])),
+                "label {index} touches an obstacle"
+            );
             for (other_index, other) in all[..index].iter().enumerate() {
                 assert!(!touch(ink, other.text.ink_box(), WHITE), "labels {other_index} and {index} read as one");
             }
