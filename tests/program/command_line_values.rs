@@ -37,7 +37,7 @@ fn values_without_room_are_named() {
         assert!(!svg.contains(&format!("id=\"velocity-value-{name}\"")), "{name}");
         assert!(next.contains(&format!("listed-velocity-value-{name}-name")), "{name}");
     }
-    assert!(!stderr(&run(&["draw", "tests/lecture/valve.json", "-o", "-"])).contains("no room"));
+    assert!(!stderr(&run(&["draw", "tests/lecture/valve.json", "-o", "-"])).contains("no room for the values"));
 }
 
 #[test]
