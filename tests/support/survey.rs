@@ -95,7 +95,7 @@ pub const HALL: By<usize> = By(18, 18, 36);
 /// Of the sheets of `legible` every so many-th.
 pub const LEGIBLE: By<usize> = By(23, 5, 1);
 /// The most texts there that run together beside each other and above each other, that are struck through, and that are left out.
-pub const MISREAD: By<[usize; 4]> = By([4, 8, 340, 20], [20, 40, 1600, 100], [100, 200, 8000, 500]);
+pub const MISREAD: By<[usize; 4]> = By([2, 4, 30, 80], [10, 20, 150, 400], [50, 100, 750, 2000]);
 
 // Students.
 
