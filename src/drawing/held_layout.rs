@@ -97,7 +97,9 @@ impl HeldLayout {
     #[must_use]
     pub fn of_figure(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> HeldLayout {
         let traces = Arc::new(Traces::of(own));
-        let context = FigureSheets::with_traces(own, Arc::clone(&traces)).scaled(steps);
+        let sheets = FigureSheets::with_traces(own, Arc::clone(&traces));
+        // Other modes need room, too.
+        let context = if modes.is_some() { sheets.unscaled() } else { sheets.scaled(steps) };
         let context = with_modes(context, modes);
         let extents = extents_to_fit(&context);
         HeldLayout::new(context, extents, steps, 0.0)
