@@ -175,7 +175,8 @@ impl<'a> FigureSheets<'a> {
             drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
         };
         let is_listed = self.laid_out().contents.list;
-        self.base.values.iter().filter(move |value| !(is_listed && value.is_listed()) && !has(value))
+        let is_shown = move |value: &&Value| has(value) || is_listed && value.is_listed();
+        self.base.values.iter().filter(move |value| !is_shown(value))
     }
 
     /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.

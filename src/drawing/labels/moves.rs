@@ -215,15 +215,15 @@ impl Search<'_> {
             if best.is_some_and(|(least, _)| nearest >= least) || self.is_enough() {
                 break;
             }
+            // The sides of the square, as far as they lie on the panel.
+            let is_between = |[low, high]: [i32; 2], step: i32| low <= step && step <= high;
             let across = |row: i32| {
-                let is_on = rows[0] <= row && row <= rows[1];
-                (if is_on { columns[0].max(-ring)..=columns[1].min(ring) } else { 1..=0 })
-                    .map(move |column| (column, row))
+                let within = columns[0].max(-ring)..=columns[1].min(ring);
+                within.filter(move |_| is_between(rows, row)).map(move |column| (column, row))
             };
             let down = |column: i32| {
-                let is_on = columns[0] <= column && column <= columns[1];
-                (if is_on { rows[0].max(1 - ring)..=rows[1].min(ring - 1) } else { 1..=0 })
-                    .map(move |row| (column, row))
+                let within = rows[0].max(1 - ring)..=rows[1].min(ring - 1);
+                within.filter(move |_| is_between(columns, column)).map(move |row| (column, row))
             };
             for (column, row) in across(-ring).chain(across(ring)).chain(down(-ring)).chain(down(ring)) {
                 let center = anchor + Vec2::new(f64::from(column), f64::from(row)) * STEP;
