@@ -52,6 +52,7 @@ pub struct Pane {
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Clone)]
 pub struct HeldLayout {
     layout: Layout,
     /// Where it is laid out, at the scales that were chosen.

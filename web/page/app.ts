@@ -51,6 +51,8 @@ export interface App {
    */
   pick(picked: (at: [number, number]) => void): () => void;
   markers: Signal<{ at: [number, number]; label: string }[]>;
+  /** Films one turn of the drive, or its way to and fro, in so many seconds; null where the browser cannot. The answer is null where that is broken off. */
+  film: ((seconds?: number) => Promise<Blob | null>) | null;
   /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
   open(text: string): void;
   /** The address of this page with a document in it. */

@@ -19,6 +19,7 @@ import { theme } from "./layout/theme.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
 import { drives, type Drives } from "./motion/drives.ts";
+import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
@@ -71,6 +72,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     photographed: signal<File | null>(null),
     pick: () => () => undefined,
     markers: signal([]),
+    film: null,
     open: (text) => app.history.change({ text }),
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
@@ -93,6 +95,7 @@ function wire(app: App, store: Store): void {
   looking(view, own, spot.tapped);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
+  app.film = filming(app, hands, parts.drives);
   stepsBar(app, going);
   toolbar(app);
   messages(app);
