@@ -198,7 +198,7 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
 /// Over a turn nothing leaves its panel, and scales, panels and poles stand still, on paper as on a part of a screen.
 #[test]
 fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
-    let panes = [None, Some(Pane { width: 900.0, height: 620.0, letters: 15.0 })];
+    let panes = [None, Some(Pane { width: 900.0, height: 620.0, letters: 15.0, words: true })];
     let mut turns = 0;
     for (name, own) in scenes() {
         let Ok(animation) = Animation::new(&own, None, 12) else { continue };
