@@ -11,7 +11,7 @@ use super::sheet::Drawing;
 use super::values::is_hidden;
 use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution, shown_text};
-use crate::cycle::{OtherModes, Traces};
+use crate::cycle::{Animation, OtherModes, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
 use crate::sheet::Sheet;
@@ -70,6 +70,17 @@ pub struct HeldLayout {
     held: Held,
 }
 
+/// All positions of a mechanism on its branch, by drive: for its layouts on several surfaces they are computed once.
+pub struct Positions(Vec<Animation>);
+
+impl Positions {
+    /// Those of a scene's mechanism; none of one that stands still.
+    #[must_use]
+    pub fn of(own: &Solution) -> Positions {
+        Positions(cycles_of(own))
+    }
+}
+
 /// A place that can be taken hold of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Handle {
@@ -119,6 +130,18 @@ impl HeldLayout {
         modes: Option<&OtherModes>,
         pane: Option<Pane>,
     ) -> HeldLayout {
+        HeldLayout::of_positions(own, &Positions::of(own), steps, modes, pane)
+    }
+
+    /// That of the cycle, where its positions are known.
+    #[must_use]
+    pub fn of_positions(
+        own: &Solution,
+        Positions(cycles): &Positions,
+        steps: Option<Steps>,
+        modes: Option<&OtherModes>,
+        pane: Option<Pane>,
+    ) -> HeldLayout {
         let sheets = FigureSheets::new(own);
         let mut context = sheets.unscaled();
         if let Some(pane) = pane {
@@ -130,11 +153,10 @@ impl HeldLayout {
             context.surface.told = Some(sheets.scales());
         }
         let context = with_modes(context, modes);
-        let cycles = cycles_of(own);
-        let extents = extents_in(&context, &cycles);
+        let extents = extents_in(&context, cycles);
         let positions = cycles.iter().flat_map(|cycle| cycle.positions.iter().step_by(WORDS_OF));
         let heights = positions.filter(|_| has_words).map(|position| {
-            let context = context.at_position(position);
+            let context = context.at_position(position).with_values();
             composed(&context, &extents, contents).height_below()
         });
         let below = heights.fold(0.0, f64::max);

@@ -1,7 +1,7 @@
 use crate::answers::{Drive, View};
 use crate::refused::Refused;
 use kinegon::cycle::{self, OtherModes, Pull};
-use kinegon::drawing::{HeldLayout, Steps};
+use kinegon::drawing::{HeldLayout, Positions, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
@@ -25,6 +25,7 @@ pub struct Kept {
     solved: [Option<Solution>; 2],
     drives: Option<Vec<Drive>>,
     stage: Option<Staged>,
+    positions: Option<Positions>,
     held: Option<Held>,
 }
 
@@ -85,7 +86,7 @@ impl Kept {
     fn of(text: &str) -> Result<Kept, kinegon::Error> {
         let scene = Scene::read(text)?;
         let (mechanism, pose) = posed(&scene, SizeLimit::NUMBERS, None)?;
-        Ok(Kept { text: text.to_owned(), scene, mechanism, pose, solved: [None, None], drives: None, stage: None, held: None })
+        Ok(Kept { text: text.to_owned(), scene, mechanism, pose, solved: [None, None], drives: None, stage: None, positions: None, held: None })
     }
 
     /// Refuses what the scene is too large for.
@@ -146,7 +147,10 @@ impl Kept {
                 let held = self.held.as_ref().filter(|held| view.is_laid_out_as(&held.view));
                 let stage = match (held.filter(|held| held.texts.contains(&self.text)), view.pane) {
                     (Some(held), Some(_)) => held.layout.clone(),
-                    (_, Some(pane)) => HeldLayout::of_cycle(&own, steps, modes.as_ref(), Some(pane.into())),
+                    (_, Some(pane)) => {
+                        let positions = self.positions.get_or_insert_with(|| Positions::of(&own));
+                        HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()))
+                    }
                     (_, None) => HeldLayout::of_figure(&own, steps, modes.as_ref()),
                 };
                 let before = held.map(|held| held.layout.clone());
