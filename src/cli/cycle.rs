@@ -258,13 +258,13 @@ impl CurvesCommand {
             let sampled = PointPaths::new(&branch, range, &points);
             let sampled = if self.beyond_limits { sampled.and_then(PointPaths::beyond_limits) } else { sampled };
             let sampled = driven.source.checked(sampled)?;
-            ("path", paths(&driven.scene, &sampled))
+            ("path", paths(&driven.scene, &sampled, None))
         } else if self.hodograph.is_empty() {
             let sampled = driven.source.checked(Curves::new(&branch, range, driven.names.as_deref()))?;
-            ("curves", curves(&driven.scene, &sampled))
+            ("curves", curves(&driven.scene, &sampled, None))
         } else {
             let sampled = driven.source.checked(Hodographs::new(&branch, range, &vectors))?;
-            ("hodograph", hodographs(&driven.scene, &sampled))
+            ("hodograph", hodographs(&driven.scene, &sampled, None))
         };
         let mut drawing = driven.source.checked(drawing)?;
         style.put_on([&mut drawing]);

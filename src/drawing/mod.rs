@@ -107,7 +107,7 @@ pub use figure::FigureSheets;
 pub use film::{Film, Timing};
 pub use fonts::{ITALIC, REGULAR};
 pub use grid::Obstacles;
-pub use held_layout::{Handle, HeldLayout, HeldPanel, Pane};
+pub use held_layout::{Handle, HeldLayout, HeldPanel, Pane, Positions};
 pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};

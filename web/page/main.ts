@@ -28,10 +28,11 @@ import { frames, gestures } from "./picture/gesture.ts";
 import { handles } from "./picture/handles.ts";
 import { looking } from "./picture/looking.ts";
 import { pane } from "./picture/pane.ts";
-import { picking } from "./picture/picking.ts";
 import { currentPicture } from "./picture/picture.ts";
 import { pulling } from "./picture/pulling.ts";
+import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
+import type { Sheet } from "./sheets.ts";
 import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
@@ -59,6 +60,8 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     view: signal<View>(shared.view ?? FINISHED),
+    paper: signal(false),
+    focus: signal<Sheet | "">(""),
     picture: signal<Picture | null>(null),
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
@@ -70,8 +73,6 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     place: signal<{ from: number; to: number } | null>(null),
     brought: signal<{ name: string; text: string } | null>(null),
     photographed: signal<File | null>(null),
-    pick: () => () => undefined,
-    markers: signal([]),
     film: null,
     open: (text) => app.history.change({ text }),
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
@@ -84,15 +85,15 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
 function wire(app: App, store: Store): void {
   const view = viewport();
   const parts: { drives?: Drives; play?: Play } = {};
-  const { again } = currentPicture(app, () => hands.isActive());
-  const hands = gestures(app, (picture) => app.picture.set(picture), () => again());
-  const spot = picking(app, view);
-  app.pick = spot.pick;
-  const going = steps(app);
+  const full = fullScreen();
   pane(app, view);
+  const sight = surface(app, view, full.on);
+  const current = currentPicture(app, sight, () => hands.isActive());
+  const hands = gestures(app, sight, (picture) => app.picture.set(picture), current);
+  const going = steps(app);
   const own = focus(app, view);
   handles(app, view, pulling(app, view, hands, bubble(app)));
-  looking(view, own, spot.tapped);
+  looking(app, view, own);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);
@@ -102,7 +103,7 @@ function wire(app: App, store: Store): void {
   documents(app, store);
   dropped(app);
   printedByBrowser(app);
-  keys(app, { steps: going, drives: parts.drives, play: parts.play, full: fullScreen(), store });
+  keys(app, { steps: going, drives: parts.drives, play: parts.play, full, store });
 }
 
 /** Why a link was not read. */
