@@ -105,9 +105,9 @@ impl<'a> SheetContext<'a> {
         Self { surface, ..self.clone() }
     }
 
-    /// This context for another position of its mechanism.
+    /// This context for another position of its mechanism, without values.
     pub(super) fn at_position<'b>(&self, solution: &'b Solution) -> SheetContext<'b> {
-        let context = SheetContext::with_traces(solution, self.purpose, Arc::clone(&self.traces)).with_values();
+        let context = SheetContext::with_traces(solution, self.purpose, Arc::clone(&self.traces));
         SheetContext { surface: self.surface, ..context }
     }
 

@@ -51,17 +51,20 @@ const TRIED: usize = 120;
 /// ```
 pub struct FigureSheets<'a> {
     base: SheetContext<'a>,
+    /// What must fit.
+    extents: OnceCell<Extents>,
     /// The scales of the sheets, in the order of [`SHEETS`].
     scales: OnceCell<[Scales; SHEETS.len()]>,
     figure: OnceCell<LaidOut<'a>>,
 }
 
 /// A sheet in its layout.
-struct LaidOut<'a> {
-    context: SheetContext<'a>,
-    extents: Extents,
-    contents: Contents,
-    layout: Layout,
+#[derive(Clone)]
+pub(super) struct LaidOut<'a> {
+    pub context: SheetContext<'a>,
+    pub extents: Extents,
+    pub contents: Contents,
+    pub layout: Layout,
 }
 
 impl<'a> FigureSheets<'a> {
@@ -78,7 +81,7 @@ impl<'a> FigureSheets<'a> {
     }
 
     fn of(base: SheetContext<'a>) -> Self {
-        FigureSheets { base, scales: OnceCell::new(), figure: OnceCell::new() }
+        FigureSheets { base, extents: OnceCell::new(), scales: OnceCell::new(), figure: OnceCell::new() }
     }
 
     /// The figure: its panels on a sheet of paper, true to scale, all labels placed.
@@ -112,11 +115,7 @@ impl<'a> FigureSheets<'a> {
     /// caption and equation below the panels. Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn steps(&self, steps: Steps) -> Drawing {
-        let mut context = self.scaled(Some(steps));
-        if context.surface.series == Series::Any {
-            context.surface.told = Some(self.scales());
-        }
-        let laid_out = self.lay_out(context, Some(steps));
+        let laid_out = self.laid_out_as(Some(steps));
         laid_out.composition().draw(&laid_out.layout).in_steps(steps, &laid_out.context)
     }
 
@@ -203,7 +202,7 @@ impl<'a> FigureSheets<'a> {
     pub(super) fn scaled(&self, steps: Option<Steps>) -> SheetContext<'a> {
         let mut context = self.base.clone();
         let sheet = SHEETS.iter().position(|sheet| *sheet == steps).unwrap_or_default();
-        let scales = || sheets_scales(&self.base.with_values_as(ValuesShown::Hidden));
+        let scales = || sheets_scales(&self.base.with_values_as(ValuesShown::Hidden), self.extents());
         context.surface.mu = self.scales.get_or_init(scales)[sheet];
         context
     }
@@ -211,6 +210,18 @@ impl<'a> FigureSheets<'a> {
     /// The context of the sheets, without scales but those that the scene gives.
     pub(super) fn unscaled(&self) -> SheetContext<'a> {
         self.base.clone()
+    }
+
+    /// The finished figure in its layout, or the sheets with steps in theirs.
+    pub(super) fn laid_out_as(&self, steps: Option<Steps>) -> LaidOut<'a> {
+        if steps.is_none() {
+            return self.laid_out().clone();
+        }
+        let mut context = self.scaled(steps);
+        if context.surface.series == Series::Any {
+            context.surface.told = Some(self.scales());
+        }
+        self.lay_out(context, steps)
     }
 
     /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
@@ -244,9 +255,14 @@ impl<'a> FigureSheets<'a> {
         }
     }
 
+    /// What must fit on the sheets.
+    fn extents(&self) -> &Extents {
+        self.extents.get_or_init(|| extents_to_fit(&self.base))
+    }
+
     /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it.
     fn lay_out(&self, context: SheetContext<'a>, steps: Option<Steps>) -> LaidOut<'a> {
-        let extents = extents(&context);
+        let extents = self.extents().clone();
         let laid_out = |table: Option<TablePlace>| {
             let contents = Contents { steps, table, ..Contents::default() };
             (contents, composed(&context, &extents, contents).layout())
@@ -305,13 +321,12 @@ impl LaidOut<'_> {
 
 /// The scales of all sheets: the same where that makes no sheet's content much smaller, and for a hand always; on a
 /// projector, where nobody lays a ruler, each sheet has its own.
-fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
+fn sheets_scales(context: &SheetContext<'_>, extents: &Extents) -> [Scales; SHEETS.len()] {
     let (figure, given) = (context.figure(), context.surface.mu);
     if figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
         return [given; SHEETS.len()];
     }
-    let extents = extents_to_fit(context);
-    let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
+    let sheets = SHEETS.map(|steps| composed(context, extents, Contents { steps, ..Contents::default() }));
     let own = sheets.each_ref().map(|sheet| given.or(sheet.layout().mu()));
     if figure.scales == ScalesFor::Sheet || context.surface.series == Series::Any {
         return own;
@@ -372,11 +387,13 @@ pub(super) struct Contents {
     pub table: Option<TablePlace>,
     /// Whether the finished figure has the list of results.
     pub list: bool,
+    /// Whether the words of steps stand elsewhere: on a narrow part of a screen.
+    pub wordless: bool,
 }
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list } = contents;
+    let Contents { steps, only_step, table, list, wordless } = contents;
     let panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
@@ -393,9 +410,13 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     };
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);
+    let sheet = Composition { is_stepwise: true, ..sheet };
+    if wordless {
+        return sheet.with(remarks::agreement(context, None, 0.0));
+    }
     let words = StepWords::new(context, steps, only_step);
     let height = words.height();
-    let sheet = Composition { is_stepwise: true, ..sheet }.with(words);
+    let sheet = sheet.with(words);
     // They must not take more room than the words before them.
     match value_list(context, after).filter(|values| values.height() <= height) {
         Some(values) => sheet.with(values),
