@@ -22,7 +22,7 @@
 //! - Photographs: `photographs` holds places, refusals and proposed points to a camera of the tests' own
 //!   (`tests/support/camera`), which `camera` holds to mathematics.
 //! - Drawings: `drawing` measures label boxes and the ruler test, `gallery_measured` the same of twelve positions of
-//!   every scene; `worksheets` holds printed lengths to results on every page; `curves` and `hodographs` hold marked
+//!   every scene; `plan_vectors` holds heads of vectors and arcs of rates to what they show; `worksheets` holds printed lengths to results on every page; `curves` and `hodographs` hold marked
 //!   extremes and tips to closed forms, `point_paths` paths, their cusps and double points. `films` reads films back.
 //! - The pencil: `pencil` holds the replayed construction to the numeric solution and simulated drawings to their
 //!   bands; `planted_mistakes` draws with mistakes put in.
