@@ -128,7 +128,7 @@ impl Draw {
             figures.overflow_warnings().iter().for_each(|text| warn(text));
             let sheets = self.sheets(name, &solution, &figures, steps)?;
             if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
-                && (self.values.is_some() && steps.is_none() && !figure.worksheet)
+                && (steps.is_none() && figure.step.is_none() && !figure.worksheet)
             {
                 figures.cost_of_list().iter().for_each(|text| note(text));
                 let missing = figures.values_without_room(sheet).join(", ");

@@ -238,7 +238,8 @@ impl Figures {
 /// Warns of names for which panels have no room, once for all sheets of a figure.
 fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
     let of_panels = drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled);
-    for (panel, names) in of_panels.collect::<IndexSet<_>>() {
+    let named = of_panels.map(|of| (of.panel.as_str(), of.names.iter().map(|name| name.text.content()).collect()));
+    for (panel, names) in named.collect::<IndexSet<(&str, Vec<String>)>>() {
         let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
         let more = match names.len().saturating_sub(MOST_LISTED) {
             0 => String::new(),

@@ -7,6 +7,7 @@ use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
 use super::layout::{Item, Layout, Placed};
 use super::panel::{Extents, Panel, content, cycles_of, extents, extents_in, hints, panels};
+use super::parts::sheets_of_parts;
 use super::remarks;
 use super::scale_bar::SCALE;
 use super::sheet::Drawing;
@@ -17,7 +18,7 @@ use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text, shown_text};
 use crate::cycle::Traces;
 use crate::scene::{ScalesFor, ValuesShown};
-use crate::sheet::{Scales, Sheet};
+use crate::sheet::{PerSheet, Scales, Sheet};
 use crate::words::Wording;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -30,6 +31,9 @@ const SHARED: f64 = 1.2;
 
 /// How much coarser a scale may be for the list of results.
 const STEP: f64 = 1.25;
+
+/// How often a sheet is laid out again so that it has room for the list of names without room.
+const RELAID: usize = 3;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -54,10 +58,13 @@ pub struct FigureSheets<'a> {
     /// The scales of the sheets, in the order of [`SHEETS`].
     scales: OnceCell<[Scales; SHEETS.len()]>,
     figure: OnceCell<LaidOut<'a>>,
+    /// The figure with room for the list of names that have none, drawn.
+    drawn: OnceCell<(LaidOut<'a>, Drawing)>,
 }
 
 /// A sheet in its layout.
-struct LaidOut<'a> {
+#[derive(Clone)]
+pub(super) struct LaidOut<'a> {
     context: SheetContext<'a>,
     extents: Extents,
     contents: Contents,
@@ -78,31 +85,33 @@ impl<'a> FigureSheets<'a> {
     }
 
     fn of(base: SheetContext<'a>) -> Self {
-        FigureSheets { base, scales: OnceCell::new(), figure: OnceCell::new() }
+        FigureSheets { base, scales: OnceCell::new(), figure: OnceCell::new(), drawn: OnceCell::new() }
     }
 
     /// The figure: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        let laid_out = self.laid_out();
-        laid_out.composition().draw(&laid_out.layout)
+        self.drawn().1.clone()
     }
 
     /// All finished sheets: first the figure; then, for a work sheet whose table has no room beside the panels, the table,
     /// or a table of the values that have no room, where the figure asks for values.
     #[must_use]
     pub fn sheets(&self) -> Vec<Drawing> {
-        let laid_out = self.laid_out();
+        let (laid_out, figure) = self.drawn();
         let LaidOut { context, layout, .. } = laid_out;
-        let sheet = laid_out.composition();
-        let mut sheets = vec![sheet.draw(layout)];
+        let mut sheets = vec![figure.clone()];
         if context.figure().worksheet && layout.aside.is_none() {
+            let sheet = laid_out.composition();
             let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
-        if !context.figure().worksheet && context.figure().values.is_some() {
+        if !context.figure().worksheet && !context.values.is_empty() {
             let table = values::table(context, self.unplaced(&sheets[0]));
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        if !context.figure().worksheet {
+            sheets.extend(sheets_of_parts(context, layout, figure));
         }
         sheets
     }
@@ -116,8 +125,8 @@ impl<'a> FigureSheets<'a> {
         if context.surface.series == Series::Any {
             context.surface.told = Some(self.scales());
         }
-        let laid_out = self.lay_out(context, Some(steps));
-        laid_out.composition().draw(&laid_out.layout).in_steps(steps, &laid_out.context)
+        let (laid_out, drawing) = self.lay_out(context, Some(steps)).drawn();
+        drawing.in_steps(steps, &laid_out.context)
     }
 
     /// The scales of the figure on paper, for a projector those that it would have on A4; for a plan without a panel the
@@ -128,7 +137,7 @@ impl<'a> FigureSheets<'a> {
         if self.base.surface.series == Series::Any {
             return FigureSheets::of(self.base.on_paper()).scales();
         }
-        figure.mu.or(self.laid_out().layout.mu())
+        figure.mu.or(self.settled().layout.mu())
     }
 
     /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
@@ -139,7 +148,8 @@ impl<'a> FigureSheets<'a> {
         if !figure.panels.iter().any(|&panel| figure.mu[panel].is_some()) {
             return Vec::new();
         }
-        let LaidOut { context, extents, layout, .. } = self.laid_out();
+        let laid_out = self.settled();
+        let LaidOut { context, extents, layout, .. } = laid_out;
         let sheet = OnceCell::new();
         let warning = |(index, placed): (usize, &Placed)| {
             let (panel, extent) = extents[index];
@@ -149,7 +159,7 @@ impl<'a> FigureSheets<'a> {
             let mut mu = context.surface.mu;
             let holds = |tried: &f64| {
                 mu[panel] = Some(*tried);
-                let sheet: &Composition<'_> = sheet.get_or_init(|| self.laid_out().composition());
+                let sheet: &Composition<'_> = sheet.get_or_init(|| laid_out.composition());
                 sheet.layout_at(&mu).panels[index].holds(&extent)
             };
             // No sheet is ten metres long.
@@ -174,15 +184,16 @@ impl<'a> FigureSheets<'a> {
             let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
             drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
         };
-        let is_listed = self.laid_out().contents.list;
-        let is_shown = move |value: &&Value| has(value) || is_listed && value.is_listed();
+        let LaidOut { context, contents, .. } = self.laid_out();
+        let list = contents.list.then(|| value_list(context, None)).flatten();
+        let is_shown = move |value: &&Value| has(value) || list.as_ref().is_some_and(|list| list.has(value));
         self.base.values.iter().filter(move |value| !is_shown(value))
     }
 
     /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.
     #[must_use]
     pub fn cost_of_list(&self) -> Option<String> {
-        let (without, with) = (self.scaled(None).surface, &self.laid_out().layout);
+        let (without, with) = (self.scaled(None).surface, &self.settled().layout);
         let coarser = with.panels.iter().filter_map(|placed| {
             let (symbol, before) = (placed.needs.sheet.facts().scale_symbol, without.mu[placed.needs.sheet]?);
             let [now, before] = [placed.mu, before].map(|mu| Wording::default().write(mu, SCALE));
@@ -206,6 +217,16 @@ impl<'a> FigureSheets<'a> {
     /// The context of the sheets, without scales but those that the scene gives.
     pub(super) fn unscaled(&self) -> SheetContext<'a> {
         self.base.clone()
+    }
+
+    /// The finished figure, drawn.
+    fn drawn(&self) -> &(LaidOut<'a>, Drawing) {
+        self.drawn.get_or_init(|| self.laid_out().clone().drawn())
+    }
+
+    /// The finished figure in its last layout: for a hand, whose scales must not hang on letters, without drawing it.
+    fn settled(&self) -> &LaidOut<'a> {
+        if self.base.surface.series == Series::Hand { self.laid_out() } else { &self.drawn().0 }
     }
 
     /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
@@ -293,6 +314,42 @@ impl Solution {
 }
 
 impl LaidOut<'_> {
+    /// The sheet drawn. Where names have no room it is laid out again with rows for their list, at its scales or, but for a
+    /// hand, at coarser ones.
+    fn drawn(mut self) -> (Self, Drawing) {
+        let mut drawing = self.composition().draw(&self.layout);
+        for _ in 0..RELAID {
+            let rows = self.wanted_rows(&drawing);
+            if rows == self.contents.rows {
+                break;
+            }
+            let contents = Contents { rows, ..self.contents };
+            let sheet = composed(&self.context, &self.extents, contents);
+            let is_hand = self.context.surface.series == Series::Hand;
+            let tried = [Some(self.layout.mu()), Some(self.context.figure().mu).filter(|_| !is_hand)];
+            let tried = tried.into_iter().flatten().map(|scales| sheet.layout_at(&scales));
+            let found = tried.into_iter().find(|layout| layout.worth[..2] >= self.layout.worth[..2]);
+            drop(sheet);
+            let Some(layout) = found else { break };
+            (self.contents, self.layout) = (contents, layout);
+            drawing = self.composition().draw(&self.layout);
+        }
+        (self, drawing)
+    }
+
+    /// By panel: the rows for the names that have no room on a drawing, as many as before at least.
+    fn wanted_rows(&self, drawing: &Drawing) -> PerSheet<usize> {
+        let mut rows = self.contents.rows;
+        for unlabelled in &drawing.unlabelled {
+            let panel = drawing.panels.iter().position(|(name, _)| *name == unlabelled.panel);
+            if let Some(placed) = panel.and_then(|panel| self.layout.panels.get(panel)) {
+                let of_panel = &mut rows[placed.needs.sheet];
+                *of_panel = unlabelled.rows.max(*of_panel);
+            }
+        }
+        rows
+    }
+
     fn composition(&self) -> Composition<'_> {
         described(&self.context, composed(&self.context, &self.extents, self.contents))
     }
@@ -367,15 +424,18 @@ pub(super) struct Contents {
     pub table: Option<TablePlace>,
     /// Whether the finished figure has the list of results.
     pub list: bool,
+    /// By panel: rows for the names that have no room in it.
+    pub rows: PerSheet<usize>,
 }
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list } = contents;
-    let panels = panels(context, extents, |sheet| match steps {
+    let Contents { steps, only_step, table, list, rows } = contents;
+    let mut panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
     });
+    panels.iter_mut().for_each(|panel| panel.needs.rows = rows[panel.needs.sheet]);
     let worksheet = table.filter(|place| *place != TablePlace::Apart);
     let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
     let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());

@@ -74,6 +74,12 @@ impl Grid {
         (self.row(area.y0)..=self.row(area.y1)).flat_map(move |row| row * columns + first..=row * columns + last)
     }
 
+    /// How many cells a box touches.
+    pub(super) fn cell_count(&self, area: Rect) -> usize {
+        let columns = self.column(area.x1).saturating_sub(self.column(area.x0)) + 1;
+        columns * (self.row(area.y1).saturating_sub(self.row(area.y0)) + 1)
+    }
+
     /// Adds a thing in a box.
     pub fn add(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
