@@ -1,24 +1,23 @@
 //! The figure of a scene: its panels with the table, the scales and the words around them; all sheets that it asks for, at
 //! scales that are decided once.
 
-use super::canvas::ascii;
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
-use super::layout::{Item, Layout, Placed};
-use super::panel::{Extents, Panel, content, cycles_of, extents, extents_in, hints, panels};
+use super::laid_out::{Contents, LaidOut, composed};
+use super::layout::{Layout, Placed};
+use super::panel::{Extents, cycles_of, extents, extents_in};
 use super::parts::sheets_of_parts;
-use super::remarks;
 use super::scale_bar::SCALE;
-use super::sheet::Drawing;
+use super::shape::Shape;
+use super::sheet::{Drawing, Mark};
 use super::values::{self, value_list};
 use super::view::{Series, next_scale};
-use super::words::StepWords;
-use super::worksheet::{Ruler, TablePlace, Worksheet};
-use crate::construction::{Solution, plain_text, shown_text};
+use super::worksheet::{TablePlace, Worksheet};
+use crate::construction::{Solution, plain_text};
 use crate::cycle::Traces;
 use crate::scene::{ScalesFor, ValuesShown};
-use crate::sheet::{PerSheet, Scales, Sheet};
+use crate::sheet::{Scales, Sheet};
 use crate::words::Wording;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -31,9 +30,6 @@ const SHARED: f64 = 1.2;
 
 /// How much coarser a scale may be for the list of results.
 const STEP: f64 = 1.25;
-
-/// How often a sheet is laid out again so that it has room for the list of names without room.
-const RELAID: usize = 3;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -55,20 +51,13 @@ const TRIED: usize = 120;
 /// ```
 pub struct FigureSheets<'a> {
     base: SheetContext<'a>,
+    /// What must fit.
+    extents: OnceCell<Extents>,
     /// The scales of the sheets, in the order of [`SHEETS`].
     scales: OnceCell<[Scales; SHEETS.len()]>,
     figure: OnceCell<LaidOut<'a>>,
     /// The figure with room for the list of names that have none, drawn.
     drawn: OnceCell<(LaidOut<'a>, Drawing)>,
-}
-
-/// A sheet in its layout.
-#[derive(Clone)]
-pub(super) struct LaidOut<'a> {
-    context: SheetContext<'a>,
-    extents: Extents,
-    contents: Contents,
-    layout: Layout,
 }
 
 impl<'a> FigureSheets<'a> {
@@ -85,7 +74,13 @@ impl<'a> FigureSheets<'a> {
     }
 
     fn of(base: SheetContext<'a>) -> Self {
-        FigureSheets { base, scales: OnceCell::new(), figure: OnceCell::new(), drawn: OnceCell::new() }
+        FigureSheets {
+            base,
+            extents: OnceCell::new(),
+            scales: OnceCell::new(),
+            figure: OnceCell::new(),
+            drawn: OnceCell::new(),
+        }
     }
 
     /// The figure: its panels on a sheet of paper, true to scale, all labels placed.
@@ -121,11 +116,7 @@ impl<'a> FigureSheets<'a> {
     /// caption and equation below the panels. Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn steps(&self, steps: Steps) -> Drawing {
-        let mut context = self.scaled(Some(steps));
-        if context.surface.series == Series::Any {
-            context.surface.told = Some(self.scales());
-        }
-        let (laid_out, drawing) = self.lay_out(context, Some(steps)).drawn();
+        let (laid_out, drawing) = self.steps_laid_out(steps).drawn();
         drawing.in_steps(steps, &laid_out.context)
     }
 
@@ -180,9 +171,14 @@ impl<'a> FigureSheets<'a> {
 
     /// The values whose labels found no room, and which are not in the list of results.
     fn unplaced(&self, drawing: &Drawing) -> impl Iterator<Item = &Value> {
+        // A label without room for the number has the symbol alone.
         let has = |value: &Value| {
-            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
-            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
+            let (panel, whole) = (format!("{}-", value.panel.as_str()), value.text().content());
+            let is_its = |mark: &Mark| match (&mark.shape, &mark.id) {
+                (Shape::Text(text), Some(id)) => id.starts_with(&panel) && text.text.content() == whole,
+                _ => false,
+            };
+            drawing.marks.iter().any(is_its)
         };
         let LaidOut { context, contents, .. } = self.laid_out();
         let list = contents.list.then(|| value_list(context, None)).flatten();
@@ -209,7 +205,7 @@ impl<'a> FigureSheets<'a> {
     pub(super) fn scaled(&self, steps: Option<Steps>) -> SheetContext<'a> {
         let mut context = self.base.clone();
         let sheet = SHEETS.iter().position(|sheet| *sheet == steps).unwrap_or_default();
-        let scales = || sheets_scales(&self.base.with_values_as(ValuesShown::Hidden));
+        let scales = || sheets_scales(&self.base.with_values_as(ValuesShown::Hidden), self.extents());
         context.surface.mu = self.scales.get_or_init(scales)[sheet];
         context
     }
@@ -227,6 +223,20 @@ impl<'a> FigureSheets<'a> {
     /// The finished figure in its last layout: for a hand, whose scales must not hang on letters, without drawing it.
     fn settled(&self) -> &LaidOut<'a> {
         if self.base.surface.series == Series::Hand { self.laid_out() } else { &self.drawn().0 }
+    }
+
+    /// The sheets with steps in their layout, without room for names that have none.
+    fn steps_laid_out(&self, steps: Steps) -> LaidOut<'a> {
+        let mut context = self.scaled(Some(steps));
+        if context.surface.series == Series::Any {
+            context.surface.told = Some(self.scales());
+        }
+        self.lay_out(context, Some(steps))
+    }
+
+    /// The finished figure in its layout, or the sheets with steps in theirs.
+    pub(super) fn laid_out_as(&self, steps: Option<Steps>) -> LaidOut<'a> {
+        steps.map_or_else(|| self.settled().clone(), |steps| self.steps_laid_out(steps).drawn().0)
     }
 
     /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
@@ -260,9 +270,14 @@ impl<'a> FigureSheets<'a> {
         }
     }
 
+    /// What must fit on the sheets.
+    fn extents(&self) -> &Extents {
+        self.extents.get_or_init(|| extents_to_fit(&self.base))
+    }
+
     /// A sheet at the context's scales. The table of a work sheet is on it where the panels leave room for it.
     fn lay_out(&self, context: SheetContext<'a>, steps: Option<Steps>) -> LaidOut<'a> {
-        let extents = extents(&context);
+        let extents = self.extents().clone();
         let laid_out = |table: Option<TablePlace>| {
             let contents = Contents { steps, table, ..Contents::default() };
             (contents, composed(&context, &extents, contents).layout())
@@ -313,57 +328,14 @@ impl Solution {
     }
 }
 
-impl LaidOut<'_> {
-    /// The sheet drawn. Where names have no room it is laid out again with rows for their list, at its scales or, but for a
-    /// hand, at coarser ones.
-    fn drawn(mut self) -> (Self, Drawing) {
-        let mut drawing = self.composition().draw(&self.layout);
-        for _ in 0..RELAID {
-            let rows = self.wanted_rows(&drawing);
-            if rows == self.contents.rows {
-                break;
-            }
-            let contents = Contents { rows, ..self.contents };
-            let sheet = composed(&self.context, &self.extents, contents);
-            let is_hand = self.context.surface.series == Series::Hand;
-            let tried = [Some(self.layout.mu()), Some(self.context.figure().mu).filter(|_| !is_hand)];
-            let tried = tried.into_iter().flatten().map(|scales| sheet.layout_at(&scales));
-            let found = tried.into_iter().find(|layout| layout.worth[..2] >= self.layout.worth[..2]);
-            drop(sheet);
-            let Some(layout) = found else { break };
-            (self.contents, self.layout) = (contents, layout);
-            drawing = self.composition().draw(&self.layout);
-        }
-        (self, drawing)
-    }
-
-    /// By panel: the rows for the names that have no room on a drawing, as many as before at least.
-    fn wanted_rows(&self, drawing: &Drawing) -> PerSheet<usize> {
-        let mut rows = self.contents.rows;
-        for unlabelled in &drawing.unlabelled {
-            let panel = drawing.panels.iter().position(|(name, _)| *name == unlabelled.panel);
-            if let Some(placed) = panel.and_then(|panel| self.layout.panels.get(panel)) {
-                let of_panel = &mut rows[placed.needs.sheet];
-                *of_panel = unlabelled.rows.max(*of_panel);
-            }
-        }
-        rows
-    }
-
-    fn composition(&self) -> Composition<'_> {
-        described(&self.context, composed(&self.context, &self.extents, self.contents))
-    }
-}
-
 /// The scales of all sheets: the same where that makes no sheet's content much smaller, and for a hand always; on a
 /// projector, where nobody lays a ruler, each sheet has its own.
-fn sheets_scales(context: &SheetContext<'_>) -> [Scales; SHEETS.len()] {
+fn sheets_scales(context: &SheetContext<'_>, extents: &Extents) -> [Scales; SHEETS.len()] {
     let (figure, given) = (context.figure(), context.surface.mu);
     if figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
         return [given; SHEETS.len()];
     }
-    let extents = extents_to_fit(context);
-    let sheets = SHEETS.map(|steps| composed(context, &extents, Contents { steps, ..Contents::default() }));
+    let sheets = SHEETS.map(|steps| composed(context, extents, Contents { steps, ..Contents::default() }));
     let own = sheets.each_ref().map(|sheet| given.or(sheet.layout().mu()));
     if figure.scales == ScalesFor::Sheet || context.surface.series == Series::Any {
         return own;
@@ -411,68 +383,4 @@ fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
     format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     )
-}
-
-/// What a sheet has besides the panels.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Contents {
-    /// The steps for whose words it has room.
-    pub steps: Option<Steps>,
-    /// The only step or passage that has words, from 1; none for all.
-    pub only_step: Option<usize>,
-    /// The table of measured lengths, on a work sheet.
-    pub table: Option<TablePlace>,
-    /// Whether the finished figure has the list of results.
-    pub list: bool,
-    /// By panel: rows for the names that have no room in it.
-    pub rows: PerSheet<usize>,
-}
-
-/// A sheet of the scene with panels of these extents.
-pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list, rows } = contents;
-    let mut panels = panels(context, extents, |sheet| match steps {
-        Some(_) => vec![hints(context, sheet), content(context, sheet)],
-        None => vec![content(context, sheet)],
-    });
-    panels.iter_mut().for_each(|panel| panel.needs.rows = rows[panel.needs.sheet]);
-    let worksheet = table.filter(|place| *place != TablePlace::Apart);
-    let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
-    let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());
-    let sheet = sheet.with_optional(worksheet);
-    let Some(steps) = steps else {
-        let values = if list { value_list(context, None) } else { None };
-        let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
-        let agreement = remarks::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
-        return sheet.with_optional(values).with(agreement).with_optional(ruler);
-    };
-    // On the sheets of steps values come after the last one.
-    let after = Some(context.construction().step_count() as u16 + 1);
-    let words = StepWords::new(context, steps, only_step);
-    let height = words.height();
-    let sheet = Composition { is_stepwise: true, ..sheet }.with(words);
-    // They must not take more room than the words before them.
-    match value_list(context, after).filter(|values| values.height() <= height) {
-        Some(values) => sheet.with(values),
-        None => sheet.with(remarks::agreement(context, after, 0.0)),
-    }
-}
-
-/// A sheet with its description and the captions of its steps.
-pub(super) fn described<'a>(context: &SheetContext<'_>, mut sheet: Composition<'a>) -> Composition<'a> {
-    let (teller, steps) = (context.teller(), context.construction().numbered_steps());
-    sheet.description = description(context, &sheet.panels);
-    sheet.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, &context.words)).collect();
-    sheet
-}
-
-/// One sentence about the figure, for readers who cannot see it.
-fn description(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> String {
-    let language = context.words.language;
-    let panels: Vec<&str> = panels.iter().map(|panel| language.described_sheet(panel.needs.sheet)).collect();
-    let groups = context.mechanism().groups.iter();
-    let groups = groups
-        .map(|group| language.described_group(group.class.in_words(language), &group.link_names(context.mechanism())));
-    let description = language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "));
-    remarks::sentence_on_paths(context).into_iter().fold(description, |text, paths| format!("{text} {paths}"))
 }

@@ -48,13 +48,15 @@ pub(super) struct Needs {
     pub white: f64,
     /// How much the size of its content counts among the panels.
     pub weight: f64,
+    /// Whether it shows a part of a plan: what is cut off is no news, and the pole need not be in sight.
+    pub is_part: bool,
 }
 
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
         let white = WHITE[usize::from(sheet == Sheet::Scheme)];
-        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight: 1.0 }
+        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight: 1.0, is_part: false }
     }
 
     /// These at scales with steps, of which most leave more white than labels need.

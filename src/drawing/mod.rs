@@ -5,7 +5,7 @@
 //!
 //! - `context` is what every layer asks: the solution with its `facts`, looked up once, the surface (page, sizes of letters,
 //!   scales) and what the sheet is for. It is made once and passed on; only a `Surface` knows the page.
-//! - `figure` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
+//! - `figure` decides the scales once for all sheets of a figure and lays each out once, which a `laid_out` says how; `held_layout` holds panels and
 //!   scales while a mechanism moves, a canvas where names were in the picture before.
 //! - A sheet is put together of `panel`s with their layers and `scale_bar`s, a `table` beside them, `remarks` and `words`
 //!   below; `compose` makes a sheet of it with a `layout`, for which `division` finds cuts and scales. `exercise`, `correction` and `curves` are other sheets;
@@ -68,12 +68,14 @@ mod division;
 mod exercise;
 mod facts;
 mod figure;
+mod film;
 mod fonts;
 #[doc(hidden)] // for tests
 pub mod grid;
 mod held_layout;
 mod inset;
 mod labels;
+mod laid_out;
 mod layout;
 
 mod lines;
@@ -105,9 +107,10 @@ pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use facts::Steps;
 pub use figure::FigureSheets;
+pub use film::{Film, Timing};
 pub use fonts::{ITALIC, REGULAR};
 pub use grid::Obstacles;
-pub use held_layout::{Handle, HeldLayout, HeldPanel, Pane};
+pub use held_layout::{Handle, HeldLayout, HeldPanel, Pane, Positions};
 pub use labels::{LabelRequest, PlacedLabel, place};
 pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};

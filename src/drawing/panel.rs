@@ -83,6 +83,7 @@ impl<'a> Panel<'a> {
         canvas.held = held;
         canvas.header = placed.header();
         canvas.keep_rows(placed.needs.rows);
+        canvas.is_part = placed.needs.is_part;
         if let Some(own) = &self.own {
             own.reserve(&mut canvas, &view);
         }
@@ -105,13 +106,13 @@ impl<'a> Panel<'a> {
 }
 
 impl Placed {
-    /// The view of the panel, moved so that a content that fits stays in sight, and always the pole of a plan.
+    /// The view of the panel, moved so that a content that fits stays in sight, and always the pole of a whole plan.
     pub(super) fn view(&self, content: Option<Extent>) -> View {
         let mut view = View::new(self.mu * self.unit, &self.needs.extent, self.area);
         if let Some(content) = content.filter(|content| self.holds(content)) {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
-        if self.needs.sheet.order().is_some() {
+        if self.needs.sheet.order().is_some() && !self.needs.is_part {
             view = view.holding(geometry::Point::origin(), self.area);
         }
         view

@@ -5,15 +5,15 @@
 
 use super::canvas::Canvas;
 use super::context::SheetContext;
-use super::layout::{Layout, Placed};
-use super::lines::{Line, Lines};
+use super::layout::{Layout, Needs, Placed};
+use super::lines::Line;
 use super::panel::{Frame, Panel, numbered};
 use super::sheet::{Drawing, Mark, Pen};
 use super::text::RichText;
 use super::values::is_hidden;
 use super::view::{Extent, View};
 use super::{compose::Composition, plan};
-use crate::construction::{Aim, Passage, Plan, shown_text};
+use crate::construction::{Action, Aim, Passage, Plan, shown_text};
 use crate::geometry;
 use crate::scene::ValuesShown;
 use crate::sheet::Scales;
@@ -42,11 +42,8 @@ pub(super) fn sheets_of_parts(context: &SheetContext<'_>, layout: &Layout, figur
     let sheets = crowded.flat_map(|(index, (placed, _))| {
         let plan = context.plan(placed.needs.sheet);
         let parts = plan.map_or_else(Vec::new, |plan| parts(&context, plan));
-        let count = parts.len();
-        let sheets = parts.iter().enumerate().filter_map(|(number, part)| {
-            let heading = numbered(index, context.words.language.sheet(placed.needs.sheet));
-            part.sheet(&context, plan?, placed, &format!("{heading}, {} / {count}", number + 1))
-        });
+        let heading = numbered(index, context.words.language.sheet(placed.needs.sheet));
+        let sheets = parts.iter().filter_map(|part| part.sheet(&context, plan?, placed, &heading));
         sheets.collect::<Vec<_>>()
     });
     sheets.collect()
@@ -91,8 +88,9 @@ impl Part {
         context.surface.mu = Scales::default();
         let starts = self.starts(&context, plan);
         let extent = self.extent(&context, plan, &starts)?;
-        let frame = Frame::new(Line::new(vec![RichText::plain(heading)]), Pen::Heading).with_scale(&context);
-        let needs = frame.needs(&context, sheet, extent);
+        let heading = [RichText::plain(&format!("{heading}:")), RichText::math(&self.crossings(&context, plan))];
+        let frame = Frame::new(Line::new(heading.to_vec()), Pen::Heading).with_scale(&context);
+        let needs = Needs { is_part: true, ..frame.needs(&context, sheet, extent) };
         let own = &context;
         let layer = move |canvas: &mut Canvas<'_>, view: &View| {
             plan::draw(canvas, view, own, plan);
@@ -106,13 +104,21 @@ impl Part {
         let teller = own.teller();
         let captions =
             self.passages.iter().map(|passage| shown_text(&teller.passage_caption(passage), Some(plan), &own.words));
-        let caption = captions.collect::<Vec<_>>().join(" ");
-        let words = Lines::of((!caption.is_empty()).then_some(&caption), own.surface.dims.width_below());
-        let mut sheet = Composition::new(own, vec![panel]).with(words);
-        sheet.description = caption;
+        let description = captions.collect::<Vec<_>>().join(" ");
+        let sheet = Composition { description, ..Composition::new(own, vec![panel]) };
         let layout = sheet.layout();
         let is_larger = layout.panels.first().is_some_and(|placed| LARGER * placed.mu <= on_figure.mu);
         is_larger.then(|| sheet.draw(&layout))
+    }
+
+    /// The names of the points at which its rays cross, in markup.
+    fn crossings(&self, context: &SheetContext<'_>, plan: &Plan) -> String {
+        let steps = self.passages.iter().flat_map(|passage| context.construction().steps_of(passage));
+        let points = steps.filter_map(|step| match step.action {
+            Action::Cross { point, .. } => Some(context.shown(point, Some(plan))),
+            _ => None,
+        });
+        points.collect::<Vec<_>>().join(", ")
     }
 
     /// The points of the plan from which its vectors and rays start.

@@ -76,7 +76,7 @@ fn tables_and_curves_have_the_bytes_of_the_program() {
     let mut engine = Engine::new();
     for (name, text) in starting_scenes() {
         let opened = parsed(engine.open(&text));
-        let curves = engine.curves(&text, &json!({ "curves": [] }).to_string());
+        let curves = engine.curves(&text, &json!({ "curves": [] }).to_string(), "null");
         if opened["is_drawn"] == true || opened["drives"] == json!([]) {
             assert!(is_refusal(&curves.expect_err("nothing moves")), "{name}");
             continue;
@@ -251,7 +251,7 @@ fn no_request_makes_it_panic() {
             told(engine.let_go());
             told(engine.edit(text, request));
             told(engine.modes(text));
-            told(engine.curves(text, request));
+            told(engine.curves(text, request, request));
             told(engine.values(text));
             told(bytes(engine.file(text, request)));
             told(engine.pages(text, request));

@@ -90,6 +90,8 @@ pub const LINKAGES: By<usize> = By(30, 60, 60);
 pub const DRIVEN_POSITIONS: By<u32> = By(8, 24, 72);
 /// Scenes of each of the `properties`; PROPTEST_CASES asks for another number.
 pub const PROPERTIES: By<u32> = By(12, 48, 256);
+/// Positions of a turn in `stage`.
+pub const TURN: By<usize> = By(8, 24, 72);
 /// Pictures of each animation in `hall`.
 pub const HALL: By<usize> = By(18, 18, 36);
 /// Of the sheets of `legible` every so many-th.
@@ -150,6 +152,8 @@ pub const BROKEN_BYTES: By<usize> = By(3, 6, 400);
 pub const GESTURES: By<u64> = By(1, 1, 20);
 /// Looks in which axe goes through all panels: light, dark, on a telephone.
 pub const LOOKS: By<usize> = By(1, 3, 3);
+/// Of all scenes every so many-th plays in the page.
+pub const PLAYED: By<usize> = By(24, 12, 1);
 /// Of a scene's text every so many-th beginning is typed.
 pub const BEGINNINGS: By<usize> = By(5, 1, 1);
 

@@ -42,8 +42,10 @@ pub(super) struct Canvas<'a> {
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details, so that
     /// none is taken for another's.
     pub is_overlaid: bool,
-    /// Whether a part of the content is shown: that the rest is cut off is no news.
-    is_part: bool,
+    /// Whether a part of the content is shown, below heading and scale: that the rest is cut off is no news.
+    pub is_part: bool,
+    /// Ids of marks whose labels found no room: they are taken back.
+    unnamed: Vec<String>,
     /// Where labels and enlarged details were in the picture before, if the mechanism moves.
     pub held: Option<&'a mut Held>,
 }
@@ -66,13 +68,28 @@ pub(super) struct Wanted {
     pub before: Vec<(u16, RichText)>,
     /// The step with which it appears, set when it is requested.
     pub since: u16,
+    /// Whether it is there in that step alone.
+    pub passing: bool,
+    /// Names of marks that are left out with it.
+    pub with: Vec<String>,
 }
 
 impl Wanted {
     /// A label of the usual look.
     pub(super) fn new(name: String, request: LabelRequest) -> Wanted {
-        let (pen, before) = (Pen::Label, Vec::new());
-        Wanted { request, name, pen, number: None, optional: false, last: false, short: None, before, since: 0 }
+        Wanted {
+            request,
+            name,
+            pen: Pen::Label,
+            number: None,
+            optional: false,
+            last: false,
+            short: None,
+            before: Vec::new(),
+            since: 0,
+            passing: false,
+            with: Vec::new(),
+        }
     }
 }
 
@@ -102,6 +119,7 @@ impl<'a> Canvas<'a> {
             reserved_circles: Vec::new(),
             is_overlaid: false,
             is_part: false,
+            unnamed: Vec::new(),
             held: None,
         }
     }
@@ -194,7 +212,6 @@ impl<'a> Canvas<'a> {
     /// Shows a part of the content: what comes with some steps, with the names of these and of the points `starts` from
     /// which they go on; all else is pale and without names.
     pub(super) fn show_part(&mut self, steps: &RangeInclusive<u16>, starts: &[String]) {
-        self.is_part = true;
         let starts: Vec<String> = starts.iter().map(|name| format!("label-{name}-")).collect();
         self.requests.retain(|wanted| {
             let mut since = wanted.before.iter().map(|(step, _)| *step).chain([wanted.since]);
@@ -206,6 +223,11 @@ impl<'a> Canvas<'a> {
             let is_own = steps.contains(&mark.since) || matches!(mark.pen, Pen::Pole | Pen::Frame);
             Mark { emphasis: if is_own { mark.emphasis } else { Emphasis::Earlier }, ..mark }
         }));
+    }
+
+    /// The area in which its content is seen.
+    fn seen(&self) -> Rect {
+        if self.is_part { Rect { y0: self.frame.y0 + self.header, ..self.frame } } else { self.frame }
     }
 
     /// The marks of the panel's content so far.

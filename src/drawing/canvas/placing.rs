@@ -51,7 +51,7 @@ impl Canvas<'_> {
             self.say("cut", language.cut_at_edge(), step);
         }
         let mut requests = std::mem::take(&mut self.requests);
-        requests.retain(|wanted| holds(self.frame, wanted.request.anchor));
+        requests.retain(|wanted| holds(self.seen(), wanted.request.anchor));
         let is_in_detail = |wanted: &Wanted| {
             let mut details = self.reserved_circles.iter();
             details.any(|(centre, radius)| (wanted.request.anchor - *centre).hypot() < *radius)
@@ -64,6 +64,8 @@ impl Canvas<'_> {
         }
         left_out.append(&mut self.place(outside));
         self.tell_unlabelled(left_out, first, language);
+        let unnamed = std::mem::take(&mut self.unnamed);
+        self.drawing.marks.retain(|mark| mark.id.as_ref().is_none_or(|id| !unnamed.contains(id)));
         self.cut_off();
     }
 
@@ -113,6 +115,8 @@ impl Canvas<'_> {
         let mut left_out = Vec::new();
         for ((label, asked), wanted) in placed.into_iter().zip(asked).zip(requests) {
             let Some(label) = label else {
+                let with: Vec<String> = wanted.with.iter().map(|name| self.id(name)).collect();
+                self.unnamed.extend(with);
                 if !wanted.optional && !asked.text.is_empty() {
                     let (text, place) = (asked.text, wanted.request.anchor);
                     left_out.push(UnlabelledName { text, place, since: wanted.since });
@@ -121,7 +125,7 @@ impl Canvas<'_> {
             };
             self.step = wanted.before.first().map_or(wanted.since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
-                self.add_mark(None, Pen::Leader, Shape::Line(a, b));
+                self.add_mark(None, Pen::Leader, Shape::Line(a, b)).passing = wanted.passing;
             }
             for (index, (step, text)) in wanted.before.iter().enumerate() {
                 let next = wanted.before.get(index + 1).map_or(wanted.since, |(next, _)| *next);
@@ -131,16 +135,17 @@ impl Canvas<'_> {
                 (mark.number, mark.until) = (wanted.number, Some(next));
             }
             self.step = wanted.since;
-            self.draw_below(&wanted.name, wanted.pen, Shape::Text(label.text)).number = wanted.number;
+            let mark = self.draw_below(&wanted.name, wanted.pen, Shape::Text(label.text));
+            (mark.number, mark.passing) = (wanted.number, wanted.passing);
         }
         left_out
     }
 
     /// Cuts off the content's marks at the panel's edge.
     fn cut_off(&mut self) {
+        let seen = self.seen();
         let marks = &mut self.drawing.marks;
-        let frame = self.frame;
-        let leaves = |mark: &Mark| !is_within(frame, &mark.shape);
+        let leaves = |mark: &Mark| !is_within(seen, &mark.shape);
         if !marks[self.content_start..].iter().any(leaves) {
             return;
         }
@@ -149,7 +154,7 @@ impl Canvas<'_> {
         let content = marks.split_off(self.content_start).into_iter();
         for mark in content.filter(|mark| !(is_point(mark) && leaves(mark))) {
             let mut id = mark.id;
-            for shape in clipped(self.frame, mark.shape) {
+            for shape in clipped(seen, mark.shape) {
                 marks.push(Mark { id: id.take(), shape, ..mark });
             }
         }

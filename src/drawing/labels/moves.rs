@@ -247,6 +247,9 @@ impl Search<'_> {
         }
         let place = label.place_at(ink, distance, 0.0);
         let mut worth = place.least + self.ambiguity(index, ink);
+        if worth >= limit {
+            return None;
+        }
         for (other, spot) in self.chosen_near(place.surroundings()) {
             if other != index {
                 if place.conflicts(spot) {

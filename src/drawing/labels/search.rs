@@ -25,7 +25,7 @@ const MOST_AROUND: usize = 400;
 
 /// How many things each stage of a search may look at: far more than a figure of a textbook needs, and less than a tenth
 /// of a second.
-const ENOUGH: usize = 500_000;
+const ENOUGH: usize = 200_000;
 
 /// Least distance from its anchor, beyond the clearance, of a label that stays, in mm: its text may have grown.
 const GROWN: f64 = -0.3;
@@ -40,7 +40,7 @@ pub(super) struct Effort {
 }
 
 impl Effort {
-    const WHOLE: Effort = Effort { pushes: 3, tries: 120 };
+    const WHOLE: Effort = Effort { pushes: 3, tries: 60 };
     /// For a label that may be left out.
     pub(super) const LITTLE: Effort = Effort { pushes: 2, tries: 20 };
     /// For a picture that is soon replaced by the next one.
@@ -217,12 +217,10 @@ impl<'a> Search<'a> {
 
     /// The cost of what a leader crosses.
     pub(super) fn cost_of_leader(&self, leader: (Point, Point)) -> f64 {
-        let area = Rect::from_points(leader.0, leader.1);
         let is_crossed = |line: &usize| crosses_line(self.obstacles.lines[*line], leader);
-        let lines = self.obstacles.lines_near(area).into_iter().filter(is_crossed).count();
+        let lines = self.obstacles.lines_along(leader).into_iter().filter(is_crossed).count();
         let clipped = Clipped::new(leader);
-        let near = self.obstacles.things_near(area.inflate(LINE_GAP, LINE_GAP));
-        let boxes = near.map(|(other, is_text)| match is_text {
+        let boxes = self.obstacles.things_along(leader).map(|(other, is_text)| match is_text {
             true if clipped.share_inside(other.inflate(LINE_GAP, LINE_GAP)) > 0.0 => STRUCK,
             false if clipped.share_inside(other) > 0.0 => ACROSS[1],
             _ => 0.0,
@@ -328,10 +326,10 @@ impl<'a> Search<'a> {
             if self.labels[index].places[place].least >= limit {
                 continue;
             }
+            // What a place costs is known after the first time.
+            let Some(cost) = self.cost_below(index, place, limit) else { continue };
             let around = self.around(index, place, 0);
-            if around.count == 0
-                && let Some(cost) = self.cost_below(index, place, limit - around.closeness)
-            {
+            if around.count == 0 && cost + around.closeness < limit {
                 limit = cost + around.closeness;
                 best = Some((place, limit));
             }

@@ -16,4 +16,5 @@ mod prepare;
 mod share;
 mod speed;
 mod student;
+mod surface;
 mod telephone;

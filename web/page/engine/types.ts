@@ -356,6 +356,10 @@ export interface Opened {
    */
   structure: string;
   /**
+   * The panels of its figure.
+   */
+  panels: Panel[];
+  /**
    * Warnings of all stages.
    */
   warnings: string[];
@@ -463,6 +467,18 @@ export interface View {
    * The panels that are shown in place of the figure's: a student's link shows the scheme alone. What is no panel is passed over.
    */
   panels?: Panel[] | null;
+  pane?: Pane | null;
+  focus?: Panel | null;
+  eased?: number | null;
+}
+/**
+ * A part of the screen, in pixels.
+ */
+export interface Pane {
+  width: number;
+  height: number;
+  letters: number;
+  words: boolean;
 }
 /**
  * A picture of the scene in one position.
@@ -488,10 +504,6 @@ export interface Picture {
    * What can be taken hold of: the points of the mechanism.
    */
   handles: Handle[];
-  /**
-   * The points of the plans that are shown, their poles among them.
-   */
-  plan_points: Handle[];
   /**
    * The drives and where they stand.
    */
