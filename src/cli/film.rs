@@ -47,7 +47,9 @@ impl FilmOptions {
         };
         let running = film.running();
         match running.turns {
-            None => note("the drive goes to and fro; the plans are those for its speed in the scene, also on the way back"),
+            None => {
+                note("the drive goes to and fro; the plans are those for its speed in the scene, also on the way back")
+            }
             Some(1) => {}
             Some(turns) => note(&format!("the mechanism is where it began after {turns} turns of the drive")),
         }
@@ -78,9 +80,9 @@ impl Lacks {
         for panel in film.layout().panels(drawing).into_iter().filter(|panel| panel.is_cut) {
             *self.cut.entry(panel.name).or_default() += 1;
         }
-        for (panel, names) in &drawing.unlabelled {
-            let known = self.names.entry(panel.clone()).or_default();
-            names.iter().for_each(|name| *known.entry(name.clone()).or_default() += 1);
+        for unlabelled in &drawing.unlabelled {
+            let known = self.names.entry(unlabelled.panel.clone()).or_default();
+            unlabelled.names.iter().for_each(|name| *known.entry(name.text.content()).or_default() += 1);
         }
     }
 
@@ -91,7 +93,9 @@ impl Lacks {
         for (panel, names) in &self.names {
             let told: Vec<String> = names.iter().map(|(name, pictures)| format!("{name} ({pictures})")).collect();
             let told = told.join("; ");
-            warn(&format!("{panel}: no room for names in some of {count} pictures: {told}; a larger page has room for more"));
+            warn(&format!(
+                "{panel}: no room for names in some of {count} pictures: {told}; a larger page has room for more"
+            ));
         }
     }
 }

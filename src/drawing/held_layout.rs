@@ -4,7 +4,8 @@ use super::canvas::Held;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext, Surface};
 use super::facts::Steps;
-use super::figure::{Contents, FigureSheets, LaidOut, composed, described, extents_to_fit};
+use super::figure::{FigureSheets, extents_to_fit};
+use super::laid_out::{Contents, LaidOut, composed, described};
 use super::layout::{Layout, Needs, Placed};
 use super::panel::{Extents, cycles_of, extents_in};
 use super::sheet::Drawing;
@@ -226,7 +227,8 @@ impl HeldLayout {
     /// other panels it is this one.
     #[must_use]
     pub fn eased_from(&self, before: &HeldLayout, share: f64) -> HeldLayout {
-        let sheets = |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
+        let sheets =
+            |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
         let mut eased = self.clone();
         if sheets(self) == sheets(before) {
             for (now, before) in eased.layout.panels.iter_mut().zip(&before.layout.panels) {
@@ -340,7 +342,8 @@ impl HeldLayout {
 
 /// The place of a panel on the way from one to another.
 fn between(from: &Placed, to: &Placed, share: f64) -> Placed {
-    let rect = |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
+    let rect =
+        |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
     let point = |a: geometry::Point, b: geometry::Point| a + share * (b - a);
     let [a, b] = [from, to].map(|placed| placed.needs.extent);
     let extent = Extent { low: point(a.low, b.low), high: point(a.high, b.high) };

@@ -24,7 +24,8 @@ use search::Search;
 /// The places of the labels, in the order of the requests; none for a label without a place, as on a panel that is full,
 /// and for one without text.
 ///
-/// Between two labels is so much white that they are not read as one, and none touches an obstacle box or leaves the panel.
+/// Between two labels is so much white that they are not read as one, no line goes through one and no leader through a
+/// text, and none touches an obstacle box or leaves the panel.
 /// The search for so many labels that no panel could show them ends early. The same input gives the same places on every
 /// platform.
 ///
@@ -41,10 +42,9 @@ pub fn place(
     search.improve();
     search.settle();
     let placed = requests.iter().enumerate().map(|(index, request)| {
-        let is_struck = !search.is_clear(index);
         let label = &search.labels[index];
         let Spot { ink, leader, .. } = label.places[label.chosen?];
-        Some(PlacedLabel { text: text_at(request, ink), leader, is_struck })
+        Some(PlacedLabel { text: text_at(request, ink), leader })
     });
     placed.collect()
 }

@@ -44,8 +44,6 @@ pub struct PlacedLabel {
     pub text: PlacedText,
     /// A thin line from near the anchor to near the text, where the text had to stand apart.
     pub leader: Option<(Point, Point)>,
-    /// Whether a line goes through it, or its leader through another text.
-    pub is_struck: bool,
 }
 
 /// Distances beyond the clearance, in mm, at which a label still clearly belongs to its anchor.
@@ -163,6 +161,8 @@ pub(super) struct Label {
     pub(super) reach: Rect,
     pub(super) may_stand_apart: bool,
     pub(super) has_far: bool,
+    /// Whether no clear place was found for it, near or far.
+    pub(super) is_stuck: bool,
     /// Where the middle of its ink was from the anchor in the picture before, if there is one.
     pub(super) before: Option<Vec2>,
 }
@@ -182,6 +182,7 @@ impl Label {
             reach: Rect::ZERO,
             may_stand_apart: request.may_stand_apart,
             has_far: false,
+            is_stuck: false,
             before: None,
         };
         label.reach = label.reach_at(NEAR[NEAR.len() - 1]);

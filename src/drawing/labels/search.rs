@@ -23,9 +23,9 @@ const CLEARLY: f64 = 0.6;
 /// Most lines, and most other anchors, that count for a label: among more it cannot be read anyway.
 const MOST_AROUND: usize = 400;
 
-/// How many things each stage of a search may look at: far more than a figure of a textbook needs, and less than three
-/// tenths of a second.
-const ENOUGH: usize = 2_000_000;
+/// How many things each stage of a search may look at: far more than a figure of a textbook needs, and less than a tenth
+/// of a second.
+const ENOUGH: usize = 200_000;
 
 /// Least distance from its anchor, beyond the clearance, of a label that stays, in mm: its text may have grown.
 const GROWN: f64 = -0.3;
@@ -40,7 +40,9 @@ pub(super) struct Effort {
 }
 
 impl Effort {
-    const WHOLE: Effort = Effort { pushes: 3, tries: 1_000 };
+    const WHOLE: Effort = Effort { pushes: 3, tries: 60 };
+    /// For a label that may be left out.
+    pub(super) const LITTLE: Effort = Effort { pushes: 2, tries: 20 };
     /// For a picture that is soon replaced by the next one.
     const MOVING: Effort = Effort { pushes: 2, tries: 40 };
 }
@@ -123,8 +125,13 @@ impl<'a> Search<'a> {
 
     /// Labels with a present place near a box, in rising order; at least all that touch it.
     pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = (usize, &Spot)> {
-        let near = self.chosen.near(area).into_iter();
-        near.filter_map(|index| Some((index, &self.labels[index].places[self.labels[index].chosen?])))
+        let near = if self.is_wide(area) { (0..self.labels.len()).collect() } else { self.chosen.near(area) };
+        near.into_iter().filter_map(|index| Some((index, &self.labels[index].places[self.labels[index].chosen?])))
+    }
+
+    /// Whether it is quicker to look at all labels than at all cells of a box, as around a long leader.
+    fn is_wide(&self, area: Rect) -> bool {
+        self.chosen.cell_count(area) > self.labels.len()
     }
 
     /// Finds the lines and anchors that the places of a label could touch.
@@ -210,12 +217,10 @@ impl<'a> Search<'a> {
 
     /// The cost of what a leader crosses.
     pub(super) fn cost_of_leader(&self, leader: (Point, Point)) -> f64 {
-        let area = Rect::from_points(leader.0, leader.1);
         let is_crossed = |line: &usize| crosses_line(self.obstacles.lines[*line], leader);
-        let lines = self.obstacles.lines_near(area).into_iter().filter(is_crossed).count();
+        let lines = self.obstacles.lines_along(leader).into_iter().filter(is_crossed).count();
         let clipped = Clipped::new(leader);
-        let near = self.obstacles.things_near(area.inflate(LINE_GAP, LINE_GAP));
-        let boxes = near.map(|(other, is_text)| match is_text {
+        let boxes = self.obstacles.things_along(leader).map(|(other, is_text)| match is_text {
             true if clipped.share_inside(other.inflate(LINE_GAP, LINE_GAP)) > 0.0 => STRUCK,
             false if clipped.share_inside(other) > 0.0 => ACROSS[1],
             _ => 0.0,
@@ -281,12 +286,16 @@ impl<'a> Search<'a> {
         let (mut around, mut looked_at) = (Around { blockers: [usize::MAX; 2], ..Around::default() }, 1);
         let mut seen: SmallVec<[usize; 8]> = SmallVec::new();
         let wanted = &self.labels[index].places[place];
-        self.chosen.any(wanted.surroundings(), |other| {
+        let area = wanted.surroundings();
+        let is_wide = self.is_wide(area);
+        let mut look = |other: usize| {
             looked_at += 1;
-            if other == index || seen.contains(&other) {
+            if other == index || !is_wide && seen.contains(&other) {
                 return false;
             }
-            seen.push(other);
+            if !is_wide {
+                seen.push(other);
+            }
             let Some(chosen) = self.labels[other].chosen else { return false };
             let spot = &self.labels[other].places[chosen];
             if wanted.conflicts(spot) || wanted.crosses(spot) {
@@ -298,7 +307,12 @@ impl<'a> Search<'a> {
                 around.closeness += wanted.closeness(spot);
             }
             around.count > most
-        });
+        };
+        if is_wide {
+            (0..self.labels.len()).any(&mut look);
+        } else {
+            self.chosen.any(area, &mut look);
+        }
         self.count(looked_at);
         around.blockers.sort_unstable();
         around
@@ -312,10 +326,10 @@ impl<'a> Search<'a> {
             if self.labels[index].places[place].least >= limit {
                 continue;
             }
+            // What a place costs is known after the first time.
+            let Some(cost) = self.cost_below(index, place, limit) else { continue };
             let around = self.around(index, place, 0);
-            if around.count == 0
-                && let Some(cost) = self.cost_below(index, place, limit - around.closeness)
-            {
+            if around.count == 0 && cost + around.closeness < limit {
                 limit = cost + around.closeness;
                 best = Some((place, limit));
             }
