@@ -96,8 +96,8 @@ def test_figures():
 
 def test_nothing_half_written(tmp_path):
     solution = kinegon.Scene.kind("four-bar").solve()
-    with pytest.raises(kinegon.KinegonError, match="no format for files ending in `.gif`"):
-        solution.save(tmp_path / "figure.gif")
+    with pytest.raises(kinegon.KinegonError, match="no format for files ending in `.bmp`"):
+        solution.save(tmp_path / "figure.bmp")
     with pytest.raises(FileNotFoundError):
         solution.save(tmp_path / "none" / "figure.svg")
     (tmp_path / "folder.svg").mkdir()

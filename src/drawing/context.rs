@@ -8,7 +8,7 @@ use super::text::RichText;
 use super::view::Series;
 use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
 use crate::cycle::{OtherModes, Traces};
-use crate::mechanism::{BodyId, Mechanism, PointId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
 use crate::quantity::QuantityKind;
 use crate::scene::{Figure, Page, PageSize};
 use crate::sheet::{PerSheet, Scales, Sheet};
@@ -167,6 +167,9 @@ impl<'a> SheetContext<'a> {
     pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
         if let Some(renamed) = self.figure().labels.get(name) {
             return renamed.for_setting();
+        }
+        if plan.is_none() && name == self.mechanism().body(GROUND).name {
+            return self.words.language.ground().to_owned();
         }
         let written = self.facts.markup(name);
         match plan {

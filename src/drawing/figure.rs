@@ -1,7 +1,6 @@
 //! The figure of a scene: its panels with the table, the scales and the words around them; all sheets that it asks for, at
 //! scales that are decided once.
 
-use super::canvas::ascii;
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
@@ -9,7 +8,8 @@ use super::layout::{Item, Layout, Placed};
 use super::panel::{Extents, Panel, content, cycles_of, extents, extents_in, hints, panels};
 use super::remarks;
 use super::scale_bar::SCALE;
-use super::sheet::Drawing;
+use super::shape::Shape;
+use super::sheet::{Drawing, Mark};
 use super::values::{self, value_list};
 use super::view::{Series, next_scale};
 use super::words::StepWords;
@@ -169,9 +169,14 @@ impl<'a> FigureSheets<'a> {
 
     /// The values whose labels found no room, and which are not in the list of results.
     fn unplaced(&self, drawing: &Drawing) -> impl Iterator<Item = &Value> {
+        // A label without room for the number has the symbol alone.
         let has = |value: &Value| {
-            let label = format!("{}-{}", value.panel.as_str(), ascii(&value.name));
-            drawing.marks.iter().any(|mark| mark.id.as_deref().is_some_and(|id| id.ends_with(&label)))
+            let (panel, whole) = (format!("{}-", value.panel.as_str()), value.text().content());
+            let is_its = |mark: &Mark| match (&mark.shape, &mark.id) {
+                (Shape::Text(text), Some(id)) => id.starts_with(&panel) && text.text.content() == whole,
+                _ => false,
+            };
+            drawing.marks.iter().any(is_its)
         };
         let is_listed = self.laid_out().contents.list;
         let is_shown = move |value: &&Value| has(value) || is_listed && value.is_listed();

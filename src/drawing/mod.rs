@@ -67,6 +67,7 @@ mod division;
 mod exercise;
 mod facts;
 mod figure;
+mod film;
 mod fonts;
 #[doc(hidden)] // for tests
 pub mod grid;
@@ -103,6 +104,7 @@ pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use facts::Steps;
 pub use figure::FigureSheets;
+pub use film::{Film, Timing};
 pub use fonts::{ITALIC, REGULAR};
 pub use grid::Obstacles;
 pub use held_layout::{Handle, HeldLayout, HeldPanel, Pane, Positions};

@@ -20,7 +20,7 @@ use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
 /// Number style of values.
-const VALUE: NumberStyle = NumberStyle::significant(3).in_full(-3, 6).on(Medium::Figure);
+const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
 /// Largest part of a sheet's height for a list that the figure's style alone asks for.
@@ -112,7 +112,8 @@ impl List<'_> {
         values
     }
 
-    /// Angular velocities or accelerations of the links; links that turn together share a value.
+    /// Angular velocities or accelerations of the links, those of drives first and zero last; links that turn together
+    /// share a value.
     fn rates(&self, order: Order) -> Vec<Value> {
         let Solution { mechanism, motion, .. } = self.context.solution;
         type Rate = (&'static str, QuantityKind, fn(&BodyMotion) -> f64);
@@ -122,11 +123,14 @@ impl List<'_> {
         };
         let all = || mechanism.links().map(|(link, body)| (link, body, rate(motion.body(link))));
         let largest = all().map(|(.., value)| value.abs()).fold(0.0, f64::max);
+        let shown = |value: f64| if value.abs() < NOTHING * largest { 0.0 } else { value };
+        let mut links: Vec<_> = all().filter(|(.., value)| *value != 0.0).collect();
+        links.sort_by_key(|(_, body, value)| (shown(*value) == 0.0, !matches!(body.role, Role::Driver { .. })));
         let mut values: Vec<Value> = Vec::new();
-        for (link, body, value) in all().filter(|(.., value)| *value != 0.0) {
+        for (link, body, value) in links {
             let quantity = format!("{name}({})", body.name);
             let symbol = rate_symbol(&quantity);
-            let number = if value.abs() < NOTHING * largest { 0.0 } else { value };
+            let number = shown(value);
             if let Some(same) = values.iter_mut().find(|other| other.number == number && number != 0.0) {
                 same.symbol = format!("{} = {symbol}", same.symbol);
                 continue;
@@ -205,26 +209,25 @@ pub(super) fn table<'v>(context: &SheetContext<'_>, values: impl Iterator<Item =
     Table::new(heads.to_vec(), rows.collect())
 }
 
-/// Requests the label of a value beside `anchor`; it is left out where there is no room.
-pub(super) fn label(
+/// Requests the label of a value beside `anchor`; it is left out where there is no room. Rates come first, what is zero
+/// last.
+pub(super) fn label<'c>(
     context: &SheetContext<'_>,
-    canvas: &mut Canvas<'_>,
+    canvas: &'c mut Canvas<'_>,
     value: &Value,
     anchor: Point,
     prefer: Option<Vec2>,
-) {
+) -> &'c mut Wanted {
     let number = match &value.of {
         ValueOf::Rate(link) => context.number(*link),
         ValueOf::Vector(_) | ValueOf::Length(..) => None,
     };
-    let may_stand_apart = value.is_listed();
-    let request = LabelRequest {
-        may_stand_apart,
-        ..LabelRequest::new(value.text(), anchor, 0.9, prefer, u8::from(may_stand_apart))
-    };
+    let may_stand_apart = value.is_listed() && value.number != 0.0;
+    let priority = u8::from(may_stand_apart) + u8::from(may_stand_apart && matches!(value.of, ValueOf::Rate(_)));
+    let request = LabelRequest { may_stand_apart, ..LabelRequest::new(value.text(), anchor, 0.9, prefer, priority) };
     canvas.step = value.since;
     let wanted = Wanted::new(value.name.clone(), request);
-    canvas.request_label(Wanted { number, optional: true, last: true, ..wanted });
+    canvas.request_label(Wanted { number, optional: true, last: true, ..wanted })
 }
 
 /// Whether a value has its label at the arrow of a drive.

@@ -44,7 +44,9 @@ macro_rules! sentences {
 }
 
 sentences! {
-    // Names of lines.
+    // Names of links and lines.
+    /// The frame as the carrier of a guide, as in `5/ground`.
+    ground = "ground";
     guide_of(slider) = "guide of {slider}";
     normal_to_guide(slider, point) = "the normal to the guide of {slider} through {point}";
     /// The cut line of a leg with two sliders, on which all directions meet.

@@ -50,6 +50,8 @@ export interface App {
   brought: Signal<{ name: string; text: string } | null>;
   /** A picture that somebody brings; the panel of the check takes it for a photograph and sets it to null. */
   photographed: Signal<File | null>;
+  /** Films one turn of the drive, or its way to and fro, in so many seconds; null where the browser cannot. The answer is null where that is broken off. */
+  film: ((seconds?: number) => Promise<Blob | null>) | null;
   /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
   open(text: string): void;
   /** The address of this page with a document in it. */

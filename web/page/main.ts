@@ -19,6 +19,7 @@ import { theme } from "./layout/theme.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
 import { drives, type Drives } from "./motion/drives.ts";
+import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
@@ -72,6 +73,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     place: signal<{ from: number; to: number } | null>(null),
     brought: signal<{ name: string; text: string } | null>(null),
     photographed: signal<File | null>(null),
+    film: null,
     open: (text) => app.history.change({ text }),
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
@@ -94,6 +96,7 @@ function wire(app: App, store: Store): void {
   looking(app, view, own);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
+  app.film = filming(app, hands, parts.drives);
   stepsBar(app, going);
   toolbar(app);
   messages(app);

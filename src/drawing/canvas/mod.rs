@@ -38,6 +38,8 @@ pub(super) struct Canvas<'a> {
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details, so that
     /// none is taken for another's.
     pub is_overlaid: bool,
+    /// Ids of marks whose labels found no room: they are taken back.
+    unnamed: Vec<String>,
     /// Where labels and enlarged details were in the picture before, if the mechanism moves.
     pub held: Option<&'a mut Held>,
 }
@@ -60,13 +62,28 @@ pub(super) struct Wanted {
     pub before: Vec<(u16, RichText)>,
     /// The step with which it appears, set when it is requested.
     pub since: u16,
+    /// Whether it is there in that step alone.
+    pub passing: bool,
+    /// Names of marks that are left out with it.
+    pub with: Vec<String>,
 }
 
 impl Wanted {
     /// A label of the usual look.
     pub(super) fn new(name: String, request: LabelRequest) -> Wanted {
-        let (pen, before) = (Pen::Label, Vec::new());
-        Wanted { request, name, pen, number: None, optional: false, last: false, short: None, before, since: 0 }
+        Wanted {
+            request,
+            name,
+            pen: Pen::Label,
+            number: None,
+            optional: false,
+            last: false,
+            short: None,
+            before: Vec::new(),
+            since: 0,
+            passing: false,
+            with: Vec::new(),
+        }
     }
 }
 
@@ -94,6 +111,7 @@ impl<'a> Canvas<'a> {
             dims,
             reserved_circles: Vec::new(),
             is_overlaid: false,
+            unnamed: Vec::new(),
             held: None,
         }
     }

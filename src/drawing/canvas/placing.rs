@@ -69,6 +69,8 @@ impl Canvas<'_> {
         if let Some(language) = language.filter(|_| !left_out.is_empty()) {
             left_out.append(&mut self.say_unlabelled(language.names_without_room(), first));
         }
+        let unnamed = std::mem::take(&mut self.unnamed);
+        self.drawing.marks.retain(|mark| mark.id.as_ref().is_none_or(|id| !unnamed.contains(id)));
         self.cut_off();
         if !left_out.is_empty() {
             self.drawing.unlabelled.push((self.name.to_owned(), left_out));
@@ -166,6 +168,8 @@ impl Canvas<'_> {
         let mut left_out = Vec::new();
         for ((label, asked), wanted) in placed.into_iter().zip(asked).zip(requests) {
             let Some(label) = label.filter(|label| !label.is_struck) else {
+                let with: Vec<String> = wanted.with.iter().map(|name| self.id(name)).collect();
+                self.unnamed.extend(with);
                 if !wanted.optional && !asked.text.is_empty() {
                     left_out.push(asked.text.content());
                 }
@@ -173,7 +177,7 @@ impl Canvas<'_> {
             };
             self.step = wanted.before.first().map_or(wanted.since, |(first, _)| *first);
             if let Some((a, b)) = label.leader {
-                self.add_mark(None, Pen::Leader, Shape::Line(a, b));
+                self.add_mark(None, Pen::Leader, Shape::Line(a, b)).passing = wanted.passing;
             }
             for (index, (step, text)) in wanted.before.iter().enumerate() {
                 let next = wanted.before.get(index + 1).map_or(wanted.since, |(next, _)| *next);
@@ -183,7 +187,8 @@ impl Canvas<'_> {
                 (mark.number, mark.until) = (wanted.number, Some(next));
             }
             self.step = wanted.since;
-            self.draw_below(&wanted.name, wanted.pen, Shape::Text(label.text)).number = wanted.number;
+            let mark = self.draw_below(&wanted.name, wanted.pen, Shape::Text(label.text));
+            (mark.number, mark.passing) = (wanted.number, wanted.passing);
         }
         left_out
     }

@@ -3,6 +3,7 @@
 //! own position.
 
 use super::context::{Axis, CurveContext, CurvesError, significant};
+use crate::construction::VectorPart;
 use crate::cycle::{Event, Happening, Hodograph, Hodographs, PointPath, PointPaths};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_chain, holds, simplified};
@@ -253,7 +254,7 @@ impl Locus<'_> {
         let pole = at(nalgebra::zero());
         let notation = self.context.words.notation;
         let order = one.asked.order().expect("a vector is a velocity or an acceleration");
-        let [own_pen, _] = Pen::of_vectors(order);
+        let own_pen = Pen::of_vectors(order, VectorPart::Whole);
         let pole_name = notation.pole(order);
         // Lines end above the scale.
         let room = Rect { y1: canvas.frame.y1 - SCALE, ..canvas.room() };
