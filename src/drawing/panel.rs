@@ -27,8 +27,9 @@ use kurbo::{Point, Rect, Vec2};
 const SIZE: f64 = 1.05 * CAPTION;
 /// Positions in which the largest content of a cycle is looked for.
 const POSITIONS: usize = 72;
-/// Share of them that is seen whole where vectors run off to infinity, at the ends of a range.
-const MOST: f64 = 0.97;
+/// Where a drive swings, vectors run off to infinity at the ends of its range: what is so many times as large as half of
+/// the positions are is not seen whole, or the others would be too small to be read.
+const RUNS_OFF: f64 = 3.0;
 /// White before a heading, in mm.
 const BEFORE: f64 = 2.5;
 /// White between a heading and the scale beside it, in mm.
@@ -239,7 +240,7 @@ pub(super) fn extents_in(own: &SheetContext<'_>, cycles: &[Animation]) -> Extent
         let of_panel = |all: &Extents| all.iter().find(|(own, _)| *own == panel).map(|(_, extent)| *extent);
         let whole = seen.iter().fold(extent, |whole, (is_round, all)| {
             let all = all.iter().filter_map(of_panel);
-            if *is_round { whole.with_all(all) } else { whole.with_share(MOST, all) }
+            if *is_round { whole.with_all(all) } else { whole.with_usual(RUNS_OFF, all) }
         });
         (panel, whole)
     };
