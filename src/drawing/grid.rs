@@ -19,6 +19,8 @@ const MOST: f64 = 256.0;
 const FAR: f64 = 1e6;
 /// White around a line's cells, in mm, against rounding.
 const SLACK: f64 = 1e-3;
+/// White around a label's ink that no line enters, at least and at most, in mm.
+pub(super) const STRIKE: [f64; 2] = [0.4, 0.6];
 /// Least white between a label's ink and a box, in mm.
 pub(super) const BOX_GAP: f64 = 0.3;
 
@@ -190,6 +192,8 @@ pub struct Obstacles {
     pub lines: Vec<(Point, Point)>,
     /// The panel: no label leaves it.
     pub bounds: Rect,
+    /// White around a label's ink that no line enters, in mm: half the width of a line.
+    pub strike: f64,
     /// By box: the ink of the text that it keeps white, if it does.
     inks: Vec<Option<Rect>>,
     grid_of_boxes: Grid,
@@ -200,7 +204,15 @@ impl Obstacles {
     /// A panel without obstacles.
     pub fn new(bounds: Rect) -> Self {
         let (grid_of_boxes, grid_of_lines) = (Grid::new(bounds), Grid::new(bounds));
-        Self { boxes: Vec::new(), lines: Vec::new(), bounds, inks: Vec::new(), grid_of_boxes, grid_of_lines }
+        Self {
+            boxes: Vec::new(),
+            lines: Vec::new(),
+            bounds,
+            strike: STRIKE[0],
+            inks: Vec::new(),
+            grid_of_boxes,
+            grid_of_lines,
+        }
     }
 
     /// Adds boxes that nothing may touch.

@@ -88,7 +88,8 @@ impl Canvas<'_> {
 
     /// Places labels at once and draws them; returns those for which there is no room, but for optional ones.
     fn place_together(&mut self, requests: Vec<Wanted>) -> Vec<UnlabelledName> {
-        let mut asked: Vec<LabelRequest> = requests.iter().map(|wanted| wanted.request.clone()).collect();
+        let request = |wanted: &Wanted| LabelRequest { short: wanted.short.clone(), ..wanted.request.clone() };
+        let asked: Vec<LabelRequest> = requests.iter().map(request).collect();
         let ids: Vec<String> = match self.held {
             Some(_) => requests.iter().map(|wanted| self.id(&wanted.name)).collect(),
             None => Vec::new(),
@@ -96,16 +97,7 @@ impl Canvas<'_> {
         let before = self.held.as_ref().filter(|held| !held.before.labels.is_empty());
         let before: Option<Vec<_>> =
             before.map(|held| ids.iter().map(|id| held.before.labels.get(id).copied()).collect());
-        let mut placed = place(&asked, &self.obstacles, before.as_deref());
-        let mut is_shortened = false;
-        for ((label, wanted), asked) in placed.iter().zip(&requests).zip(&mut asked) {
-            if let (None, Some(short)) = (label, &wanted.short) {
-                (asked.text, is_shortened) = (short.clone(), true);
-            }
-        }
-        if is_shortened {
-            placed = place(&asked, &self.obstacles, before.as_deref());
-        }
+        let placed = place(&asked, &self.obstacles, before.as_deref());
         if let Some(held) = &mut self.held {
             let all = ids.into_iter().zip(&placed).zip(&asked);
             let offsets = all
@@ -118,7 +110,7 @@ impl Canvas<'_> {
                 let with: Vec<String> = wanted.with.iter().map(|name| self.id(name)).collect();
                 self.unnamed.extend(with);
                 if !wanted.optional && !asked.text.is_empty() {
-                    let (text, place) = (asked.text, wanted.request.anchor);
+                    let (text, place) = (asked.short.unwrap_or(asked.text), asked.anchor);
                     left_out.push(UnlabelledName { text, place, since: wanted.since });
                 }
                 continue;

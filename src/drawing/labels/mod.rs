@@ -11,12 +11,13 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+mod blocked;
 mod moves;
 mod places;
 mod search;
 
 use super::grid::Obstacles;
-use super::text::{Anchor, PlacedText};
+use super::text::{Anchor, PlacedText, RichText};
 use places::Spot;
 pub use places::{LabelRequest, PlacedLabel};
 use search::Search;
@@ -41,15 +42,17 @@ pub fn place(
     search.settle();
     search.improve();
     search.settle();
+    search.shorten();
     let placed = requests.iter().enumerate().map(|(index, request)| {
         let label = &search.labels[index];
         let Spot { ink, leader, .. } = label.places[label.chosen?];
-        Some(PlacedLabel { text: text_at(request, ink), leader })
+        let text = request.short.as_ref().filter(|_| label.is_short).unwrap_or(&request.text);
+        Some(PlacedLabel { text: text_at(text, request.size, ink), leader })
     });
     placed.collect()
 }
 
-fn text_at(request: &LabelRequest, ink: Rect) -> PlacedText {
-    let origin = Point::ORIGIN + (ink.origin() - request.text.ink_box(request.size).origin());
-    PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle)
+fn text_at(text: &RichText, size: f64, ink: Rect) -> PlacedText {
+    let origin = Point::ORIGIN + (ink.origin() - text.ink_box(size).origin());
+    PlacedText::new(text.clone(), size, origin).anchored(Anchor::Middle)
 }

@@ -62,6 +62,23 @@ impl Search<'_> {
         }
     }
 
+    /// Sets labels without a place shorter, if they may be, and finds places for these.
+    pub(super) fn shorten(&mut self) {
+        let mut is_shorter = false;
+        for index in 0..self.labels.len() {
+            let label = &mut self.labels[index];
+            if let Some(ink) = label.short.take_if(|_| label.chosen.is_none()) {
+                (label.ink, label.is_short, label.is_stuck, label.has_far) = (ink, true, false, false);
+                label.places.clear();
+                self.begin_label(index);
+                is_shorter = true;
+            }
+        }
+        if is_shorter {
+            self.settle();
+        }
+    }
+
     /// Gives a label a clear place with a leader, if it may have one.
     fn stand_apart(&mut self, index: usize) -> bool {
         if !self.labels[index].may_stand_apart {
@@ -241,8 +258,11 @@ impl Search<'_> {
     fn free_place(&self, index: usize, ink: Rect, limit: f64) -> Option<(f64, Spot)> {
         let label = &self.labels[index];
         let distance = distance_to_box(ink, label.anchor) - label.clearance;
+        if distance < 0.0 || distance >= limit || self.is_ruled_out(ink) {
+            return None;
+        }
         self.count(1);
-        if distance < 0.0 || distance >= limit || self.is_on_obstacle(ink) || self.is_struck(ink) {
+        if self.is_on_obstacle(ink) || self.is_struck(ink) {
             return None;
         }
         let place = label.place_at(ink, distance, 0.0);

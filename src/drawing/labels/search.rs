@@ -2,11 +2,12 @@
 
 use kurbo::{Point, Rect, Vec2};
 use smallvec::SmallVec;
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use super::super::grid::{BOX_GAP, Grid, Obstacles};
 use super::super::shape::{crosses_line, distance_to_box};
-use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, SIDES, STRIKE_GAP, Spot, inside};
+use super::blocked::Blocked;
+use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, SIDES, Spot, inside};
 
 // Costs, in mm of distance from the anchor.
 /// Of a place that a line strikes through: more than that of any clear place on a sheet.
@@ -67,6 +68,8 @@ pub(super) struct Search<'a> {
     /// Where the labels' present places and their leaders are.
     chosen: Grid,
     anchors: Grid,
+    /// Where the obstacles leave no place, once it is asked for.
+    blocked: OnceCell<Blocked>,
     /// How many things this stage has looked at: a measure of time that is the same everywhere.
     work: Cell<usize>,
     /// Whether a stage was stopped because it looked at too many.
@@ -83,16 +86,23 @@ impl<'a> Search<'a> {
             anchors.add(index, Rect::from_points(label.anchor, label.anchor));
         }
         let chosen = Grid::new(bounds);
-        let (work, is_cut_short) = (Cell::new(0), Cell::new(false));
+        let (work, is_cut_short, blocked) = (Cell::new(0), Cell::new(false), OnceCell::new());
         let effort = if before.is_some() { Effort::MOVING } else { Effort::WHOLE };
-        let mut search = Self { labels, effort, lines, obstacles, chosen, anchors, work, is_cut_short };
+        let mut search = Self { labels, effort, lines, obstacles, chosen, anchors, blocked, work, is_cut_short };
         for index in 0..search.labels.len() {
-            search.find_surroundings(index);
             search.labels[index].before = before.and_then(|before| before[index]);
-            search.add_places(index, &NEAR);
-            search.add_kept(index);
+            search.begin_label(index);
         }
         search
+    }
+
+    /// Finds the places of a label near its anchor.
+    pub(super) fn begin_label(&mut self, index: usize) {
+        let label = &mut self.labels[index];
+        label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
+        self.find_surroundings(index);
+        self.add_places(index, &NEAR);
+        self.add_kept(index);
     }
 
     /// Begins a stage of the search.
@@ -209,9 +219,15 @@ impl<'a> Search<'a> {
         self.add_places(index, &FAR);
     }
 
+    /// Whether ink is on an obstacle for certain, which is told quickly.
+    pub(super) fn is_ruled_out(&self, ink: Rect) -> bool {
+        let blocked = self.blocked.get_or_init(|| Blocked::new(self.obstacles));
+        blocked.is_certain(ink.inflate(BOX_GAP, BOX_GAP))
+    }
+
     /// Whether a line strikes through ink.
     pub(super) fn is_struck(&self, ink: Rect) -> bool {
-        let area = ink.inflate(STRIKE_GAP, STRIKE_GAP);
+        let area = ink.inflate(self.obstacles.strike, self.obstacles.strike);
         self.obstacles.any_line(area, |line| self.lines[line].share_inside(area) * self.lines[line].length > 0.0)
     }
 
@@ -244,9 +260,9 @@ impl<'a> Search<'a> {
             return (least < limit).then_some(least);
         }
         // Summation stops at the limit; the sum is then a better lower bound for the next time.
-        let (mut whole, mut is_struck) = (true, false);
+        let (mut whole, mut is_struck, strike) = (true, false, self.obstacles.strike);
         least += ambiguity(ink, label.anchor, label.anchors.iter().copied());
-        let (area, narrow) = (ink.inflate(LINE_GAP, LINE_GAP), ink.inflate(STRIKE_GAP, STRIKE_GAP));
+        let (area, narrow) = (ink.inflate(LINE_GAP, LINE_GAP), ink.inflate(strike, strike));
         self.work.set(self.work.get() + 1 + label.anchors.len() + label.lines.len());
         for &line in &label.lines {
             let line = &self.lines[line as usize];
