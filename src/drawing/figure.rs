@@ -389,11 +389,13 @@ pub(super) struct Contents {
     pub list: bool,
     /// Whether the words of steps stand elsewhere: on a narrow part of a screen.
     pub wordless: bool,
+    /// Whether the finished figure is in motion: what is said of one position would be gone before it is read.
+    pub moving: bool,
 }
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list, wordless } = contents;
+    let Contents { steps, only_step, table, list, wordless, moving } = contents;
     let panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
@@ -402,6 +404,9 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
     let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());
     let sheet = sheet.with_optional(worksheet);
+    if moving {
+        return sheet.with(remarks::paths(context));
+    }
     let Some(steps) = steps else {
         let values = if list { value_list(context, None) } else { None };
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
