@@ -224,8 +224,7 @@ pub(super) fn label<'c>(
     };
     let may_stand_apart = value.is_listed() && value.number != 0.0;
     let priority = u8::from(may_stand_apart) + u8::from(may_stand_apart && matches!(value.of, ValueOf::Rate(_)));
-    let request =
-        LabelRequest { may_stand_apart, ..LabelRequest::new(value.text(), anchor, 0.9, prefer, priority) };
+    let request = LabelRequest { may_stand_apart, ..LabelRequest::new(value.text(), anchor, 0.9, prefer, priority) };
     canvas.step = value.since;
     let wanted = Wanted::new(value.name.clone(), request);
     canvas.request_label(Wanted { number, optional: true, last: true, ..wanted })

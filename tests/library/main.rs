@@ -73,6 +73,7 @@ mod markers;
 mod paper_facts;
 mod pencil;
 mod photographs;
+mod plan_vectors;
 mod planted_mistakes;
 mod planted_modes;
 mod point_paths;

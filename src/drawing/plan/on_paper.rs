@@ -10,7 +10,7 @@ use crate::drawing::facts::PlanSteps;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::scheme::on_paper::outline;
 use crate::drawing::shape::Shape;
-use crate::drawing::sheet::Pen;
+use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::values::{is_hidden, label};
 use crate::drawing::view::{Extent, View, on_sheet, together};
@@ -164,21 +164,27 @@ impl<'a> PlanOnPaper<'a> {
         is_whole && !self.is_hidden(name)
     }
 
-    /// The vectors that rays carry, once the points on them are there.
+    /// The vectors that rays carry, once the points on them are there; where a later step lays off the same vector, until
+    /// then.
     pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
-        let (teller, pole) = (self.context.teller(), self.plan.order.pole());
-        for ray in self.context.construction().rays(self.plan.order) {
-            let is_hidden = [&ray.through, &ray.to].into_iter().any(|name| self.is_hidden(name));
-            let is_far = [&ray.through, &ray.to].into_iter().any(|name| self.is_far(canvas, name));
+        let (construction, order) = (self.context.construction(), self.plan.order);
+        let teller = self.context.teller();
+        for ray in construction.rays(order) {
+            let ends = [&ray.through, &ray.to];
+            let is_shown = !ends.into_iter().any(|name| self.is_hidden(name) || self.is_far(canvas, name));
             // From a point at rest it is the vector from the pole.
-            let again = self.at(&ray.through) == self.at(pole) && self.is_end_of_whole(&ray.to);
-            if is_hidden || is_far || again {
+            let again = self.at(&ray.through) == self.at(order.pole()) && self.is_end_of_whole(&ray.to);
+            let vector = if is_shown && !again { teller.vector_on(ray) } else { None };
+            let Some(PlanVector { ends: [from, to], part, made, link, .. }) = vector else { continue };
+            let mut laid = construction.arrows(order).filter(|laid| laid.ends() == [from.as_str(), to.as_str()]);
+            let laid = laid.next().map(|laid| self.steps.vector(&laid.from, &laid.to));
+            canvas.step = self.steps.point(&made);
+            if laid.is_some_and(|laid| laid <= canvas.step) {
                 continue;
             }
-            if let Some(PlanVector { ends: [from, to], part, made, link, .. }) = teller.vector_on(ray) {
-                canvas.step = self.steps.point(&made);
-                let number = link.and_then(|link| self.context.number(link));
-                self.arrow(canvas, [&from, &to], part, number);
+            let number = link.and_then(|link| self.context.number(link));
+            if let (Some(mark), Some(_)) = (self.arrow(canvas, [&from, &to], part, number), laid) {
+                (mark.id, mark.until) = (None, laid);
             }
         }
     }
@@ -230,18 +236,24 @@ impl<'a> PlanOnPaper<'a> {
 
     /// Draws the vector from one point to another, unless it is zero; of one that ends far off or starts there, the
     /// part of its line on the panel.
-    fn arrow(&self, canvas: &mut Canvas<'_>, [from, to]: [&str; 2], part: VectorPart, number: Option<usize>) {
+    fn arrow<'c>(
+        &self,
+        canvas: &'c mut Canvas<'_>,
+        [from, to]: [&str; 2],
+        part: VectorPart,
+        number: Option<usize>,
+    ) -> Option<&'c mut Mark> {
         let pen = Pen::of_vectors(self.plan.order, part);
         let name = format!("vector-{from}-{to}");
         let is_far = self.is_far(canvas, from) || self.is_far(canvas, to);
-        let Some((from, to)) = self.at(from).zip(self.at(to)) else { return };
-        let drawn = match is_far {
+        let (from, to) = self.at(from).zip(self.at(to))?;
+        let (pen, shape) = match is_far {
             true => clipped_segment(canvas.room(), from, to).map(|(a, b)| (Pen::Construction, Shape::Line(a, b))),
             false => ((to - from).hypot() > 1e-3).then(|| (pen, canvas.arrow(from, to))),
-        };
-        if let Some((pen, shape)) = drawn {
-            canvas.draw_named(&name, pen, shape).number = number;
-        }
+        }?;
+        let mark = canvas.draw_named(&name, pen, shape);
+        mark.number = number;
+        Some(mark)
     }
 
     /// Draws dots and labels of the points; coincident points share a label.

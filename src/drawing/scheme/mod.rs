@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 
 /// Draws the scheme.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
-    let scheme = SchemeOnPaper::new(context, view);
+    let scheme = SchemeOnPaper::new(context, view).within(canvas.room());
     scheme.ghosts(canvas);
     scheme.other_modes(canvas);
     scheme.link_areas(canvas);

@@ -103,7 +103,8 @@ impl SchemeOnPaper<'_> {
             let symbol = RichText::math(&format!("{}_{{{}}}", order.rate(), canvas.shown(link, link)));
             let anchor = center + side(order) * self.reach(order);
             canvas.step = step;
-            let wanted = canvas.ask(&format!("solved-{name}"), LabelRequest::new(symbol, anchor, 0.9, Some(side(order)), 0));
+            let wanted =
+                canvas.ask(&format!("solved-{name}"), LabelRequest::new(symbol, anchor, 0.9, Some(side(order)), 0));
             (wanted.number, wanted.optional, wanted.last, wanted.passing) = (number, true, true, true);
             canvas.step = 0;
         }
@@ -163,12 +164,8 @@ impl SchemeOnPaper<'_> {
         let start = FRAC_PI_2 * side(order).y - 0.5 * sweep;
         let arrow = Shape::ArcArrow { center, radius: RADIUS, start, sweep, head };
         // It ends where the head begins.
-        let second = Shape::Arc {
-            center,
-            radius: self.reach(order),
-            start,
-            sweep: sweep - (head / RADIUS).copysign(sweep),
-        };
+        let second =
+            Shape::Arc { center, radius: self.reach(order), start, sweep: sweep - (head / RADIUS).copysign(sweep) };
         match order {
             Order::Velocity => vec![arrow],
             Order::Acceleration => vec![arrow, second],
