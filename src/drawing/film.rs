@@ -2,6 +2,7 @@
 
 use super::held_layout::HeldLayout;
 use super::sheet::Drawing;
+use super::steady::Steady;
 use super::style::Style;
 use crate::Problem;
 use crate::construction::Solution;
@@ -54,6 +55,8 @@ impl Timing {
     }
 }
 
+/// Seconds for which a name stays in its place, or else is left out.
+const STAYS: f64 = 0.4;
 /// Most pictures of a film.
 const MOST: usize = 2000;
 
@@ -61,7 +64,7 @@ const MOST: usize = 2000;
 /// comes without a jump.
 ///
 /// Scales, panels and poles are those of the whole cycle, and names stay where they were as long as nothing is much
-/// better. The plans are those for the drive's speed in the scene, also where it goes back. Values are written where the
+/// better; one that cannot stay for 0.4 seconds is left out for that time. The plans are those for the drive's speed in the scene, also where it goes back. Values are written where the
 /// figure asks for them, but not for a style's sake: they change faster than they are read.
 ///
 /// ```
@@ -80,6 +83,7 @@ pub struct Film {
     per_second: u16,
     /// With the names where they are after a cycle.
     layout: HeldLayout,
+    steady: Steady,
     style: Option<Style>,
 }
 
@@ -96,7 +100,9 @@ impl Film {
             let turns = running.turns.filter(|turns| *turns > 1);
             let turns = turns.map_or_else(String::new, |turns| format!(" in {turns} turns of the drive"));
             let message = format!("the film would have {count} pictures{turns}; it may have {MOST}");
-            return Err(CycleError::Range(Problem::new(message).hint("less time for a turn, or fewer pictures a second")));
+            return Err(CycleError::Range(
+                Problem::new(message).hint("less time for a turn, or fewer pictures a second"),
+            ));
         }
         if count < 2 {
             let message = format!("the drive `{}` cannot move", running.drive.name);
@@ -105,10 +111,12 @@ impl Film {
         let mut own = own.clone();
         own.scene.figure.usual_values = Some(false);
         let layout = HeldLayout::of_film(&own);
-        let mut film = Film { own, running, per_second: timing.per_second, layout, style: None };
+        let mut film =
+            Film { own, running, per_second: timing.per_second, layout, steady: Steady::default(), style: None };
         let mut layout = film.layout.clone();
         (0..count).for_each(|number| drop(film.drawing(&mut layout, number)));
         film.layout = layout;
+        film.steady = Steady::of(film.drawings(), (STAYS * f64::from(timing.per_second)).ceil() as usize);
         Ok(film)
     }
 
@@ -157,6 +165,7 @@ impl Film {
         let pose = self.running.poses.get(number)?;
         let moved = self.own.moved(pose.clone()).ok()?;
         let mut drawing = layout.drag(&moved, None, None);
+        self.steady.leave_out(number, &mut drawing);
         if let Some(style) = &self.style {
             drawing.style = style.clone();
         }

@@ -166,7 +166,7 @@ impl HeldLayout {
     /// The layout of all positions of a scene's mechanism for a film: on the figure's page, at any scales, which bars show.
     pub(super) fn of_film(own: &Solution) -> HeldLayout {
         let mut context = FigureSheets::new(own).unscaled();
-        context.surface.series = Series::Any;
+        (context.surface.series, context.surface.details) = (Series::Any, false);
         let extents = extents_in(&context, &cycles_of(own));
         HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
     }
@@ -234,7 +234,8 @@ impl HeldLayout {
     /// other panels it is this one.
     #[must_use]
     pub fn eased_from(&self, before: &HeldLayout, share: f64) -> HeldLayout {
-        let sheets = |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
+        let sheets =
+            |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
         let mut eased = self.clone();
         if sheets(self) == sheets(before) {
             for (now, before) in eased.layout.panels.iter_mut().zip(&before.layout.panels) {
@@ -348,7 +349,8 @@ impl HeldLayout {
 
 /// The place of a panel on the way from one to another.
 fn between(from: &Placed, to: &Placed, share: f64) -> Placed {
-    let rect = |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
+    let rect =
+        |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
     let point = |a: geometry::Point, b: geometry::Point| a + share * (b - a);
     let [a, b] = [from, to].map(|placed| placed.needs.extent);
     let extent = Extent { low: point(a.low, b.low), high: point(a.high, b.high) };

@@ -92,6 +92,7 @@ mod scheme;
 mod shape;
 mod sheet;
 mod sheet_notes;
+mod steady;
 mod style;
 mod table;
 mod text;

@@ -264,12 +264,15 @@ fn restless(film: &Film) -> Restless {
 #[test]
 fn names_stay_where_they_were() {
     let quick = ["templates/four-bar", "templates/slider-crank", "templates/whitworth"];
-    let usual = ["examples/figure-2", "tests/lecture/jansen", "tests/lecture/scissor-cylinder", "tests/lecture/excavator"];
+    let usual =
+        ["examples/figure-2", "tests/lecture/jansen", "tests/lecture/scissor-cylinder", "tests/lecture/excavator"];
     let more = if Size::asked() >= Size::Usual { usual.as_slice() } else { &[] };
     for name in quick.iter().chain(more) {
         let own = scene(&format!("{name}.json"));
         let film = Film::new(&own, None, Timing::default()).expect("it moves");
         let found = restless(&film);
         eprintln!("{name}: {found:?}");
+        assert!(found.names > 500 && found.flickers == 0 && found.details == 0, "{name}: {found:?}");
+        assert!(50 * (found.hops + found.new) < 3 * found.names, "{name}: {found:?}");
     }
 }
