@@ -66,12 +66,12 @@ impl FilmOptions {
     }
 }
 
-/// What pictures do not show: by panel in how many of them something is cut off, and for which names there is no room.
+/// What pictures do not show: by panel in how many of them something is cut off, and in how many there is no room for all names.
 #[cfg(feature = "png")]
 #[derive(Default)]
 struct Lacks {
     cut: IndexMap<String, usize>,
-    names: IndexMap<String, IndexMap<String, usize>>,
+    names: IndexMap<String, usize>,
 }
 
 #[cfg(feature = "png")]
@@ -81,8 +81,7 @@ impl Lacks {
             *self.cut.entry(panel.name).or_default() += 1;
         }
         for unlabelled in &drawing.unlabelled {
-            let known = self.names.entry(unlabelled.panel.clone()).or_default();
-            unlabelled.names.iter().for_each(|name| *known.entry(name.text.content()).or_default() += 1);
+            *self.names.entry(unlabelled.panel.clone()).or_default() += 1;
         }
     }
 
@@ -90,11 +89,9 @@ impl Lacks {
         for (panel, pictures) in &self.cut {
             note(&format!("{panel}: cut off at the edge in {pictures} of {count} pictures"));
         }
-        for (panel, names) in &self.names {
-            let told: Vec<String> = names.iter().map(|(name, pictures)| format!("{name} ({pictures})")).collect();
-            let told = told.join("; ");
+        for (panel, pictures) in &self.names {
             warn(&format!(
-                "{panel}: no room for names in some of {count} pictures: {told}; a larger page has room for more"
+                "{panel}: no room for all names in {pictures} of {count} pictures; a larger page has room for more"
             ));
         }
     }

@@ -184,6 +184,14 @@ impl HeldLayout {
         HeldLayout::new(context, extents, contents, below)
     }
 
+    /// The layout of all positions of a scene's mechanism for a film: on the figure's page, at any scales, which bars show.
+    pub(super) fn of_film(own: &Solution) -> HeldLayout {
+        let mut context = FigureSheets::new(own).unscaled();
+        (context.surface.series, context.surface.details) = (Series::Any, false);
+        let extents = extents_in(&context, &cycles_of(own));
+        HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
+    }
+
     /// The layout of a context for these extents, with at least `below` mm for words.
     fn new(mut context: SheetContext<'_>, extents: Extents, contents: Contents, below: f64) -> HeldLayout {
         let sheet = composed(&context, &extents, contents);

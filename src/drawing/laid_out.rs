@@ -83,11 +83,13 @@ pub(super) struct Contents {
     pub rows: PerSheet<usize>,
     /// Whether the words of steps stand elsewhere: on a narrow part of a screen.
     pub wordless: bool,
+    /// Whether the finished figure is in motion: what is said of one position would be gone before it is read.
+    pub moving: bool,
 }
 
 /// A sheet of the scene with panels of these extents.
 pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list, wordless, rows } = contents;
+    let Contents { steps, only_step, table, list, wordless, moving, rows } = contents;
     let mut panels = panels(context, extents, |sheet| match steps {
         Some(_) => vec![hints(context, sheet), content(context, sheet)],
         None => vec![content(context, sheet)],
@@ -97,6 +99,9 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
     let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());
     let sheet = sheet.with_optional(worksheet);
+    if moving {
+        return sheet.with(remarks::paths(context));
+    }
     let Some(steps) = steps else {
         let values = if list { value_list(context, None) } else { None };
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));

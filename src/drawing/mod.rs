@@ -52,8 +52,9 @@
 //! `Solution::stepwise_figure` adds a layer of hints and the words, which are there in one step alone;
 //! `Drawing::after_step` leaves out what comes later. So nothing moves from sheet to sheet, and layers of an SVG are
 //! the same marks in groups. `HeldLayout` keeps layout and scales while a mechanism moves, with panels large enough
-//! for the whole cycle (`cycle::Animation`): any position is drawn on it in a millisecond. What leaves a panel is cut
-//! off at its edge (`clip`); places too close for their names are drawn again, larger, in a circle (`inset`).
+//! for the whole cycle (`cycle::Animation`): any position is drawn on it in a millisecond, and a `Film` draws all. What
+//! leaves a panel is cut off at its edge (`clip`); places too close for their names are drawn again, larger, in a circle
+//! (`inset`).
 
 mod canvas;
 #[doc(hidden)] // for tests
@@ -94,6 +95,7 @@ mod scheme;
 mod shape;
 mod sheet;
 mod sheet_notes;
+mod steady;
 mod style;
 mod table;
 mod text;

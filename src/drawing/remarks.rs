@@ -29,6 +29,11 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }
 }
 
+/// The sentence on paths alone, which holds for all positions.
+pub(super) fn paths(context: &SheetContext<'_>) -> Lines {
+    Lines::of(&sentence_on_paths(context), context.surface.dims.width_below())
+}
+
 /// The sentence on the agreement of the construction with the loop equations, and whether they agree.
 fn routes(context: &SheetContext<'_>) -> (String, bool) {
     let (language, construction) = (context.words.language, context.construction());
