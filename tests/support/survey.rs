@@ -92,8 +92,6 @@ pub const DRIVEN_POSITIONS: By<u32> = By(4, 24, 72);
 pub const PULLED: By<usize> = By(2, 1, 1);
 /// Scenes of each of the `properties`; PROPTEST_CASES asks for another number.
 pub const PROPERTIES: By<u32> = By(12, 48, 256);
-/// Positions of a turn in `stage`.
-pub const TURN: By<usize> = By(8, 24, 72);
 /// Pictures of each animation in `hall`.
 pub const HALL: By<usize> = By(6, 18, 36);
 /// Of the sheets of all scenes there every so many-th; it shares no factor with the 8 of each scene.
@@ -104,7 +102,7 @@ pub const SCALES_OF_A_CYCLE: By<usize> = By(24, 72, 72);
 pub const LISTED_UNITS: By<usize> = By(3, 1, 1);
 /// Positions of a hand that moves a mechanism, and those of a turn, in `stage`.
 pub const MOVED: By<u32> = By(16, 40, 40);
-pub const TURN: By<usize> = By(6, 12, 12);
+pub const TURN: By<usize> = By(6, 24, 72);
 /// Positions of each scene in `gallery_measured`.
 pub const GALLERY: By<usize> = By(4, 12, 12);
 /// Of the six pages of each work sheet every so many-th, by turns.
