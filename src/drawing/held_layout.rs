@@ -246,7 +246,8 @@ impl HeldLayout {
     /// other panels it is this one.
     #[must_use]
     pub fn eased_from(&self, before: &HeldLayout, share: f64) -> HeldLayout {
-        let sheets = |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
+        let sheets =
+            |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
         let mut eased = self.clone();
         if sheets(self) == sheets(before) {
             for (now, before) in eased.layout.panels.iter_mut().zip(&before.layout.panels) {
@@ -360,7 +361,8 @@ impl HeldLayout {
 
 /// The place of a panel on the way from one to another.
 fn between(from: &Placed, to: &Placed, share: f64) -> Placed {
-    let rect = |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
+    let rect =
+        |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
     let point = |a: geometry::Point, b: geometry::Point| a + share * (b - a);
     let [a, b] = [from, to].map(|placed| placed.needs.extent);
     let extent = Extent { low: point(a.low, b.low), high: point(a.high, b.high) };

@@ -60,7 +60,8 @@ fn on_paper_the_own_position_is_the_file() {
 #[test]
 fn a_layout_eases_over() {
     let own = solved(&files::read("templates/four-bar.json")).expect("it can be solved");
-    let longer = solved(&files::read("templates/four-bar.json").replace("\"AB\": 60", "\"AB\": 50")).expect("it can be");
+    let longer =
+        solved(&files::read("templates/four-bar.json").replace("\"AB\": 60", "\"AB\": 50")).expect("it can be");
     let [before, after] = [&own, &longer].map(|one| HeldLayout::of_cycle(one, None, None, None));
     let bars = |layout: &HeldLayout| Sheet::ALL.map(|sheet| layout.mu(sheet).expect("it has that panel"));
     let at = |share| bars(&after.eased_from(&before, share));
