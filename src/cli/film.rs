@@ -47,9 +47,7 @@ impl FilmOptions {
         };
         let running = film.running();
         match running.turns {
-            None => {
-                note("the drive goes to and fro; the plans are those for its speed in the scene, also on the way back")
-            }
+            None => note("the drive goes to and fro; the plans are those for its speed in the scene, also on the way back"),
             Some(1) => {}
             Some(turns) => note(&format!("the mechanism is where it began after {turns} turns of the drive")),
         }
@@ -93,9 +91,7 @@ impl Lacks {
         for (panel, names) in &self.names {
             let told: Vec<String> = names.iter().map(|(name, pictures)| format!("{name} ({pictures})")).collect();
             let told = told.join("; ");
-            warn(&format!(
-                "{panel}: no room for names in some of {count} pictures: {told}; a larger page has room for more"
-            ));
+            warn(&format!("{panel}: no room for names in some of {count} pictures: {told}; a larger page has room for more"));
         }
     }
 }

@@ -95,9 +95,7 @@ impl Film {
             let turns = running.turns.filter(|turns| *turns > 1);
             let turns = turns.map_or_else(String::new, |turns| format!(" in {turns} turns of the drive"));
             let message = format!("the film would have {count} pictures{turns}; it may have {MOST}");
-            return Err(CycleError::Range(
-                Problem::new(message).hint("less time for a turn, or fewer pictures a second"),
-            ));
+            return Err(CycleError::Range(Problem::new(message).hint("less time for a turn, or fewer pictures a second")));
         }
         if count < 2 {
             let message = format!("the drive `{}` cannot move", running.drive.name);
