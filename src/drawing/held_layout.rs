@@ -4,7 +4,8 @@ use super::canvas::Held;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext, Surface};
 use super::facts::Steps;
-use super::figure::{Contents, FigureSheets, LaidOut, composed, described, extents_to_fit};
+use super::figure::{FigureSheets, extents_to_fit};
+use super::laid_out::{Contents, LaidOut, composed, described};
 use super::layout::{Layout, Needs, Placed};
 use super::panel::{Extents, cycles_of, extents_in};
 use super::sheet::Drawing;
@@ -181,6 +182,14 @@ impl HeldLayout {
         });
         let below = heights.fold(0.0, f64::max);
         HeldLayout::new(context, extents, contents, below)
+    }
+
+    /// The layout of all positions of a scene's mechanism for a film: on the figure's page, at any scales, which bars show.
+    pub(super) fn of_film(own: &Solution) -> HeldLayout {
+        let mut context = FigureSheets::new(own).unscaled();
+        (context.surface.series, context.surface.details) = (Series::Any, false);
+        let extents = extents_in(&context, &cycles_of(own));
+        HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
     }
 
     /// The layout of a context for these extents, with at least `below` mm for words.
