@@ -108,10 +108,10 @@ pub const GALLERY: By<usize> = By(4, 12, 12);
 /// Of the six pages of each work sheet every so many-th, by turns.
 pub const PAGES_EACH: By<usize> = By(3, 1, 1);
 /// Of the sheets of `legible` every so many-th.
-pub const LEGIBLE: By<usize> = By(23, 5, 1);
+pub const LEGIBLE: By<usize> = By(61, 7, 1);
 /// The most texts there that run together beside each other and above each other, that are struck through, that have no
 /// room, and that are not listed either.
-pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0]);
+pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 60, 0], [0, 0, 0, 500, 0], [0, 0, 0, 3500, 0]);
 
 /// Every so many-th kind of mechanism, where each takes long and what is looked at hangs little on the kind.
 pub const KINDS: By<usize> = By(3, 1, 1);
