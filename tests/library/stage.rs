@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use support::faults::faults;
 use support::files;
 use support::stages::solved;
-use support::survey::{KINDS, MOVED, TURN};
+use support::survey::{KINDS, MOVED, STAGE_TURN};
 
 /// Scenes of all kinds with their names; quick runs take others in each test.
 fn scenes(first: usize) -> Vec<(String, Solution)> {
@@ -203,7 +203,7 @@ fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
     let panes = [None, Some(Pane { width: 900.0, height: 620.0, letters: 15.0 })];
     let mut turns = 0;
     for (name, own) in scenes(1) {
-        let Ok(animation) = Animation::new(&own, None, TURN.now()) else { continue };
+        let Ok(animation) = Animation::new(&own, None, STAGE_TURN.now()) else { continue };
         for (pane, steps) in panes.into_iter().zip([Some(Steps::Coarse), None]) {
             let stage = HeldLayout::of_cycle(&own, steps, None, pane);
             let seen = |solution: &Solution| {
