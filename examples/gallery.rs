@@ -296,19 +296,19 @@ fn turned(solution: &Solution) -> Result<Branch<'_>, Box<dyn Error>> {
 fn curves_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
     let branch = turned(solution)?;
     let sampled = Curves::new(&branch, [0.0, 360.0], Some(&owned(names)))?;
-    Ok(curves(&solution.scene, &sampled)?)
+    Ok(curves(&solution.scene, &sampled, None)?)
 }
 
 fn hodographs_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
     let branch = turned(solution)?;
     let sampled = Hodographs::new(&branch, [0.0, 360.0], &owned(names))?;
-    Ok(hodographs(&solution.scene, &sampled)?)
+    Ok(hodographs(&solution.scene, &sampled, None)?)
 }
 
 fn paths_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Error>> {
     let branch = turned(solution)?;
     let sampled = PointPaths::new(&branch, [0.0, 360.0], &owned(names))?;
-    Ok(paths(&solution.scene, &sampled)?)
+    Ok(paths(&solution.scene, &sampled, None)?)
 }
 
 /// What is probably elsewhere in the drawing from which the values of a form were read, over the right figure; scales as in the command.

@@ -24,6 +24,18 @@ fn on_one_core<P>(work: impl FnOnce() -> P) -> P {
     work()
 }
 
+/// How many there are.
+#[cfg(all(feature = "parallel", any(feature = "cli", feature = "png")))]
+pub(crate) fn cores() -> usize {
+    rayon::current_num_threads()
+}
+
+/// How many are used.
+#[cfg(all(not(feature = "parallel"), any(feature = "cli", feature = "png")))]
+pub(crate) fn cores() -> usize {
+    1
+}
+
 /// What `each` makes of the items, in their order.
 #[cfg(feature = "parallel")]
 pub(crate) fn on_all_cores<T: Sync, P: Send>(items: &[T], each: impl Fn(&T) -> P + Send + Sync) -> Vec<P> {

@@ -30,7 +30,7 @@ async function bundled(entry) {
 /** The engine, packed by the program `zstd` as small as it can. */
 const engineBytes = execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", join(engine, "kinegon_web_bg.wasm")], { maxBuffer: 1 << 26 });
 
-/** Bytes as letters that HTML and templates leave alone: five of 85 letters for four bytes, a sixteenth shorter than Base64. `bytesOf85` of page/unpack.ts reads them. */
+/** Bytes as letters that HTML and templates leave alone: five of 85 letters for four bytes, a sixteenth shorter than Base64. `bytesOf` of page/unpack.ts reads them. */
 function base85(bytes) {
   const letters = [...Array(94).keys()].map((code) => String.fromCharCode(33 + code)).filter((letter) => !"<>&\"'\\`{}".includes(letter));
   let text = "";
@@ -49,7 +49,7 @@ function base85(bytes) {
 }
 
 /** Bytes as the browser unpacks them by itself. */
-const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+const packed = (bytes) => base85(gzipSync(bytes, { level: 9 }));
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
 if (/<\/script|<!--/i.test(boot) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");

@@ -9,6 +9,7 @@ use crate::solution::{Solution, ValueOf, tolerance};
 use crate::sweep::{Extremes, extremes_of, table, table_of};
 use crate::table::Table;
 use crate::wanted::Wanted;
+use kinegon::drawing::Timing;
 use kinegon::format::{self, json_line};
 use kinegon::mechanism::mechanism;
 use kinegon::order_of_result;
@@ -103,6 +104,23 @@ impl Solution {
             _ => form.files(&self.sheets(style, coarse, form.layered)?),
         });
         Ok(bytes(py, files?))
+    }
+
+    /// The film of the figure as a file.
+    fn film<'py>(
+        &self,
+        py: Python<'py>,
+        form: Form,
+        seconds: Option<f64>,
+        fps: Option<u16>,
+        drive: Option<&str>,
+        style: Option<&str>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let usual = Timing::default();
+        let timing = Timing { seconds: seconds.unwrap_or(usual.seconds), per_second: fps.unwrap_or(usual.per_second) };
+        let film = || form.film(&self.film_of(timing, drive, style)?);
+        let file = py.detach(|| on_all_cores(film).flatten());
+        Ok(PyBytes::new(py, &file?))
     }
 
     /// The text of `kinegon steps`, and the steps as JSON.

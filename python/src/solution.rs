@@ -4,7 +4,7 @@ use kinegon::Order;
 use kinegon::accuracy::bounds;
 use kinegon::construction::{Action, NumberedStep, Teller, Tolerance, shown_text};
 use kinegon::cycle::Traces;
-use kinegon::drawing::{Drawing, FigureSheets, Style};
+use kinegon::drawing::{Drawing, FigureSheets, Film, Style, Timing};
 use kinegon::editing::with_mode;
 use kinegon::format::{OpenScene, workbench};
 use kinegon::mechanism::Mechanism;
@@ -94,8 +94,7 @@ impl Solution {
         let style = style.map(Style::read).transpose()?;
         let styled = style.as_ref().map(|style| {
             let mut styled = solution.clone();
-            let figure = &mut styled.scene.figure;
-            (figure.sizes, figure.usual_values) = (Some(style.sizes()), Some(style.shows_values()));
+            put_sizes(style, &mut styled);
             styled
         });
         let solution = styled.as_ref().unwrap_or(solution);
@@ -107,6 +106,18 @@ impl Solution {
             sheets.iter_mut().for_each(|sheet| sheet.style = style.clone());
         }
         Ok(sheets)
+    }
+
+    /// The film of the figure.
+    pub fn film_of(&self, timing: Timing, drive: Option<&str>, style: Option<&str>) -> Result<Film, Refused> {
+        self.allow(SizeLimit::STEPS)?;
+        let mut solution = self.solved(order_of_figure(&self.scene.scene))?.clone();
+        let style = style.map(Style::read).transpose()?;
+        if let Some(style) = &style {
+            put_sizes(style, &mut solution);
+        }
+        let film = Film::new(&solution, drive, timing).map_err(|error| self.scene.refused(error))?;
+        Ok(style.into_iter().fold(film, Film::in_style))
     }
 
     /// The workbench with the scene open at a step, or with the finished figure.
@@ -123,6 +134,12 @@ impl Solution {
         let pencil = step_pencil(solution, hand).map_err(|error| self.scene.refused(error))?;
         Ok((solution.steps(&pencil), json!(steps(solution)).to_string()))
     }
+}
+
+/// Gives a figure the sizes of a style file, which must be known before anything is drawn.
+fn put_sizes(style: &Style, solution: &mut kinegon::Solution) {
+    let figure = &mut solution.scene.figure;
+    (figure.sizes, figure.usual_values) = (Some(style.sizes()), Some(style.shows_values()));
 }
 
 /// The sheet after a step, or after the steps that a lecturer shows together.

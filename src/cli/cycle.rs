@@ -1,6 +1,6 @@
 //! The motion of a scene while a drive moves, as a table or as curves.
 
-use super::figures::{Figures, Sheets, stem};
+use super::figures::{Figures, OfScene, Sheets, stem};
 use super::files;
 use super::message::{Failure, Source, note, refuse, warn};
 use super::options::{Paper, Words};
@@ -258,20 +258,24 @@ impl CurvesCommand {
             let sampled = PointPaths::new(&branch, range, &points);
             let sampled = if self.beyond_limits { sampled.and_then(PointPaths::beyond_limits) } else { sampled };
             let sampled = driven.source.checked(sampled)?;
-            ("path", paths(&driven.scene, &sampled))
+            ("path", paths(&driven.scene, &sampled, None))
         } else if self.hodograph.is_empty() {
             let sampled = driven.source.checked(Curves::new(&branch, range, driven.names.as_deref()))?;
-            ("curves", curves(&driven.scene, &sampled))
+            ("curves", curves(&driven.scene, &sampled, None))
         } else {
             let sampled = driven.source.checked(Hodographs::new(&branch, range, &vectors))?;
-            ("hodograph", hodographs(&driven.scene, &sampled))
+            ("hodograph", hodographs(&driven.scene, &sampled, None))
         };
         let mut drawing = driven.source.checked(drawing)?;
         style.put_on([&mut drawing]);
         let name = format!("{}-{kind}", stem(scene));
-        let page = |_| refuse("curves have no page", "`kinegon draw --format html` makes one of the figure");
+        let of_scene = |_, made| match made {
+            OfScene::Page => refuse("curves have no page", "`kinegon draw --format html` makes one of the figure"),
+            #[cfg(feature = "png")]
+            OfScene::Film(_) => refuse("curves do not move", "`kinegon draw` makes a film of the figure"),
+        };
         let mut files = FileSet::default();
-        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], Sheets::Apart, page)?;
+        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], Sheets::Apart, of_scene)?;
         files.finish()?;
         self.range.report_events(&branch, range, &Wording::of(&driven.scene.figure), "figure")
     }

@@ -1,6 +1,7 @@
 use super::cycle::{refuse_nothing, split_names};
-use super::figures::{Figures, GivenStyle, Sheets, stem};
+use super::figures::{Figures, GivenStyle, OfScene, Sheets, stem};
 use super::files;
+use super::film::FilmOptions;
 use super::message::{Failure, Source, note, refuse, warn};
 use super::options::{Look, Markers, one_of};
 use super::output::FileSet;
@@ -36,6 +37,7 @@ const AFTER_HELP: &str = "\
 Examples:
   kinegon draw scene.json                       to out/, as SVG and PNG
   kinegon draw scene.json -o figure.pdf         one file; or .svg .tex .html
+  kinegon draw scene.json -o film.gif           a turn of the drive; or .apng
   kinegon draw scene.json --steps -o lesson/    a sheet for each step
   kinegon draw scene.json --values=m -o v.svg   with values, in m/s and m/s²
   kinegon draw scene.json --worksheet -o w.pdf  to measure on, with a table
@@ -83,8 +85,8 @@ pub(super) struct Draw {
     // A page was once a film of so many positions of one drive; it now moves all drives to any position.
     #[arg(long, value_name = "N", hide = true)]
     positions: Option<String>,
-    #[arg(long, value_name = "NAME", hide = true)]
-    drive: Option<String>,
+    #[command(flatten)]
+    film: FilmOptions,
     #[command(flatten)]
     figures: Figures,
     #[command(flatten)]
@@ -109,9 +111,13 @@ impl Draw {
         if self.is_blank() {
             self.check_blank()?;
         }
-        let is_stepwise = steps.is_some() || self.layered || self.figures.has_page();
+        let is_moved = self.figures.has_page() || self.figures.has_film();
+        let is_stepwise = steps.is_some() || self.layered || is_moved;
         if self.figures.has_page() {
             self.check_page(&style)?;
+        }
+        if self.figures.has_film() {
+            self.check_film()?;
         }
         let most = if is_stepwise { SizeLimit::STEPS } else { SizeLimit::FIGURE };
         let (mut drawings, mut solved) = (Vec::new(), Vec::new());
@@ -124,27 +130,23 @@ impl Draw {
                 note("the paths end where limits stop the drive; --beyond-limits draws the rest of the curves, dashed");
             }
             show_warnings(&solution);
-            let figures = FigureSheets::with_traces(&solution, traces.into());
-            figures.overflow_warnings().iter().for_each(|text| warn(text));
-            let sheets = self.sheets(name, &solution, &figures, steps)?;
-            if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
-                && (self.values.is_some() && steps.is_none() && !figure.worksheet)
-            {
-                figures.cost_of_list().iter().for_each(|text| note(text));
-                let missing = figures.values_without_room(sheet).join(", ");
-                if !missing.is_empty() {
-                    note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));
-                }
-            }
-            drawings.extend(sheets);
+            drawings.extend(match self.figures.is_film() {
+                true => vec![(name, Vec::new())],
+                false => self.sheets(name, &solution, traces, steps)?,
+            });
             solved.push((source, solution));
         }
         style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
         let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         let mut files = FileSet::default();
         let are_finished = drawings.len() == solved.len();
-        let page = |index: usize| match solved.get(index) {
-            Some((source, solution)) if are_finished => self.page(source, solution),
+        let of_scene = |index: usize, made| match (solved.get(index), made) {
+            (Some((source, solution)), OfScene::Page) if are_finished => self.page(source, solution),
+            #[cfg(feature = "png")]
+            (Some((source, solution)), OfScene::Film(format)) if are_finished => {
+                let dpi = self.figures.options.dpi_of(solution.scene.figure.page.size_mm()[0]);
+                self.film.file(source, solution, &style, format, dpi)
+            }
             _ => refuse("a page has all steps", "leave out --steps"),
         };
         let kind = match (self.layered, self.is_blank()) {
@@ -152,7 +154,7 @@ impl Draw {
             (false, true) => Sheets::Joined,
             (false, false) => Sheets::Apart,
         };
-        self.figures.write(&mut files, &inputs, drawings, kind, page)?;
+        self.figures.write(&mut files, &inputs, drawings, kind, of_scene)?;
         files.finish()
     }
 
@@ -219,7 +221,7 @@ impl Draw {
 
     /// The workbench with a scene open, with what the command line asks for written into it, and its steps shown, from
     /// the first or from the one that is asked for.
-    fn page(&self, source: &Source, solution: &Solution) -> Result<String, Failure> {
+    fn page(&self, source: &Source, solution: &Solution) -> Result<Vec<u8>, Failure> {
         let own = source.checked(Scene::read(&source.text))?;
         let step = solution.scene.figure.step.unwrap_or(1);
         let figure = Figure { step: own.figure.step, ..solution.scene.figure.clone() };
@@ -228,7 +230,7 @@ impl Draw {
             None => with_figure(&source.text, &figure),
         };
         let text = source.checked(asked())?;
-        Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })))
+        Ok(workbench(Some(OpenScene { text: &text, step: Some(step) })).into_bytes())
     }
 
     /// Refuses or tells what has no place on a page.
@@ -239,7 +241,7 @@ impl Draw {
                 format!("--style is one of {}", StyleName::ALL.map(StyleName::as_str).join(", ")),
             );
         }
-        for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.drive.is_some())] {
+        for (option, is_given) in [("--positions", self.positions.is_some()), ("--drive", self.film.drive.is_some())] {
             if is_given {
                 note(&format!("{option} does nothing: a page moves every drive to any position"));
             }
@@ -247,8 +249,56 @@ impl Draw {
         Ok(())
     }
 
-    /// The sheets of the finished figure, or those of the steps that were asked for, each under its name.
+    /// Refuses what a film does not show.
+    fn check_film(&self) -> Result<(), Failure> {
+        let wrong = [
+            (self.steps.is_some(), "--steps"),
+            (self.layered, "--layered"),
+            (self.worksheet.is_some(), "--worksheet"),
+            (self.upto.is_some(), "--upto"),
+        ];
+        match wrong.into_iter().find(|(is_given, _)| *is_given) {
+            Some((_, option)) => refuse(
+                format!("a film shows the finished figure in motion, which does not go with {option}"),
+                format!("leave out {option}, or name a file or --format that is no film"),
+            ),
+            None => Ok(()),
+        }
+    }
+
+    /// The sheets that are asked for, with a word on what does not fit on them.
     fn sheets(
+        &self,
+        name: String,
+        solution: &Solution,
+        traces: Traces,
+        steps: Option<Steps>,
+    ) -> Result<Vec<(String, Vec<Drawing>)>, Failure> {
+        let figures = FigureSheets::with_traces(solution, traces.into());
+        figures.overflow_warnings().iter().for_each(|text| warn(text));
+        let sheets = self.sheets_of(name, solution, &figures, steps)?;
+        if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
+            && (steps.is_none()
+                && solution.scene.figure.step.is_none()
+                && !solution.scene.figure.worksheet
+                && !self.is_blank())
+        {
+            figures.cost_of_list().iter().for_each(|text| note(text));
+            let missing = figures.values_without_room(sheet).join(", ");
+            if !missing.is_empty() {
+                note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));
+            }
+            let further = sheets.iter().flat_map(|(_, sheets)| sheets.iter().skip(1));
+            let parts = further.filter(|sheet| !sheet.panels.is_empty()).count();
+            if parts > 0 {
+                note(&format!("names crowd: {parts} further sheets show parts of the plans, larger"));
+            }
+        }
+        Ok(sheets)
+    }
+
+    /// The sheets of the finished figure, or those of the steps that were asked for, each under its name.
+    fn sheets_of(
         &self,
         name: String,
         solution: &Solution,

@@ -3,6 +3,8 @@ use super::message::{Failure, note, refuse, warn};
 use super::options::NamesAnd;
 use super::output::{FileSet, is_stream};
 use crate::drawing::{Drawing, Style};
+#[cfg(feature = "png")]
+use crate::format::FilmFormat;
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
 use clap::{Args, ValueEnum};
@@ -11,6 +13,9 @@ use std::path::{Path, PathBuf};
 
 /// How many names without room are listed.
 const MOST_LISTED: usize = 20;
+
+/// Millimetres in an inch.
+const INCH: f64 = 25.4;
 
 /// Where figures go, and in which forms.
 #[derive(Debug, Args)]
@@ -34,9 +39,19 @@ pub(super) struct FigureOptions {
     /// Drawing style in place of the scene's own: paper, print, lecture, board, or the path of a style file.
     #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
     pub style: Option<String>,
-    /// Resolution of PNG in dots per inch.
+    /// Resolution of PNG and films in dots per inch.
     #[arg(long, default_value_t = 100.0, value_parser = dots_per_inch)]
     dpi: f64,
+    /// Width of PNG and films in pixels, in place of --dpi.
+    #[arg(long, value_name = "PIXELS", conflicts_with = "dpi", value_parser = clap::value_parser!(u32).range(16..=20_000))]
+    width: Option<u32>,
+}
+
+impl FigureOptions {
+    /// The dots per inch of a sheet of that width in mm.
+    pub(super) fn dpi_of(&self, width: f64) -> f64 {
+        self.width.map_or(self.dpi, |pixels| f64::from(pixels) * INCH / width)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -49,6 +64,20 @@ enum FigureFormat {
     Png,
     /// The workbench with the scene open, to step through and to move.
     Html,
+    /// A film of a turn of the drive, which all programs show.
+    #[cfg(feature = "png")]
+    Gif,
+    /// The same in all colours, for browsers.
+    #[cfg(feature = "png")]
+    Apng,
+}
+
+/// What is made of a scene and not of a sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum OfScene {
+    Page,
+    #[cfg(feature = "png")]
+    Film(FilmFormat),
 }
 
 impl FigureFormat {
@@ -70,6 +99,26 @@ impl FigureFormat {
             #[cfg(feature = "png")]
             FigureFormat::Png => "png",
             FigureFormat::Html => "html",
+            #[cfg(feature = "png")]
+            FigureFormat::Gif => "gif",
+            #[cfg(feature = "png")]
+            FigureFormat::Apng => "apng",
+        }
+    }
+
+    fn is_film(self) -> bool {
+        self.of_scene().is_some_and(|made| made != OfScene::Page)
+    }
+
+    /// What it is made of a scene, if it is not made of sheets.
+    fn of_scene(self) -> Option<OfScene> {
+        match self {
+            FigureFormat::Html => Some(OfScene::Page),
+            #[cfg(feature = "png")]
+            FigureFormat::Gif => Some(OfScene::Film(FilmFormat::Gif)),
+            #[cfg(feature = "png")]
+            FigureFormat::Apng => Some(OfScene::Film(FilmFormat::Apng)),
+            _ => None,
         }
     }
 }
@@ -101,21 +150,44 @@ impl Figures {
         GivenStyle::read(self.options.style.as_deref())
     }
 
+    /// The formats that are asked for: that of a file, or those of a folder.
+    fn formats(&self) -> Vec<FigureFormat> {
+        let given = self.options.format.as_slice();
+        if is_stream(&self.output) {
+            return vec![if let [format] = given { *format } else { FigureFormat::Svg }];
+        }
+        let ending = self.output.extension().and_then(|ending| ending.to_str());
+        let of_file = || FigureFormat::value_variants().iter().find(|format| Some(format.ending()) == ending);
+        match of_file().filter(|_| !files::is_folder(&self.output)) {
+            Some(format) => vec![*format],
+            None => given.to_vec(),
+        }
+    }
+
     /// Whether pages are among the formats.
     pub(super) fn has_page(&self) -> bool {
-        let is_named = self.output.extension().is_some_and(|ending| ending == FigureFormat::Html.ending());
-        is_named || self.options.format.contains(&FigureFormat::Html)
+        self.formats().contains(&FigureFormat::Html)
+    }
+
+    /// Whether films are among the formats.
+    pub(super) fn has_film(&self) -> bool {
+        self.formats().into_iter().any(FigureFormat::is_film)
+    }
+
+    /// Whether there is nothing but films.
+    pub(super) fn is_film(&self) -> bool {
+        self.formats().into_iter().all(FigureFormat::is_film)
     }
 
     /// Writes figures by their names in all formats, each with its further sheets, as files of a set, but not over the
-    /// files `inputs` that were read; `page` makes the web page of the figure of an index.
+    /// files `inputs` that were read; `of_scene` makes what is made of the scene of an index.
     pub(super) fn write(
         &self,
         files: &mut FileSet,
         inputs: &[(&str, &Path)],
         drawings: Vec<(String, Vec<Drawing>)>,
         kind: Sheets,
-        page: impl Fn(usize) -> Result<String, Failure>,
+        of_scene: impl Fn(usize, OfScene) -> Result<Vec<u8>, Failure>,
     ) -> Result<(), Failure> {
         warn_unlabelled(&drawings);
         let mut written = Vec::new();
@@ -129,8 +201,8 @@ impl Figures {
                 return refuse("only SVG has layers", "leave out --format, or name a file that ends in `.svg`");
             }
             for (path, format) in targets {
-                if format == FigureFormat::Html {
-                    written.push((path, page(index)?.into_bytes()));
+                if let Some(made) = format.of_scene() {
+                    written.push((path, of_scene(index, made)?));
                     continue;
                 }
                 #[cfg(feature = "pdf")]
@@ -153,10 +225,10 @@ impl Figures {
             #[cfg(feature = "pdf")]
             FigureFormat::Pdf => drawing.pdf().map_err(Failure::unclear),
             #[cfg(feature = "png")]
-            FigureFormat::Png => drawing.png(self.options.dpi).map_err(Failure::unclear),
+            FigureFormat::Png => drawing.png(self.options.dpi_of(drawing.width)).map_err(Failure::unclear),
             FigureFormat::Tikz => Ok(drawing.tikz().into_bytes()),
             _ if kind == Sheets::Layered => Ok(format::layered_svg(drawing, text).into_bytes()),
-            FigureFormat::Svg | FigureFormat::Html => Ok(format::svg_with(drawing, text).into_bytes()),
+            _ => Ok(format::svg_with(drawing, text).into_bytes()),
         }
     }
 
@@ -165,8 +237,8 @@ impl Figures {
         let on_stdout = is_stream(&self.output);
         if on_stdout && sheets > 1 {
             let what = match kind {
-                Sheets::Joined => "further sheets are",
-                _ => "the table is on a second sheet, which is",
+                Sheets::Apart | Sheets::Layered if sheets == 2 => "a second sheet is",
+                _ => "further sheets are",
             };
             note(&format!("{what} not on stdout; name a folder or a file to have all"));
         }
@@ -207,11 +279,7 @@ impl Figures {
     /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
     fn targets(&self, name: &str, drawings: usize) -> Result<Vec<(PathBuf, FigureFormat)>, Failure> {
         if is_stream(&self.output) {
-            let format = match self.options.format.as_slice() {
-                [format] => *format,
-                _ => FigureFormat::Svg,
-            };
-            return Ok(vec![(self.output.clone(), format)]);
+            return Ok(self.formats().into_iter().map(|format| (self.output.clone(), format)).collect());
         }
         let ending = self.output.extension().and_then(|e| e.to_str());
         if ending.is_none() || files::is_folder(&self.output) {
@@ -226,10 +294,16 @@ impl Figures {
             ),
             None => {
                 let known: Vec<&str> = FigureFormat::value_variants().iter().map(|f| f.ending()).collect();
-                refuse(
-                    format!("no format for files ending in `.{}`", ending.unwrap_or_default()),
-                    format!("known endings: {}; a folder's name ends in `/`", known.join(", ")),
-                )
+                let known = format!("known endings: {}; a folder's name ends in `/`", known.join(", "));
+                let ending = ending.unwrap_or_default();
+                // Films that others make.
+                let known = match ending {
+                    "webp" | "webm" | "mp4" => {
+                        format!("`.gif` or `.apng` for a film; the workbench, `-o page.html`, saves WebM; {known}")
+                    }
+                    _ => known,
+                };
+                refuse(format!("no format for files ending in `.{ending}`"), known)
             }
         }
     }
@@ -238,15 +312,17 @@ impl Figures {
 /// Warns of names for which panels have no room, once for all sheets of a figure.
 fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
     let of_panels = drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled);
-    for (panel, names) in of_panels.collect::<IndexSet<_>>() {
+    let told =
+        of_panels.map(|of| (&of.panel, of.are_listed, of.names.iter().map(|name| name.text.content()).collect()));
+    for (panel, are_listed, names) in told.collect::<IndexSet<(&String, bool, Vec<String>)>>() {
         let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
         let more = match names.len().saturating_sub(MOST_LISTED) {
             0 => String::new(),
             more => format!(" and {more} more"),
         };
-        let count = names.len();
+        let (count, are) = (names.len(), if are_listed { "listed below its heading" } else { "left out" });
         warn(&format!(
-            "{panel}: no room for {count} names, which are left out: {listed}{more}; a larger page has room for more"
+            "{panel}: no room for {count} names, which are {are}: {listed}{more}; a larger page has room for more"
         ));
     }
 }

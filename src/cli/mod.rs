@@ -14,6 +14,7 @@ mod exercise;
 pub mod feedback;
 mod figures;
 mod files;
+mod film;
 #[doc(hidden)] // for tests
 pub mod forms;
 #[doc(hidden)] // for tests

@@ -1,7 +1,7 @@
 //! Work on many items: in pieces on all cores, and so that a defect of the program in one of them does not end all other work.
 
 use super::message::Failure;
-use crate::cores::on_all_cores;
+use crate::cores::{cores, on_all_cores};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::any::Any;
 use std::cell::{Cell, RefCell};
@@ -29,11 +29,7 @@ impl Pieces {
         piece: impl Fn(Range<usize>) -> P + Send + Sync,
         mut put: impl FnMut(P) -> Result<bool, Failure>,
     ) -> Result<(), Failure> {
-        #[cfg(feature = "parallel")]
-        let cores = rayon::current_num_threads();
-        #[cfg(not(feature = "parallel"))]
-        let cores = 1;
-        let at_a_time = self.per_core * cores;
+        let at_a_time = self.per_core * cores();
         let items = |first: &usize| *first..(first + self.size).min(self.count);
         let progress = progress(self.count as u64, self.unit);
         for start in (0..self.count).step_by(self.size * at_a_time) {

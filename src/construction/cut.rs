@@ -148,7 +148,9 @@ impl CutLine {
         let name = |p: PointId| mechanism.point_name(p);
         match self.course {
             Course::Through(from, to) => format!("{}{}", name(from), to.map_or(point, name)),
-            Course::Normal(slider, at) => words.language.normal_to_guide(&mechanism.slider_name(slider), name(at)),
+            Course::Normal(slider, at) => {
+                words.language.normal_to_guide(&mechanism.slider_in_words(slider, words.language), name(at))
+            }
             Course::AtInfinity => words.language.line_at_infinity().to_owned(),
         }
     }

@@ -45,7 +45,7 @@ impl Teller<'_> {
         let mut formula = Formula::equal(order, &point.name, start);
         let add_slide = |formula: &mut Formula, slide: &DrivenSlide, known: Known, part: VectorPart| {
             let index = if part == VectorPart::Coriolis { notation.coriolis } else { notation.relative };
-            let markup = format!("{}_{index}({})", order.vector(), self.mechanism.slider_name(slide.slider));
+            let markup = format!("{}_{index}({})", order.vector(), self.slider_name(slide.slider));
             formula.add(if slide.sign < 0.0 { '−' } else { '+' }, markup, known, Some(part));
         };
         let has_coriolis = |slide: &DrivenSlide| order == Order::Acceleration && self.has_coriolis(slide);
@@ -85,7 +85,7 @@ impl Teller<'_> {
     }
 
     /// The link of a turning term, unless its arm has no length.
-    fn turning(&self, point: &Special, term: &Term) -> Option<BodyId> {
+    pub(super) fn turning(&self, point: &Special, term: &Term) -> Option<BodyId> {
         match *term {
             Term::Turn { link, from, to } => {
                 (to.is_some() || self.arm(point, from, to) != Vector::zeros()).then_some(link)
@@ -167,7 +167,7 @@ impl Teller<'_> {
                 }
                 Term::Slide(DrivenSlide { slider, sign, .. }) => {
                     let guide = self.pose.guide(slider) * sign;
-                    let name = mechanism.slider_name(slider);
+                    let name = self.slider_name(slider);
                     let along = guide.dot(&quarter_turn(direction));
                     (along, format!("{slide}_{}({name})", self.words.notation.relative))
                 }

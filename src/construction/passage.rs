@@ -158,7 +158,8 @@ impl Teller<'_> {
             Aim::Rates => vec![language.join_rates(&told.segments.join(", "), &told.unknowns.join(", "))],
             Aim::Images => {
                 let images: Vec<String> = steps.iter().filter_map(|step| self.image_made(step)).map(marked).collect();
-                vec![language.join_images(&images.join(", "))]
+                // A motion along a guide may lie between two images that are there.
+                vec![if images.is_empty() { laid_off } else { joined(&images, Language::join_images) }]
             }
             Aim::Nothing => steps.iter().map(|step| self.caption(step)).collect(),
         };
@@ -195,10 +196,12 @@ impl Teller<'_> {
         told
     }
 
-    /// The image that a step makes first; not the end of a part of a vector that leads there.
+    /// The image that a step makes first, perhaps one from which a ray of a later group starts; not the end of a part of
+    /// a vector that leads there.
     fn image_made<'a>(&self, step: &NumberedStep<'a>) -> Option<&'a str> {
         let (plan, name) = (step.plan?, step.action.image()?);
         let maker = self.construction.steps[step.sheet].iter().find(|action| action.image() == Some(name))?;
-        (plan.points.get(name)?.role == PointRole::Image && std::ptr::eq(maker, step.action)).then_some(name)
+        let is_image = matches!(plan.points.get(name)?.role, PointRole::Image | PointRole::Known);
+        (is_image && std::ptr::eq(maker, step.action)).then_some(name)
     }
 }

@@ -7,7 +7,7 @@ use super::name::{coincident_name, image_name, point_on};
 use super::solution::Solution;
 use super::step::{Action, Arrow, NumberedStep, Plan, PointRole, Ray, RayOf, Relation, VectorOf, VectorPart};
 use crate::geometry::{Place, degrees_of};
-use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role};
+use crate::mechanism::{BodyId, DrivenSlide, Mechanism, PointId, Role, SliderId};
 use crate::position::Pose;
 use crate::sheet::Order;
 use crate::words::{Language, NumberStyle, Wording};
@@ -115,9 +115,14 @@ impl<'a> Teller<'a> {
         };
         let cut = &special.cuts[side];
         match cut.guide() {
-            Some(slider) => self.words.language.guide_of(&self.mechanism.slider_name(slider)),
+            Some(slider) => self.words.language.guide_of(&self.slider_name(slider)),
             None => cut.name(self.words, self.mechanism, &special.name),
         }
+    }
+
+    /// The name of a slider in the language.
+    pub(super) fn slider_name(&self, slider: SliderId) -> String {
+        self.mechanism.slider_in_words(slider, self.words.language)
     }
 
     fn pole(&self, order: Order, images: &[String]) -> String {
@@ -150,7 +155,7 @@ impl<'a> Teller<'a> {
             VectorOf::Normal(special, side) => self.normal_part(self.construction.special(*special), *side, from, to),
             VectorOf::Relative { link, from, to, part } => self.relative(*link, [from, to], *part),
             VectorOf::Sliding(slider, under) => {
-                let name = self.mechanism.slider_name(*slider);
+                let name = self.slider_name(*slider);
                 let at = self.mechanism.point_name(self.mechanism.slider(*slider).at);
                 let (language, notation) = (self.words.language, self.words.notation);
                 let caption = language.lay_off_sliding_velocity(&name, &marked(under), &marked(at));
@@ -232,7 +237,7 @@ impl<'a> Teller<'a> {
     /// its head is where the chain has come from.
     fn passed_part(&self, slide: &DrivenSlide, part: VectorPart, arrow: &Arrow) -> (Formula, String) {
         let mechanism = self.mechanism;
-        let name = mechanism.slider_name(slide.slider);
+        let name = self.slider_name(slide.slider);
         let on = &mechanism.body(mechanism.slider(slide.slider).on).name;
         let (language, notation) = (self.words.language, self.words.notation);
         let (r, c) = (notation.relative, notation.coriolis);
@@ -261,48 +266,60 @@ impl<'a> Teller<'a> {
     #[must_use]
     pub fn vectors(&self, plan: &Plan) -> Vec<PlanVector> {
         let mut vectors = self.whole_vectors(plan);
-        for action in &self.construction.steps[plan.sheet()] {
-            let (ends, made, formula, part, link) = match action {
-                Action::LayOff(arrow) if matches!(arrow.of, VectorOf::Point(..)) => continue,
-                Action::LayOff(arrow) => {
-                    if matches!(arrow.of, VectorOf::Normal(special, _) if self.construction.special(special).is_assur) {
-                        continue;
-                    }
-                    (arrow.ends(), &arrow.to, self.lay_off(arrow).0, arrow.part(), None)
-                }
-                Action::Ray(ray) => {
-                    let RayOf::Leg(special, side) = ray.of else { continue };
-                    let special = self.construction.special(special);
-                    if special.is_assur {
-                        continue;
-                    }
-                    let formula = self.ray_equation(ray);
-                    let link = Some(special.cuts[side].carrier);
-                    ([ray.through.as_str(), ray.to.as_str()], &ray.to, formula, VectorPart::Relative, link)
-                }
-                _ => continue,
-            };
-            // On a ray the vector is the one whose direction alone is known, with the sign before it; else the equation
-            // begins with it.
-            let index = match link {
-                Some(_) => formula.terms.iter().position(|term| term.known == Known::Direction),
-                None => Some(0),
-            };
-            let Some((index, term)) = index.and_then(|index| Some((index, formula.terms.get(index)?))) else {
-                continue;
-            };
-            let is_minus = index > 0 && formula.terms[index - 1].markup.contains('−');
-            let [from, to] = if is_minus { [ends[1], ends[0]] } else { ends };
-            let symbol = term.markup.split(" = ").next().unwrap_or_default();
-            vectors.push(PlanVector {
-                ends: [from.to_owned(), to.to_owned()],
-                symbol: symbol.to_owned(),
-                part: term.part.unwrap_or(part),
-                made: made.clone(),
-                link,
-            });
-        }
+        vectors.extend(self.construction.steps[plan.sheet()].iter().filter_map(|action| match action {
+            Action::LayOff(arrow) => self.laid_off_vector(arrow),
+            Action::Ray(ray) => match ray.of {
+                RayOf::Leg(special, _) if !self.construction.special(special).is_assur => self.vector_on(ray),
+                _ => None,
+            },
+            _ => None,
+        }));
         vectors
+    }
+
+    /// The part of a motion that a step lays off; none for whole vectors, and for what leads to special points.
+    fn laid_off_vector(&self, arrow: &Arrow) -> Option<PlanVector> {
+        match arrow.of {
+            VectorOf::Point(..) => return None,
+            VectorOf::Normal(special, _) if self.construction.special(special).is_assur => return None,
+            _ => {}
+        }
+        // Its equation begins with it.
+        let formula = self.lay_off(arrow).0;
+        let term = formula.terms.first()?;
+        Some(PlanVector {
+            ends: arrow.ends().map(str::to_owned),
+            symbol: term.markup.split(" = ").next().unwrap_or_default().to_owned(),
+            part: term.part.unwrap_or(arrow.part()),
+            made: arrow.to.clone(),
+            link: None,
+        })
+    }
+
+    /// The vector that a ray carries, once the point on it is there: all of its equation that is known in direction
+    /// alone. None where the ray has no equation.
+    #[must_use]
+    pub fn vector_on(&self, ray: &Ray) -> Option<PlanVector> {
+        let formula = self.ray_equation(ray);
+        let first = formula.terms.iter().position(|term| term.known == Known::Direction)?;
+        let (link, is_backwards) = match ray.of {
+            RayOf::Leg(special, side) => {
+                let special = self.construction.special(special);
+                let cut = &special.cuts[side];
+                // What turns has the direction of the chain, what slides alone that of the slider.
+                let turns = || cut.terms.iter().any(|term| self.turning(special, term).is_some());
+                (cut.carrier, cut.slide().is_some_and(|slide| slide.sign < 0.0) && !turns())
+            }
+            RayOf::Arm { link, .. } => (link, false),
+        };
+        let [from, to] = [&ray.through, &ray.to].map(Clone::clone);
+        Some(PlanVector {
+            ends: if is_backwards { [to, from] } else { [from, to] },
+            symbol: formula.terms[first..].iter().map(|term| term.markup.as_str()).collect(),
+            part: formula.terms[first].part.unwrap_or(VectorPart::Relative),
+            made: ray.to.clone(),
+            link: Some(link),
+        })
     }
 
     /// The velocities or accelerations of all points with images, and of the points under sliders.

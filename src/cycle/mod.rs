@@ -26,6 +26,7 @@ mod position;
 mod pull;
 mod range;
 mod reading;
+mod running;
 mod sampled;
 #[doc(hidden)] // for tests
 pub mod segment;
@@ -43,6 +44,7 @@ pub use path::{Event, Happening, Path};
 pub use position::Position;
 pub use pull::{Pull, Pulled};
 pub use range::{Detour, Steps};
+pub use running::Running;
 pub use sampled::Sampled;
 pub use sweep::{Numbers, Sweep, every_name};
 pub use traces::{Animation, OtherModes, Times, Traces};

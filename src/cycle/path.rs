@@ -260,6 +260,11 @@ impl<'a> Path<'a> {
         self.ends.iter().flatten().any(|end| matches!(end.what, Happening::RunsOff(_)))
     }
 
+    /// Whether the drive's value falls at its speed in the scene.
+    pub(super) fn runs_backwards(&self) -> bool {
+        self.kernel.inputs[self.drive.input].rate < 0.0
+    }
+
     /// A moving link with a point; none for a fixed point.
     pub(super) fn carrier(&self, point: PointId) -> Option<BodyId> {
         let fixed = self.mechanism.body(GROUND).points.contains(&point);

@@ -20,7 +20,7 @@ const FARTHEST: f64 = 100.0;
 /// How much of the branch to either side is kept, in the same unit.
 const KEPT: f64 = 2.0;
 /// A distance that leads past a change point from a place next to it, in the same unit.
-const PAST_CHANGE: f64 = 2.5 * BLANK;
+pub(super) const PAST_CHANGE: f64 = 2.5 * BLANK;
 /// Accuracy of the drive's value, in the same unit.
 const EXACT: f64 = 1e-14;
 /// Distance from a dead centre of a point within which it counts as being there, in the same unit.

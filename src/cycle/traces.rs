@@ -95,7 +95,7 @@ fn time(path: &Path, step: f64) -> Option<f64> {
 
 /// The range of the cycle of the path's drive, which is followed all along it; and whether the mechanism is at its end
 /// where it was at its beginning.
-fn cycle(path: &mut Path) -> Result<([f64; 2], bool), CycleError> {
+pub(super) fn cycle(path: &mut Path) -> Result<([f64; 2], bool), CycleError> {
     let range = path.whole_range()?;
     if !path.is_round() {
         return Ok((range, false));
@@ -141,7 +141,7 @@ fn ghosts(shown: &PointPaths, is_closed: bool, own: &Pose, count: usize) -> Vec<
 
 /// Distance that an animation keeps from each end of the drive's range, in parts of the range: at a limit position
 /// rates are infinite.
-const OFF_THE_END: f64 = 0.004;
+pub(super) const OFF_THE_END: f64 = 0.004;
 
 /// A mechanism solved at equal steps of a drive, for showing one position after another.
 #[derive(Clone, Debug)]

@@ -13,7 +13,7 @@ pub(super) fn holds(area: Rect, point: Point) -> bool {
     area.inflate(1e-9, 1e-9).contains(point)
 }
 
-/// The parts of a shape in `area`. Lines are cut at its border; an arrow whose tip is outside becomes a line; round
+/// The parts of a shape in `area`. Lines are cut at its border; an arrow whose tip is outside has its head there; round
 /// shapes and texts are kept whole if their centre is inside, else dropped.
 pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
     if is_within(area, &shape) {
@@ -25,8 +25,7 @@ pub fn clipped(area: Rect, shape: Shape) -> Vec<Shape> {
             within.map(|(a, b)| Shape::Line(a, b)).collect()
         }
         Shape::Arrow { from, to, head } => match clipped_segment(area, *from, *to) {
-            Some((from, tip)) if (tip - *to).hypot() < 1e-9 => vec![Shape::Arrow { from, to: *to, head: *head }],
-            Some((a, b)) => vec![Shape::Line(a, b)],
+            Some((from, to)) => vec![Shape::Arrow { from, to, head: *head }],
             None => Vec::new(),
         },
         Shape::Polygon(corners) => {

@@ -8,7 +8,7 @@ use super::text::RichText;
 use super::view::Series;
 use crate::construction::{Construction, Plan, PlanVector, Solution, Special, Teller, VectorPart};
 use crate::cycle::{OtherModes, Traces};
-use crate::mechanism::{BodyId, Mechanism, PointId};
+use crate::mechanism::{BodyId, GROUND, Mechanism, PointId};
 use crate::quantity::QuantityKind;
 use crate::scene::{Figure, Page, PageSize};
 use crate::sheet::{PerSheet, Scales, Sheet};
@@ -48,6 +48,8 @@ pub(super) struct Surface {
     pub mu: Scales,
     /// The scales on paper, where the sheet is not for paper: words of steps tell lengths at these.
     pub told: Option<Scales>,
+    /// Whether crowds of points are drawn again, larger, in a circle: in a film that would come and go.
+    pub details: bool,
 }
 
 /// What a sheet is for.
@@ -69,7 +71,7 @@ impl Surface {
             Purpose::Figure if !figure.worksheet => Series::Ruler,
             _ => Series::Hand,
         };
-        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None }
+        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None, details: true }
     }
 
     /// A part of a screen for the same figure.
@@ -105,9 +107,9 @@ impl<'a> SheetContext<'a> {
         Self { surface, ..self.clone() }
     }
 
-    /// This context for another position of its mechanism.
+    /// This context for another position of its mechanism, without values.
     pub(super) fn at_position<'b>(&self, solution: &'b Solution) -> SheetContext<'b> {
-        let context = SheetContext::with_traces(solution, self.purpose, Arc::clone(&self.traces)).with_values();
+        let context = SheetContext::with_traces(solution, self.purpose, Arc::clone(&self.traces));
         SheetContext { surface: self.surface, ..context }
     }
 
@@ -167,6 +169,9 @@ impl<'a> SheetContext<'a> {
     pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
         if let Some(renamed) = self.figure().labels.get(name) {
             return renamed.for_setting();
+        }
+        if plan.is_none() && name == self.mechanism().body(GROUND).name {
+            return self.words.language.ground().to_owned();
         }
         let written = self.facts.markup(name);
         match plan {

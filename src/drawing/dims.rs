@@ -19,8 +19,6 @@ pub(super) const MARGIN: f64 = 8.0;
 pub(super) const TITLE: f64 = 9.0;
 /// White around the panels on a part of a screen, in units of the layout.
 const PANE_EDGE: f64 = 1.0;
-/// A pixel of a style sheet, in mm.
-const PIXEL: f64 = 25.4 / 96.0;
 /// Room for half of the width of lines beside markers, in mm of paper.
 const BORDER: f64 = 0.3;
 /// White between the scales and the small code, in units of the layout.
@@ -79,13 +77,12 @@ impl Dims {
         Dims { unit, page, head, dot: 0.5 * dot, joint: 0.5 * joint, free: Free::PLAIN }
     }
 
-    /// Those of a figure on a part of a screen, which has no title: its letters have a size there, and signs are in
-    /// proportion to them.
+    /// Those of a figure on a part of a screen, which has no title: a sheet of the pane's proportions on which the letters
+    /// of the figure's style are as large as they are to be there; so lines and signs are in proportion to them, too.
     pub(super) fn on_pane(pane: Pane, figure: &Figure) -> Dims {
-        let unit = pane.letters * PIXEL / CAPTION;
-        let page = [pane.width, pane.height].map(|pixels| pixels * PIXEL / unit);
+        let page = [pane.width, pane.height].map(|side| side * CAPTION / pane.letters);
         let free = Free { edge: PANE_EDGE, top: PANE_EDGE, corner: 0.0, middle: 0.0 };
-        Dims { unit, page, free, ..Dims::of(figure) }
+        Dims { page, free, ..Dims::of(figure) }
     }
 
     /// Whether the title stands above the panels.
@@ -135,6 +132,9 @@ impl Drawing {
         }
         for (_, frame) in &mut self.panels {
             *frame = Affine::scale(factor).transform_rect_bbox(*frame);
+        }
+        for name in self.unlabelled.iter_mut().flat_map(|panel| &mut panel.names) {
+            name.place = Affine::scale(factor) * name.place;
         }
         self
     }

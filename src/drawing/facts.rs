@@ -3,7 +3,7 @@
 use super::view::Extent;
 use crate::construction::{Action, Construction, NumberedStep, Solution, Special, display, image_name, point_on};
 use crate::geometry;
-use crate::mechanism::{BodyId, Mark, Mechanism};
+use crate::mechanism::{BodyId, GROUND, Mark, Mechanism};
 use crate::sheet::PerSheet;
 use indexmap::IndexMap;
 
@@ -89,7 +89,11 @@ fn markup(mechanism: &Mechanism, construction: &Construction) -> IndexMap<String
         let normals = special.normal_names(mechanism);
         for (side, (cut, name)) in special.cuts.iter().zip(normals).enumerate() {
             let Some(start) = cut.start() else { continue };
-            let start = point_on(mechanism, cut.leg.base, start);
+            // The frame under a slider has no name of its own in a plan.
+            let start = match cut.leg.base {
+                GROUND => mechanism.point_name(start).to_owned(),
+                base => point_on(mechanism, base, start),
+            };
             let image = display(&image_name(&start));
             if let Some(slide) = cut.slide() {
                 let entered = &mechanism.body(slide.to).name;

@@ -4,14 +4,15 @@ use super::canvas::Held;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext, Surface};
 use super::facts::Steps;
-use super::figure::{Contents, FigureSheets, composed, described, extents_to_fit};
-use super::layout::{Layout, Placed};
+use super::figure::{FigureSheets, extents_to_fit};
+use super::laid_out::{Contents, LaidOut, composed, described};
+use super::layout::{Layout, Needs, Placed};
 use super::panel::{Extents, cycles_of, extents_in};
 use super::sheet::Drawing;
 use super::values::is_hidden;
-use super::view::{Series, View};
+use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution, shown_text};
-use crate::cycle::{OtherModes, Traces};
+use crate::cycle::{Animation, OtherModes, Pull, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
 use crate::sheet::Sheet;
@@ -20,7 +21,11 @@ use std::sync::Arc;
 
 /// Every so many of them is asked for the height of its words.
 const WORDS_OF: usize = 12;
-/// A part of a screen on which a figure is shown, in pixels as style sheets count them: 96 to an inch.
+/// Into so many parts the range of a drive that moves alone is divided.
+const PULLED: usize = 48;
+
+/// A part of a screen on which a figure is shown; its lengths are in pixels. A drawing for it has its proportions, and is
+/// to be shown as large as it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pane {
     /// Its width.
@@ -29,14 +34,16 @@ pub struct Pane {
     pub height: f64,
     /// Height of the em of its letters.
     pub letters: f64,
+    /// Whether the words of a step are on the sheet; where it is narrow they are better read beside it.
+    pub words: bool,
 }
 
 /// The layout of a mechanism's figure, for drawing it in any of its positions: scales, panels and poles stand still.
 ///
-/// That [of the figure](HeldLayout::of_figure) is what the file shows, in the scene's own position; others are cut off
-/// where they leave their panels. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the figure's
-/// page or on a part of a screen; of a drive that swings it has room for 97 % of them, for vectors run off to infinity at
-/// the ends of its range. A panel says that its content is cut. There is no work sheet.
+/// That [of the figure](HeldLayout::of_figure) is that of the file: in the scene's own position it is drawn as there; in
+/// others what leaves its panel is cut off. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the
+/// figure's page or on a part of a screen; of a drive that swings, whose vectors run off to infinity at the ends of its
+/// range, it has room for all in which they are not far larger than in most. A panel says that its content is cut.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
@@ -52,17 +59,47 @@ pub struct Pane {
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+#[derive(Clone)]
 pub struct HeldLayout {
     layout: Layout,
     /// Where it is laid out, at the scales that were chosen.
     surface: Surface,
     /// By panel: the extent that is seen.
     extents: Extents,
-    steps: Option<Steps>,
+    contents: Contents,
     /// The paths and ghosts, and the lengths of the mechanism that has them.
     traces: Arc<Traces>,
     mechanism: Mechanism,
     held: Held,
+}
+
+/// All positions of a mechanism on its branch, by drive: for its layouts on several surfaces they are computed once.
+///
+/// Of several drives they are those that time brings, in which all move together, and those of each alone.
+pub struct Positions(Vec<Animation>);
+
+impl Positions {
+    /// Those of a scene's mechanism; none of one that stands still.
+    #[must_use]
+    pub fn of(own: &Solution) -> Positions {
+        let drives = own.mechanism.drive_names();
+        let alone = drives.iter().filter(|_| drives.len() > 1).filter_map(|drive| pulled(own, drive));
+        Positions(cycles_of(own).into_iter().chain(alone).collect())
+    }
+}
+
+/// Positions that a drive reaches while the others stand.
+fn pulled(own: &Solution, drive: &str) -> Option<Animation> {
+    let mut pull = Pull::new(own, Some(drive)).ok()?;
+    let start = pull.value();
+    let turn = if pull.drive().is_angle { 360.0 } else { 2.0 * start.abs() };
+    let [low, high] = pull.ends().map(|end| end.map(|end| end.at));
+    let from = low.unwrap_or_else(|| high.map_or(start, |high| high - turn));
+    let way = high.unwrap_or(from + turn) - from;
+    let poses = (0..=PULLED).map(|k| pull.to_value(from + way * k as f64 / PULLED as f64).pose);
+    let positions: Vec<Solution> = poses.filter_map(|pose| own.moved(pose).ok()).collect();
+    let is_round = low.is_none() && high.is_none();
+    Some(Animation { drive: None, values: Vec::new(), positions, own: 0, is_round })
 }
 
 /// A place that can be taken hold of.
@@ -92,17 +129,17 @@ pub struct HeldPanel {
 }
 
 impl HeldLayout {
-    /// The layout of a scene's figure, as in its file: for the finished figure, or with room for the words of steps; with
-    /// other modes, if they are to be seen.
+    /// The layout of a scene's figure in its file: of the finished figure, or of its sheets with steps; with room for other
+    /// modes, too, if they are to be seen.
     #[must_use]
     pub fn of_figure(own: &Solution, steps: Option<Steps>, modes: Option<&OtherModes>) -> HeldLayout {
-        let traces = Arc::new(Traces::of(own));
-        let sheets = FigureSheets::with_traces(own, Arc::clone(&traces));
-        // Other modes need room, too.
-        let context = if modes.is_some() { sheets.unscaled() } else { sheets.scaled(steps) };
-        let context = with_modes(context, modes);
+        let sheets = FigureSheets::new(own);
+        if modes.is_none() {
+            return HeldLayout::of(sheets.laid_out_as(steps));
+        }
+        let context = with_modes(sheets.unscaled(), modes);
         let extents = extents_to_fit(&context);
-        HeldLayout::new(context, extents, steps, 0.0)
+        HeldLayout::new(context, extents, Contents { steps, ..Contents::default() }, 0.0)
     }
 
     /// The layout of all positions of a scene's mechanism, on a part of a screen or else on the figure's page: for its
@@ -114,37 +151,62 @@ impl HeldLayout {
         modes: Option<&OtherModes>,
         pane: Option<Pane>,
     ) -> HeldLayout {
+        HeldLayout::of_positions(own, &Positions::of(own), steps, modes, pane)
+    }
+
+    /// That of the cycle, where its positions are known.
+    #[must_use]
+    pub fn of_positions(
+        own: &Solution,
+        Positions(cycles): &Positions,
+        steps: Option<Steps>,
+        modes: Option<&OtherModes>,
+        pane: Option<Pane>,
+    ) -> HeldLayout {
         let sheets = FigureSheets::new(own);
         let mut context = sheets.unscaled();
         if let Some(pane) = pane {
             context.surface = context.surface.on_pane(pane, context.figure());
         }
-        if steps.is_some() && context.surface.series == Series::Any {
+        let contents = Contents { steps, wordless: pane.is_some_and(|pane| !pane.words), ..Contents::default() };
+        let has_words = steps.is_some() && !contents.wordless;
+        if has_words && context.surface.series == Series::Any {
             context.surface.told = Some(sheets.scales());
         }
         let context = with_modes(context, modes);
-        let cycles = cycles_of(own);
-        let extents = extents_in(&context, &cycles);
+        let extents = extents_in(&context, cycles);
         let positions = cycles.iter().flat_map(|cycle| cycle.positions.iter().step_by(WORDS_OF));
-        let contents = Contents { steps, ..Contents::default() };
-        let heights =
-            positions.map(|position| composed(&context.at_position(position), &extents, contents).height_below());
+        let heights = positions.filter(|_| has_words).map(|position| {
+            let context = context.at_position(position).with_values();
+            composed(&context, &extents, contents).height_below()
+        });
         let below = heights.fold(0.0, f64::max);
-        HeldLayout::new(context, extents, steps, below)
+        HeldLayout::new(context, extents, contents, below)
+    }
+
+    /// The layout of all positions of a scene's mechanism for a film: on the figure's page, at any scales, which bars show.
+    pub(super) fn of_film(own: &Solution) -> HeldLayout {
+        let mut context = FigureSheets::new(own).unscaled();
+        (context.surface.series, context.surface.details) = (Series::Any, false);
+        let extents = extents_in(&context, &cycles_of(own));
+        HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
     }
 
     /// The layout of a context for these extents, with at least `below` mm for words.
-    fn new(mut context: SheetContext<'_>, extents: Extents, steps: Option<Steps>, below: f64) -> HeldLayout {
-        let contents = Contents { steps, ..Contents::default() };
+    fn new(mut context: SheetContext<'_>, extents: Extents, contents: Contents, below: f64) -> HeldLayout {
         let sheet = composed(&context, &extents, contents);
         let layout = sheet.layout_above(sheet.height_below().max(below));
         drop(sheet);
         context.surface.mu = context.surface.mu.or(layout.mu());
+        HeldLayout::of(LaidOut { context, extents, contents, layout })
+    }
+
+    fn of(LaidOut { context, extents, contents, layout }: LaidOut<'_>) -> HeldLayout {
         HeldLayout {
             layout,
             surface: context.surface,
             extents,
-            steps,
+            contents,
             traces: Arc::clone(&context.traces),
             mechanism: context.mechanism().clone(),
             held: Held::default(),
@@ -157,7 +219,7 @@ impl HeldLayout {
     pub fn draw(&self, solution: &Solution, modes: Option<&OtherModes>) -> Drawing {
         let context = self.context_of(solution, modes);
         let drawing = described(&context, self.composed(&context, None)).draw(&self.layout);
-        match self.steps {
+        match self.contents.steps {
             Some(steps) => drawing.in_steps(steps, &context),
             None => drawing,
         }
@@ -170,7 +232,7 @@ impl HeldLayout {
     pub fn drag(&mut self, solution: &Solution, modes: Option<&OtherModes>, step: Option<usize>) -> Drawing {
         let mut held = std::mem::take(&mut self.held);
         let construction = &solution.construction;
-        let count = match self.steps {
+        let count = match self.contents.steps {
             Some(Steps::Coarse) => construction.passages().len(),
             _ => construction.step_count(),
         };
@@ -183,10 +245,25 @@ impl HeldLayout {
         }
         let drawing = sheet.draw_holding(&self.layout, Some(&mut held));
         self.held = held;
-        match (self.steps, step) {
+        match (self.contents.steps, step) {
             (Some(steps), Some(step)) => drawing.in_steps(steps, &context).after_step(step),
             _ => drawing,
         }
+    }
+
+    /// A layout on the way from another with the same panels to this one: it has gone that share of it, from 0 to 1. With
+    /// other panels it is this one.
+    #[must_use]
+    pub fn eased_from(&self, before: &HeldLayout, share: f64) -> HeldLayout {
+        let sheets =
+            |layout: &HeldLayout| -> Vec<Sheet> { layout.layout.panels.iter().map(|p| p.needs.sheet).collect() };
+        let mut eased = self.clone();
+        if sheets(self) == sheets(before) {
+            for (now, before) in eased.layout.panels.iter_mut().zip(&before.layout.panels) {
+                *now = between(before, now, share);
+            }
+        }
+        eased
     }
 
     /// The scale of a panel, in units per mm of paper.
@@ -264,8 +341,7 @@ impl HeldLayout {
     }
 
     fn composed<'a>(&self, context: &'a SheetContext<'a>, only_step: Option<usize>) -> Composition<'a> {
-        let contents = Contents { steps: self.steps, only_step, ..Contents::default() };
-        let mut composition = composed(context, &self.extents, contents);
+        let mut composition = composed(context, &self.extents, Contents { only_step, ..self.contents });
         for panel in &mut composition.panels {
             // The view stands still.
             panel.content = None;
@@ -290,6 +366,27 @@ impl HeldLayout {
     fn enlarged(&self) -> Affine {
         Affine::scale(self.layout.panels.first().map_or(1.0, |placed| placed.unit))
     }
+}
+
+/// The place of a panel on the way from one to another.
+fn between(from: &Placed, to: &Placed, share: f64) -> Placed {
+    let rect =
+        |a: Rect, b: Rect| Rect::from_points(a.origin().lerp(b.origin(), share), corner(a).lerp(corner(b), share));
+    let point = |a: geometry::Point, b: geometry::Point| a + share * (b - a);
+    let [a, b] = [from, to].map(|placed| placed.needs.extent);
+    let extent = Extent { low: point(a.low, b.low), high: point(a.high, b.high) };
+    Placed {
+        needs: Needs { extent, ..to.needs },
+        frame: rect(from.frame, to.frame),
+        area: rect(from.area, to.area),
+        // Equal steps of the eye.
+        mu: from.mu * libm::pow(to.mu / from.mu, share),
+        unit: to.unit,
+    }
+}
+
+fn corner(rect: Rect) -> Point {
+    Point::new(rect.x1, rect.y1)
 }
 
 fn with_modes<'a>(context: SheetContext<'a>, modes: Option<&'a OtherModes>) -> SheetContext<'a> {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 use std::fmt;
 
+use crate::construction::VectorPart;
 use crate::sheet::Order;
 
 /// An sRGB colour of the screen; black by default.
@@ -187,11 +188,17 @@ impl Pen {
         name.and_then(|name| name.as_str().map(str::to_owned)).unwrap_or_default()
     }
 
-    /// The pens of a plan's vectors: from its pole, and from one image to another.
-    pub(super) fn of_vectors(order: Order) -> [Pen; 2] {
-        match order {
-            Order::Velocity => [Pen::Velocity, Pen::Image],
-            Order::Acceleration => [Pen::Acceleration, Pen::Tangential],
+    /// The pen of a plan's vectors that show this.
+    pub(super) fn of_vectors(order: Order, part: VectorPart) -> Pen {
+        match (part, order) {
+            (VectorPart::Whole, Order::Velocity) => Pen::Velocity,
+            (VectorPart::Whole, Order::Acceleration) => Pen::Acceleration,
+            // The side of a link's image.
+            (VectorPart::Relative, _) => Pen::Image,
+            (VectorPart::Normal, _) => Pen::Normal,
+            (VectorPart::Tangential, _) => Pen::Tangential,
+            (VectorPart::Sliding, _) => Pen::Vector,
+            (VectorPart::Coriolis, _) => Pen::Coriolis,
         }
     }
 

@@ -17,8 +17,11 @@ use crate::sheet::{Order, Scales, Sheet};
 const CONDITION: f64 = 40.0;
 /// Smallest sine of the angle between lines that are crossed: that of 20°.
 const SINE: f64 = 0.35;
-/// Smallest length on paper of segments that are measured and not zero, in mm.
+/// Smallest length on paper of what is read off a sheet and not zero, in mm: lengths and segments that are measured, images
+/// from the pole.
 const SHORTEST: f64 = 5.0;
+/// The same of vectors that are laid off, whose size is known before.
+const SHORTEST_LAID_OFF: f64 = 4.0;
 /// A rate below this part of the largest of its kind is judged as if it were that large.
 const SMALL: f64 = 1.0 / 3.0;
 /// Largest band of a rate, in parts of the rate.
@@ -71,8 +74,8 @@ pub enum Refusal {
     /// A special point or a plan has no room on the sheet.
     #[error("a special point or a plan does not fit on the sheet")]
     Sheet,
-    /// Segments are too short to be measured.
-    #[error("a segment to be measured is shorter than 5 mm")]
+    /// Segments are too short to be measured or laid off.
+    #[error("a segment is too short: one to be measured shorter than 5 mm, or one to be laid off shorter than 4 mm")]
     Short,
     /// The band of a rate is too wide.
     #[error("a rate cannot be found to 15 % by hand")]
@@ -213,18 +216,25 @@ fn crosses_well(construction: &Construction) -> Result<(), Refusal> {
     }
 }
 
-/// Whether everything that is measured is long enough on paper, or zero.
+/// Whether everything that is measured or laid off is long enough on paper, or zero.
 fn is_long_enough(construction: &Construction, scales: &Scales) -> Result<(), Refusal> {
     for step in construction.numbered_steps() {
-        let value = match (&step.action, step.plan) {
-            (Action::Measure { value, .. }, _) => value.abs(),
-            (Action::Cross { point, .. }, Some(plan)) => plan.points[point].vector.norm(),
+        let (value, shortest) = match (step.action, step.plan) {
+            (Action::Measure { value, .. }, _) => (value.abs(), SHORTEST),
+            (Action::LayOff(arrow), Some(plan)) => {
+                let segment = plan.segment(&arrow.from, &arrow.to).ok_or(Refusal::NoConstruction)?;
+                (segment.norm(), SHORTEST_LAID_OFF)
+            }
+            (action, Some(plan)) => match action.image() {
+                Some(point) => (plan.points[point].vector.norm(), SHORTEST),
+                None => continue,
+            },
             _ => continue,
         };
         let sizes = step.plan.into_iter().flat_map(|plan| plan.points.values()).map(|point| point.vector.norm());
         let largest = sizes.reduce(f64::max).unwrap_or(value);
         let mm = value / scales[step.sheet].ok_or(Refusal::Sheet)?;
-        if mm < SHORTEST && value > ZERO * largest {
+        if mm < shortest && value > ZERO * largest {
             return Err(Refusal::Short);
         }
     }

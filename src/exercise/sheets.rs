@@ -163,7 +163,7 @@ impl Teller<'_> {
                 continue;
             };
             let on = match &slider.on {
-                On::Ground => "ground",
+                On::Ground => self.words.language.ground(),
                 On::Link(on) => on,
             };
             let (r, name) = (self.words.notation.relative, format!("({link}/{on})"));

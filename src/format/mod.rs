@@ -7,6 +7,8 @@ mod columns;
 #[doc(hidden)] // for tests
 pub mod digits;
 mod feedback;
+#[cfg(feature = "png")]
+mod film;
 mod json;
 #[doc(hidden)] // for tests
 pub mod number;
@@ -27,6 +29,8 @@ mod workbench;
 pub use self::columns::{ColumnFormat, Columns};
 pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
+#[cfg(feature = "png")]
+pub use self::film::FilmFormat;
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
 pub use self::pdf::{PdfError, pdf_pages};

@@ -12,7 +12,7 @@ const MOST_AREA: f64 = 2e8;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 /// Pixels per inch in SVG and CSS.
-const CSS_DPI: f64 = 96.0;
+pub(super) const CSS_DPI: f64 = 96.0;
 
 /// Why a picture could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -23,6 +23,14 @@ pub enum PngError {
         "the picture would have {width} x {height} pixels; a side may have {MOST_PIXELS} and the whole {MOST_AREA}: take fewer dots per inch"
     )]
     TooLarge {
+        /// Pixels across.
+        width: f64,
+        /// Pixels down.
+        height: f64,
+    },
+    /// The pictures of a film would be too large.
+    #[error("the film would have {width} x {height} pixels; it may have ten million in all: take fewer dots per inch")]
+    LargeFilm {
         /// Pixels across.
         width: f64,
         /// Pixels down.
@@ -40,6 +48,9 @@ pub enum PngError {
     /// The pixels could not be encoded.
     #[error("the pixels cannot be encoded: {0}")]
     Encoding(#[from] ::png::EncodingError),
+    /// The pixels could not be encoded as GIF.
+    #[error("the film cannot be encoded: {0}")]
+    Film(#[from] ::gif::EncodingError),
 }
 
 impl Drawing {
@@ -51,12 +62,8 @@ impl Drawing {
         if !(dpi > 0.0 && dpi.is_finite()) {
             return Err(PngError::Resolution { dpi });
         }
-        let tree = Tree::from_str(&svg_with(self, Text::Outlines), &Options::default())?;
-        let scale = dpi / CSS_DPI;
-        let pixels = |size: f32| (f64::from(size) * scale).round().max(1.0);
-        let size = [pixels(tree.size().width()), pixels(tree.size().height())];
-        let Colour { red, green, blue } = self.style.background();
-        encode(&rendered(&tree, size, Color::from_rgba8(red, green, blue, 255))?, dpi)
+        let tree = tree_of(self)?;
+        encode(&coloured(&tree, pixels_of(&tree, dpi / CSS_DPI), self.style.background())?, dpi)
     }
 
     /// The bytes of a PNG file: the drawing over a picture, in that picture's pixels, as on a film: where the drawing
@@ -66,7 +73,7 @@ impl Drawing {
     /// The picture has no pixels, or the file cannot be made.
     pub fn png_over(&self, backdrop: &Backdrop) -> Result<Vec<u8>, PngError> {
         let [width, height] = backdrop.size;
-        let tree = Tree::from_str(&svg_with(self, Text::Outlines), &Options::default())?;
+        let tree = tree_of(self)?;
         let film = rendered(&tree, backdrop.size.map(f64::from), Color::WHITE)?;
         let picture = IntSize::from_wh(width, height).and_then(|size| Pixmap::from_vec(backdrop.colours(), size));
         let mut picture = picture.ok_or(PngError::TooLarge { width: f64::from(width), height: f64::from(height) })?;
@@ -77,7 +84,22 @@ impl Drawing {
     }
 }
 
+/// The SVG of a drawing with texts as outlines.
+pub(super) fn tree_of(drawing: &Drawing) -> Result<Tree, PngError> {
+    Ok(Tree::from_str(&svg_with(drawing, Text::Outlines), &Options::default())?)
+}
+
+/// The size of its picture at a scale.
+pub(super) fn pixels_of(tree: &Tree, scale: f64) -> [f64; 2] {
+    [tree.size().width(), tree.size().height()].map(|size| (f64::from(size) * scale).round().max(1.0))
+}
+
 /// A picture of so many pixels on a background.
+pub(super) fn coloured(tree: &Tree, size: [f64; 2], background: Colour) -> Result<Pixmap, PngError> {
+    let Colour { red, green, blue } = background;
+    rendered(tree, size, Color::from_rgba8(red, green, blue, 255))
+}
+
 fn rendered(tree: &Tree, [width, height]: [f64; 2], background: Color) -> Result<Pixmap, PngError> {
     let too_large = PngError::TooLarge { width, height };
     if width > MOST_PIXELS || height > MOST_PIXELS || width * height > MOST_AREA {
@@ -100,12 +122,17 @@ fn encode(pixmap: &Pixmap, dpi: f64) -> Result<Vec<u8>, PngError> {
     encoder.set_depth(::png::BitDepth::Eight);
     encoder.set_compression(::png::Compression::Fast);
     encoder.set_filter(::png::Filter::Up);
-    let per_metre = (dpi * 1000.0 / INCH).round() as u32;
-    encoder.set_pixel_dims(Some(::png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: ::png::Unit::Meter }));
+    encoder.set_pixel_dims(Some(resolution(dpi)));
     let mut writer = encoder.write_header()?;
     writer.write_image_data(&colours)?;
     writer.finish()?;
     Ok(file)
+}
+
+/// Dots per inch, as PNG has them.
+pub(super) fn resolution(dpi: f64) -> ::png::PixelDimensions {
+    let per_metre = (dpi * 1000.0 / INCH).round() as u32;
+    ::png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: ::png::Unit::Meter }
 }
 
 /// Red, green and blue of pixels of four bytes. The background is opaque, so all alphas are 255 and can be left out.

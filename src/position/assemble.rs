@@ -198,6 +198,7 @@ fn no_assembly(whole: &Mechanism, listing: Listing<'_, '_>) -> AssemblyError {
             let (links, at) = (mechanism.groups[group].link_names(mechanism), given_angles(whole));
             match no_mode {
                 NoMode::Apart(miss) => AssemblyError::NoMode { links, at, miss },
+                NoMode::Parallel(link) => AssemblyError::ParallelGuides { links, link },
                 NoMode::NotFound(tried) => AssemblyError::NotFound { links, at, tried },
             }
         }

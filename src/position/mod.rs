@@ -111,6 +111,13 @@ pub enum AssemblyError {
         /// The distance by which its links fail to meet, in words.
         miss: String,
     },
+    /// The guides of a link's two sliders are parallel: nothing holds it along them.
+    ParallelGuides {
+        /// The group's links.
+        links: String,
+        /// The link with the two sliders.
+        link: String,
+    },
     /// Lengths too large or too small: closing a loop takes fourth powers, which leave the range of f64.
     Size {
         /// The largest length, in the scene's unit.
@@ -153,6 +160,10 @@ impl AssemblyError {
             AssemblyError::NoMode { links, at, miss } => {
                 (format!("links {links} cannot be assembled{at}: {miss}"), "another drive angle, or other lengths")
             }
+            AssemblyError::ParallelGuides { links, link } => (
+                format!("links {links} cannot be assembled: the two guides that meet at link {link} are parallel"),
+                "`turned` of one of its sliders, the degrees from the guide to the link's axis, sets them at an angle",
+            ),
             AssemblyError::Size { size, how } => (
                 format!(
                     "lengths of about {size:e} are too {how} to assemble from: their fourth powers leave the range of numbers"

@@ -43,6 +43,8 @@ const MOVABLE: f64 = 1e10;
 pub(super) enum NoMode {
     /// There is none: the distance by which its links fail to meet, in words.
     Apart(String),
+    /// The guides of a link's two sliders are parallel: its name.
+    Parallel(String),
     /// The search found none: number of starts and smallest gap, in words.
     NotFound(String),
 }
@@ -105,7 +107,8 @@ impl<'a> Assembler<'a> {
                 modes.close(start, f64::INFINITY);
             }
             if modes.found.is_empty() {
-                return Err(NoMode::Apart(platform.miss()));
+                let parallel = platform.on_parallel_guides().map(|link| mechanism.body(link).name.clone());
+                return Err(parallel.map_or_else(|| NoMode::Apart(platform.miss()), NoMode::Parallel));
             }
         } else {
             let mut search = Search::new(mechanism, group, known, slides, &modes.assembler.rough);

@@ -1,8 +1,11 @@
 use super::closing::Assembled;
 use super::frames::{Frames, LegJoint, pinned, placement_in_compound, placement_towards};
 use super::legs::{LegCondition, joined_placements, placements, smallest_deviation};
-use crate::geometry::{Placement, cross};
+use crate::geometry::{Placement, Vector, cross};
 use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, SliderId};
+
+/// Sine of the angle between guides below which they are parallel: degrees in files are rounded.
+const PARALLEL: f64 = 1e-9;
 
 /// A group as a planar parallel platform: rigid bodies a and b connected by legs, each a middle body with a joint to
 /// either.
@@ -138,6 +141,24 @@ impl<'a> Platform<'a> {
             slides[id.0] = frames.slide(self.mechanism, *id)?;
         }
         Some(Assembled { frames, slides, gap: f64::INFINITY })
+    }
+
+    /// The link between two parallel guides, which nothing holds along them.
+    pub(super) fn on_parallel_guides(&self) -> Option<BodyId> {
+        let is_parallel = |a: Vector, b: Vector| cross(a, b).abs() <= PARALLEL;
+        // Of a dyad that may be the link on the fixed frame: both guides in its own frame.
+        if let (Some(LegJoint::Slide { frame: at_a, along: a }), [[_, LegJoint::Slide { frame: at_b, along: b }]]) =
+            (&self.direct, self.legs.as_slice())
+            && is_parallel(at_a.rotation.inverse() * a, at_b.rotation.inverse() * b)
+        {
+            return Some(self.b);
+        }
+        let mut legs = self.legs.iter().zip(&self.middles);
+        let between = legs.find(|(leg, _)| match leg {
+            [LegJoint::Slide { along: a, .. }, LegJoint::Slide { along: b, .. }] => is_parallel(*a, *b),
+            _ => false,
+        });
+        between.map(|(_, middle)| *middle)
     }
 
     /// The smallest distance by which the legs fail to meet, in words.

@@ -32,13 +32,14 @@ pub struct NumberStyle {
     /// excluded.
     full: [i32; 2],
     is_trimmed: bool,
+    is_rounded: bool,
     has_plus: bool,
     medium: Medium,
 }
 
 impl NumberStyle {
     const fn new(digits: Digits, full: [i32; 2]) -> NumberStyle {
-        NumberStyle { digits, full, is_trimmed: false, has_plus: false, medium: Medium::Text }
+        NumberStyle { digits, full, is_trimmed: false, is_rounded: false, has_plus: false, medium: Medium::Text }
     }
 
     /// With this number of significant digits, as `0.1200`; with a power of ten outside of 10⁻⁴ to 10⁹.
@@ -77,6 +78,12 @@ impl NumberStyle {
     #[must_use]
     pub const fn trimmed(self) -> NumberStyle {
         NumberStyle { is_trimmed: true, ..self }
+    }
+
+    /// With no more significant digits than asked for, before the decimal mark too: 83295 with three is `83300`.
+    #[must_use]
+    pub const fn rounded(self) -> NumberStyle {
+        NumberStyle { is_rounded: true, ..self }
     }
 
     /// With a plus sign unless negative.
@@ -121,6 +128,7 @@ impl NumberStyle {
         if self.full[0] <= power && power < self.full[1] {
             let full = match self.digits {
                 Digits::Significant(digits) => {
+                    let x = if self.is_rounded { scientific.parse().unwrap_or(x) } else { x };
                     format!("{x:.*}", usize::try_from(digits as i32 - 1 - power).unwrap_or(0))
                 }
                 Digits::Decimals(decimals) => format!("{x:.decimals$}"),

@@ -44,7 +44,9 @@ macro_rules! sentences {
 }
 
 sentences! {
-    // Names of lines.
+    // Names of links and lines.
+    /// The frame as the carrier of a guide, as in `5/ground`.
+    ground = "ground";
     guide_of(slider) = "guide of {slider}";
     normal_to_guide(slider, point) = "the normal to the guide of {slider} through {point}";
     /// The cut line of a leg with two sliders, on which all directions meet.
@@ -160,6 +162,8 @@ sentences! {
     /// In a panel whose content is larger.
     cut_at_edge = "cut at the edge";
     names_without_room = "no room for all names";
+    /// Before a list of them.
+    names_left_out = "no room for:";
     at_infinity(point) = "{point} at infinity";
     paths(points, step, drive) = "Ticks on the path of {points}: every {step} of drive {drive}.";
     paths_in_time(points, step, drive, time) =

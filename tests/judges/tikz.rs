@@ -30,7 +30,7 @@ fn curves() -> Drawing {
     let mut path = Path::new(&mechanism, &pose, drive).expect("it is not singular");
     let range = path.cover(None, None).expect("it moves");
     let curves = Curves::new(&path, range, None).expect("it has quantities");
-    drawing::curves(&scene, &curves).expect("it fits")
+    drawing::curves(&scene, &curves, None).expect("it fits")
 }
 
 /// What LaTeX is given for a text.

@@ -40,7 +40,7 @@ fn curves() -> Drawing {
     let range = path.cover(None, None).expect("it moves");
     let names = ["omega(4)", "alpha(4)", "v_r(3/2)"].map(str::to_owned);
     let curves = Curves::new(&path, range, Some(&names)).expect("known quantities");
-    drawing::curves(&scene, &curves).expect("it fits")
+    drawing::curves(&scene, &curves, None).expect("it fits")
 }
 
 /// The numbers that the paper prints, over the figure that they belong to; and their table.

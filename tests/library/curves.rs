@@ -25,7 +25,7 @@ fn sampled<T>(scene: &str, range: Option<[f64; 2]>, want: &str, look: impl FnOnc
 
 fn drawn(scene: &str, range: Option<[f64; 2]>, want: &str) -> Drawing {
     sampled(scene, range, want, |scene, sampled| {
-        curves(scene, sampled).unwrap_or_else(|error| panic!("{want}: {error}"))
+        curves(scene, sampled, None).unwrap_or_else(|error| panic!("{want}: {error}"))
     })
 }
 
@@ -422,7 +422,7 @@ fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
             // A cylinder has no full turn.
             let range = name.contains("boom").then_some([300.0, 500.0]);
             let found = sampled(&text, range, &want, |scene, sampled| {
-                let drawing = curves(scene, sampled).unwrap_or_else(|e| panic!("{name}: {e}"));
+                let drawing = curves(scene, sampled, None).unwrap_or_else(|e| panic!("{name}: {e}"));
                 faults(&drawing, &sampled.curves)
             });
             tried += 1;
@@ -437,7 +437,7 @@ fn nothing_covers_a_label_and_nothing_leaves_its_panel() {
 fn the_papers_mechanism_is_drawn_from_limit_to_limit() {
     let want = "omega(4) alpha(4) v_r(3/2)";
     let drawing = sampled(&figure_2(), None, want, |scene, sampled| {
-        let drawing = curves(scene, sampled).expect("it fits");
+        let drawing = curves(scene, sampled, None).expect("it fits");
         assert_eq!(faults(&drawing, &sampled.curves), Vec::<String>::new());
         drawing
     });

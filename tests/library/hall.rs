@@ -7,6 +7,7 @@ use kinegon::cycle::Animation;
 use kinegon::drawing::{Drawing, Mark, Pen, Shape};
 use kinegon::scene::{Figure, Page, ScalesFor, StyleName};
 use kinegon::{Scene, Solution};
+use std::collections::BTreeSet;
 use support::faults::{faults, id, panels};
 use support::files;
 use support::stages::staged;
@@ -219,13 +220,13 @@ fn coarse_steps_are_few_and_whole() {
         let drawing = solution.coarse_figure();
         assert_eq!(drawing.steps.len(), passages.len());
         assert!(drawing.steps.iter().all(|caption| caption.ends_with('.')), "{:?}", drawing.steps);
-        // The last sheet has all that the last fine one has, hints and words apart.
+        // The last sheet has all that the last fine one has, hints and words apart; a passage may draw it in another order.
         let shown = |drawing: Drawing| {
             let all = drawing.after_step(drawing.steps.len());
             let marks = all.marks.into_iter().filter(|mark| {
                 !mark.passing && ["-point-", "-vector-", "-link-"].iter().any(|kind| id(mark).contains(kind))
             });
-            marks.filter_map(|mark| mark.id).collect::<Vec<_>>()
+            marks.filter_map(|mark| mark.id).collect::<BTreeSet<_>>()
         };
         let fine = solution.stepwise_figure();
         if scales(&drawing) == scales(&fine) {

@@ -29,7 +29,7 @@ fn sampled<T>(text: &str, want: &str, look: impl FnOnce(&Scene, Result<Hodograph
 fn drawn(text: &str, want: &str) -> Drawing {
     sampled(text, want, |scene, all| {
         let all = all.unwrap_or_else(|error| panic!("{want}: {error}"));
-        hodographs(scene, &all).unwrap_or_else(|error| panic!("{want}: {error}"))
+        hodographs(scene, &all, None).unwrap_or_else(|error| panic!("{want}: {error}"))
     })
 }
 
@@ -182,7 +182,7 @@ fn only_vectors_have_hodographs() {
     }
     let many = "v(A) v(B) v(C) a(A) a(B) a(C) v(B/C)";
     sampled(SLIDER_CRANK, many, |scene, all| {
-        let error = hodographs(scene, &all.expect("vectors")).expect_err("too many");
+        let error = hodographs(scene, &all.expect("vectors"), None).expect_err("too many");
         assert!(error.to_string().contains("room for 6"), "{error}");
     });
 }

@@ -23,7 +23,7 @@
 //!   (`tests/support/camera`), which `camera` holds to mathematics.
 //! - Drawings: `drawing` measures label boxes and the ruler test, `gallery_measured` the same of twelve positions of
 //!   every scene; `worksheets` holds printed lengths to results on every page; `curves` and `hodographs` hold marked
-//!   extremes and tips to closed forms, `point_paths` paths, their cusps and double points.
+//!   extremes and tips to closed forms, `point_paths` paths, their cusps and double points. `films` reads films back.
 //! - The pencil: `pencil` holds the replayed construction to the numeric solution and simulated drawings to their
 //!   bands; `planted_mistakes` draws with mistakes put in.
 //! - Students: `students` draws exercises of all kinds once more, by a construction that shares nothing with the
@@ -55,6 +55,7 @@ mod driven_cycles;
 mod driven_sliders;
 mod editing;
 mod error_bounds;
+mod films;
 mod forms;
 mod fuzzed;
 mod gallery_measured;
@@ -72,6 +73,7 @@ mod markers;
 mod paper_facts;
 mod pencil;
 mod photographs;
+mod plan_vectors;
 mod planted_mistakes;
 mod planted_modes;
 mod point_paths;

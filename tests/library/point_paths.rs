@@ -454,7 +454,7 @@ fn a_chart_of_a_path_has_one_scale_and_true_numbers() {
     path.follow_to(0.0);
     let names = ["P".to_owned(), "C".to_owned()];
     let all = PointPaths::new(&path, [0.0, 360.0], &names).expect("points");
-    let drawing = paths(&scene, &all).expect("it fits");
+    let drawing = paths(&scene, &all, None).expect("it fits");
     assert_eq!(faults(&drawing), Vec::<String>::new());
     let centre = |wanted: &str| match drawing.marks.iter().find(|mark| id(mark) == wanted).map(|mark| &mark.shape) {
         Some(Shape::Circle { center, .. }) => *center,

@@ -58,10 +58,10 @@ fn a_thousand_links_are_drawn() {
     let lines = |pen: Pen| figure.marks.iter().filter(|mark| mark.pen == pen).count();
     assert!(lines(Pen::Link) >= 3 * count, "{}", lines(Pen::Link));
     // Every name of the scheme stands there or is told as left out: 4 points, 3 links, one ω of each linkage.
-    let (panel, unlabelled) = &figure.unlabelled[0];
-    assert_eq!(panel, "Scheme");
+    let unlabelled = &figure.unlabelled[0];
+    assert_eq!(unlabelled.panel, "Scheme");
     let labels = ids.iter().filter(|id| id.starts_with("scheme-label-")).count();
-    assert_eq!(labels + unlabelled.len(), 8 * count);
+    assert_eq!(labels + unlabelled.names.len(), 8 * count);
     assert!(ids.contains("scheme-unlabelled"), "the figure does not say that names are missing");
     let svg = figure.svg();
     resvg::usvg::Tree::from_str(&svg, &resvg::usvg::Options::default()).expect("the SVG can be read");

@@ -1,14 +1,14 @@
 //! The stage: one layout for all positions of a mechanism, and the places of its points on the sheet.
 
-use kinegon::Solution;
 use kinegon::cycle::{Animation, OtherModes, Pull};
-use kinegon::drawing::{Drawing, Handle, HeldLayout, Mark, Pane, Point, Rect, Shape, Steps, Vec2};
+use kinegon::drawing::{Drawing, Handle, HeldLayout, Mark, Pane, Point, Positions, Rect, Shape, Steps, Vec2};
 use kinegon::position::counted_poses;
+use kinegon::{Sheet, Solution};
 use std::collections::BTreeSet;
 use support::faults::faults;
 use support::files;
 use support::stages::solved;
-use support::survey::{KINDS, MOVED, STAGE_TURN};
+use support::survey::{KINDS, MOVED, TURN};
 
 /// Scenes of all kinds with their names; quick runs take others in each test.
 fn scenes(first: usize) -> Vec<(String, Solution)> {
@@ -43,17 +43,34 @@ fn centre(drawing: &Drawing, id: &str) -> Option<Point> {
 }
 
 #[test]
-fn the_own_position_has_the_marks_of_the_figure() {
+fn on_paper_the_own_position_is_the_file() {
     for (name, own) in scenes(0) {
-        let stepwise = HeldLayout::of_figure(&own, Some(Steps::Fine), None).draw(&own, None);
-        assert_eq!(ids(&stepwise), ids(&own.stepwise_figure()), "{name}");
-        assert_eq!(stepwise.steps, own.stepwise_figure().steps, "{name}");
-        let coarse = HeldLayout::of_figure(&own, Some(Steps::Coarse), None).draw(&own, None);
-        assert_eq!(ids(&coarse), ids(&own.coarse_figure()), "{name}");
-        assert_eq!(coarse.steps, own.coarse_figure().steps, "{name}");
-        let mut plain = own.clone();
-        plain.scene.figure.worksheet = false;
-        assert_eq!(ids(&HeldLayout::of_figure(&plain, None, None).draw(&plain, None)), ids(&plain.figure()), "{name}");
+        let held = HeldLayout::of_figure(&own, None, None).draw(&own, None);
+        assert!(held.svg() == own.figure().svg(), "{name}: at rest");
+        for (steps, file) in [(Steps::Fine, own.stepwise_figure()), (Steps::Coarse, own.coarse_figure())] {
+            let held = HeldLayout::of_figure(&own, Some(steps), None).draw(&own, None);
+            assert_eq!(held.steps, file.steps, "{name}");
+            for step in [1, file.steps.len() / 2, file.steps.len()] {
+                assert!(held.after_step(step).svg() == file.after_step(step).svg(), "{name}: at step {step}");
+            }
+        }
+    }
+}
+
+/// A layout that eases over begins as one and ends as the other.
+#[test]
+fn a_layout_eases_over() {
+    let own = solved(&files::read("templates/four-bar.json")).expect("it can be solved");
+    let longer =
+        solved(&files::read("templates/four-bar.json").replace("\"AB\": 60", "\"AB\": 50")).expect("it can be");
+    let [before, after] = [&own, &longer].map(|one| HeldLayout::of_cycle(one, None, None, None));
+    let bars = |layout: &HeldLayout| Sheet::ALL.map(|sheet| layout.mu(sheet).expect("it has that panel"));
+    let at = |share| bars(&after.eased_from(&before, share));
+    assert_eq!([at(0.0), at(1.0)], [bars(&before), bars(&after)]);
+    assert_eq!(after.eased_from(&before, 0.0).draw(&own, None).panels, before.draw(&own, None).panels);
+    let ends = bars(&before).into_iter().zip(bars(&after));
+    for (mid, (a, b)) in at(0.5).into_iter().zip(ends) {
+        assert!((mid * mid - a * b).abs() < 1e-12 * a * b, "{a}, {mid}, {b}");
     }
 }
 
@@ -200,12 +217,15 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
 /// Over a turn nothing leaves its panel, and scales, panels and poles stand still, on paper as on a part of a screen.
 #[test]
 fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
-    let panes = [None, Some(Pane { width: 900.0, height: 620.0, letters: 15.0 })];
+    let desk = Pane { width: 780.0, height: 590.0, letters: 14.0, words: true };
+    let telephone = Pane { width: 378.0, height: 620.0, letters: 12.0, words: false };
+    let panes = [(None, Some(Steps::Coarse)), (Some(desk), Some(Steps::Fine)), (Some(telephone), None)];
     let mut turns = 0;
     for (name, own) in scenes(1) {
-        let Ok(animation) = Animation::new(&own, None, STAGE_TURN.now()) else { continue };
-        for (pane, steps) in panes.into_iter().zip([Some(Steps::Coarse), None]) {
-            let stage = HeldLayout::of_cycle(&own, steps, None, pane);
+        let Ok(animation) = Animation::new(&own, None, TURN.now()) else { continue };
+        let positions = Positions::of(&own);
+        for (pane, steps) in panes {
+            let stage = HeldLayout::of_positions(&own, &positions, steps, None, pane);
             let seen = |solution: &Solution| {
                 let drawing = stage.draw(solution, None);
                 let panels = stage.panels(&drawing);

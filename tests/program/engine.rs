@@ -76,7 +76,7 @@ fn tables_and_curves_have_the_bytes_of_the_program() {
     let mut engine = Engine::new();
     for (name, text) in starting_scenes().into_iter().skip(1).step_by(KINDS.now()) {
         let opened = parsed(engine.open(&text));
-        let curves = engine.curves(&text, &json!({ "curves": [] }).to_string());
+        let curves = engine.curves(&text, &json!({ "curves": [] }).to_string(), "null");
         if opened["is_drawn"] == true || opened["drives"] == json!([]) {
             assert!(is_refusal(&curves.expect_err("nothing moves")), "{name}");
             continue;
@@ -208,6 +208,52 @@ fn every_scene_can_be_moved_and_shaped() {
     }
 }
 
+/// On a part of the screen the layout of a drive's whole motion stays when the hand lets go, and where undo leads back; that
+/// of another shape is reached in steps.
+#[test]
+fn letting_go_of_a_drive_changes_nothing() {
+    let mut engine = Engine::new();
+    let pane = json!({ "width": 780, "height": 590, "letters": 14, "words": true });
+    let view = json!({ "step": null, "coarse": false, "modes": false, "pane": pane }).to_string();
+    let bars = |picture: &Value| -> Vec<String> {
+        let svg = picture["svg"].as_str().expect("a picture");
+        let bar = |line: &&str| line.contains("id=\"scale-");
+        let bars = svg.lines().filter(bar).map(str::to_owned);
+        bars.chain([picture["panels"].to_string()]).collect()
+    };
+    for name in ["templates/watt-1.json", "templates/slotted-lever.json"] {
+        let text = read(name);
+        let first = parsed(engine.picture(&text, &view));
+        assert!(bars(&first).len() > 3, "{name}: it has bars");
+        let ratio = |side: &str| first[side].as_f64().expect("a side") / pane[side].as_f64().expect("a side");
+        assert!((ratio("width") - ratio("height")).abs() < 1e-9, "{name}: other proportions than the pane's");
+        parsed(engine.grab(&text, &view, &json!({ "kind": "drive", "drive": "1" }).to_string()));
+        for value in [100.0, 170.0, 230.0] {
+            assert_eq!(bars(&parsed(engine.drag(&json!({ "value": value }).to_string()))), bars(&first), "{name}");
+        }
+        let moved = engine.let_go().expect("a text");
+        assert_eq!(bars(&parsed(engine.picture(&moved, &view))), bars(&first), "{name}: it jumps");
+        assert_eq!(parsed(engine.picture(&text, &view))["svg"], first["svg"], "{name}: undo leads elsewhere");
+        // Another shape.
+        let what = json!({ "kind": "shape", "point": "B", "pins": { "points": [], "lengths": [] } });
+        let held = parsed(engine.grab(&text, &view, &what.to_string()));
+        let handles = held["handles"].as_array().expect("a list");
+        let at = &handles.iter().find(|handle| handle["name"] == "B").expect("it can be held")["at"];
+        let to = [0, 1].map(|axis| at[axis].as_f64().expect("a number") + 6.0);
+        let pulled = parsed(engine.drag(&json!({ "to": to }).to_string()));
+        assert_eq!(bars(&pulled), bars(&first), "{name}: shaping");
+        let shaped = engine.let_go().expect("a text");
+        let eased = |engine: &mut Engine, share: f64| {
+            let view = json!({ "step": null, "coarse": false, "modes": false, "pane": pane, "eased": share });
+            bars(&parsed(engine.picture(&shaped, &view.to_string())))
+        };
+        assert_eq!(eased(&mut engine, 0.0), bars(&pulled), "{name}: it begins where the hand let go");
+        let end = bars(&parsed(engine.picture(&shaped, &view)));
+        assert_eq!(eased(&mut engine, 1.0), end, "{name}");
+        assert!(eased(&mut engine, 0.5) != end && end != bars(&pulled), "{name}: another layout");
+    }
+}
+
 #[test]
 fn no_request_makes_it_panic() {
     let mut engine = Engine::new();
@@ -251,7 +297,7 @@ fn no_request_makes_it_panic() {
             told(engine.let_go());
             told(engine.edit(text, request));
             told(engine.modes(text));
-            told(engine.curves(text, request));
+            told(engine.curves(text, request, request));
             told(engine.values(text));
             told(bytes(engine.file(text, request)));
             told(engine.pages(text, request));

@@ -51,6 +51,7 @@ fn every_kind_gives_exercises_that_a_hand_draws_well() {
         numbers_are_round(kind, &exercise.text);
         lines_cross_well(kind, &solution);
         segments_are_long(kind, &solution);
+        boxes_are_long(kind, exercise);
         special_points_are_on_the_sheet(kind, exercise);
         let conditions = solution.motion.conditions.iter().copied();
         assert!(conditions.fold(1.0, f64::max) <= 40.0, "{kind}");
@@ -127,6 +128,27 @@ fn segments_are_long(kind: &str, solution: &Solution) {
                 let mm = way.norm() / mu.expect("a scale");
                 assert!(!(1e-6..5.0).contains(&mm), "{kind}: {from} {to} {mm} mm");
             }
+        }
+    }
+}
+
+/// Whatever has a box in millimetres is as long as the guide promises.
+fn boxes_are_long(kind: &str, exercise: &Exercise) {
+    let heads = [("L(", Sheet::Scheme), ("vplan(", Sheet::Velocity), ("aplan(", Sheet::Acceleration)];
+    for (name, value) in &exercise.key().values {
+        let Some((_, sheet)) = heads.iter().find(|(head, _)| name.starts_with(head)) else { continue };
+        let mm = value.value.abs() / exercise.scales[*sheet].expect("a scale");
+        assert!(!(1e-6..4.0).contains(&mm), "{kind}: {name} {mm} mm");
+    }
+}
+
+/// Normal parts, too: those of these kinds are often small.
+#[test]
+fn boxes_in_millimetres_are_long() {
+    for (kind, count) in [("four-bar", 6), ("third-class", 2), ("watt-1", 2)] {
+        let mut exercises = exercises(&files::read(&format!("templates/{kind}.json")), 5);
+        for _ in 0..count {
+            boxes_are_long(kind, &exercises.next().expect("one can be found"));
         }
     }
 }

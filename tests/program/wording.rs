@@ -86,7 +86,7 @@ fn said_of_curves(solution: &Solution) -> Vec<String> {
     let Ok(sampled) = Curves::new(&path, range, Some(&names)) else {
         return Vec::new();
     };
-    let mut lines = said(&curves(&solution.scene, &sampled).expect("it fits"));
+    let mut lines = said(&curves(&solution.scene, &sampled, None).expect("it fits"));
     let words = solution.wording();
     lines.extend(path.happenings(range, &words).into_iter().chain(path.limits(None, &words)));
     lines
@@ -259,7 +259,7 @@ fn the_workbench_tells_structure_and_limits_in_the_language_of_the_scene() {
         let text = rocking(language);
         let structure = parsed(engine.open(&text))["structure"].as_str().expect("a text").to_owned();
         assert_eq!(structure.as_bytes(), program::with_scene(&["structure", "-"], text.as_bytes()).stdout);
-        let events = parsed(engine.curves(&text, r#"{"curves":[]}"#))["events"].clone();
+        let events = parsed(engine.curves(&text, r#"{"curves":[]}"#, "null"))["events"].clone();
         let view = r#"{"step":null,"coarse":false,"modes":false}"#;
         parsed(engine.grab(&text, view, r#"{"kind":"drive","drive":"1"}"#));
         let notes = parsed(engine.drag(r#"{"value":300}"#))["notes"].clone();

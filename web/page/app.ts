@@ -1,5 +1,6 @@
 import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
+import type { Sheet } from "./sheets.ts";
 import type { Shared } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
@@ -24,6 +25,10 @@ export interface App {
   engine: EngineClient;
   solved: Signal<Solved>;
   view: Signal<View>;
+  /** Whether the picture is the sheet of paper that is saved and printed; else it is laid out for the screen, at scales of its own. */
+  paper: Signal<boolean>;
+  /** The panel that is large; empty where all share the room. */
+  focus: Signal<Sheet | "">;
   /** The picture on the screen, also while something is dragged; null before the first. */
   picture: Signal<Picture | null>;
   /** Whether pulling a joint changes lengths in place of moving the mechanism. */
@@ -45,12 +50,8 @@ export interface App {
   brought: Signal<{ name: string; text: string } | null>;
   /** A picture that somebody brings; the panel of the check takes it for a photograph and sets it to null. */
   photographed: Signal<File | null>;
-  /**
-   * Lets the person mark a place on the picture: the next presses on it call `picked` with the place on the sheet in mm, until
-   * the answer is called. `markers` are drawn there.
-   */
-  pick(picked: (at: [number, number]) => void): () => void;
-  markers: Signal<{ at: [number, number]; label: string }[]>;
+  /** Films one turn of the drive, or its way to and fro, in so many seconds; null where the browser cannot. The answer is null where that is broken off. */
+  film: ((seconds?: number) => Promise<Blob | null>) | null;
   /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
   open(text: string): void;
   /** The address of this page with a document in it. */

@@ -19,6 +19,7 @@ import { theme } from "./layout/theme.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
 import { drives, type Drives } from "./motion/drives.ts";
+import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
@@ -27,10 +28,11 @@ import { frames, gestures } from "./picture/gesture.ts";
 import { handles } from "./picture/handles.ts";
 import { looking } from "./picture/looking.ts";
 import { pane } from "./picture/pane.ts";
-import { picking } from "./picture/picking.ts";
 import { currentPicture } from "./picture/picture.ts";
 import { pulling } from "./picture/pulling.ts";
+import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
+import type { Sheet } from "./sheets.ts";
 import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
@@ -46,10 +48,10 @@ import { engineBytes, unpacked } from "./unpack.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
 
-/** The first document, where nothing else gives one: the paper's figure. */
+/** The first document, where nothing else gives one: a mechanism whose crank turns right round. */
 async function firstKind(engine: EngineClient): Promise<Shared> {
   const kinds = await engine.kinds();
-  return { text: (kinds.find((kind) => kind.name === "paper-figure-2") ?? kinds[0])?.text ?? "" };
+  return { text: (kinds.find((kind) => kind.name === "watt-1") ?? kinds[0])?.text ?? "" };
 }
 
 function application(shared: Shared, engine: EngineClient, tell: App["tell"]): App {
@@ -58,6 +60,8 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     view: signal<View>(shared.view ?? FINISHED),
+    paper: signal(false),
+    focus: signal<Sheet | "">(""),
     picture: signal<Picture | null>(null),
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
@@ -69,8 +73,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     place: signal<{ from: number; to: number } | null>(null),
     brought: signal<{ name: string; text: string } | null>(null),
     photographed: signal<File | null>(null),
-    pick: () => () => undefined,
-    markers: signal([]),
+    film: null,
     open: (text) => app.history.change({ text }),
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
@@ -82,24 +85,25 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
 function wire(app: App, store: Store): void {
   const view = viewport();
   const parts: { drives?: Drives; play?: Play } = {};
-  const { again } = currentPicture(app, () => hands.isActive());
-  const hands = gestures(app, (picture) => app.picture.set(picture), () => again());
-  const spot = picking(app, view);
-  app.pick = spot.pick;
-  const going = steps(app);
+  const full = fullScreen();
   pane(app, view);
+  const sight = surface(app, view, full.on);
+  const current = currentPicture(app, sight, () => hands.isActive());
+  const hands = gestures(app, sight, (picture) => app.picture.set(picture), current);
+  const going = steps(app);
   const own = focus(app, view);
   handles(app, view, pulling(app, view, hands, bubble(app)));
-  looking(view, own, spot.tapped);
+  looking(app, view, own);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
+  app.film = filming(app, hands, parts.drives);
   stepsBar(app, going);
   toolbar(app);
   messages(app);
   documents(app, store);
   dropped(app);
   printedByBrowser(app);
-  keys(app, { steps: going, drives: parts.drives, play: parts.play, full: fullScreen(), store });
+  keys(app, { steps: going, drives: parts.drives, play: parts.play, full, store });
 }
 
 /** Why a link was not read. */

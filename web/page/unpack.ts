@@ -1,18 +1,10 @@
 import { decompress } from "fzstd";
 
-/** The bytes of a text in Base64. */
-function bytesOf(text: string): Uint8Array<ArrayBuffer> {
-  const letters = atob(text);
-  const bytes = new Uint8Array(letters.length);
-  for (let index = 0; index < letters.length; index += 1) bytes[index] = letters.charCodeAt(index);
-  return bytes;
-}
-
 /** Signs that are no letters of Base 85: HTML, texts in quotes and templates would trip over them. */
 const LEFT_OUT = "<>&\"'\\`{}";
 
 /** The bytes of a text in Base 85 as `base85` of bundle.mjs writes it: five letters are four bytes, the first the highest; fewer at the end. */
-function bytesOf85(text: string): Uint8Array<ArrayBuffer> {
+function bytesOf(text: string): Uint8Array<ArrayBuffer> {
   const digits = new Uint8Array(128);
   let next = 0;
   for (let code = 33; code < 127; code += 1) {
@@ -41,10 +33,10 @@ function textOf(id: string): string {
 
 /** The engine: Zstandard packs it by a fifth smaller than what browsers unpack by themselves. */
 export function engineBytes(): BufferSource {
-  return decompress(bytesOf85(textOf("engine"))) as Uint8Array<ArrayBuffer>;
+  return decompress(bytesOf(textOf("engine"))) as Uint8Array<ArrayBuffer>;
 }
 
-/** The contents of a packed element of the page: gzip, as Base64. `type` is what they are. */
+/** The contents of a packed element of the page: gzip, as Base 85. `type` is what they are. */
 export function unpacked(id: string, type: string): Response {
   const stream = new Blob([bytesOf(textOf(id))]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Response(stream, { headers: { "Content-Type": type } });

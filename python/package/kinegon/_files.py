@@ -14,9 +14,19 @@ from ._errors import KinegonError, SceneError
 #: A text, a dict, or the path of a file.
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 #: Formats of a figure.
-Format = Literal["svg", "png", "pdf", "tikz", "html"]
+Format = Literal["svg", "png", "pdf", "tikz", "html", "gif", "apng"]
 
-ENDINGS: dict[str, Format] = {".svg": "svg", ".png": "png", ".pdf": "pdf", ".tex": "tikz", ".html": "html"}
+ENDINGS: dict[str, Format] = {
+    ".svg": "svg",
+    ".png": "png",
+    ".pdf": "pdf",
+    ".tex": "tikz",
+    ".html": "html",
+    ".gif": "gif",
+    ".apng": "apng",
+}
+#: Formats that show a motion.
+FILMS = ("gif", "apng")
 
 
 def is_text(source: Source) -> bool:
@@ -118,7 +128,7 @@ def sheet_of(sheets: list[bytes], sheet: int, format: str) -> str | bytes:
 
 def opened(data: bytes, format: str) -> str | bytes:
     """A file as a person wants it: a str if it is text."""
-    return data if format in ("png", "pdf") else data.decode("utf-8")
+    return data if format in ("png", "pdf", *FILMS) else data.decode("utf-8")
 
 
 def write_all(files: Mapping[str, bytes]) -> None:

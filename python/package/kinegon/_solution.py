@@ -145,26 +145,44 @@ class Solution:
         outlines: bool = False,
         dpi: float = 100.0,
         style: str | Source | None = None,
+        seconds: float | None = None,
+        fps: int | None = None,
+        drive: str | None = None,
         **figure: Any,
     ) -> Any:
-        """The figure: a str of SVG, TikZ or HTML (the workbench with the scene open), bytes of PNG or PDF.
+        """The figure: a str of SVG, TikZ or HTML (the workbench with the scene open), bytes of PNG or PDF; or as a film,
+        bytes of GIF or APNG, while a drive turns once, or goes to and fro.
 
         Args:
-            format: ``svg``, ``png``, ``pdf``, ``tikz``, ``html``.
+            format: ``svg``, ``png``, ``pdf``, ``tikz``, ``html``, ``gif``, ``apng``.
             sheet: Which sheet, from 1; a work sheet's table without room beside the panels is on the second.
             coarse: Count steps as a lecturer shows them together.
             layered: An SVG with a group for each step, for slide programs.
             outlines: Letters of an SVG as outlines, for programs that lack the font.
-            dpi: Resolution of a PNG in dots per inch, 10 to 2400.
+            dpi: Resolution of a PNG or a film in dots per inch, 10 to 2400.
             style: ``paper``, ``print``, ``lecture``, ``board``, or a style file: its path, its text, a dict.
+            seconds: How long a turn of a film lasts, or going to and fro once; 5 without it.
+            fps: Pictures of a film in a second, 1 to 50; 20 without it.
+            drive: The drive that a film follows, if not the first; others run along in proportion to their speeds.
             figure: Keys of a scene's ``figure`` in place of its own: ``step=14``, ``language="es"``, ``page="a3"``,
                 ``panels=["velocity"]``, ``mu_v=0.5`` (units per mm of paper), ``values="m"``, ``trace=["M"]`` …
         """
-        sheets = self._sheets(format, coarse=coarse, layered=layered, outlines=outlines, dpi=dpi, style=style, **figure)
+        sheets = self._sheets(
+            format,
+            coarse=coarse,
+            layered=layered,
+            outlines=outlines,
+            dpi=dpi,
+            style=style,
+            seconds=seconds,
+            fps=fps,
+            drive=drive,
+            **figure,
+        )
         return _files.sheet_of(sheets, sheet, format)
 
     def save(self, path: str | os.PathLike[str], **options: Any) -> None:
-        """Writes the figure to a file; its ending gives the format: .svg, .png, .pdf, .tex, .html. Options are those of
+        """Writes the figure to a file; its ending gives the format: .svg, .png, .pdf, .tex, .html; .gif and .apng are films. Options are those of
         :meth:`draw`. A second sheet has ``-2`` before the ending. Files are complete or not there."""
         if "format" in options:
             raise KinegonError("the file's ending gives the format", f"known endings: {', '.join(_files.ENDINGS)}")
@@ -272,9 +290,15 @@ class Solution:
         outlines: bool = False,
         dpi: float = 100.0,
         style: str | Source | None = None,
+        seconds: float | None = None,
+        fps: int | None = None,
+        drive: str | None = None,
         **figure: Any,
     ) -> list[bytes]:
         form = _files.form_of(format, outlines=outlines, layered=layered, dpi=dpi)
+        still = [name for name in ("step", "worksheet") if figure.get(name)]
+        if format in _files.FILMS and still:
+            raise KinegonError("a film shows the finished figure in motion", f"leave out {still[0]}")
         file = None
         if style is not None:
             # A name has no ending, a path has one.
@@ -285,6 +309,8 @@ class Solution:
             else:
                 file = _files.source_text(style, "style")
         native = self._native.with_figure(_files.figure_keys(figure)) if figure else self._native
+        if format in _files.FILMS:
+            return [native.film(form, seconds, fps, drive, file)]
         return native.draw(form, coarse, file)
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -165,7 +165,8 @@ fn line_name(site: &Site<'_>, line: LineId) -> Blank {
             Blank::CutLine(site.model.construction.special(special).name.clone())
         }
         Some((OperationRole::Guide(slider), _)) => {
-            Blank::Guide(site.key.solution.mechanism.slider_name(slider).to_owned())
+            let solution = site.key.solution;
+            Blank::Guide(solution.mechanism.slider_in_words(slider, solution.wording().language))
         }
         _ => Blank::LineThrough(String::new()),
     }

@@ -3,8 +3,8 @@
 use super::context::{Axis, CurveContext, CurvesError, MOST_CURVES};
 use super::graph::{self, BESIDE, Graph};
 use crate::cycle::{Curve, Curves};
-use crate::drawing::dims::{MARGIN, TITLE};
 use crate::drawing::grid::Obstacles;
+use crate::drawing::held_layout::Pane;
 use crate::drawing::labels::{LabelRequest, place};
 use crate::drawing::layout::HEADING;
 use crate::drawing::shape::Shape;
@@ -21,8 +21,10 @@ const BAND: f64 = 6.6;
 const FOOT: f64 = 14.5;
 /// White between a panel and the heading of the next, in mm.
 const GAP: f64 = 2.0;
-/// Smallest height of a panel's area, in mm.
-const LOWEST: f64 = 27.0;
+/// White beside the graphs for half of the last number of the drive's axis, in mm.
+const END: f64 = 5.0;
+/// Smallest height of a panel's area, in mm: on paper, and on a part of a screen.
+const LOWEST: [f64; 2] = [27.0, 12.0];
 /// Largest height, in parts of its width.
 const SLENDER: f64 = 0.62;
 /// Smallest distance of round values on the drive's axis, in mm.
@@ -30,17 +32,17 @@ const APART: f64 = 16.0;
 /// Part of the range added beyond a limit, so that its line is off the panel's border.
 const BEYOND: f64 = 0.02;
 
-/// The figure of curves over a drive, on the scene's page.
+/// The figure of curves over a drive, on the scene's page or on a part of a screen.
 ///
 /// # Errors
 /// There are too many panels for a sheet, or too many curves in one panel.
-pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
-    let context = CurveContext::new(scene, curves);
+pub fn curves(scene: &Scene, curves: &Curves, pane: Option<Pane>) -> Result<Drawing, CurvesError> {
+    let context = CurveContext::new(scene, curves, pane);
     let all = &curves.curves;
     let graphs = graphs(&context, curves)?;
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
-    let [width, _] = context.dims.page;
-    let across = [MARGIN + numbers + BESIDE, width - MARGIN - 0.5];
+    let ([width, _], edge) = (context.dims.page, context.dims.free.edge);
+    let across = [edge + numbers + BESIDE, width - edge.max(END) - 0.5];
     let drive = Axis::new(context.words, shown_range(&context), across, APART, context.path.drive.is_angle);
     let mut drawing = context.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {
@@ -57,7 +59,7 @@ pub fn curves(scene: &Scene, curves: &Curves) -> Result<Drawing, CurvesError> {
 /// The values of the drive at the left and right edges of the graphs that [`curves`] draws.
 #[must_use]
 pub fn drive_ends(scene: &Scene, curves: &Curves) -> [f64; 2] {
-    shown_range(&CurveContext::new(scene, curves))
+    shown_range(&CurveContext::new(scene, curves, None))
 }
 
 /// A graph for each kind of quantity, with its place on the sheet.
@@ -72,15 +74,15 @@ fn graphs<'a>(context: &CurveContext<'_>, curves: &'a Curves) -> Result<Vec<Grap
     if let Some((_, members)) = kinds.iter().find(|(_, members)| members.len() > MOST_CURVES) {
         return Err(CurvesError::Crowd { wanted: members.len() });
     }
-    let [width, height] = context.dims.page;
-    let top = MARGIN + TITLE + BAND;
-    let bottom = height - MARGIN - FOOT;
-    let room = ((bottom - top + GAP) / (HEADING + LOWEST + GAP)) as usize;
+    let ([width, height], free) = (context.dims.page, context.dims.free);
+    let (top, bottom) = (free.top + BAND, height - free.edge - FOOT);
+    let lowest = LOWEST[usize::from(!context.dims.has_title())];
+    let room = ((bottom - top + GAP) / (HEADING + lowest + GAP)).max(0.0) as usize;
     if kinds.len() > room {
         return Err(CurvesError::Panels { wanted: kinds.len(), room });
     }
     let each = (bottom - top + GAP) / kinds.len() as f64 - HEADING - GAP;
-    let each = each.min(SLENDER * (width - 2.0 * MARGIN));
+    let each = each.min(SLENDER * (width - 2.0 * free.edge));
     let looks = looks(curves, &kinds);
     // The first panel's heading is above the row of the vertical lines' names.
     let mut y = top - BAND;
@@ -157,7 +159,8 @@ fn name_verticals(drawing: &mut Drawing, context: &CurveContext<'_>, y: f64, dri
     };
     let requests: Vec<LabelRequest> = context.verticals().into_iter().map(request).collect();
     // All names are on one baseline.
-    let row = Rect::new(MARGIN, y - 0.7 - CAPTION, drawing.width - MARGIN, y);
+    let edge = context.dims.free.edge;
+    let row = Rect::new(edge, y - 0.7 - CAPTION, drawing.width - edge, y);
     for label in place(&requests, &Obstacles::new(row), None).into_iter().flatten() {
         let mut text = label.text;
         text.origin.y = y - 1.4;
@@ -193,7 +196,7 @@ fn foot(drawing: &mut Drawing, context: &CurveContext<'_>, curves: &[Curve], y: 
     let line = context.drive();
     let half = 0.5 * line.width(CAPTION);
     let centre = 0.5 * (drive.places[0] + drive.places[1]);
-    let centre = centre.min(x - half).max(MARGIN + half);
+    let centre = centre.min(x - half).max(context.dims.free.edge + half);
     line.caption(drawing, Point::new(centre, baseline), 0.5);
 }
 

@@ -3,7 +3,8 @@
 use crate::Problem;
 use crate::cycle::{Event, Happening, Path, Sampled};
 use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
-use crate::drawing::dims::{Dims, MARGIN};
+use crate::drawing::dims::Dims;
+use crate::drawing::held_layout::Pane;
 use crate::drawing::lines::Line;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, RichText};
@@ -66,18 +67,25 @@ pub(super) struct CurveContext<'a> {
 }
 
 impl<'a> CurveContext<'a> {
-    pub fn new<T>(scene: &'a Scene, Sampled { path, range, events, .. }: &'a Sampled<'a, T>) -> Self {
-        let (dims, words) = (Dims::of(&scene.figure), Wording::of(&scene.figure));
+    /// On the scene's page, or on a part of a screen.
+    pub fn new<T>(
+        scene: &'a Scene,
+        Sampled { path, range, events, .. }: &'a Sampled<'a, T>,
+        pane: Option<Pane>,
+    ) -> Self {
+        let figure = &scene.figure;
+        let dims = pane.map_or_else(|| Dims::of(figure), |pane| Dims::on_pane(pane, figure));
+        let words = Wording::of(figure);
         Self { scene, dims, words, path, range: *range, events }
     }
 
-    /// A sheet with its title and, if there is room up to `right`, the rates of the drives.
+    /// A sheet with its title, where it has one, and, if there is room up to `right`, the rates of the drives.
     pub fn titled(&self, right: f64) -> Drawing {
         let title = self.scene.title.clone().unwrap_or_else(|| self.words.language.curves().into());
         let mut drawing = titled(&self.scene.figure, &self.dims, title.clone());
-        let free = right - RichText::verbatim(&title).width(TITLE_SIZE) - MARGIN - 6.0;
+        let free = right - RichText::verbatim(&title).width(TITLE_SIZE) - self.dims.free.edge - 6.0;
         let speeds = self.speeds();
-        if speeds.width(CAPTION) <= free {
+        if self.dims.has_title() && speeds.width(CAPTION) <= free {
             speeds.caption(&mut drawing, Point::new(right, TITLE_LINE), 1.0);
         }
         drawing

@@ -3,10 +3,11 @@
 //! own position.
 
 use super::context::{Axis, CurveContext, CurvesError, significant};
+use crate::construction::VectorPart;
 use crate::cycle::{Event, Happening, Hodograph, Hodographs, PointPath, PointPaths};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::{clipped_chain, holds, simplified};
-use crate::drawing::dims::{MARGIN, TITLE};
+use crate::drawing::held_layout::Pane;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::{HEADING, Needs, Placed};
 use crate::drawing::lines::Line;
@@ -49,24 +50,24 @@ const APART: f64 = 14.0;
 /// White between numbers and their axis, in mm.
 const BESIDE_AXIS: f64 = 1.2;
 
-/// The figure of the paths of some points, on the scene's page.
+/// The figure of the paths of some points, on the scene's page or on a part of a screen.
 ///
 /// # Errors
 /// There are too many for a sheet.
-pub fn paths(scene: &Scene, all: &PointPaths) -> Result<Drawing, CurvesError> {
-    let context = CurveContext::new(scene, all);
+pub fn paths(scene: &Scene, all: &PointPaths, pane: Option<Pane>) -> Result<Drawing, CurvesError> {
+    let context = CurveContext::new(scene, all, pane);
     let unit = scene.units.length.as_str();
     let panels = all.curves.iter().enumerate().map(|(index, one)| path_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.path_of(&one.name, unit));
     sheet(&context, panels.collect(), NUMBERS, sentences.collect())
 }
 
-/// The figure of the hodographs of some vectors, on the scene's page.
+/// The figure of the hodographs of some vectors, on the scene's page or on a part of a screen.
 ///
 /// # Errors
 /// There are too many for a sheet.
-pub fn hodographs(scene: &Scene, all: &Hodographs) -> Result<Drawing, CurvesError> {
-    let context = CurveContext::new(scene, all);
+pub fn hodographs(scene: &Scene, all: &Hodographs, pane: Option<Pane>) -> Result<Drawing, CurvesError> {
+    let context = CurveContext::new(scene, all, pane);
     let panels = all.curves.iter().enumerate().map(|(index, one)| hodograph_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.hodograph(one.asked.name()));
     sheet(&context, panels.collect(), [0.0; 2], sentences.collect())
@@ -115,14 +116,14 @@ fn sheet(
     if panels.len() > MOST {
         return Err(CurvesError::Panels { wanted: panels.len(), room: MOST });
     }
-    let [width, height] = context.dims.page;
-    let mut drawing = context.titled(width - MARGIN);
+    let ([width, height], free) = (context.dims.page, context.dims.free);
+    let mut drawing = context.titled(width - free.edge);
     let line = context.drive();
-    let middle = Point::new(0.5 * width, height - MARGIN - 1.8);
+    let middle = Point::new(0.5 * width, height - free.edge - 1.8);
     let center = middle + Vec2::new(-0.5 * line.width(CAPTION) - 2.2, -1.3);
     drawing.draw(Pen::Pole, Shape::Circle { center, radius: DOT });
     line.caption(&mut drawing, middle, 0.5);
-    let whole = Rect::new(MARGIN, MARGIN + TITLE, width - MARGIN, height - MARGIN - FOOT);
+    let whole = Rect::new(free.edge, free.top, width - free.edge, height - free.edge - FOOT);
     for (panel, placed) in panels.iter().zip(places(context, whole, &panels, numbers)) {
         panel.draw(&mut drawing, &placed, &context.scene.figure.labels, &context.dims, None);
     }
@@ -165,8 +166,9 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], [left, 
 
 /// The scale of a panel, with its bar.
 fn scale(context: &CurveContext<'_>, sheet: Sheet, mu: f64) -> ScaleBar {
-    ScaleBars { words: context.words, units: context.scene.units, unit: context.dims.unit, series: Series::Hand }
-        .bar(sheet, mu)
+    // On a screen nobody lays a ruler.
+    let series = if context.dims.has_title() { Series::Hand } else { Series::Any };
+    ScaleBars { words: context.words, units: context.scene.units, unit: context.dims.unit, series }.bar(sheet, mu)
 }
 
 /// The layer with the scale of a panel.
@@ -252,7 +254,7 @@ impl Locus<'_> {
         let pole = at(nalgebra::zero());
         let notation = self.context.words.notation;
         let order = one.asked.order().expect("a vector is a velocity or an acceleration");
-        let [own_pen, _] = Pen::of_vectors(order);
+        let own_pen = Pen::of_vectors(order, VectorPart::Whole);
         let pole_name = notation.pole(order);
         // Lines end above the scale.
         let room = Rect { y1: canvas.frame.y1 - SCALE, ..canvas.room() };

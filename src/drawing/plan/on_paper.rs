@@ -10,7 +10,7 @@ use crate::drawing::facts::PlanSteps;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::scheme::on_paper::outline;
 use crate::drawing::shape::Shape;
-use crate::drawing::sheet::Pen;
+use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::drawing::values::{is_hidden, label};
 use crate::drawing::view::{Extent, View, on_sheet, together};
@@ -44,12 +44,15 @@ pub(super) struct PlanOnPaper<'a> {
     pub steps: &'a PlanSteps,
     /// By link: the points of its image.
     images: Vec<Vec<String>>,
+    /// What the plan's scale makes room for.
+    extent: Extent,
 }
 
 impl<'a> PlanOnPaper<'a> {
     pub(super) fn new(view: &'a View, context: &'a SheetContext<'a>, plan: &'a Plan) -> Self {
         let steps = &context.facts.plan_steps[plan.sheet()];
-        PlanOnPaper { view, context, plan, steps, images: images(context.mechanism(), plan) }
+        let extent = extent(plan, context.figure().construction);
+        PlanOnPaper { view, context, plan, steps, images: images(context.mechanism(), plan), extent }
     }
 
     pub(super) fn at(&self, name: &str) -> Option<Point> {
@@ -58,17 +61,20 @@ impl<'a> PlanOnPaper<'a> {
 
     /// The middle of the plan on the sheet.
     pub(super) fn middle(&self) -> Point {
-        let extent = extent(self.plan, self.context.figure().construction);
-        self.view.at(nalgebra::center(&extent.low, &extent.high))
+        self.view.at(nalgebra::center(&self.extent.low, &self.extent.high))
     }
 
-    /// Whether a point that only leads to others lies off the panel: only its direction is drawn.
+    /// Whether a point that only leads to others is not drawn at its place, but where its line leaves the panel: one that
+    /// would make the plan small, where the panel has no room for it; and one that the panel's scale puts off it.
     pub(super) fn is_far(&self, canvas: &Canvas<'_>, name: &str) -> bool {
-        let leads = self.plan.points.get(name).is_some_and(|point| !is_image(point.role));
-        leads && self.at(name).is_some_and(|at| !holds(canvas.room().inset(-EDGE), at))
+        let Some(point) = self.plan.points.get(name).filter(|point| !is_image(point.role)) else { return false };
+        let place = point.vector.into();
+        let is_of_extent = self.extent.with(place) == self.extent;
+        let room = if is_of_extent { canvas.frame } else { canvas.room().inset(-EDGE) };
+        !holds(room, self.view.at(place))
     }
 
-    pub(super) fn is_hidden(&self, name: &str) -> bool {
+    fn is_hidden(&self, name: &str) -> bool {
         is_hidden(self.context.figure(), self.plan, name)
     }
 
@@ -120,39 +126,20 @@ impl<'a> PlanOnPaper<'a> {
     /// The vectors, those from the pole first.
     pub(super) fn vectors(&self, canvas: &mut Canvas<'_>) {
         let (plan, construction) = (self.plan, self.context.construction());
-        let [whole, _] = Pen::of_vectors(plan.order);
-        let pole = plan.order.pole();
-        // In the source paper's plans no vector goes to a point that a relative motion leads to.
-        let is_paper = self.context.figure().construction == ConstructionShown::Paper;
-        let from_pole = |name: &str| {
-            let is_met = || construction.rays(plan.order).any(|ray| ray.to == name);
-            let is_whole = match plan.points.get(name).map(|p| p.role) {
-                Some(PointRole::Special) => true,
-                Some(PointRole::Image | PointRole::Known) => !is_paper || is_met(),
-                _ => false,
-            };
-            is_whole && !self.is_hidden(name)
-        };
-        for name in plan.points.keys().filter(|name| from_pole(name)) {
+        let (order, pole) = (plan.order, plan.order.pole());
+        for name in plan.points.keys().filter(|name| self.is_end_of_whole(name)) {
             canvas.step = self.steps.point(name);
-            self.arrow(canvas, [pole, name], whole, self.link_of(name));
+            self.arrow(canvas, [pole, name], VectorPart::Whole, self.link_of(name));
         }
-        for laid in construction.arrows(plan.order) {
+        for laid in construction.arrows(order) {
             // For a slider on the ground this vector has been drawn from the pole.
-            let again = self.at(&laid.from) == self.at(pole) && from_pole(&laid.to);
+            let again = self.at(&laid.from) == self.at(pole) && self.is_end_of_whole(&laid.to);
             if self.is_hidden(&laid.to) || again {
                 continue;
             }
-            let pen = match laid.part() {
-                VectorPart::Whole => whole,
-                VectorPart::Normal => Pen::Normal,
-                VectorPart::Relative => Pen::Image,
-                VectorPart::Tangential => Pen::Tangential,
-                VectorPart::Sliding => Pen::Vector,
-                VectorPart::Coriolis => Pen::Coriolis,
-            };
             canvas.step = self.steps.vector(&laid.from, &laid.to);
-            let number = match pen {
+            let part = laid.part();
+            let number = match Pen::of_vectors(order, part) {
                 // The side of a link's image has the look of the image.
                 Pen::Image => {
                     let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
@@ -160,7 +147,45 @@ impl<'a> PlanOnPaper<'a> {
                 }
                 _ => self.link_of_vector(laid),
             };
-            self.arrow(canvas, laid.ends(), pen, number);
+            self.arrow(canvas, laid.ends(), part, number);
+        }
+    }
+
+    /// Whether a vector from the pole ends at a point.
+    fn is_end_of_whole(&self, name: &str) -> bool {
+        // In the source paper's plans no such vector goes to a point that a relative motion leads to.
+        let is_paper = self.context.figure().construction == ConstructionShown::Paper;
+        let is_met = || self.context.construction().rays(self.plan.order).any(|ray| ray.to == name);
+        let is_whole = match self.plan.points.get(name).map(|p| p.role) {
+            Some(PointRole::Special) => true,
+            Some(PointRole::Image | PointRole::Known) => !is_paper || is_met(),
+            _ => false,
+        };
+        is_whole && !self.is_hidden(name)
+    }
+
+    /// The vectors that rays carry, once the points on them are there; where a later step lays off the same vector, until
+    /// then.
+    pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
+        let (construction, order) = (self.context.construction(), self.plan.order);
+        let teller = self.context.teller();
+        for ray in construction.rays(order) {
+            let ends = [&ray.through, &ray.to];
+            let is_shown = !ends.into_iter().any(|name| self.is_hidden(name) || self.is_far(canvas, name));
+            // From a point at rest it is the vector from the pole.
+            let again = self.at(&ray.through) == self.at(order.pole()) && self.is_end_of_whole(&ray.to);
+            let vector = if is_shown && !again { teller.vector_on(ray) } else { None };
+            let Some(PlanVector { ends: [from, to], part, made, link, .. }) = vector else { continue };
+            let mut laid = construction.arrows(order).filter(|laid| laid.ends() == [from.as_str(), to.as_str()]);
+            let laid = laid.next().map(|laid| self.steps.vector(&laid.from, &laid.to));
+            canvas.step = self.steps.point(&made);
+            if laid.is_some_and(|laid| laid <= canvas.step) {
+                continue;
+            }
+            let number = link.and_then(|link| self.context.number(link));
+            if let (Some(mark), Some(_)) = (self.arrow(canvas, [&from, &to], part, number), laid) {
+                (mark.id, mark.until) = (None, laid);
+            }
         }
     }
 
@@ -176,16 +201,6 @@ impl<'a> PlanOnPaper<'a> {
         let mut all = self.context.construction().special.iter();
         let special = all.find(|special| image_name(&special.name) == name)?;
         self.context.number(special.link)
-    }
-
-    /// Draws the heads of relative vectors that rays carry, in a figure with values.
-    pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
-        for value in self.context.values_of(self.plan.sheet()) {
-            let ValueOf::Vector(PlanVector { ends: [from, to], link: Some(link), .. }) = &value.of else { continue };
-            canvas.step = value.since;
-            let [_, pen] = Pen::of_vectors(self.plan.order);
-            self.arrow(canvas, [from, to], pen, self.context.number(*link));
-        }
     }
 
     /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
@@ -221,17 +236,24 @@ impl<'a> PlanOnPaper<'a> {
 
     /// Draws the vector from one point to another, unless it is zero; of one that ends far off or starts there, the
     /// part of its line on the panel.
-    fn arrow(&self, canvas: &mut Canvas<'_>, [from, to]: [&str; 2], pen: Pen, number: Option<usize>) {
+    fn arrow<'c>(
+        &self,
+        canvas: &'c mut Canvas<'_>,
+        [from, to]: [&str; 2],
+        part: VectorPart,
+        number: Option<usize>,
+    ) -> Option<&'c mut Mark> {
+        let pen = Pen::of_vectors(self.plan.order, part);
         let name = format!("vector-{from}-{to}");
         let is_far = self.is_far(canvas, from) || self.is_far(canvas, to);
-        let Some((from, to)) = self.at(from).zip(self.at(to)) else { return };
-        let drawn = match is_far {
+        let (from, to) = self.at(from).zip(self.at(to))?;
+        let (pen, shape) = match is_far {
             true => clipped_segment(canvas.room(), from, to).map(|(a, b)| (Pen::Construction, Shape::Line(a, b))),
             false => ((to - from).hypot() > 1e-3).then(|| (pen, canvas.arrow(from, to))),
-        };
-        if let Some((pen, shape)) = drawn {
-            canvas.draw_named(&name, pen, shape).number = number;
-        }
+        }?;
+        let mark = canvas.draw_named(&name, pen, shape);
+        mark.number = number;
+        Some(mark)
     }
 
     /// Draws dots and labels of the points; coincident points share a label.
@@ -245,7 +267,7 @@ impl<'a> PlanOnPaper<'a> {
             canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
         }
         let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
-        let inset = Inset::new(canvas, &crowded);
+        let inset = if self.context.surface.details { Inset::new(canvas, &crowded) } else { None };
         if let Some(inset) = &inset {
             inset.draw(canvas, &self.context.words);
         }

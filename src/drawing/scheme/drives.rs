@@ -1,24 +1,14 @@
-//! Arrows beside driven links and sliders, the senses of their drives; values: rates with arrows in their sense around
-//! the links' centres, given lengths beside the links.
+//! Arrows beside driven links and sliders, the senses of their drives.
 
 use super::on_paper::SchemeOnPaper;
 use crate::drawing::canvas::Canvas;
-use crate::drawing::context::{Purpose, Value, ValueOf};
+use crate::drawing::context::Purpose;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::Pen;
-use crate::drawing::values::{drive_value, is_at_drive, label};
+use crate::drawing::values::drive_value;
 use crate::drawing::view::on_sheet;
 use crate::mechanism::{BodyId, GROUND, PointId, Role, SliderId};
-use crate::quantity::QuantityKind;
-use crate::scene::{Argument, QuantityName};
-use crate::sheet::Sheet;
 use kurbo::{Point, Vec2};
-use std::f64::consts::PI;
-
-/// Radius of the arrow of a solved rate, in mm.
-const RATE_RADIUS: f64 = 5.0;
-/// Radius of the arrow of an angular acceleration, around that of the angular velocity, in mm.
-const ALPHA_RADIUS: f64 = 6.6;
 
 impl SchemeOnPaper<'_> {
     pub(super) fn rotation_arrows(&self, canvas: &mut Canvas<'_>) {
@@ -45,40 +35,6 @@ impl SchemeOnPaper<'_> {
                 _ => {}
             }
         }
-    }
-
-    /// Draws the senses of the angular rates that a step yields, unless they are there with their values: a curved arrow
-    /// around the centre of each link.
-    pub(super) fn rate_arrows(&self, canvas: &mut Canvas<'_>, step: u16, unknowns: &[(String, f64)]) {
-        for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.context.values.is_empty()) {
-            let name = QuantityName::parse(name).filter(|name| name.head.argument() == Argument::Link);
-            let Some(link) = name.and_then(|name| self.mechanism.link(name.arguments.first()?)) else {
-                continue;
-            };
-            if let Some(shape) = self.rate_arrow(link, RATE_RADIUS, *value) {
-                canvas.draw_in_step(step, Pen::Turning, shape).number = self.context.number(link);
-            }
-        }
-    }
-
-    /// A curved arrow in the sense of a rate around the centre of a link; none for a link without points.
-    pub(super) fn rate_arrow(&self, link: BodyId, radius: f64, rate: f64) -> Option<Shape> {
-        const SWEEP: f64 = 4.2;
-        let places: Vec<Point> = self.mechanism.body(link).points.iter().map(|&point| self.at(point)).collect();
-        let center = match places.as_slice() {
-            [] => return None,
-            // Off the link's name.
-            [a, b] if (*b - *a).hypot() > 8.0 * radius => a.lerp(*b, 0.35),
-            _ => (places.iter().fold(Vec2::ZERO, |sum, place| sum + place.to_vec2()) / places.len() as f64).to_point(),
-        };
-        let sense = -rate.signum();
-        Some(Shape::ArcArrow {
-            center,
-            radius,
-            start: -0.5 * PI - 0.5 * sense * SWEEP,
-            sweep: sense * SWEEP,
-            head: self.dims().head,
-        })
     }
 
     /// The arm of a driven link from its pivot: to another point, else to a block on it, else along its axis.
@@ -160,64 +116,5 @@ impl SchemeOnPaper<'_> {
         let (name, number) = (self.mechanism.push_name(id), self.context.number(slider.link));
         canvas.draw_named(&format!("{what}-{name}"), Pen::Turning, canvas.arrow(from, to)).number = number;
         canvas.label(&format!("{what}({name})"), label, from.midpoint(to), 0.8, Some(side), 2).number = number;
-    }
-
-    /// Draws the arrows of rates and requests the labels of all values.
-    pub(super) fn values(&self, canvas: &mut Canvas<'_>) {
-        let mut taken: Vec<Point> = Vec::new();
-        for value in self.context.values_of(Sheet::Scheme) {
-            if let ValueOf::Rate(link) = value.of {
-                self.arrow_of_rate(canvas, value, link, &mut taken);
-            }
-        }
-        for value in self.context.values_of(Sheet::Scheme) {
-            match value.of {
-                ValueOf::Rate(link) => self.label_rate(canvas, value, link),
-                ValueOf::Length(ends) => {
-                    // Beside the line, away from the middle of the mechanism.
-                    let [a, b] = ends.map(|point| self.at(point));
-                    let anchor = a.lerp(b, 0.66);
-                    label(self.context, canvas, value, anchor, Some(self.outer_side([a, b], anchor)));
-                }
-                ValueOf::Vector(_) => {}
-            }
-        }
-        canvas.step = 0;
-    }
-
-    /// The arrow of a rate of a link; that of a drive's angular velocity is at its pivot. Without room between the joints
-    /// and the arrows around the centres `taken` there is none.
-    fn arrow_of_rate(&self, canvas: &mut Canvas<'_>, value: &Value, link: BodyId, taken: &mut Vec<Point>) {
-        if value.number == 0.0 || is_at_drive(self.context, value, link) {
-            return;
-        }
-        let (radius, name) = match value.kind {
-            QuantityKind::AngularAcceleration => (ALPHA_RADIUS, "alpha"),
-            _ => (RATE_RADIUS, "omega"),
-        };
-        if let Some(shape @ Shape::ArcArrow { center, .. }) = self.rate_arrow(link, radius, value.number) {
-            let mut joints = self.pose.points.iter().map(|&place| self.view.at(place));
-            let is_near = |other: &Point| (*other - center).hypot() < 2.0 * ALPHA_RADIUS + 1.0;
-            let is_apart = joints.all(|joint| (joint - center).hypot() > radius + self.dims().joint + 1.0);
-            if !is_apart || taken.iter().any(|other| *other != center && is_near(other)) {
-                return;
-            }
-            taken.push(center);
-            canvas.step = value.since;
-            let name = format!("{name}-{}", self.mechanism.body(link).name);
-            canvas.draw_named(&name, Pen::Turning, shape).number = self.context.number(link);
-        }
-    }
-
-    fn label_rate(&self, canvas: &mut Canvas<'_>, value: &Value, link: BodyId) {
-        let Some(Shape::ArcArrow { center, radius, .. }) = self.rate_arrow(link, ALPHA_RADIUS, 1.0) else {
-            return;
-        };
-        if is_at_drive(self.context, value, link) {
-            return;
-        }
-        let side = if value.kind == QuantityKind::AngularAcceleration { 1.0 } else { -1.0 };
-        let anchor = center + Vec2::new(0.0, side * radius);
-        label(self.context, canvas, value, anchor, Some(Vec2::new(0.0, side)));
     }
 }

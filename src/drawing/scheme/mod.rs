@@ -6,6 +6,7 @@ mod links;
 pub(super) mod on_paper;
 mod points;
 mod sliders;
+mod values;
 
 pub(super) use sliders::above;
 
@@ -22,7 +23,7 @@ use std::f64::consts::PI;
 
 /// Draws the scheme.
 pub(super) fn draw(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext<'_>) {
-    let scheme = SchemeOnPaper::new(context, view);
+    let scheme = SchemeOnPaper::new(context, view).within(canvas.room());
     scheme.ghosts(canvas);
     scheme.other_modes(canvas);
     scheme.link_areas(canvas);
@@ -72,7 +73,7 @@ pub(super) fn hints(canvas: &mut Canvas<'_>, view: &View, context: &SheetContext
             }
             Action::Ray(ray) => scheme.line_of(ray),
             Action::Solve { unknowns, .. } => {
-                scheme.rate_arrows(canvas, number, unknowns);
+                scheme.solved_rates(canvas, number, unknowns);
                 None
             }
             _ => None,

@@ -32,6 +32,8 @@ pub(super) struct SchemeOnPaper<'a> {
     pub mechanism: &'a Mechanism,
     pub pose: &'a Pose,
     pub view: &'a View,
+    /// The room in the panel for the slots of links' areas; none where no slots are drawn.
+    room: Option<Rect>,
     /// The straight lines of all links, in the order of the links, and where they are; once they are asked for.
     link_lines: OnceCell<(Vec<[Point; 2]>, Grid)>,
 }
@@ -66,7 +68,12 @@ impl LinkShape {
 impl<'a> SchemeOnPaper<'a> {
     pub(super) fn new(context: &'a SheetContext<'a>, view: &'a View) -> Self {
         let (mechanism, pose) = (context.mechanism(), &context.solution.pose);
-        Self { context, mechanism, pose, view, link_lines: OnceCell::new() }
+        Self { context, mechanism, pose, view, room: None, link_lines: OnceCell::new() }
+    }
+
+    /// The mechanism with its slots, in a panel with this room.
+    pub(super) fn within(self, room: Rect) -> Self {
+        Self { room: Some(room), ..self }
     }
 
     /// The mechanism in another position.
@@ -139,7 +146,10 @@ impl<'a> SchemeOnPaper<'a> {
         match corners.as_slice() {
             [] | [_] => LinkShape::Nothing,
             &[a, b] => LinkShape::Bars(vec![[a, b]]),
-            _ => LinkShape::Plate(corners),
+            _ => {
+                let slots = self.room.map(|room| self.corners_of_slots(link, room)).unwrap_or_default();
+                LinkShape::Plate(if slots.is_empty() { corners } else { hull_on_sheet(&[corners, slots].concat()) })
+            }
         }
     }
 
@@ -178,6 +188,12 @@ impl<'a> SchemeOnPaper<'a> {
 pub(super) fn is_on([a, b]: [Point; 2], point: Point) -> bool {
     let nearest = Line::new(a, b).nearest(point, 0.1 * ON_LINE);
     nearest.distance_sq <= ON_LINE * ON_LINE
+}
+
+/// The corners of the convex area around some points of the sheet.
+fn hull_on_sheet(points: &[Point]) -> Vec<Point> {
+    let places = points.iter().map(|point| geometry::Point::new(point.x, point.y));
+    outline(places.collect()).into_iter().map(|place| Point::new(place.x, place.y)).collect()
 }
 
 /// Corners of a link, or of its image, in order around it; two for a straight one.

@@ -185,7 +185,8 @@ impl SchemeOnPaper<'_> {
             Place::At(place) => {
                 let distance = (place - self.pose.point(start)).norm();
                 let name = self.mechanism.point_name(start);
-                let distance = self.context.words.write(distance, DISTANCE);
+                let unit = self.context.solution.scene.units.length.as_str();
+                let distance = format!("{} {unit}", self.context.words.write(distance, DISTANCE));
                 self.context.words.language.far_away(&label, &distance, name)
             }
             Place::AtInfinity(_) => self.context.words.language.at_infinity(&label),

@@ -1,12 +1,12 @@
 //! Guides and the blocks on them; the ground: pivots, ground lines and their hatching.
 
-use super::on_paper::{ON_LINE, SchemeOnPaper, extent, is_on};
+use super::on_paper::{LinkShape, ON_LINE, SchemeOnPaper, extent, is_on};
 use crate::drawing::canvas::Canvas;
 use crate::drawing::clip::clipped_segment;
 use crate::drawing::context::SheetContext;
 use crate::drawing::shape::{Shape, corners};
 use crate::drawing::sheet::Pen;
-use crate::drawing::view::{View, on_sheet};
+use crate::drawing::view::{View, on_sheet, towards};
 use crate::mechanism::{Body, BodyId, GROUND, Mark, PointId, SliderId};
 use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
@@ -16,11 +16,21 @@ pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
 
 /// Half the width of a slot in mm: narrower than a block.
 const SLOT: f64 = 1.25;
+/// Distance of the edge of a link's area from the line of a slot in it, in mm: that of the slot and white.
+const AROUND_SLOT: f64 = SLOT + 1.5;
 /// Height of a pivot's triangle, and half the length of the ground line under it, in mm.
 const PIVOT: f64 = 4.4;
 const PIVOT_HALF: f64 = 4.2;
 /// Height of the hatching under a ground line, in mm.
 const HATCH: f64 = 1.7;
+
+/// A slot as it is drawn.
+struct Slot {
+    /// The ends of its line.
+    ends: [Point; 2],
+    /// Arms from the points of its link that are off the line.
+    arms: Vec<[Point; 2]>,
+}
 
 impl SchemeOnPaper<'_> {
     /// The sliders in drawing order: those on the ground are behind.
@@ -70,19 +80,12 @@ impl SchemeOnPaper<'_> {
 
     /// Draws a guide without its line between points of its body: a slot about the block, connected with these points;
     /// likewise a guide that extends beyond them. It stays on the panel: an arm whose foot would be far off goes to the
-    /// guide's end.
+    /// guide's end. A link with an area has the slot in it.
     pub(super) fn guide(&self, canvas: &mut Canvas<'_>, id: SliderId) {
-        let reach = 3.0 * BLOCK.x;
         let half = self.half(id);
         let slider = self.mechanism.slider(id);
-        let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
-        let across = Vec2::new(-along.y, along.x);
-        // White for the ground line and its hatching beside the block.
-        let bounds = canvas.room().inset(-(half.y + HATCH));
-        let Some((a, b)) = clipped_segment(bounds, at - along * reach, at + along * reach) else {
-            return;
-        };
         if slider.on == GROUND {
+            let Some([a, b]) = self.reach_of_guide(id, canvas.room()) else { return };
             let side = self.ground_side(id);
             let (a, b) = (a + side * half.y, b + side * half.y);
             canvas.draw(Pen::Ground, Shape::Line(a, b));
@@ -90,29 +93,58 @@ impl SchemeOnPaper<'_> {
             canvas.obstacles.add_boxes(strokes(a, b, side).map(|(from, to)| Rect::from_points(from, to)));
             return;
         }
-        let (mut low, mut high) = ((a - at).dot(along), (b - at).dot(along));
+        let Some(Slot { ends, arms }) = self.slot(id, canvas.room()) else { return };
+        if !matches!(self.shape(slider.on), LinkShape::Plate(_)) {
+            for [from, to] in arms {
+                canvas.draw(Pen::Link, Shape::Line(from, to)).number = self.context.number(slider.on);
+            }
+        }
+        canvas.draw(Pen::Guide, Shape::Polyline(slot_outline(ends))).number = self.context.number(slider.on);
+    }
+
+    /// The ends of the part of a guide about its block, within the panel.
+    fn reach_of_guide(&self, id: SliderId, room: Rect) -> Option<[Point; 2]> {
+        let reach = 3.0 * BLOCK.x;
+        let (at, along) = (self.at(self.mechanism.slider(id).at), on_sheet(self.pose.guide(id)));
+        // White for the ground line and its hatching beside the block.
+        let bounds = room.inset(-(self.half(id).y + HATCH));
+        clipped_segment(bounds, at - along * reach, at + along * reach).map(|(a, b)| [a, b])
+    }
+
+    /// The slot about a block on a link, within the panel; none between points of the link, where the block is on its line.
+    fn slot(&self, id: SliderId, room: Rect) -> Option<Slot> {
+        let slider = self.mechanism.slider(id);
+        let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
+        let across = Vec2::new(-along.y, along.x);
+        let [mut low, mut high] = self.reach_of_guide(id, room)?.map(|end| (end - at).dot(along));
         let points = &self.mechanism.body(slider.on).points;
         let offsets = points.iter().map(|&point| self.at(point) - at);
         let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
             offsets.partition(|offset| offset.dot(across).abs() <= ON_LINE);
         let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
-        // Between points of its body the block is on the drawn link.
         if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
-            return;
+            return None;
         }
-        // The slot begins at the point of its body that is next to the block, where there is one on that side.
+        // It begins at the point of its body that is next to the block, where there is one on that side.
         let next = |sign: f64| places.iter().map(|x| sign * x).filter(|x| *x > 0.0).reduce(f64::min);
-        let slot = [next(-1.0).map_or(low, |x| -x), next(1.0).unwrap_or(high)];
+        let ends = [next(-1.0).map_or(low, |x| -x), next(1.0).unwrap_or(high)].map(|x| at + along * x);
         for place in places {
             (low, high) = (low.min(place), high.max(place));
         }
-        for offset in off_line {
-            let foot = at + along * offset.dot(along).clamp(low, high);
-            let arm = Shape::Line(at + offset, foot);
-            canvas.draw(Pen::Link, arm).number = self.context.number(slider.on);
-        }
-        let ends = slot.map(|x| at + along * x);
-        canvas.draw(Pen::Guide, Shape::Polyline(slot_outline(ends))).number = self.context.number(slider.on);
+        let arm = |offset: Vec2| [at + offset, at + along * offset.dot(along).clamp(low, high)];
+        Some(Slot { ends, arms: off_line.into_iter().map(arm).collect() })
+    }
+
+    /// The corners around the slots of a link, which its area has room for.
+    pub(super) fn corners_of_slots(&self, link: BodyId, room: Rect) -> Vec<Point> {
+        let sliders = self.mechanism.slider_ids().filter(|&id| self.mechanism.slider(id).on == link);
+        let corners = sliders.filter_map(|id| {
+            let [a, b] = self.slot(id, room)?.ends;
+            let along = towards(a, b, on_sheet(self.pose.guide(id))) * AROUND_SLOT;
+            let across = Vec2::new(-along.y, along.x);
+            Some([a - along - across, a - along + across, b + along - across, b + along + across])
+        });
+        corners.flatten().collect()
     }
 
     /// Draws a block or a slot, and over it the links on its pin.

@@ -5,6 +5,7 @@ use crate::geometry::{Point, Turn, Vector, direction_of_degrees, turn_of_degrees
 use crate::mechanism::shape::direction;
 use crate::mechanism::{Body, BodyId, GROUND, JointId, Mechanism, PointId, Role, SliderId};
 use crate::scene::{self, Along, At, GivenBy, On, Scene, SliderDrive};
+use crate::words::Language;
 use smallvec::smallvec;
 
 /// A link that slides along a straight guide of another body and keeps its angle to it.
@@ -125,12 +126,22 @@ impl Mechanism {
     /// sliders between the same two, as of a pin in two slots of a link, are `P/3#2` and so on in scene order.
     #[must_use]
     pub fn slider_name(&self, id: SliderId) -> String {
-        let names = |slider: &Slider| [slider.link, slider.on].map(|b| self.body(b).name.as_str());
-        let name = names(self.slider(id));
-        let before = self.sliders[..id.0].iter().filter(|s| names(s) == name);
-        match before.count() {
-            0 => name.join("/"),
-            count => format!("{}#{}", name.join("/"), count + 1),
+        self.slider_name_with(id, &self.body(GROUND).name)
+    }
+
+    /// The same in sentences and equations of a language: `5/bastidor` for `5/ground`.
+    #[must_use]
+    pub fn slider_in_words(&self, id: SliderId, language: &Language) -> String {
+        self.slider_name_with(id, language.ground())
+    }
+
+    fn slider_name_with(&self, id: SliderId, ground: &str) -> String {
+        let ends = |slider: &Slider| [slider.link, slider.on];
+        let own = ends(self.slider(id));
+        let [link, on] = own.map(|body| if body == GROUND { ground } else { self.body(body).name.as_str() });
+        match self.sliders[..id.0].iter().filter(|slider| ends(slider) == own).count() {
+            0 => format!("{link}/{on}"),
+            count => format!("{link}/{on}#{}", count + 1),
         }
     }
 

@@ -46,9 +46,9 @@ fn page(scene: Option<OpenScene<'_>>) -> Option<String> {
 }
 
 impl Bench {
-    /// A workbench as it is opened from a file; `None`, with a word on stderr, without a browser or a page.
+    /// A workbench with the paper's Figure 2; `None`, with a word on stderr, without a browser or a page.
     pub fn open(name: &str) -> Option<Bench> {
-        Bench::with(name, None)
+        Bench::of(name, &files::read("examples/figure-2.json"))
     }
 
     /// A workbench that opens with the text of a scene.
@@ -177,6 +177,12 @@ impl Bench {
     pub fn joint(&mut self, name: &str) -> [f64; 2] {
         let [x, y, ..] = self.place(&format!("#handle-{name}"));
         [x, y]
+    }
+
+    /// What the picture shows, laid out anew: waits for one that is other than this.
+    pub fn until_other(&mut self, marks: &str) {
+        self.until(&format!("document.querySelector('#sheet').innerHTML !== {}", json!(marks)));
+        self.settle();
     }
 
     /// Pulls a joint to a place on the screen, in steps, as a hand does, and lets go.

@@ -77,11 +77,12 @@ mod clip {
     #[test]
     fn lines_and_arrows_end_at_the_edge() {
         let (a, b) = (Point::new(5.0, 5.0), Point::new(25.0, 5.0));
-        let cut = vec![Shape::Line(a, Point::new(10.0, 5.0))];
-        assert_eq!(clipped(AREA, Shape::Line(a, b)), cut);
-        assert_eq!(clipped(AREA, Shape::Arrow { from: a, to: b, head: 2.6 }), cut);
-        let back = clipped(AREA, Shape::Arrow { from: b, to: a, head: 2.6 });
         let from = Point::new(10.0, 5.0);
+        assert_eq!(clipped(AREA, Shape::Line(a, b)), [Shape::Line(a, from)]);
+        // A vector that runs on beyond the edge has its head there.
+        let cut = clipped(AREA, Shape::Arrow { from: a, to: b, head: 2.6 });
+        assert_eq!(cut, [Shape::Arrow { from: a, to: from, head: 2.6 }]);
+        let back = clipped(AREA, Shape::Arrow { from: b, to: a, head: 2.6 });
         assert_eq!(back, [Shape::Arrow { from, to: a, head: 2.6 }]);
         let away = Shape::Line(Point::new(11.0, 0.0), Point::new(12.0, 9.0));
         assert!(clipped(AREA, away).is_empty());
@@ -234,6 +235,7 @@ mod labels {
             prefer: (index % 3 == 0).then_some(Vec2::new(1.0, -0.2)),
             priority: 0,
             may_stand_apart: true,
+            short: None,
         };
         let requests = anchors.iter().enumerate().map(request).collect();
         let mut obstacles = Obstacles::new(bounds);
@@ -291,6 +293,7 @@ mod labels {
                 prefer: Some(wish),
                 priority: 0,
                 may_stand_apart: true,
+                short: None,
             };
             let placed = check(place(&[request], &obstacles, None), &obstacles);
             let away = placed[0].text.ink_box().center() - anchor;
@@ -313,6 +316,7 @@ mod labels {
             prefer: None,
             priority: 0,
             may_stand_apart: true,
+            short: None,
         };
         let placed = check(place(&[request], &obstacles, None), &obstacles);
         assert!(placed[0].leader.is_some());
@@ -329,6 +333,7 @@ mod labels {
             prefer: None,
             priority: 0,
             may_stand_apart: true,
+            short: None,
         };
         let placed = place(&[request(1.0), request(f64::NAN)], &obstacles, None);
         assert_eq!(placed, [None, None]);

@@ -41,6 +41,17 @@ fn numbers_have_significant_digits() {
     }
 }
 
+/// On figures a number has no more digits than its neighbours.
+#[test]
+fn rounded_numbers_have_no_more_digits_before_the_mark() {
+    let three = NumberStyle::significant(3).rounded().in_full(-3, 6);
+    for (x, text) in
+        [(83295.0, "83300"), (-999_999.0, "-1.00e6"), (2443.2, "2440"), (0.012_345, "0.0123"), (12.0, "12.0")]
+    {
+        assert_eq!(written(three, x), text);
+    }
+}
+
 #[test]
 fn rounding_may_give_the_next_power_of_ten() {
     for (x, five, four) in [

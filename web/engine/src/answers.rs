@@ -27,6 +27,8 @@ pub struct Opened {
     pub wanted: Vec<Quantity>,
     /// The Assur groups in solving order, as `kinegon structure` prints them.
     pub structure: String,
+    /// The panels of its figure.
+    pub panels: Vec<Sheet>,
     /// Warnings of all stages.
     pub warnings: Vec<String>,
     /// Whether it is a drawn configuration, which cannot be moved.
@@ -107,13 +109,49 @@ pub struct View {
     #[serde(default)]
     #[schemars(with = "Option<Vec<Sheet>>", skip_serializing_if = "Option::is_none")]
     pub panels: Option<Vec<String>>,
+    /// The part of the screen for which it is laid out; none for the figure's paper, as in its file.
+    #[serde(default)]
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    pub pane: Option<Pane>,
+    /// The panel that has most of a part of the screen; none where all share it.
+    #[serde(default)]
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    pub focus: Option<Sheet>,
+    /// How far the layout has gone from that of the last gesture to its own, from 0 to 1; none where it is there.
+    #[serde(default)]
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    pub eased: Option<f64>,
+}
+
+/// A part of the screen, in pixels.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema, PartialEq)]
+pub struct Pane {
+    /// Its width.
+    pub width: f64,
+    /// Its height.
+    pub height: f64,
+    /// Height of the em of its letters.
+    pub letters: f64,
+    /// Whether the words of steps stand on it.
+    pub words: bool,
+}
+
+impl From<Pane> for kinegon::drawing::Pane {
+    fn from(Pane { width, height, letters, words }: Pane) -> Self {
+        kinegon::drawing::Pane { width: width.max(1.0), height: height.max(1.0), letters: letters.max(1.0), words }
+    }
 }
 
 impl View {
     /// Whether a sheet for this view has the layout of one for another.
     pub fn is_laid_out_as(&self, other: &View) -> bool {
         let step = |view: &View| view.step.map(|_| 1);
-        let same = |view: &View| View { step: step(view), coarse: view.coarse && view.step.is_some(), ..view.clone() };
+        let same = |view: &View| View {
+            step: step(view),
+            coarse: view.coarse && view.step.is_some(),
+            eased: None,
+            ..view.clone()
+        };
         same(self) == same(other)
     }
 }
@@ -131,8 +169,6 @@ pub struct Picture {
     pub panels: Vec<Panel>,
     /// What can be taken hold of: the points of the mechanism.
     pub handles: Vec<Handle>,
-    /// The points of the plans that are shown, their poles among them.
-    pub plan_points: Vec<Handle>,
     /// The drives and where they stand.
     pub drives: Vec<Drive>,
     /// What is to be told: a limit that stops the drive, a panel that is cut.

@@ -1,7 +1,7 @@
 use crate::answers::{Drive, View};
 use crate::refused::Refused;
 use kinegon::cycle::{self, OtherModes, Pull};
-use kinegon::drawing::{HeldLayout, Steps};
+use kinegon::drawing::{HeldLayout, Positions, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
@@ -25,6 +25,8 @@ pub struct Kept {
     solved: [Option<Solution>; 2],
     drives: Option<Vec<Drive>>,
     stage: Option<Staged>,
+    positions: Option<Positions>,
+    held: Option<Held>,
 }
 
 /// The stage of a view.
@@ -33,15 +35,43 @@ pub struct Staged {
     pub own: Solution,
     pub stage: HeldLayout,
     pub modes: Option<OtherModes>,
+    /// The layout of the last gesture, from which this one is reached.
+    pub before: Option<HeldLayout>,
 }
+
+/// The layout that was held in the last gesture.
+pub struct Held {
+    pub view: View,
+    pub layout: HeldLayout,
+    /// Scenes in positions that a drive took on it: it stays theirs when the hand lets go, also where undo leads back.
+    pub texts: Vec<String>,
+}
+
+/// Most positions that are remembered.
+const MOST_HELD: usize = 100;
 
 impl Desk {
     /// The scene of this text in its position.
     pub fn kept(&mut self, text: &str) -> Result<&mut Kept, Refused> {
         if self.kept.as_ref().is_none_or(|kept| kept.text != text) {
-            self.kept = Some(Kept::of(text).map_err(|error| Refused::of(text, error))?);
+            let next = Kept::of(text).map_err(|error| Refused::of(text, error))?;
+            let held = self.kept.take().and_then(|kept| kept.held);
+            self.kept = Some(Kept { held, ..next });
         }
         self.kept.as_mut().ok_or_else(|| Refused::whole("there is no scene"))
+    }
+
+    /// Keeps the layout of a gesture that is over; `positions` are the scenes before and after it, where a drive moved.
+    pub fn hold(&mut self, view: View, layout: HeldLayout, positions: Option<[String; 2]>) {
+        let Some(kept) = &mut self.kept else { return };
+        let before = kept.held.take().filter(|held| view.is_laid_out_as(&held.view)).map(|held| held.texts);
+        let texts = positions.map(|[from, to]| {
+            let mut texts = before.filter(|texts| texts.contains(&from)).unwrap_or_else(|| vec![from]);
+            texts.push(to);
+            texts.drain(..texts.len().saturating_sub(MOST_HELD));
+            texts
+        });
+        kept.held = Some(Held { view, layout, texts: texts.unwrap_or_default() });
     }
 
     /// The scene of this text solved for what is drawn by hand.
@@ -56,7 +86,17 @@ impl Kept {
     fn of(text: &str) -> Result<Kept, kinegon::Error> {
         let scene = Scene::read(text)?;
         let (mechanism, pose) = posed(&scene, SizeLimit::NUMBERS, None)?;
-        Ok(Kept { text: text.to_owned(), scene, mechanism, pose, solved: [None, None], drives: None, stage: None })
+        Ok(Kept {
+            text: text.to_owned(),
+            scene,
+            mechanism,
+            pose,
+            solved: [None, None],
+            drives: None,
+            stage: None,
+            positions: None,
+            held: None,
+        })
     }
 
     /// Refuses what the scene is too large for.
@@ -109,11 +149,22 @@ impl Kept {
                     let is_asked = |panel: &Sheet| panels.iter().any(|name| name == panel.as_str());
                     own.scene.figure.panels = Sheet::ALL.into_iter().filter(is_asked).collect();
                     own.scene.figure.focus = None;
+                } else if view.pane.is_some() && view.focus.is_some() {
+                    own.scene.figure.focus = view.focus;
                 }
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
                 let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
-                let stage = HeldLayout::of_figure(&own, steps, modes.as_ref());
-                Staged { view: view.clone(), own, stage, modes }
+                let held = self.held.as_ref().filter(|held| view.is_laid_out_as(&held.view));
+                let stage = match (held.filter(|held| held.texts.contains(&self.text)), view.pane) {
+                    (Some(held), Some(_)) => held.layout.clone(),
+                    (_, Some(pane)) => {
+                        let positions = self.positions.get_or_insert_with(|| Positions::of(&own));
+                        HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()))
+                    }
+                    (_, None) => HeldLayout::of_figure(&own, steps, modes.as_ref()),
+                };
+                let before = held.map(|held| held.layout.clone());
+                Staged { view: view.clone(), own, stage, modes, before }
             }
         };
         Ok(self.stage.insert(staged))

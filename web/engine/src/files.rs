@@ -1,11 +1,11 @@
-use crate::answers::{Drawn, DriveAxis};
+use crate::answers::{Drawn, DriveAxis, Pane};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::Error;
 use kinegon::Order;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep};
-use kinegon::drawing::{Drawing, curves, drive_ends, hodographs, paths};
+use kinegon::drawing::{self, Drawing, curves, drive_ends, hodographs, paths};
 use kinegon::format;
 use kinegon::order_of_result;
 use kinegon::quantity::step_pencil;
@@ -138,10 +138,11 @@ impl Desk {
         self.kept(text)?.sheets(of).map(|sheets| sheets.len())
     }
 
-    /// What is drawn over the cycle.
-    pub fn curves(&mut self, text: &str, of: &OverCycle) -> Result<Drawn, Refused> {
+    /// What is drawn over the cycle, on the scene's page or on a part of the screen.
+    pub fn curves(&mut self, text: &str, of: &OverCycle, pane: Option<Pane>) -> Result<Drawn, Refused> {
         let kept = self.kept(text)?;
-        let Course { sheet, events, ends } = kept.over_cycle(of).map_err(|error| kept.refused(error))?;
+        let Course { sheet, events, ends } =
+            kept.over_cycle(of, pane.map(Into::into)).map_err(|error| kept.refused(error))?;
         let areas = sheet.panels.iter().map(|(_, area)| [area.x0, area.y0, area.width(), area.height()]);
         let axis = ends.map(|[low, high]| DriveAxis { low, high, areas: areas.collect() });
         Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis })
@@ -163,7 +164,7 @@ impl Kept {
         let own_step = self.scene.figure.step;
         match of {
             Subject::Cycle(of) => {
-                let course = self.over_cycle(of).map_err(|error| self.refused(error))?;
+                let course = self.over_cycle(of, None).map_err(|error| self.refused(error))?;
                 Ok(vec![course.sheet])
             }
             Subject::Sheet(SheetName::Figure) => match own_step {
@@ -220,8 +221,8 @@ impl Kept {
         Ok(format::csv_header(&columns) + &format::csv_rows(&columns, &sweep.rows(0..count)))
     }
 
-    /// What is drawn over the cycle.
-    fn over_cycle(&self, of: &OverCycle) -> Result<Course, Error> {
+    /// What is drawn over the cycle, on the scene's page or on a part of a screen.
+    fn over_cycle(&self, of: &OverCycle, pane: Option<drawing::Pane>) -> Result<Course, Error> {
         let scene = &self.scene;
         let (mut path, range) = self.path()?;
         let range = path.shown_range(range);
@@ -231,14 +232,14 @@ impl Kept {
                 let names = if names.is_empty() { scene.want.as_deref() } else { Some(names.as_slice()) };
                 let sampled = Curves::new(&path, range, names)?;
                 ends = Some(drive_ends(scene, &sampled));
-                curves(scene, &sampled)
+                curves(scene, &sampled, pane)
             }
             OverCycle::Path { path: points, beyond_limits } => {
                 scene.check_traced(points, None)?;
                 let sampled = PointPaths::new(&path, range, points)?;
-                paths(scene, &if *beyond_limits { sampled.beyond_limits()? } else { sampled })
+                paths(scene, &if *beyond_limits { sampled.beyond_limits()? } else { sampled }, pane)
             }
-            OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?),
+            OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?, pane),
         };
         let words = Wording::of(&scene.figure);
         let events = path.happenings(range, &words).into_iter().chain(path.limits(None, &words)).collect();

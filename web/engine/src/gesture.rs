@@ -108,15 +108,18 @@ impl Hold {
 }
 
 impl Gesture {
-    /// Lets go: the scene's text after the gesture.
-    pub fn let_go(self) -> Result<String, Refused> {
-        match self.hold {
+    /// Lets go: the scene's text after the gesture. Its layout stays on the desk.
+    pub fn let_go(self, desk: &mut Desk) -> Result<String, Refused> {
+        let Gesture { text: before, view, staged, hold, .. } = self;
+        let (text, is_moved) = match hold {
             Hold::Drive { pull, pose, .. } if pull.value() != pull.start() => {
-                with_position(&self.text, &pose).map_err(|error| Refused::of(&self.text, error))
+                (with_position(&before, &pose).map_err(|error| Refused::of(&before, error))?, true)
             }
-            Hold::Drive { .. } => Ok(self.text),
-            Hold::Shape { text, .. } => Ok(text),
-        }
+            Hold::Drive { .. } => (before.clone(), true),
+            Hold::Shape { text, .. } => (text, false),
+        };
+        desk.hold(view, staged.stage, is_moved.then(|| [before, text.clone()]));
+        Ok(text)
     }
 
     /// Pulls what is held.

@@ -106,7 +106,8 @@ impl Engine {
     /// A [`Refused`] as JSON.
     #[wasm_bindgen(js_name = drop)]
     pub fn let_go(&mut self) -> Result<String, String> {
-        plain(self.gesture.take().ok_or_else(nothing_held).and_then(Gesture::let_go))
+        let gesture = self.gesture.take().ok_or_else(nothing_held);
+        plain(gesture.and_then(|gesture| gesture.let_go(&mut self.desk)))
     }
 
     /// The scene's text after some changes.
@@ -141,12 +142,12 @@ impl Engine {
         plain(editing::with_mode(text, number.max(0.0) as usize).map_err(refused(text)))
     }
 
-    /// What is drawn over the cycle.
+    /// What is drawn over the cycle, for the scene's page or for a part of the screen.
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn curves(&mut self, text: &str, of: &str) -> Result<String, String> {
-        answer(asked(of).and_then(|of| self.desk.curves(text, &of)))
+    pub fn curves(&mut self, text: &str, of: &str, pane: &str) -> Result<String, String> {
+        answer(asked(of).and_then(|of| self.desk.curves(text, &of, asked(pane)?)))
     }
 
     /// All values of the scene's position with their certain digits.

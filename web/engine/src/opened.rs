@@ -11,7 +11,7 @@ use kinegon::position::counted_poses;
 use kinegon::quantity::{QuantityName, QuantityRequest, measured_names};
 use kinegon::scene::{Argument, GivenBy, SizeLimit};
 use kinegon::words::Wording;
-use kinegon::{Solution, order_of_result};
+use kinegon::{Sheet, Solution, order_of_result};
 use serde_json::Value;
 
 impl Desk {
@@ -51,6 +51,7 @@ impl Desk {
             quantities: quantities.iter().map(named).collect(),
             wanted: scene.want.iter().flatten().map(named).collect(),
             structure: format::structure(mechanism, &words),
+            panels: scene.figure.panels.iter().copied().filter(|panel| has_panel(solution, *panel)).collect(),
             warnings: solution
                 .warnings()
                 .chain(FigureSheets::new(solution).overflow_warnings())
@@ -93,6 +94,11 @@ impl Desk {
         });
         Ok(rows.collect())
     }
+}
+
+/// Whether a panel has something to show.
+fn has_panel(solution: &Solution, panel: Sheet) -> bool {
+    panel.order().is_none() || solution.construction.plan_on(panel).is_some()
 }
 
 /// What the name of a quantity says.

@@ -23,7 +23,10 @@ impl Desk {
 impl Staged {
     /// The picture of a position.
     pub fn picture(&self, solution: &Solution, modes: Option<&OtherModes>, view: &View, drives: Vec<Drive>) -> Picture {
-        let finished = self.stage.draw(solution, modes);
+        let finished = match (view.eased, &self.before) {
+            (Some(share), Some(before)) => self.stage.eased_from(before, share.clamp(0.0, 1.0)).draw(solution, modes),
+            _ => self.stage.draw(solution, modes),
+        };
         let drawing = match view.step {
             Some(step) => finished.after_step(step.clamp(1, finished.steps.len().max(1))),
             None => finished,
@@ -46,7 +49,6 @@ impl Staged {
         Picture {
             panels: panels.iter().map(panel).collect(),
             handles: self.stage.handles(solution).into_iter().map(handle).collect(),
-            plan_points: self.stage.plan_handles(solution).into_iter().map(handle).collect(),
             notes,
             ..sheet(drawing, drives)
         }
@@ -79,7 +81,6 @@ fn sheet(drawing: &Drawing, drives: Vec<Drive>) -> Picture {
         height: drawing.height,
         panels: Vec::new(),
         handles: Vec::new(),
-        plan_points: Vec::new(),
         drives,
         notes: Vec::new(),
     }

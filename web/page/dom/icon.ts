@@ -17,6 +17,7 @@ const ICONS: Record<string, string> = {
   dark: "M20 14.500A8.500 8.500 0 1 1 9.500 4a7 7 0 0 0 10.500 10.500z",
   help: "M9.200 9a3 3 0 1 1 4.300 2.700c-1 .5-1.500 1.200-1.500 2.300M12 17.500v.1",
   more: "M5 12v.1M12 12v.1M19 12v.1",
+  paper: "M6 3h8l4 4v14H6zM14 3v4h4M9 12h6M9 16h6",
   plus: "M12 5v14M5 12h14",
   minus: "M5 12h14",
   fit: "M4 8V5h4M20 8V5h-4M4 16v3h4M20 16v3h-4M9 10h6v4H9z",

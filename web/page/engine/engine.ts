@@ -13,6 +13,7 @@ import type {
   Mode,
   Opened,
   OverCycle,
+  Pane,
   Panel,
   PhotoRead,
   Picture,
@@ -42,7 +43,8 @@ export interface Engine {
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;
-  curves(text: string, of: OverCycle): Curves;
+  /** On a part of the screen. */
+  curves(text: string, of: OverCycle, pane: Pane): Curves;
   /** Values with certain digits: what `kinegon solve --digits` prints, by rows. */
   values(text: string): Value[];
   file(text: string, request: FileRequest): Uint8Array;

@@ -1,5 +1,5 @@
 import { byId } from "../dom/find.ts";
-import { signal } from "../state/signal.ts";
+import { signal, type Signal } from "../state/signal.ts";
 import { language } from "../words.ts";
 import { name } from "./say.ts";
 import { say } from "./words.ts";
@@ -8,7 +8,7 @@ import { say } from "./words.ts";
 const AWAKE = 2500;
 
 /** Full screen, for a lesson: picture and caption; controls come while the mouse moves. */
-export function fullScreen(): { toggle(): void; leave(): boolean } {
+export function fullScreen(): { on: Signal<boolean>; toggle(): void; leave(): boolean } {
   const on = signal(false);
   let clock = 0;
   on.on((is) => {
@@ -40,6 +40,7 @@ export function fullScreen(): { toggle(): void; leave(): boolean } {
   const toggle = (): void => set(!on.value);
   byId("full").onclick = toggle;
   return {
+    on,
     toggle,
     leave() {
       const was = on.value;

@@ -4,7 +4,7 @@ import { radios } from "../dom/radios.ts";
 import { language, LANGUAGES, type Language } from "../words.ts";
 import { redo, undo } from "./keys.ts";
 
-/** Undo, redo, the two hands, language. */
+/** Undo, redo, the two hands, paper, language. */
 export function toolbar(app: App): void {
   byId("undo").onclick = () => undo(app);
   byId("redo").onclick = () => redo(app);
@@ -19,6 +19,8 @@ export function toolbar(app: App): void {
       byId(id).tabIndex = is ? 0 : -1;
     }
   });
+  byId("as-paper").onclick = () => app.paper.set(!app.paper.value);
+  app.paper.on((is) => byId("as-paper").setAttribute("aria-pressed", String(is)));
   for (const group of document.querySelectorAll<HTMLElement>("[role=radiogroup]")) radios(group);
 
   const select = byId<HTMLSelectElement>("language");

@@ -80,7 +80,9 @@ const en = {
   opened_file: "Opened “{name}”. Undo brings back what was there.",
   no_storage: "This browser keeps nothing for this page. Save the scene as a file before you close it.",
   restored: "Your last scene is back.",
-  pick_cursor: "Cross-hairs. Arrow keys move them, with Shift finer; Enter marks the place.",
+  as_paper: "Paper",
+  as_paper_long: "Paper: the sheet that is saved and printed, at its scales. Without it the picture fills the screen, at scales of the screen's own.",
+  below: "Curves",
   splitter: "Width of the panel",
   start_failed: "Kinegon could not start: {why}. A browser from 2023 or later is needed.",
 } as const;
@@ -167,7 +169,9 @@ const es: Record<Key, string> = {
   opened_file: "Se abrió «{name}». Deshacer devuelve lo que había.",
   no_storage: "Este navegador no guarda nada de esta página. Guarde la escena en un archivo antes de cerrarla.",
   restored: "Aquí está de nuevo su última escena.",
-  pick_cursor: "Retícula. Las flechas la mueven, con Mayús más fino; Intro marca el lugar.",
+  as_paper: "Papel",
+  as_paper_long: "Papel: la hoja que se guarda y se imprime, con sus escalas. Sin él la figura llena la pantalla, con escalas propias de la pantalla.",
+  below: "Curvas",
   splitter: "Ancho del panel",
   start_failed: "Kinegon no pudo iniciarse: {why}. Hace falta un navegador de 2023 o posterior.",
 };

@@ -3,6 +3,9 @@ import { byId } from "../dom/find.ts";
 import { speak } from "../layout/messages.ts";
 import { driveName } from "../motion/drives.ts";
 
+/** How far it is from the hand, from the edge of the pane, and from what is held, in pixels. */
+const [AWAY, EDGE, CLEAR] = [34, 8, 16];
+
 /** What the drives stand at, beside the hand, and what stops them. */
 export function bubble(app: App): { at(pixels: [number, number] | null): void } {
   const place = byId("bubble");
@@ -25,6 +28,24 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
     told = note;
   }
 
+  /** A place beside the hand within the pane that covers neither the hand nor the joint, which stays behind where something stops it. */
+  function besides([x, y]: [number, number], [width, height]: [number, number]): [number, number] {
+    const [wide, high] = [pane.clientWidth - width - EDGE, pane.clientHeight - height - EDGE];
+    const within = (value: number, most: number): number => Math.max(EDGE, Math.min(value, most));
+    const [right, left, level] = [x + AWAY, x - AWAY - width, y - height / 2];
+    const sides: [number, number][] = [[right, level], [left, level], [x - width / 2, y - AWAY - height], [x - width / 2, y + AWAY]];
+    // That with more room first.
+    if (x > pane.clientWidth / 2) [sides[0], sides[1]] = [sides[1]!, sides[0]!];
+    const { left: paneLeft, top: paneTop } = pane.getBoundingClientRect();
+    const joint = document.querySelector(".handle.pulled, .handle:focus-visible")?.getBoundingClientRect();
+    const held: [number, number][] = [[x, y]];
+    if (joint !== undefined) held.push([joint.left + joint.width / 2 - paneLeft, joint.top + joint.height / 2 - paneTop]);
+    const covered = ([left, top]: [number, number]): number =>
+      held.filter(([x, y]) => x > left - CLEAR && x < left + width + CLEAR && y > top - CLEAR && y < top + height + CLEAR).length;
+    const placed = sides.map(([left, top]): [number, number] => [within(left, wide), within(top, high)]);
+    return placed.reduce((best, next) => (covered(next) < covered(best) ? next : best));
+  }
+
   app.picture.on(write);
   return {
     at(pixels) {
@@ -35,12 +56,9 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
         return;
       }
       if (wasHidden) write();
-      // Beside the hand, on the side with more room, and never beyond the pane.
-      const [x, y] = pixels;
       const { offsetWidth: width, offsetHeight: height } = place;
-      const beside = x > pane.clientWidth / 2 ? x - 28 - width : x + 28;
-      const within = (value: number, room: number): number => Math.max(8, Math.min(value, room - 8));
-      place.style.transform = `translate(${within(beside, pane.clientWidth - width)}px, ${within(y - 60, pane.clientHeight - height)}px)`;
+      const [left, top] = besides(pixels, [width, height]);
+      place.style.transform = `translate(${left}px, ${top}px)`;
     },
   };
 }

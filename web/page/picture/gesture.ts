@@ -1,6 +1,8 @@
 import type { App } from "../app.ts";
-import type { Grab, Picture, Pull, Refused } from "../engine/types.ts";
 import { lastTook } from "../engine/hand.ts";
+import type { Grab, Picture, Pull, Refused, View } from "../engine/types.ts";
+import type { Signal } from "../state/signal.ts";
+import type { Current } from "./picture.ts";
 
 /** How long a picture took, in ms. */
 export interface Frame {
@@ -36,8 +38,8 @@ export type Gestures = {
   isActive(): boolean;
 };
 
-/** `show` puts a picture on the page, `back` shows the document again. */
-export function gestures(app: App, show: (picture: Picture) => void, back: () => void): Gestures {
+/** `show` puts a picture on the page, `back` shows the document on its surface again, `ease` lets it ease over to its new layout. */
+export function gestures(app: App, sight: Signal<View>, show: (picture: Picture) => void, { again: back, ease }: Current): Gestures {
   let current: Gesture | null = null;
 
   /** A picture goes into the page as soon as it is there, but only one for each frame of the screen: a later one waits for the next. */
@@ -75,21 +77,21 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
     await end();
     const { good, text, refused } = app.solved.value;
     if (refused !== null || app.student.value || text !== app.history.now.value.text) return null;
-    let view = app.view.value;
+    let view = sight.value;
     let wanted: { to: Pull; at: number } | null = null;
     let flight: Promise<void> | null = null;
     let isOver = false;
 
     /** Another step is shown while something is held: it is let go and taken again on the sheet of that step. */
     async function follow(): Promise<void> {
-      view = app.view.value;
+      view = sight.value;
       const at = performance.now();
       present(await app.engine.grab(await app.engine.drop(), view, what), at);
     }
 
     async function pump(): Promise<void> {
-      while (wanted !== null || view !== app.view.value) {
-        if (view !== app.view.value) await follow();
+      while (wanted !== null || view !== sight.value) {
+        if (view !== sight.value) await follow();
         if (wanted === null) break;
         const { to, at } = wanted;
         wanted = null;
@@ -104,7 +106,7 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
         failed(why);
       });
     }
-    const unlisten = app.view.on(() => view !== app.view.value && run());
+    const unlisten = sight.on(() => view !== sight.value && run());
 
     function over(): void {
       isOver = true;
@@ -132,8 +134,10 @@ export function gestures(app: App, show: (picture: Picture) => void, back: () =>
         over();
         try {
           const next = await app.engine.drop();
-          if (next === text) back();
-          else app.history.change({ text: next });
+          if (next === text) return back();
+          // A drive goes on where it was; a mechanism of another shape, and another position on paper, has a layout of its own.
+          if (what.kind === "shape" || app.paper.value) ease();
+          app.history.change({ text: next });
         } catch (why) {
           failed(why as Refused);
         }

@@ -23,7 +23,7 @@ export function instead(app: App, panel: string): Instead {
     isShown,
     hide,
     show(sheet) {
-      app.picture.set({ ...sheet, panels: [], handles: [], plan_points: [], drives: app.picture.value?.drives ?? [], notes: [] });
+      app.picture.set({ ...sheet, panels: [], handles: [], drives: app.picture.value?.drives ?? [], notes: [] });
       isShown.set(true);
     },
   };

@@ -1,6 +1,6 @@
+import type { App } from "../app.ts";
 import { byId } from "../dom/find.ts";
-import type { Focus } from "./focus.ts";
-import { choose } from "./focus.ts";
+import { choose, type Focus } from "./focus.ts";
 import { inPane } from "./pulling.ts";
 import type { Viewport } from "./viewport.ts";
 
@@ -9,8 +9,8 @@ const DOUBLE = { time: 320, way: 24 };
 /** A finger that goes farther than this swipes. */
 const SWIPE = 48;
 
-/** Zooms and pans: wheel, pinch, dragging the ground, double taps, buttons. `tapped` gets single presses. */
-export function looking(view: Viewport, focus: Focus, tapped: (pixels: [number, number]) => boolean): void {
+/** Zooms and pans: wheel, pinch, dragging the ground, double taps, buttons. */
+export function looking(app: App, view: Viewport, focus: Focus): void {
   const pane = byId("pane");
   const fingers = new Map<number, [number, number]>();
   let start: [number, number] = [0, 0];
@@ -34,7 +34,7 @@ export function looking(view: Viewport, focus: Focus, tapped: (pixels: [number, 
   );
 
   pane.addEventListener("pointerdown", (event) => {
-    if ((event.target as Element).closest(".floating, .handle, #crosshairs") !== null || event.button > 1) return;
+    if ((event.target as Element).closest(".floating, .handle") !== null || event.button > 1) return;
     fingers.set(event.pointerId, inPane(event));
     pane.setPointerCapture(event.pointerId);
     if (fingers.size === 1) {
@@ -73,11 +73,10 @@ export function looking(view: Viewport, focus: Focus, tapped: (pixels: [number, 
   pane.addEventListener("pointercancel", up);
 
   function tap(at: [number, number], time: number): void {
-    if (tapped(at)) return;
     const isDouble = time - lastTap.time < DOUBLE.time && Math.hypot(at[0] - lastTap.at[0], at[1] - lastTap.at[1]) < DOUBLE.way;
     lastTap = { time: isDouble ? 0 : time, at };
     if (!isDouble) return;
     if (view.isZoomed()) view.refit();
-    else choose(focus.on.value === "" ? focus.at(view.toSheet(at)) : "");
+    else choose(app.focus.value === "" ? focus.at(view.toSheet(at)) : "");
   }
 }

@@ -23,6 +23,12 @@ export interface Viewport {
   isZoomed(): boolean;
   /** The pane has another size. */
   resize(width: number, height: number): void;
+  /** Tells when what {@link room} says may be other. */
+  readonly resized: Pick<Signal<unknown>, "on">;
+  /** Width and height that a picture fills, in pixels. */
+  room(): { width: number; height: number };
+  /** So many pixels above the picture are for other things; null where it has all of the pane. */
+  keepFree(above: number | null): void;
   /** Shows this box whole; as long as nobody zooms, also when the pane changes. */
   fit(box: Box): void;
   /** Fits again what was fitted last. */
@@ -34,8 +40,8 @@ export interface Viewport {
   toPane(mm: readonly [number, number]): [number, number];
 }
 
-/** Room around what is fitted, in pixels; above the picture stand the buttons. */
-const MARGIN = 10;
+/** Room around what is fitted, in pixels; above it buttons may stand. */
+const MARGIN = 6;
 const ABOVE = 54;
 /** How much larger than fitting, and how much smaller. */
 const [LEAST, MOST] = [0.5, 40];
@@ -45,14 +51,16 @@ export function viewport(above = ABOVE): Viewport {
   const size = { width: 1, height: 1 };
   let box: Box = [0, 0, 297, 210];
   let isOwn = false;
+  let head = above;
+  const resized = signal({});
 
-  const fitting = (): number =>
-    Math.max(1e-3, Math.min((size.width - 2 * MARGIN) / box[2], (size.height - MARGIN - above) / box[3]));
+  const room = (): { width: number; height: number } => ({ width: size.width - 2 * MARGIN, height: size.height - MARGIN - head });
+  const fitting = (): number => Math.max(1e-3, Math.min(room().width / box[2], room().height / box[3]));
 
   function refit(): void {
     isOwn = false;
     const whole = fitting();
-    const next = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 - (above - MARGIN) / 2 / whole, scale: whole };
+    const next = { x: box[0] + box[2] / 2, y: box[1] + box[3] / 2 - (head - MARGIN) / 2 / whole, scale: whole };
     const { x, y, scale } = now.value;
     if (next.x !== x || next.y !== y || next.scale !== scale) now.set(next);
   }
@@ -74,6 +82,14 @@ export function viewport(above = ABOVE): Viewport {
       // Who has zoomed keeps what is seen in sight. Told also where the window stays, as the pane's height alone decides.
       const scale = isOwn ? (now.value.scale * fitting()) / before : now.value.scale;
       now.set({ ...now.value, scale });
+      resized.set({});
+    },
+    resized,
+    room,
+    keepFree(above) {
+      head = above ?? MARGIN;
+      if (!isOwn) refit();
+      resized.set({});
     },
     fit(next) {
       box = next;

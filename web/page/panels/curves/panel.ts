@@ -13,7 +13,7 @@ import { sheet } from "../output/sheet.ts";
 import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, offeredNames, wantedOf } from "./choice.ts";
 import { choices, points, ticked } from "./chooser.ts";
 import { follow } from "./follow.ts";
-import { large } from "./large.ts";
+import { place } from "./place.ts";
 import { say } from "./words.ts";
 
 /** Curves of quantities, hodographs of vectors and paths of points over the cycle. */
@@ -80,11 +80,9 @@ function picture(app: App, choice: Chosen): HTMLElement {
   let shown: Curves | null = null;
   const message = element("p", { role: "alert", class: "bad" });
   const drawing = sheet(false);
-  const dialog = large();
-  for (const graphs of [drawing, dialog.picture]) follow(app, graphs, () => shown?.axis ?? null);
-  const enlarge = (): void => {
-    if (shown !== null) dialog.show(shown.svg, shown.width, shown.height);
-  };
+  follow(app, drawing, () => shown?.axis ?? null);
+  const room = element("div");
+  const pane = place(app, curves.id, room, drawing.root);
   const events = element("ul", { class: "events" });
   function save(format: FileFormat): Promise<void> {
     const of = format === "csv" ? { curves: columnsOf(choice.value) } : wantedOf(choice.value);
@@ -95,15 +93,15 @@ function picture(app: App, choice: Chosen): HTMLElement {
     const made = button(() => title, () => void save(format));
     return worded(made, () => say("save", { format: title }), "aria-label");
   });
-  const tools = element("div", { class: "tools" }, button(() => say("large"), enlarge), ...saves);
+  const tools = element("div", { class: "tools" }, ...saves);
   tools.append(worded(button(() => "CSV", () => void save("csv")), () => say("table"), "aria-label"));
 
-  keepCurrent(app, curves.id, [app.solved, choice, language], async () => {
+  keepCurrent(app, curves.id, [app.solved, choice, language, pane], async () => {
     const { good, opened } = app.solved.value;
     if (opened === null || opened.is_drawn) return;
     const isNothing = choice.value.names[choice.value.kind].length === 0;
     try {
-      shown = isNothing ? null : await app.engine.curves(good, wantedOf(choice.value));
+      shown = isNothing ? null : await app.engine.curves(good, wantedOf(choice.value), pane.value);
       message.textContent = isNothing ? say("none") : "";
     } catch (refused) {
       // The last good picture stays.
@@ -115,5 +113,5 @@ function picture(app: App, choice: Chosen): HTMLElement {
     const lines = shown.events.length > 0 ? shown.events : [say("no_events")];
     events.replaceChildren(...lines.map((text) => element("li", {}, text)));
   });
-  return element("div", {}, message, drawing.root, tools, worded(element("h3"), () => say("events")), events, dialog.root);
+  return element("div", {}, message, room, tools, worded(element("h3"), () => say("events")), events);
 }

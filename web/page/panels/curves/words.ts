@@ -11,8 +11,6 @@ type Key =
   | "none"
   | "drawn"
   | "waits"
-  | "large"
-  | "close"
   | "save"
   | "table"
   | "events"
@@ -30,8 +28,6 @@ const WORDS: Words<Key> = {
     none: "Choose at least one.",
     drawn: "This scene gives its points as they are drawn. It cannot be moved, so there is nothing over a cycle.",
     waits: "Drawing …",
-    large: "Large",
-    close: "Close",
     save: "Save as {format}",
     table: "Table as CSV",
     events: "Special positions",
@@ -48,8 +44,6 @@ const WORDS: Words<Key> = {
     none: "Elija al menos una.",
     drawn: "Esta escena da sus puntos tal como están dibujados. No puede moverse; no hay nada a lo largo de un ciclo.",
     waits: "Dibujando …",
-    large: "Grande",
-    close: "Cerrar",
     save: "Guardar como {format}",
     table: "Tabla como CSV",
     events: "Posiciones especiales",

@@ -12,6 +12,12 @@ type Key =
   | "sheets"
   | "steps_text"
   | "packing"
+  | "film"
+  | "film_turn"
+  | "film_about"
+  | "filming"
+  | "no_film"
+  | "cannot_film"
   | "numbers"
   | "motion"
   | "results"
@@ -48,6 +54,12 @@ const WORDS: Words<Key> = {
     sheets: "{count} sheets, {format} (ZIP)",
     steps_text: "Text of the steps",
     packing: "Sheet {number} of {count} …",
+    film: "Film",
+    film_turn: "One turn of the drive",
+    film_about: "The browser records the picture for six seconds while the drive runs. GIF, for slides and messages, is made by the program: kinegon draw scene.json -o film.gif",
+    filming: "Recording …",
+    no_film: "The film was broken off.",
+    cannot_film: "This browser records no films. The program makes them: kinegon draw scene.json -o film.gif",
     numbers: "Numbers",
     motion: "Motion over the cycle (CSV)",
     results: "Results (JSON)",
@@ -83,6 +95,12 @@ const WORDS: Words<Key> = {
     sheets: "{count} hojas, {format} (ZIP)",
     steps_text: "Texto de los pasos",
     packing: "Hoja {number} de {count} …",
+    film: "Película",
+    film_turn: "Una vuelta del accionamiento",
+    film_about: "El navegador graba la figura durante seis segundos mientras el accionamiento se mueve. El programa hace GIF, para presentaciones y mensajes: kinegon draw escena.json -o película.gif",
+    filming: "Grabando …",
+    no_film: "La grabación se interrumpió.",
+    cannot_film: "Este navegador no graba películas. El programa las hace: kinegon draw escena.json -o película.gif",
     numbers: "Números",
     motion: "Movimiento a lo largo del ciclo (CSV)",
     results: "Resultados (JSON)",

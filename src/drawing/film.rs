@@ -1,0 +1,174 @@
+//! The figure while its drive runs: one picture after another, at equal times.
+
+use super::held_layout::HeldLayout;
+use super::sheet::Drawing;
+use super::steady::Steady;
+use super::style::Style;
+use crate::Problem;
+use crate::construction::Solution;
+use crate::cycle::{CycleError, Running};
+
+/// How long a film lasts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timing {
+    /// Seconds for a turn of the drive, or for going to and fro once.
+    pub seconds: f64,
+    /// Pictures a second.
+    pub per_second: u16,
+}
+
+impl Default for Timing {
+    /// A turn in five seconds.
+    fn default() -> Self {
+        Timing { seconds: 5.0, per_second: 20 }
+    }
+}
+
+impl Timing {
+    /// The longest turn, in seconds.
+    pub const LONGEST: f64 = 120.0;
+    /// Most pictures a second: what shows GIF shows no more.
+    pub const MOST_PER_SECOND: u16 = 50;
+
+    /// Pictures in a turn.
+    ///
+    /// # Errors
+    /// The time or the rate is out of bounds, or there would be no motion.
+    fn pictures(self) -> Result<usize, CycleError> {
+        let Timing { seconds, per_second } = self;
+        let refuse = |message: String, hint: String| Err(CycleError::Range(Problem::new(message).hint(hint)));
+        if !(seconds > 0.0 && seconds <= Timing::LONGEST) {
+            let hint = format!("more than 0 and at most {} seconds", Timing::LONGEST);
+            return refuse(format!("a turn of a film cannot last {seconds} seconds"), hint);
+        }
+        if !(1..=Timing::MOST_PER_SECOND).contains(&per_second) {
+            let hint = format!("1 to {} pictures a second", Timing::MOST_PER_SECOND);
+            return refuse(format!("a film cannot have {per_second} pictures a second"), hint);
+        }
+        match (seconds * f64::from(per_second)).round() as usize {
+            count @ 2.. => Ok(count),
+            _ => {
+                let message = format!("{seconds} seconds at {per_second} pictures a second show no motion");
+                refuse(message, "a longer time, or more pictures a second".to_owned())
+            }
+        }
+    }
+}
+
+/// Seconds for which a name stays in its place, or else is left out.
+const STAYS: f64 = 0.4;
+/// Most pictures of a film.
+const MOST: usize = 2000;
+
+/// The figure of a solved scene while a drive runs over and over: one cycle, after the last picture of which the first
+/// comes without a jump.
+///
+/// Scales, panels and poles are those of the whole cycle, and names stay where they were as long as nothing is much
+/// better; one that cannot stay for 0.4 seconds is left out for that time. The plans are those for the drive's speed in the scene, also where it goes back. Values are written where the
+/// figure asks for them, but not for a style's sake: they change faster than they are read.
+///
+/// ```
+/// use kinegon::drawing::{Film, Timing};
+///
+/// let scene = kinegon::Scene::read(include_str!("../../templates/four-bar.json"))?;
+/// let solution = kinegon::solve(&scene)?;
+/// let film = Film::new(&solution, None, Timing { seconds: 2.0, per_second: 10 })?;
+/// assert_eq!(film.drawings().count(), 20);
+/// # Ok::<(), kinegon::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct Film {
+    own: Solution,
+    running: Running,
+    per_second: u16,
+    /// With the names where they are after a cycle.
+    layout: HeldLayout,
+    steady: Steady,
+    style: Option<Style>,
+}
+
+impl Film {
+    /// The film of a solution's finished figure with the drive of this name, without one with the first.
+    ///
+    /// # Errors
+    /// There is no drive that moves, its branch cannot be followed, or the film would have no motion or too many
+    /// pictures.
+    pub fn new(own: &Solution, drive: Option<&str>, timing: Timing) -> Result<Self, CycleError> {
+        let running = Running::new(own, drive, timing.pictures()?)?;
+        let count = running.poses.len();
+        if count > MOST {
+            let turns = running.turns.filter(|turns| *turns > 1);
+            let turns = turns.map_or_else(String::new, |turns| format!(" in {turns} turns of the drive"));
+            let message = format!("the film would have {count} pictures{turns}; it may have {MOST}");
+            return Err(CycleError::Range(
+                Problem::new(message).hint("less time for a turn, or fewer pictures a second"),
+            ));
+        }
+        if count < 2 {
+            let message = format!("the drive `{}` cannot move", running.drive.name);
+            return Err(CycleError::Range(message.into()));
+        }
+        let mut own = own.clone();
+        own.scene.figure.usual_values = Some(false);
+        let layout = HeldLayout::of_film(&own);
+        let mut film =
+            Film { own, running, per_second: timing.per_second, layout, steady: Steady::default(), style: None };
+        let mut layout = film.layout.clone();
+        (0..count).for_each(|number| drop(film.drawing(&mut layout, number)));
+        film.layout = layout;
+        film.steady = Steady::of(film.drawings(), (STAYS * f64::from(timing.per_second)).ceil() as usize);
+        Ok(film)
+    }
+
+    /// The film in another style; sizes of letters and signs stay.
+    #[must_use]
+    pub fn in_style(self, style: Style) -> Self {
+        Film { style: Some(style), ..self }
+    }
+
+    /// Pictures a second.
+    #[must_use]
+    pub fn per_second(&self) -> u16 {
+        self.per_second
+    }
+
+    /// The positions of its pictures.
+    #[must_use]
+    pub fn running(&self) -> &Running {
+        &self.running
+    }
+
+    /// The layout that all pictures share, with the names where they are before the first.
+    #[must_use]
+    pub fn layout(&self) -> &HeldLayout {
+        &self.layout
+    }
+
+    /// The pictures, one after another. A position without a definite motion is shown as the one before.
+    pub fn drawings(&self) -> impl Iterator<Item = Drawing> + '_ {
+        self.every(1)
+    }
+
+    /// Every so many pictures. Names are not where they are among all.
+    pub(crate) fn every(&self, step: usize) -> impl Iterator<Item = Drawing> + '_ {
+        let mut layout = self.layout.clone();
+        let mut before = None;
+        (0..self.running.poses.len()).step_by(step).filter_map(move |number| {
+            before = self.drawing(&mut layout, number).or(before.take());
+            before.clone()
+        })
+    }
+
+    /// The picture of a number, from 0, on a layout that has drawn the one before; none in a position without a definite
+    /// motion.
+    fn drawing(&self, layout: &mut HeldLayout, number: usize) -> Option<Drawing> {
+        let pose = self.running.poses.get(number)?;
+        let moved = self.own.moved(pose.clone()).ok()?;
+        let mut drawing = layout.drag(&moved, None, None);
+        self.steady.leave_out(number, &mut drawing);
+        if let Some(style) = &self.style {
+            drawing.style = style.clone();
+        }
+        Some(drawing)
+    }
+}

@@ -1,0 +1,181 @@
+//! Where the picture is seen: laid out for its pane, still while the mechanism moves, legible on a telephone; on paper it is
+//! the file.
+
+use super::bench::Bench;
+use serde_json::{Value, json};
+use support::{files, survey};
+
+/// Notes of each picture what must stand still: panels, poles, bars of scales; and what is cut.
+const WATCH: &str = r#"(() => {
+    const place = (id) => {
+        const mark = document.querySelector(`#sheet [id="${id}"]`);
+        if (mark === null) return null;
+        const { x, y, width, height } = mark.getBoundingClientRect();
+        return [x + width / 2, y + height / 2, width];
+    };
+    const seen = () => {
+        const { panels, notes } = kinegon.app.picture.value;
+        const plans = panels.map(({ key }) => key).filter((key) => key !== 'scheme');
+        const poles = [['velocity', 'p'], ['acceleration', 'pi']].filter(([plan]) => plans.includes(plan));
+        return {
+            cut: panels.filter(({ is_cut }) => is_cut).map(({ key }) => key),
+            boxes: panels.map(({ box }) => box),
+            poles: poles.map(([plan, pole]) => place(`${plan}-point-${pole}`)),
+            bars: panels.map(({ key }) => place(`scale-${key}`)),
+            notes,
+        };
+    };
+    window.seen = seen;
+    window.pictures = [seen()];
+    window.unwatch = kinegon.app.picture.on(() => window.pictures.push(seen()));
+})()"#;
+
+/// The farthest that something is from where it was at first, in pixels or mm.
+fn wander(pictures: &[Value], what: &str) -> f64 {
+    let numbers = |value: &Value| -> Vec<f64> {
+        let lists = value[what].as_array().expect("a list").iter();
+        lists.flat_map(|list| list.as_array().cloned().unwrap_or_default()).filter_map(|n| n.as_f64()).collect()
+    };
+    let first = numbers(&pictures[0]);
+    let off = |picture: &Value| {
+        let now = numbers(picture);
+        assert_eq!(now.len(), first.len(), "{what}: {picture}");
+        now.iter().zip(&first).map(|(now, first)| (now - first).abs()).fold(0.0, f64::max)
+    };
+    pictures.iter().map(off).fold(0.0, f64::max)
+}
+
+#[test]
+fn it_stands_still_while_it_plays() {
+    let Some(mut bench) = Bench::open("still") else { return };
+    let folders = ["examples", "templates", "tests/lecture"];
+    let scenes = folders.into_iter().flat_map(files::scenes);
+    let mut turned = 0;
+    for (name, text) in scenes.step_by(survey::PLAYED.now()) {
+        bench.put(&text);
+        let drives = bench.value("kinegon.app.solved.value.opened.drives");
+        if drives == json!([]) || bench.value("kinegon.app.solved.value.opened.is_drawn") == true {
+            continue;
+        }
+        bench.value(WATCH);
+        bench.choose("#speed", "4");
+        bench.press(" ");
+        bench.until("document.querySelector('#play').ariaPressed === 'true' && window.pictures.length > 12");
+        bench.value("new Promise((done) => setTimeout(done, 1700))");
+        bench.press(" ");
+        bench.until("document.querySelector('#play').ariaPressed === 'false'");
+        bench.settle();
+        // Letting go changes nothing.
+        let pictures = bench.value("(window.unwatch(), window.pictures.push(window.seen()), window.pictures)");
+        let pictures = pictures.as_array().expect("a list");
+        assert!(pictures.len() > 8, "{name}: {} pictures", pictures.len());
+        for what in ["boxes", "poles", "bars"] {
+            let off = wander(pictures, what);
+            assert!(off <= 0.5, "{name}: {what} wander by {off}");
+        }
+        // A drive that swings may send vectors to infinity at the ends of its range.
+        let is_round = drives[0]["low"].is_null();
+        let cut = pictures.iter().filter(|picture| picture["cut"] != json!([])).count();
+        println!("{name}: {} pictures, cut in {cut}", pictures.len());
+        assert!(cut == 0 || !is_round, "{name}: cut in {cut} of {} pictures", pictures.len());
+        turned += usize::from(is_round);
+    }
+    assert!(turned > 0);
+    bench.assert_quiet();
+}
+
+#[test]
+fn on_paper_the_screen_is_the_file() {
+    let Some(mut bench) = Bench::open("paper") else { return };
+    let screen = bench.marks();
+    bench.click("#as-paper");
+    bench.until_other(&screen);
+    let svg = "kinegon.app.picture.value.svg";
+    let count = bench.number("kinegon.app.solved.value.opened.steps.length");
+    let text = bench.scene();
+    let file = |bench: &mut Bench, of: Value| {
+        let asked = json!({ "format": "svg", "of": of });
+        bench.text(&format!(
+            "kinegon.engine.file({}, {asked}).then((bytes) => new TextDecoder().decode(bytes))",
+            json!(text)
+        ))
+    };
+    let of_program = support::program::with_scene(&["draw", "-", "-o", "-"], text.as_bytes()).stdout;
+    assert_eq!(file(&mut bench, json!("figure")).as_bytes(), of_program);
+    assert!(bench.text(svg).as_bytes() == of_program, "at rest");
+    for step in [1.0, (count / 2.0).floor(), count] {
+        bench.value(&format!("kinegon.app.view.set({{ ...kinegon.app.view.value, step: {step} }})"));
+        bench.settle();
+        let saved = file(&mut bench, json!({ "step": step }));
+        assert!(bench.text(svg) == saved, "at step {step}");
+    }
+    bench.press("End");
+    bench.settle();
+    assert!(bench.text(svg).as_bytes() == of_program, "at the end");
+    bench.picture("paper");
+    let paper = bench.marks();
+    bench.click("#as-paper");
+    bench.until_other(&paper);
+    assert_eq!(bench.marks(), screen);
+    bench.assert_quiet();
+}
+
+/// The smallest letters of the picture that are no marks of others, in pixels.
+const LETTERS: &str = "Math.min(...[...document.querySelectorAll('#sheet text')].map((text) => \
+    parseFloat(getComputedStyle(text).fontSize) * document.querySelector('#sheet').getScreenCTM().a))";
+
+#[test]
+fn letters_are_read_on_every_screen() {
+    let Some(mut bench) = Bench::open("letters") else { return };
+    for (name, size, least) in [
+        ("desk", [1280, 800], 12.0),
+        ("large", [1920, 1080], 14.0),
+        ("tablet", [820, 1180], 12.0),
+        ("telephone", [390, 844], 11.0),
+        ("lying", [844, 390], 11.0),
+        // That of 1280 pixels at twice its size.
+        ("zoomed", [640, 400], 11.0),
+    ] {
+        if size[0].min(size[1]) < 400 {
+            bench.telephone(size);
+        } else {
+            bench.screen(size, 1.0);
+        }
+        if size[0] < 960 {
+            bench.value("kinegon.app.show('')");
+        }
+        bench.frame();
+        bench.settle();
+        let letters = bench.number(LETTERS);
+        assert!(letters >= least - 0.05, "{name}: {letters} px");
+        let [.., width, height] = bench.place("#pane");
+        let share = width * height / f64::from(size[0] * size[1]);
+        println!("{name}: letters of {letters:.1} px, the picture has {:.0} % of the window", 100.0 * share);
+        assert!(share > 0.4, "{name}: {share}");
+        bench.picture(&format!("surface-{name}"));
+    }
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_plan_is_large_beside_the_scheme() {
+    let Some(mut bench) = Bench::open("focus") else { return };
+    let panels = "kinegon.app.picture.value.panels";
+    let before = bench.marks();
+    bench.press("2");
+    bench.until_other(&before);
+    let keys = bench.value(&format!("{panels}.map(({{ key }}) => key)"));
+    assert_eq!(keys, json!(["scheme", "velocity"]));
+    let share = bench.number(&format!(
+        "(({{ panels, width, height }}) => panels[1].box[2] * panels[1].box[3] / (width * height))(kinegon.app.picture.value)"
+    ));
+    assert!(share > 0.5, "the plan has {share} of the picture");
+    bench.press("p");
+    bench.until("document.body.classList.contains('presenting')");
+    bench.settle();
+    let filled = bench.number("document.querySelector('#pane').clientHeight / innerHeight");
+    assert!(filled > 0.99, "{filled}");
+    bench.picture("full-screen-plan");
+    bench.press("Escape");
+    bench.assert_quiet();
+}
