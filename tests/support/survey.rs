@@ -140,8 +140,6 @@ pub const KEYS: By<u64> = By(1, 2, 16);
 
 // Photographs.
 
-/// Black edges in each view of the camera, and pages of different fineness.
-pub const EDGES: By<(usize, usize)> = By((2, 1), (4, 2), (4, 2));
 /// Sheets of each kind, and pixels of the longer edge.
 pub const PLACES: By<(u64, usize)> = By((1, 1600), (1, 1600), (130, 4032));
 /// Every so many-th kind of photograph: from flat sheets to hard ones.
