@@ -4,7 +4,7 @@ use kinegon::Order;
 use kinegon::accuracy::bounds;
 use kinegon::construction::{Action, NumberedStep, Teller, Tolerance, shown_text};
 use kinegon::cycle::Traces;
-use kinegon::drawing::{Drawing, Film, FigureSheets, Style, Timing};
+use kinegon::drawing::{Drawing, FigureSheets, Film, Style, Timing};
 use kinegon::editing::with_mode;
 use kinegon::format::{OpenScene, workbench};
 use kinegon::mechanism::Mechanism;

@@ -94,6 +94,19 @@ def test_figures():
             solution.draw(**options)
 
 
+def test_what_is_no_film():
+    solution = kinegon.Scene.kind("four-bar").solve()
+    for options, message in [
+        ({"seconds": 0}, "cannot last 0 seconds"),
+        ({"fps": 51}, "cannot have 51 pictures a second"),
+        ({"drive": "9"}, "there is no drive `9`"),
+        ({"dpi": 5}, "dpi must be from 10 to 2400"),
+        ({"step": 3}, "a film shows the finished figure"),
+    ]:
+        with pytest.raises(kinegon.KinegonError, match=message):
+            solution.draw("gif", **options)
+
+
 def test_nothing_half_written(tmp_path):
     solution = kinegon.Scene.kind("four-bar").solve()
     with pytest.raises(kinegon.KinegonError, match="no format for files ending in `.bmp`"):

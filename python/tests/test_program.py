@@ -37,6 +37,17 @@ def test_figures(program, figure_2, tmp_path, format):
     assert own == other
 
 
+@pytest.mark.parametrize("format", ["gif", "apng"])
+def test_films(program, tmp_path, format):
+    kinegon.Scene.kind("four-bar").save(tmp_path / "scene.json")
+    own, other = [tmp_path / f"{name}.{format}" for name in ["package", "program"]]
+    program("draw", tmp_path / "scene.json", "-o", other, "--seconds", 1, "--fps", 5, "--dpi", 40, "--style", "lecture")
+    solution = kinegon.Scene.read(tmp_path / "scene.json").solve()
+    solution.save(own, seconds=1, fps=5, dpi=40, style="lecture")
+    assert own.read_bytes() == other.read_bytes()
+    assert solution.draw(format, seconds=1, fps=5, dpi=40, style="lecture") == other.read_bytes()
+
+
 def test_steps_styles_and_work_sheets(program, figure_2, tmp_path):
     solution = kinegon.Scene.read(figure_2).solve()
     program("draw", figure_2, "-o", tmp_path / "a.svg", "--upto", 14)

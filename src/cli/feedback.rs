@@ -225,7 +225,8 @@ impl Correction {
         };
         let drawings = sheets.into_iter().enumerate().map(numbered).collect();
         let inputs = [("scene", scene_file), ("form", values_file)];
-        let of_scene = |_, _| refuse("a check has no page to step through and no film", "the formats are svg, png, pdf and tikz");
+        let of_scene =
+            |_, _| refuse("a check has no page to step through and no film", "the formats are svg, png, pdf and tikz");
         let figures = Figures { output: output.clone(), options: self.forms.clone() };
         figures.write(files, &inputs, drawings, Sheets::Apart, of_scene)
     }

@@ -47,7 +47,9 @@ impl FilmOptions {
         };
         let running = film.running();
         match running.turns {
-            None => note("the drive goes to and fro; the plans are those for its speed in the scene, also on the way back"),
+            None => {
+                note("the drive goes to and fro; the plans are those for its speed in the scene, also on the way back")
+            }
             Some(1) => {}
             Some(turns) => note(&format!("the mechanism is where it began after {turns} turns of the drive")),
         }
@@ -64,12 +66,12 @@ impl FilmOptions {
     }
 }
 
-/// What pictures do not show: by panel in how many of them something is cut off, and for which names there is no room.
+/// What pictures do not show: by panel in how many of them something is cut off, and in how many there is no room for all names.
 #[cfg(feature = "png")]
 #[derive(Default)]
 struct Lacks {
     cut: IndexMap<String, usize>,
-    names: IndexMap<String, IndexMap<String, usize>>,
+    names: IndexMap<String, usize>,
 }
 
 #[cfg(feature = "png")]
@@ -78,9 +80,8 @@ impl Lacks {
         for panel in film.layout().panels(drawing).into_iter().filter(|panel| panel.is_cut) {
             *self.cut.entry(panel.name).or_default() += 1;
         }
-        for (panel, names) in &drawing.unlabelled {
-            let known = self.names.entry(panel.clone()).or_default();
-            names.iter().for_each(|name| *known.entry(name.clone()).or_default() += 1);
+        for unlabelled in &drawing.unlabelled {
+            *self.names.entry(unlabelled.panel.clone()).or_default() += 1;
         }
     }
 
@@ -88,10 +89,10 @@ impl Lacks {
         for (panel, pictures) in &self.cut {
             note(&format!("{panel}: cut off at the edge in {pictures} of {count} pictures"));
         }
-        for (panel, names) in &self.names {
-            let told: Vec<String> = names.iter().map(|(name, pictures)| format!("{name} ({pictures})")).collect();
-            let told = told.join("; ");
-            warn(&format!("{panel}: no room for names in some of {count} pictures: {told}; a larger page has room for more"));
+        for (panel, pictures) in &self.names {
+            warn(&format!(
+                "{panel}: no room for all names in {pictures} of {count} pictures; a larger page has room for more"
+            ));
         }
     }
 }

@@ -48,6 +48,8 @@ pub(super) struct Surface {
     pub mu: Scales,
     /// The scales on paper, where the sheet is not for paper: words of steps tell lengths at these.
     pub told: Option<Scales>,
+    /// Whether crowds of points are drawn again, larger, in a circle: in a film that would come and go.
+    pub details: bool,
 }
 
 /// What a sheet is for.
@@ -69,7 +71,7 @@ impl Surface {
             Purpose::Figure if !figure.worksheet => Series::Ruler,
             _ => Series::Hand,
         };
-        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None }
+        Surface { page, dims: Dims::on_page(page, figure), series, mu: figure.mu, told: None, details: true }
     }
 
     /// A part of a screen for the same figure.

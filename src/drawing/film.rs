@@ -2,6 +2,7 @@
 
 use super::held_layout::HeldLayout;
 use super::sheet::Drawing;
+use super::steady::Steady;
 use super::style::Style;
 use crate::Problem;
 use crate::construction::Solution;
@@ -54,14 +55,17 @@ impl Timing {
     }
 }
 
+/// Seconds for which a name stays in its place, or else is left out.
+const STAYS: f64 = 0.4;
 /// Most pictures of a film.
 const MOST: usize = 2000;
 
 /// The figure of a solved scene while a drive runs over and over: one cycle, after the last picture of which the first
 /// comes without a jump.
 ///
-/// Scales, panels and poles are those of [the whole cycle](HeldLayout::of_cycle), and names stay where they were as long
-/// as nothing is much better. The plans are those for the drive's speed in the scene, also where it goes back.
+/// Scales, panels and poles are those of the whole cycle, and names stay where they were as long as nothing is much
+/// better; one that cannot stay for 0.4 seconds is left out for that time. The plans are those for the drive's speed in the scene, also where it goes back. Values are written where the
+/// figure asks for them, but not for a style's sake: they change faster than they are read.
 ///
 /// ```
 /// use kinegon::drawing::{Film, Timing};
@@ -79,6 +83,7 @@ pub struct Film {
     per_second: u16,
     /// With the names where they are after a cycle.
     layout: HeldLayout,
+    steady: Steady,
     style: Option<Style>,
 }
 
@@ -95,17 +100,23 @@ impl Film {
             let turns = running.turns.filter(|turns| *turns > 1);
             let turns = turns.map_or_else(String::new, |turns| format!(" in {turns} turns of the drive"));
             let message = format!("the film would have {count} pictures{turns}; it may have {MOST}");
-            return Err(CycleError::Range(Problem::new(message).hint("less time for a turn, or fewer pictures a second")));
+            return Err(CycleError::Range(
+                Problem::new(message).hint("less time for a turn, or fewer pictures a second"),
+            ));
         }
         if count < 2 {
             let message = format!("the drive `{}` cannot move", running.drive.name);
             return Err(CycleError::Range(message.into()));
         }
-        let layout = HeldLayout::of_cycle(own, None, None, None);
-        let mut film = Film { own: own.clone(), running, per_second: timing.per_second, layout, style: None };
+        let mut own = own.clone();
+        own.scene.figure.usual_values = Some(false);
+        let layout = HeldLayout::of_film(&own);
+        let mut film =
+            Film { own, running, per_second: timing.per_second, layout, steady: Steady::default(), style: None };
         let mut layout = film.layout.clone();
         (0..count).for_each(|number| drop(film.drawing(&mut layout, number)));
         film.layout = layout;
+        film.steady = Steady::of(film.drawings(), (STAYS * f64::from(timing.per_second)).ceil() as usize);
         Ok(film)
     }
 
@@ -135,21 +146,26 @@ impl Film {
 
     /// The pictures, one after another. A position without a definite motion is shown as the one before.
     pub fn drawings(&self) -> impl Iterator<Item = Drawing> + '_ {
+        self.every(1)
+    }
+
+    /// Every so many pictures. Names are not where they are among all.
+    pub(crate) fn every(&self, step: usize) -> impl Iterator<Item = Drawing> + '_ {
         let mut layout = self.layout.clone();
         let mut before = None;
-        (0..self.running.poses.len()).filter_map(move |number| {
+        (0..self.running.poses.len()).step_by(step).filter_map(move |number| {
             before = self.drawing(&mut layout, number).or(before.take());
             before.clone()
         })
     }
 
-    /// The picture of a number, from 0, drawn on a copy of the film's layout that has drawn the one before; none in a
-    /// position without a definite motion.
-    #[must_use]
-    pub fn drawing(&self, layout: &mut HeldLayout, number: usize) -> Option<Drawing> {
+    /// The picture of a number, from 0, on a layout that has drawn the one before; none in a position without a definite
+    /// motion.
+    fn drawing(&self, layout: &mut HeldLayout, number: usize) -> Option<Drawing> {
         let pose = self.running.poses.get(number)?;
         let moved = self.own.moved(pose.clone()).ok()?;
         let mut drawing = layout.drag(&moved, None, None);
+        self.steady.leave_out(number, &mut drawing);
         if let Some(style) = &self.style {
             drawing.style = style.clone();
         }

@@ -367,7 +367,11 @@ fn draw_and_curves_write_all_formats() {
         let unknown = with_scene(&[task, "-", "-o", "figure.bmp"], FIGURE_2.as_bytes());
         assert!(stderr(&unknown).contains(&format!("known endings: {endings}, {OF_SCENES}; ")), "{}", stderr(&unknown));
         let unknown = with_scene(&[task, "-", "--format", "bmp"], FIGURE_2.as_bytes());
-        assert!(stderr(&unknown).contains(&format!("[possible values: {formats}, {OF_SCENES}]")), "{}", stderr(&unknown));
+        assert!(
+            stderr(&unknown).contains(&format!("[possible values: {formats}, {OF_SCENES}]")),
+            "{}",
+            stderr(&unknown)
+        );
     }
 }
 

@@ -48,7 +48,8 @@ fn a_film_is_written_to_files_and_stdout_alike() {
         }
     }
     // Into a folder, with sheets.
-    let output = draw(&[&["-o", folder.to_str().expect("UTF-8"), "--format", "svg,gif"], SMALL.as_slice()].concat(), FOUR_BAR);
+    let output =
+        draw(&[&["-o", folder.to_str().expect("UTF-8"), "--format", "svg,gif"], SMALL.as_slice()].concat(), FOUR_BAR);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let [film, again] = ["film.gif", "figure.gif"].map(|name| std::fs::read(folder.join(name)).expect("it is there"));
     assert!(film == again && folder.join("figure.svg").is_file());

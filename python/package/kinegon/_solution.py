@@ -296,6 +296,9 @@ class Solution:
         **figure: Any,
     ) -> list[bytes]:
         form = _files.form_of(format, outlines=outlines, layered=layered, dpi=dpi)
+        still = [name for name in ("step", "worksheet") if figure.get(name)]
+        if format in _files.FILMS and still:
+            raise KinegonError("a film shows the finished figure in motion", f"leave out {still[0]}")
         file = None
         if style is not None:
             # A name has no ending, a path has one.

@@ -267,7 +267,7 @@ impl<'a> PlanOnPaper<'a> {
             canvas.draw_named(&format!("point-{}", here[0]), pen, Shape::Circle { center, radius });
         }
         let crowded: Vec<Point> = places.iter().map(|(place, ..)| *place).collect();
-        let inset = Inset::new(canvas, &crowded);
+        let inset = if self.context.surface.details { Inset::new(canvas, &crowded) } else { None };
         if let Some(inset) = &inset {
             inset.draw(canvas, &self.context.words);
         }

@@ -85,7 +85,7 @@ impl<'a> Pictures<'a> {
         make: impl Fn(Picture) -> T + Send + Sync,
         mut put: impl FnMut(&Drawing, T) -> Result<(), PngError>,
     ) -> Result<(), PngError> {
-        let mut drawings = self.film.drawings().step_by(step);
+        let mut drawings = self.film.every(step);
         loop {
             let some: Vec<Drawing> = drawings.by_ref().take(2 * cores()).collect();
             if some.is_empty() {

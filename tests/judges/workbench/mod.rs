@@ -7,6 +7,7 @@ mod bench;
 mod bytes;
 mod course;
 mod documents;
+mod film;
 mod gestures;
 mod hostile;
 mod keyboard;

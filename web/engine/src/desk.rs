@@ -86,7 +86,17 @@ impl Kept {
     fn of(text: &str) -> Result<Kept, kinegon::Error> {
         let scene = Scene::read(text)?;
         let (mechanism, pose) = posed(&scene, SizeLimit::NUMBERS, None)?;
-        Ok(Kept { text: text.to_owned(), scene, mechanism, pose, solved: [None, None], drives: None, stage: None, positions: None, held: None })
+        Ok(Kept {
+            text: text.to_owned(),
+            scene,
+            mechanism,
+            pose,
+            solved: [None, None],
+            drives: None,
+            stage: None,
+            positions: None,
+            held: None,
+        })
     }
 
     /// Refuses what the scene is too large for.

@@ -141,7 +141,8 @@ impl Desk {
     /// What is drawn over the cycle, on the scene's page or on a part of the screen.
     pub fn curves(&mut self, text: &str, of: &OverCycle, pane: Option<Pane>) -> Result<Drawn, Refused> {
         let kept = self.kept(text)?;
-        let Course { sheet, events, ends } = kept.over_cycle(of, pane.map(Into::into)).map_err(|error| kept.refused(error))?;
+        let Course { sheet, events, ends } =
+            kept.over_cycle(of, pane.map(Into::into)).map_err(|error| kept.refused(error))?;
         let areas = sheet.panels.iter().map(|(_, area)| [area.x0, area.y0, area.width(), area.height()]);
         let axis = ends.map(|[low, high]| DriveAxis { low, high, areas: areas.collect() });
         Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis })

@@ -1,0 +1,47 @@
+//! The browser records a turn of the drive.
+
+use super::bench::Bench;
+use std::collections::BTreeMap;
+use support::browser::Browser;
+use support::files;
+use support::program::scratch;
+
+/// Whether the film in the page can be played to its end; and how wide it is, and how much ink its last picture has.
+const PLAYED: &str = "(async () => { const video = document.querySelector('video'); video.muted = true; \
+    video.currentTime = 1e6; await new Promise((done) => (video.onseeked = done)); \
+    const canvas = Object.assign(document.createElement('canvas'), { width: video.videoWidth, height: video.videoHeight }); \
+    const context = canvas.getContext('2d'); context.drawImage(video, 0, 0); \
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height); \
+    let dark = 0; for (let at = 0; at < data.length; at += 4) dark += data[at] < 128; \
+    return [video.videoWidth, video.currentTime, dark]; })()";
+
+#[test]
+fn a_turn_is_filmed_and_can_be_played() {
+    let Some(mut bench) = Bench::of("film", &files::read("templates/four-bar.json")) else { return };
+    bench.panel("save");
+    let before = bench.marks();
+    let (name, film) = bench.saved(|bench| bench.click("#film"));
+    assert_eq!(name, "four-bar-linkage.webm");
+    assert!(film.starts_with(&[0x1a, 0x45, 0xdf, 0xa3]) && film.len() > 50_000, "{} bytes of Matroska", film.len());
+    bench.settle();
+    assert_eq!(bench.marks(), before, "all is put back");
+    assert_eq!(bench.value("kinegon.history.canUndo.value"), false, "and nothing is changed");
+    assert_eq!(bench.value("document.querySelector('#film').disabled"), false);
+    bench.assert_quiet();
+    let Some(mut browser) = Browser::start(&scratch("film-played"), [800, 600]) else { return };
+    let page = b"<video src='film.webm' preload='auto'></video>".to_vec();
+    let served = BTreeMap::from([("film.html".to_owned(), page), ("film.webm".to_owned(), film)]);
+    browser.visit(served, "film.html", "document.querySelector('video')?.readyState >= 2");
+    let played = browser.value(PLAYED);
+    let [width, end, ink] = [0, 1, 2].map(|index| played[index].as_f64().expect("a number"));
+    assert!(width == 1280.0 && (5.0..7.5).contains(&end) && ink > 2000.0, "{played}");
+}
+
+/// What does not move has no film.
+#[test]
+fn a_drawn_configuration_is_not_filmed() {
+    let Some(mut bench) = Bench::of("no-film", &files::read("examples/figure-1.json")) else { return };
+    bench.panel("save");
+    assert_eq!(bench.value("document.querySelector('#film').disabled"), true);
+    bench.assert_quiet();
+}
