@@ -263,14 +263,21 @@ mod labels {
         all
     }
 
+    /// Where a hundred lines cross a panel, some labels have no place off all of them.
     #[test]
     fn labels_keep_apart_in_crowds() {
+        let (mut asked, mut placed) = (0, 0);
         for seed in 0..60 {
-            let (requests, obstacles) = crowd(seed, 40, 100, (140.0, 100.0));
-            check(place(&requests, &obstacles, None), &obstacles);
-            let (requests, obstacles) = crowd(1000 + seed, 24, 20, (60.0, 50.0));
-            check(place(&requests, &obstacles, None), &obstacles);
+            for (requests, obstacles) in
+                [crowd(seed, 40, 100, (140.0, 100.0)), crowd(1000 + seed, 24, 20, (60.0, 50.0))]
+            {
+                let found = place(&requests, &obstacles, None).into_iter().filter(Option::is_some).collect();
+                asked += requests.len();
+                placed += check(found, &obstacles).len();
+            }
         }
+        eprintln!("{placed} of {asked} labels have a place");
+        assert!(4 * placed > 3 * asked, "{placed} of {asked}");
     }
 
     #[test]
