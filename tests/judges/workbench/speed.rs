@@ -56,7 +56,9 @@ fn drag(bench: &mut Bench, joint: &str, radius: f64) -> [f64; 3] {
 fn the_picture_follows_the_hand() {
     let Some(mut bench) = Bench::open("drag") else { return };
     let jansen = files::read("tests/lecture/jansen.json");
-    for (name, text, joint) in [("Figure 2", None, "B"), ("Jansen", Some(jansen), "B"), ("41 links", Some(row(20)), "B")] {
+    for (name, text, joint) in
+        [("Figure 2", None, "B"), ("Jansen", Some(jansen), "B"), ("41 links", Some(row(20)), "B")]
+    {
         if let Some(text) = text {
             bench.put(&text);
         }
