@@ -278,12 +278,20 @@ impl Draw {
         figures.overflow_warnings().iter().for_each(|text| warn(text));
         let sheets = self.sheets_of(name, solution, &figures, steps)?;
         if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
-            && (self.values.is_some() && steps.is_none() && !solution.scene.figure.worksheet)
+            && (steps.is_none()
+                && solution.scene.figure.step.is_none()
+                && !solution.scene.figure.worksheet
+                && !self.is_blank())
         {
             figures.cost_of_list().iter().for_each(|text| note(text));
             let missing = figures.values_without_room(sheet).join(", ");
             if !missing.is_empty() {
                 note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));
+            }
+            let further = sheets.iter().flat_map(|(_, sheets)| sheets.iter().skip(1));
+            let parts = further.filter(|sheet| !sheet.panels.is_empty()).count();
+            if parts > 0 {
+                note(&format!("names crowd: {parts} further sheets show parts of the plans, larger"));
             }
         }
         Ok(sheets)

@@ -237,8 +237,8 @@ impl Figures {
         let on_stdout = is_stream(&self.output);
         if on_stdout && sheets > 1 {
             let what = match kind {
-                Sheets::Joined => "further sheets are",
-                _ => "the table is on a second sheet, which is",
+                Sheets::Apart | Sheets::Layered if sheets == 2 => "a second sheet is",
+                _ => "further sheets are",
             };
             note(&format!("{what} not on stdout; name a folder or a file to have all"));
         }
@@ -312,15 +312,17 @@ impl Figures {
 /// Warns of names for which panels have no room, once for all sheets of a figure.
 fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
     let of_panels = drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled);
-    for (panel, names) in of_panels.collect::<IndexSet<_>>() {
+    let told =
+        of_panels.map(|of| (&of.panel, of.are_listed, of.names.iter().map(|name| name.text.content()).collect()));
+    for (panel, are_listed, names) in told.collect::<IndexSet<(&String, bool, Vec<String>)>>() {
         let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
         let more = match names.len().saturating_sub(MOST_LISTED) {
             0 => String::new(),
             more => format!(" and {more} more"),
         };
-        let count = names.len();
+        let (count, are) = (names.len(), if are_listed { "listed below its heading" } else { "left out" });
         warn(&format!(
-            "{panel}: no room for {count} names, which are left out: {listed}{more}; a larger page has room for more"
+            "{panel}: no room for {count} names, which are {are}: {listed}{more}; a larger page has room for more"
         ));
     }
 }

@@ -80,8 +80,8 @@ impl Lacks {
         for panel in film.layout().panels(drawing).into_iter().filter(|panel| panel.is_cut) {
             *self.cut.entry(panel.name).or_default() += 1;
         }
-        for (panel, _) in &drawing.unlabelled {
-            *self.names.entry(panel.clone()).or_default() += 1;
+        for unlabelled in &drawing.unlabelled {
+            *self.names.entry(unlabelled.panel.clone()).or_default() += 1;
         }
     }
 

@@ -28,6 +28,8 @@ const TITLE_LINES: [f64; 2] = [MARGIN + 2.6, MARGIN + 7.2];
 /// Baseline of the title, in mm from the upper edge.
 pub(super) const TITLE_LINE: f64 = MARGIN + 5.6;
 
+/// Width over height from which a sheet is a slide.
+const SLIDE: f64 = 1.6;
 /// White between words and the table below them, in mm.
 const WORDS_GAP: f64 = 4.0;
 /// White above words in their frame, in mm.
@@ -214,7 +216,9 @@ pub(super) fn further_sheets(
 ) -> Vec<Drawing> {
     let [across, down] = [figure.width, figure.height].map(|side| side / unit);
     let narrow = across.min(down);
-    let [width, height] = match table.column() <= narrow - 2.0 * MARGIN {
+    // A slide lies as the others do.
+    let is_slide = across > SLIDE * down;
+    let [width, height] = match table.column() <= narrow - 2.0 * MARGIN && !is_slide {
         true => [narrow, across.max(down)],
         false => [across, down],
     };

@@ -133,6 +133,9 @@ impl Drawing {
         for (_, frame) in &mut self.panels {
             *frame = Affine::scale(factor).transform_rect_bbox(*frame);
         }
+        for name in self.unlabelled.iter_mut().flat_map(|panel| &mut panel.names) {
+            name.place = Affine::scale(factor) * name.place;
+        }
         self
     }
 }

@@ -4,17 +4,17 @@
 use super::compose::{Composition, further_sheets};
 use super::context::{Purpose, SheetContext, Value};
 use super::facts::Steps;
-use super::layout::{Item, Layout, Placed};
-use super::panel::{Extents, Panel, content, cycles_of, extents, extents_in, hints, panels};
-use super::remarks;
+use super::laid_out::{Contents, LaidOut, composed};
+use super::layout::{Layout, Placed};
+use super::panel::{Extents, cycles_of, extents, extents_in};
+use super::parts::sheets_of_parts;
 use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
 use super::values::{self, value_list};
 use super::view::{Series, next_scale};
-use super::words::StepWords;
-use super::worksheet::{Ruler, TablePlace, Worksheet};
-use crate::construction::{Solution, plain_text, shown_text};
+use super::worksheet::{TablePlace, Worksheet};
+use crate::construction::{Solution, plain_text};
 use crate::cycle::Traces;
 use crate::scene::{ScalesFor, ValuesShown};
 use crate::sheet::{Scales, Sheet};
@@ -56,15 +56,8 @@ pub struct FigureSheets<'a> {
     /// The scales of the sheets, in the order of [`SHEETS`].
     scales: OnceCell<[Scales; SHEETS.len()]>,
     figure: OnceCell<LaidOut<'a>>,
-}
-
-/// A sheet in its layout.
-#[derive(Clone)]
-pub(super) struct LaidOut<'a> {
-    pub context: SheetContext<'a>,
-    pub extents: Extents,
-    pub contents: Contents,
-    pub layout: Layout,
+    /// The figure with room for the list of names that have none, drawn.
+    drawn: OnceCell<(LaidOut<'a>, Drawing)>,
 }
 
 impl<'a> FigureSheets<'a> {
@@ -81,31 +74,39 @@ impl<'a> FigureSheets<'a> {
     }
 
     fn of(base: SheetContext<'a>) -> Self {
-        FigureSheets { base, extents: OnceCell::new(), scales: OnceCell::new(), figure: OnceCell::new() }
+        FigureSheets {
+            base,
+            extents: OnceCell::new(),
+            scales: OnceCell::new(),
+            figure: OnceCell::new(),
+            drawn: OnceCell::new(),
+        }
     }
 
     /// The figure: its panels on a sheet of paper, true to scale, all labels placed.
     #[must_use]
     pub fn figure(&self) -> Drawing {
-        let laid_out = self.laid_out();
-        laid_out.composition().draw(&laid_out.layout)
+        self.drawn().1.clone()
     }
 
     /// All finished sheets: first the figure; then, for a work sheet whose table has no room beside the panels, the table,
     /// or a table of the values that have no room, where the figure asks for values.
     #[must_use]
     pub fn sheets(&self) -> Vec<Drawing> {
-        let laid_out = self.laid_out();
+        let (laid_out, figure) = self.drawn();
         let LaidOut { context, layout, .. } = laid_out;
-        let sheet = laid_out.composition();
-        let mut sheets = vec![sheet.draw(layout)];
+        let mut sheets = vec![figure.clone()];
         if context.figure().worksheet && layout.aside.is_none() {
+            let sheet = laid_out.composition();
             let table = Worksheet::new(context, &sheet.panels, TablePlace::Apart).filled(layout);
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
-        if !context.figure().worksheet && context.figure().values.is_some() {
+        if !context.figure().worksheet && !context.values.is_empty() {
             let table = values::table(context, self.unplaced(&sheets[0]));
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
+        }
+        if !context.figure().worksheet {
+            sheets.extend(sheets_of_parts(context, layout, figure));
         }
         sheets
     }
@@ -115,8 +116,8 @@ impl<'a> FigureSheets<'a> {
     /// caption and equation below the panels. Steps of plans without a panel have captions, too.
     #[must_use]
     pub fn steps(&self, steps: Steps) -> Drawing {
-        let laid_out = self.laid_out_as(Some(steps));
-        laid_out.composition().draw(&laid_out.layout).in_steps(steps, &laid_out.context)
+        let (laid_out, drawing) = self.steps_laid_out(steps).drawn();
+        drawing.in_steps(steps, &laid_out.context)
     }
 
     /// The scales of the figure on paper, for a projector those that it would have on A4; for a plan without a panel the
@@ -127,7 +128,7 @@ impl<'a> FigureSheets<'a> {
         if self.base.surface.series == Series::Any {
             return FigureSheets::of(self.base.on_paper()).scales();
         }
-        figure.mu.or(self.laid_out().layout.mu())
+        figure.mu.or(self.settled().layout.mu())
     }
 
     /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
@@ -138,7 +139,8 @@ impl<'a> FigureSheets<'a> {
         if !figure.panels.iter().any(|&panel| figure.mu[panel].is_some()) {
             return Vec::new();
         }
-        let LaidOut { context, extents, layout, .. } = self.laid_out();
+        let laid_out = self.settled();
+        let LaidOut { context, extents, layout, .. } = laid_out;
         let sheet = OnceCell::new();
         let warning = |(index, placed): (usize, &Placed)| {
             let (panel, extent) = extents[index];
@@ -148,7 +150,7 @@ impl<'a> FigureSheets<'a> {
             let mut mu = context.surface.mu;
             let holds = |tried: &f64| {
                 mu[panel] = Some(*tried);
-                let sheet: &Composition<'_> = sheet.get_or_init(|| self.laid_out().composition());
+                let sheet: &Composition<'_> = sheet.get_or_init(|| laid_out.composition());
                 sheet.layout_at(&mu).panels[index].holds(&extent)
             };
             // No sheet is ten metres long.
@@ -178,15 +180,16 @@ impl<'a> FigureSheets<'a> {
             };
             drawing.marks.iter().any(is_its)
         };
-        let is_listed = self.laid_out().contents.list;
-        let is_shown = move |value: &&Value| has(value) || is_listed && value.is_listed();
+        let LaidOut { context, contents, .. } = self.laid_out();
+        let list = contents.list.then(|| value_list(context, None)).flatten();
+        let is_shown = move |value: &&Value| has(value) || list.as_ref().is_some_and(|list| list.has(value));
         self.base.values.iter().filter(move |value| !is_shown(value))
     }
 
     /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.
     #[must_use]
     pub fn cost_of_list(&self) -> Option<String> {
-        let (without, with) = (self.scaled(None).surface, &self.laid_out().layout);
+        let (without, with) = (self.scaled(None).surface, &self.settled().layout);
         let coarser = with.panels.iter().filter_map(|placed| {
             let (symbol, before) = (placed.needs.sheet.facts().scale_symbol, without.mu[placed.needs.sheet]?);
             let [now, before] = [placed.mu, before].map(|mu| Wording::default().write(mu, SCALE));
@@ -212,16 +215,28 @@ impl<'a> FigureSheets<'a> {
         self.base.clone()
     }
 
-    /// The finished figure in its layout, or the sheets with steps in theirs.
-    pub(super) fn laid_out_as(&self, steps: Option<Steps>) -> LaidOut<'a> {
-        if steps.is_none() {
-            return self.laid_out().clone();
-        }
-        let mut context = self.scaled(steps);
+    /// The finished figure, drawn.
+    fn drawn(&self) -> &(LaidOut<'a>, Drawing) {
+        self.drawn.get_or_init(|| self.laid_out().clone().drawn())
+    }
+
+    /// The finished figure in its last layout: for a hand, whose scales must not hang on letters, without drawing it.
+    fn settled(&self) -> &LaidOut<'a> {
+        if self.base.surface.series == Series::Hand { self.laid_out() } else { &self.drawn().0 }
+    }
+
+    /// The sheets with steps in their layout, without room for names that have none.
+    fn steps_laid_out(&self, steps: Steps) -> LaidOut<'a> {
+        let mut context = self.scaled(Some(steps));
         if context.surface.series == Series::Any {
             context.surface.told = Some(self.scales());
         }
-        self.lay_out(context, steps)
+        self.lay_out(context, Some(steps))
+    }
+
+    /// The finished figure in its layout, or the sheets with steps in theirs.
+    pub(super) fn laid_out_as(&self, steps: Option<Steps>) -> LaidOut<'a> {
+        steps.map_or_else(|| self.settled().clone(), |steps| self.steps_laid_out(steps).drawn().0)
     }
 
     /// The finished figure. A work sheet that is to have markers has room for them, if its contents then have room at
@@ -313,12 +328,6 @@ impl Solution {
     }
 }
 
-impl LaidOut<'_> {
-    fn composition(&self) -> Composition<'_> {
-        described(&self.context, composed(&self.context, &self.extents, self.contents))
-    }
-}
-
 /// The scales of all sheets: the same where that makes no sheet's content much smaller, and for a hand always; on a
 /// projector, where nobody lays a ruler, each sheet has its own.
 fn sheets_scales(context: &SheetContext<'_>, extents: &Extents) -> [Scales; SHEETS.len()] {
@@ -374,76 +383,4 @@ fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
     format!(
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
     )
-}
-
-/// What a sheet has besides the panels.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Contents {
-    /// The steps for whose words it has room.
-    pub steps: Option<Steps>,
-    /// The only step or passage that has words, from 1; none for all.
-    pub only_step: Option<usize>,
-    /// The table of measured lengths, on a work sheet.
-    pub table: Option<TablePlace>,
-    /// Whether the finished figure has the list of results.
-    pub list: bool,
-    /// Whether the words of steps stand elsewhere: on a narrow part of a screen.
-    pub wordless: bool,
-    /// Whether the finished figure is in motion: what is said of one position would be gone before it is read.
-    pub moving: bool,
-}
-
-/// A sheet of the scene with panels of these extents.
-pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, contents: Contents) -> Composition<'a> {
-    let Contents { steps, only_step, table, list, wordless, moving } = contents;
-    let panels = panels(context, extents, |sheet| match steps {
-        Some(_) => vec![hints(context, sheet), content(context, sheet)],
-        None => vec![content(context, sheet)],
-    });
-    let worksheet = table.filter(|place| *place != TablePlace::Apart);
-    let worksheet = worksheet.map(|place| Worksheet::new(context, &panels, place));
-    let sheet = Composition::new(context, panels).with_code(1, context.title().for_comparing());
-    let sheet = sheet.with_optional(worksheet);
-    if moving {
-        return sheet.with(remarks::paths(context));
-    }
-    let Some(steps) = steps else {
-        let values = if list { value_list(context, None) } else { None };
-        let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
-        let agreement = remarks::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
-        return sheet.with_optional(values).with(agreement).with_optional(ruler);
-    };
-    // On the sheets of steps values come after the last one.
-    let after = Some(context.construction().step_count() as u16 + 1);
-    let sheet = Composition { is_stepwise: true, ..sheet };
-    if wordless {
-        return sheet.with(remarks::agreement(context, None, 0.0));
-    }
-    let words = StepWords::new(context, steps, only_step);
-    let height = words.height();
-    let sheet = sheet.with(words);
-    // They must not take more room than the words before them.
-    match value_list(context, after).filter(|values| values.height() <= height) {
-        Some(values) => sheet.with(values),
-        None => sheet.with(remarks::agreement(context, after, 0.0)),
-    }
-}
-
-/// A sheet with its description and the captions of its steps.
-pub(super) fn described<'a>(context: &SheetContext<'_>, mut sheet: Composition<'a>) -> Composition<'a> {
-    let (teller, steps) = (context.teller(), context.construction().numbered_steps());
-    sheet.description = description(context, &sheet.panels);
-    sheet.steps = steps.map(|step| shown_text(&teller.caption(&step), step.plan, &context.words)).collect();
-    sheet
-}
-
-/// One sentence about the figure, for readers who cannot see it.
-fn description(context: &SheetContext<'_>, panels: &[Panel<'_>]) -> String {
-    let language = context.words.language;
-    let panels: Vec<&str> = panels.iter().map(|panel| language.described_sheet(panel.needs.sheet)).collect();
-    let groups = context.mechanism().groups.iter();
-    let groups = groups
-        .map(|group| language.described_group(group.class.in_words(language), &group.link_names(context.mechanism())));
-    let description = language.description(&panels.join(", "), &groups.collect::<Vec<_>>().join("; "));
-    remarks::sentence_on_paths(context).into_iter().fold(description, |text, paths| format!("{text} {paths}"))
 }

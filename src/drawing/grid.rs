@@ -19,6 +19,8 @@ const MOST: f64 = 256.0;
 const FAR: f64 = 1e6;
 /// White around a line's cells, in mm, against rounding.
 const SLACK: f64 = 1e-3;
+/// White around a label's ink that no line enters, at least and at most, in mm.
+pub(super) const STRIKE: [f64; 2] = [0.4, 0.6];
 /// Least white between a label's ink and a box, in mm.
 pub(super) const BOX_GAP: f64 = 0.3;
 
@@ -74,6 +76,12 @@ impl Grid {
         (self.row(area.y0)..=self.row(area.y1)).flat_map(move |row| row * columns + first..=row * columns + last)
     }
 
+    /// How many cells a box touches.
+    pub(super) fn cell_count(&self, area: Rect) -> usize {
+        let columns = self.column(area.x1).saturating_sub(self.column(area.x0)) + 1;
+        columns * (self.row(area.y1).saturating_sub(self.row(area.y0)) + 1)
+    }
+
     /// Adds a thing in a box.
     pub fn add(&mut self, thing: usize, area: Rect) {
         for cell in self.cells_of(area) {
@@ -97,26 +105,35 @@ impl Grid {
     }
 
     /// Adds a straight line.
-    pub fn add_line(&mut self, thing: usize, (from, to): (Point, Point)) {
-        let is_near = |point: Point| (point.x.abs() < FAR) & (point.y.abs() < FAR);
-        if !is_near(from) || !is_near(to) {
+    pub fn add_line(&mut self, thing: usize, line: (Point, Point)) {
+        if !is_near(line) {
             self.everywhere.push(thing as u32);
             return;
         }
+        for cell in self.cells_along(line) {
+            self.cells[cell].push(thing as u32);
+        }
+    }
+
+    /// The cells that a straight line touches, row by row.
+    fn cells_along(&self, (from, to): (Point, Point)) -> impl Iterator<Item = usize> + use<> {
         let (high, low) = if from.y <= to.y { (from, to) } else { (to, from) };
         let run = low - high;
-        let at = |y: f64| if run.y > 0.0 { high.x + run.x * ((y - high.y) / run.y).clamp(0.0, 1.0) } else { high.x };
+        let at =
+            move |y: f64| if run.y > 0.0 { high.x + run.x * ((y - high.y) / run.y).clamp(0.0, 1.0) } else { high.x };
         let (first, last) = (self.row(high.y - SLACK), self.row(low.y + SLACK));
-        for row in first..=last {
-            // The part of the line in this row; beyond the grid's edge all of it.
-            let edge = |row: usize| self.origin.y + row as f64 * self.cell[1];
-            let upper = if row == 0 { high.y } else { edge(row) - SLACK };
-            let lower = if row + 1 == self.rows { low.y } else { edge(row + 1) + SLACK };
-            let (a, b) = if run.y > 0.0 { (at(upper), at(lower)) } else { (from.x, to.x) };
-            for column in self.column(a.min(b) - SLACK)..=self.column(a.max(b) + SLACK) {
-                self.cells[row * self.columns + column].push(thing as u32);
-            }
-        }
+        let ranges: SmallVec<[(usize, usize); 16]> = (first..=last)
+            .map(|row| {
+                // The part of the line in this row; beyond the grid's edge all of it.
+                let edge = |row: usize| self.origin.y + row as f64 * self.cell[1];
+                let upper = if row == 0 { high.y } else { edge(row) - SLACK };
+                let lower = if row + 1 == self.rows { low.y } else { edge(row + 1) + SLACK };
+                let (a, b) = if run.y > 0.0 { (at(upper), at(lower)) } else { (from.x, to.x) };
+                let columns = (self.column(a.min(b) - SLACK), self.column(a.max(b) + SLACK));
+                (row * self.columns + columns.0, row * self.columns + columns.1)
+            })
+            .collect();
+        ranges.into_iter().flat_map(|(first, last)| first..=last)
     }
 
     /// Whether something near a box satisfies `is`; a thing may be asked for twice.
@@ -127,11 +144,25 @@ impl Grid {
 
     /// What is near a box, in rising order, each once; at least all that touches it.
     pub fn near(&self, area: Rect) -> Vec<usize> {
+        self.within_all(self.cells_of(area))
+    }
+
+    /// What is near a straight line, in rising order, each once; at least all that touches it.
+    pub(super) fn along(&self, line: (Point, Point)) -> Vec<usize> {
+        if is_near(line) {
+            self.within_all(self.cells_along(line))
+        } else {
+            self.near(Rect::from_points(line.0, line.1))
+        }
+    }
+
+    /// The things in some cells and those everywhere, in rising order, each once.
+    fn within_all(&self, cells: impl Iterator<Item = usize>) -> Vec<usize> {
         let mut found: Vec<usize> = self.everywhere.iter().map(|thing| *thing as usize).collect();
         let mut seen = self.seen.borrow_mut();
         let Seen { search, last } = &mut *seen;
         *search += 1;
-        for cell in self.cells_of(area) {
+        for cell in cells {
             for thing in self.within(cell) {
                 if last.len() <= thing {
                     last.resize(thing + 1, 0);
@@ -146,6 +177,12 @@ impl Grid {
     }
 }
 
+/// Whether a line is so near that its cells can be told.
+fn is_near((from, to): (Point, Point)) -> bool {
+    let is_near = |point: Point| (point.x.abs() < FAR) & (point.y.abs() < FAR);
+    is_near(from) && is_near(to)
+}
+
 /// What labels keep off, in the order in which it came, and grids that find what is near.
 #[derive(Clone, Debug)]
 pub struct Obstacles {
@@ -155,6 +192,8 @@ pub struct Obstacles {
     pub lines: Vec<(Point, Point)>,
     /// The panel: no label leaves it.
     pub bounds: Rect,
+    /// White around a label's ink that no line enters, in mm: half the width of a line.
+    pub strike: f64,
     /// By box: the ink of the text that it keeps white, if it does.
     inks: Vec<Option<Rect>>,
     grid_of_boxes: Grid,
@@ -165,7 +204,15 @@ impl Obstacles {
     /// A panel without obstacles.
     pub fn new(bounds: Rect) -> Self {
         let (grid_of_boxes, grid_of_lines) = (Grid::new(bounds), Grid::new(bounds));
-        Self { boxes: Vec::new(), lines: Vec::new(), bounds, inks: Vec::new(), grid_of_boxes, grid_of_lines }
+        Self {
+            boxes: Vec::new(),
+            lines: Vec::new(),
+            bounds,
+            strike: STRIKE[0],
+            inks: Vec::new(),
+            grid_of_boxes,
+            grid_of_lines,
+        }
     }
 
     /// Adds boxes that nothing may touch.
@@ -202,10 +249,15 @@ impl Obstacles {
         self.grid_of_boxes.near(area).into_iter().map(|index| self.boxes[index])
     }
 
-    /// The boxes near `area` without the white around texts, and whether each is a text's.
-    pub(super) fn things_near(&self, area: Rect) -> impl Iterator<Item = (Rect, bool)> {
-        let near = self.grid_of_boxes.near(area).into_iter();
+    /// The boxes along a line without the white around texts, and whether each is a text's.
+    pub(super) fn things_along(&self, line: (Point, Point)) -> impl Iterator<Item = (Rect, bool)> {
+        let near = self.grid_of_boxes.along(line).into_iter();
         near.map(|index| (self.inks[index].unwrap_or(self.boxes[index]), self.inks[index].is_some()))
+    }
+
+    /// The numbers of the lines along a line, in rising order.
+    pub(super) fn lines_along(&self, line: (Point, Point)) -> Vec<usize> {
+        self.grid_of_lines.along(line)
     }
 
     /// The lines near `area` by their numbers, in rising order.

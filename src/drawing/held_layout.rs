@@ -4,14 +4,15 @@ use super::canvas::Held;
 use super::compose::Composition;
 use super::context::{Purpose, SheetContext, Surface};
 use super::facts::Steps;
-use super::figure::{Contents, FigureSheets, LaidOut, composed, described, extents_to_fit};
+use super::figure::{FigureSheets, extents_to_fit};
+use super::laid_out::{Contents, LaidOut, composed, described};
 use super::layout::{Layout, Needs, Placed};
 use super::panel::{Extents, cycles_of, extents_in};
 use super::sheet::Drawing;
 use super::values::is_hidden;
 use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution, shown_text};
-use crate::cycle::{Animation, OtherModes, Traces};
+use crate::cycle::{Animation, OtherModes, Pull, Traces};
 use crate::geometry;
 use crate::mechanism::{GROUND, Mechanism};
 use crate::sheet::Sheet;
@@ -20,6 +21,8 @@ use std::sync::Arc;
 
 /// Every so many of them is asked for the height of its words.
 const WORDS_OF: usize = 12;
+/// Into so many parts the range of a drive that moves alone is divided.
+const PULLED: usize = 48;
 
 /// A part of a screen on which a figure is shown; its lengths are in pixels. A drawing for it has its proportions, and is
 /// to be shown as large as it is.
@@ -39,8 +42,8 @@ pub struct Pane {
 ///
 /// That [of the figure](HeldLayout::of_figure) is that of the file: in the scene's own position it is drawn as there; in
 /// others what leaves its panel is cut off. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the
-/// figure's page or on a part of a screen; of a drive that swings it has room for 97 % of them, for vectors run off to
-/// infinity at the ends of its range. A panel says that its content is cut.
+/// figure's page or on a part of a screen; of a drive that swings, whose vectors run off to infinity at the ends of its
+/// range, it has room for all in which they are not far larger than in most. A panel says that its content is cut.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
@@ -71,14 +74,32 @@ pub struct HeldLayout {
 }
 
 /// All positions of a mechanism on its branch, by drive: for its layouts on several surfaces they are computed once.
+///
+/// Of several drives they are those that time brings, in which all move together, and those of each alone.
 pub struct Positions(Vec<Animation>);
 
 impl Positions {
     /// Those of a scene's mechanism; none of one that stands still.
     #[must_use]
     pub fn of(own: &Solution) -> Positions {
-        Positions(cycles_of(own))
+        let drives = own.mechanism.drive_names();
+        let alone = drives.iter().filter(|_| drives.len() > 1).filter_map(|drive| pulled(own, drive));
+        Positions(cycles_of(own).into_iter().chain(alone).collect())
     }
+}
+
+/// Positions that a drive reaches while the others stand.
+fn pulled(own: &Solution, drive: &str) -> Option<Animation> {
+    let mut pull = Pull::new(own, Some(drive)).ok()?;
+    let start = pull.value();
+    let turn = if pull.drive().is_angle { 360.0 } else { 2.0 * start.abs() };
+    let [low, high] = pull.ends().map(|end| end.map(|end| end.at));
+    let from = low.unwrap_or_else(|| high.map_or(start, |high| high - turn));
+    let way = high.unwrap_or(from + turn) - from;
+    let poses = (0..=PULLED).map(|k| pull.to_value(from + way * k as f64 / PULLED as f64).pose);
+    let positions: Vec<Solution> = poses.filter_map(|pose| own.moved(pose).ok()).collect();
+    let is_round = low.is_none() && high.is_none();
+    Some(Animation { drive: None, values: Vec::new(), positions, own: 0, is_round })
 }
 
 /// A place that can be taken hold of.

@@ -31,7 +31,8 @@ impl Inset {
     /// An enlarged detail for the largest crowd of `places`, in the free place nearest to it; `None` without a crowd or
     /// without room.
     pub(super) fn new(canvas: &Canvas<'_>, places: &[Point]) -> Option<Inset> {
-        let (crowd, reach) = crowd(places)?;
+        let places: Vec<Point> = places.iter().copied().filter(|place| canvas.frame.contains(*place)).collect();
+        let (crowd, reach) = crowd(&places)?;
         let before = canvas.held.as_ref().and_then(|held| held.before.insets.get(canvas.prefix).copied());
         before.and_then(|before| before.moved(canvas, crowd, reach)).or_else(|| Self::anew(canvas, crowd, reach))
     }

@@ -18,8 +18,8 @@ const WHITE: [f64; 2] = [4.8, 6.4];
 const LEAST_WHITE: [f64; 2] = [2.2, 6.2];
 /// Height of a panel's heading, in mm.
 pub(super) const HEADING: f64 = 7.2;
-/// Height of its scale where that has a row of its own, in mm.
-pub(super) const SCALE_ROW: f64 = 6.0;
+/// Height of a row below it, as of its scale where that is not beside it, in mm.
+pub(super) const ROW: f64 = 6.0;
 /// Rounding of sizes on paper, in mm.
 const ROUNDING: f64 = 1e-6;
 /// Smallest width and height of a panel's content area, in mm.
@@ -40,19 +40,23 @@ pub(super) struct Needs {
     pub scale: f64,
     /// Further white between heading and content, in mm.
     pub above: f64,
+    /// Rows below the heading for the names that have no room.
+    pub rows: usize,
     /// The scale that is given, in units per mm of paper.
     pub mu: Option<f64>,
     /// White around its content inside the panel, for labels, in mm.
     pub white: f64,
     /// How much the size of its content counts among the panels.
     pub weight: f64,
+    /// Whether it shows a part of a plan: what is cut off is no news, and the pole need not be in sight.
+    pub is_part: bool,
 }
 
 impl Needs {
     /// Those of a panel with the usual white, at a scale that fits.
     pub(super) fn usual(sheet: Sheet, extent: Extent, heading: f64) -> Needs {
         let white = WHITE[usize::from(sheet == Sheet::Scheme)];
-        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, mu: None, white, weight: 1.0 }
+        Needs { sheet, extent, heading, scale: 0.0, above: 0.0, rows: 0, mu: None, white, weight: 1.0, is_part: false }
     }
 
     /// These at scales with steps, of which most leave more white than labels need.
@@ -85,10 +89,12 @@ impl Needs {
 
     /// Height above the content in a frame of some width, in mm: heading and scale, and white below them.
     pub(super) fn header(&self, width: f64) -> f64 {
-        HEADING
-            + self.above
-            + (self.white - 1.0).max(LEAST_WHITE[0])
-            + if self.is_scale_below(width) { SCALE_ROW } else { 0.0 }
+        self.heading_height(width) + self.above + (self.white - 1.0).max(LEAST_WHITE[0])
+    }
+
+    /// Height of heading, scale and rows of names in a frame of some width, in mm.
+    pub(super) fn heading_height(&self, width: f64) -> f64 {
+        HEADING + ROW * (self.rows + usize::from(self.is_scale_below(width))) as f64
     }
 
     /// Least width and height of the frame at a scale in units per unit of the layout, in mm: as narrow as it may be, or wide

@@ -5,10 +5,11 @@
 //!
 //! - `context` is what every layer asks: the solution with its `facts`, looked up once, the surface (page, sizes of letters,
 //!   scales) and what the sheet is for. It is made once and passed on; only a `Surface` knows the page.
-//! - `figure` decides the scales once for all sheets of a figure and lays each out once; `held_layout` holds panels and
+//! - `figure` decides the scales once for all sheets of a figure and lays each out once, which a `laid_out` says how; `held_layout` holds panels and
 //!   scales while a mechanism moves, a canvas where names were in the picture before.
 //! - A sheet is put together of `panel`s with their layers and `scale_bar`s, a `table` beside them, `remarks` and `words`
-//!   below; `compose` makes a sheet of it with a `layout`, for which `division` finds cuts and scales. `exercise`, `correction` and `curves` are other sheets.
+//!   below; `compose` makes a sheet of it with a `layout`, for which `division` finds cuts and scales. `exercise`, `correction` and `curves` are other sheets;
+//!   a plan whose names crowd has further sheets with `parts` of it.
 //! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
 //!   `style`, its `text`, the places of its `labels` off all obstacles, which a `grid` finds.
@@ -75,6 +76,7 @@ pub mod grid;
 mod held_layout;
 mod inset;
 mod labels;
+mod laid_out;
 mod layout;
 
 mod lines;
@@ -84,6 +86,7 @@ mod markup;
 #[doc(hidden)] // for tests
 pub mod overlay;
 mod panel;
+mod parts;
 mod passages;
 mod plan;
 mod remarks;
@@ -115,7 +118,7 @@ pub use look::{Cap, Colour, Dash, Look, Pen};
 pub use markup::{Run, Script};
 pub use overlay::{Overlay, OwnKind, OwnLine, OwnPoint, OwnValue, WrongStep};
 pub use shape::Shape;
-pub use sheet::{Drawing, Emphasis, Mark};
+pub use sheet::{Drawing, Emphasis, Mark, Unlabelled, UnlabelledName};
 pub use sheet_notes::SheetLabels;
 pub use style::Style;
 pub use text::{Anchor, PlacedRun, PlacedText, RichText};

@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Held};
 use super::context::SheetContext;
 use super::dims::Dims;
-use super::layout::{HEADING, Needs, Placed, SCALE_ROW};
+use super::layout::{Needs, Placed, ROW};
 use super::lines::Line;
 use super::markers::PlacedPanel;
 use super::overlay::OwnLayer;
@@ -27,8 +27,9 @@ use kurbo::{Point, Rect, Vec2};
 const SIZE: f64 = 1.05 * CAPTION;
 /// Positions in which the largest content of a cycle is looked for.
 const POSITIONS: usize = 72;
-/// Share of them that is seen whole where vectors run off to infinity, at the ends of a range.
-const MOST: f64 = 0.97;
+/// Where a drive swings, vectors run off to infinity at the ends of its range: what is so many times as large as half of
+/// the positions are is not seen whole, or the others would be too small to be read.
+const RUNS_OFF: f64 = 3.0;
 /// White before a heading, in mm.
 const BEFORE: f64 = 2.5;
 /// White between a heading and the scale beside it, in mm.
@@ -82,6 +83,8 @@ impl<'a> Panel<'a> {
         let mut canvas = Canvas::new(drawing, [&self.name, &self.prefix], placed.frame, renamed, *dims);
         canvas.held = held;
         canvas.header = placed.header();
+        canvas.keep_rows(placed.needs.rows);
+        canvas.is_part = placed.needs.is_part;
         if let Some(own) = &self.own {
             own.reserve(&mut canvas, &view);
         }
@@ -104,21 +107,21 @@ impl<'a> Panel<'a> {
 }
 
 impl Placed {
-    /// The view of the panel, moved so that a content that fits stays in sight, and always the pole of a plan.
+    /// The view of the panel, moved so that a content that fits stays in sight, and always the pole of a whole plan.
     pub(super) fn view(&self, content: Option<Extent>) -> View {
         let mut view = View::new(self.mu * self.unit, &self.needs.extent, self.area);
         if let Some(content) = content.filter(|content| self.holds(content)) {
             view = view.holding(content.low, self.area).holding(content.high, self.area);
         }
-        if self.needs.sheet.order().is_some() {
+        if self.needs.sheet.order().is_some() && !self.needs.is_part {
             view = view.holding(geometry::Point::origin(), self.area);
         }
         view
     }
 
-    /// Height of heading and scale, in mm.
+    /// Height of heading, scale and rows of names, in mm.
     fn header(&self) -> f64 {
-        HEADING + if self.needs.is_scale_below(self.frame.width()) { SCALE_ROW } else { 0.0 }
+        self.needs.heading_height(self.frame.width())
     }
 
     /// The panel on a sheet, for programs that read a photograph of it.
@@ -191,7 +194,7 @@ impl Frame {
             let room = if below { room } else { Rect { x0: ink.x1 + APART, ..room } };
             let bar = scales.bar_within(placed.needs.sheet, placed.mu, room.width());
             let from = Point::new(room.x1 - bar.width(), from.y);
-            let from = if below { Point::new(room.x0, from.y + SCALE_ROW) } else { from };
+            let from = if below { Point::new(room.x0, from.y + ROW) } else { from };
             let ink = bar.draw(canvas.drawing, from, Some(format!("scale-{}", placed.needs.sheet.as_str())));
             canvas.obstacles.add_texts([ink]);
         }
@@ -237,7 +240,7 @@ pub(super) fn extents_in(own: &SheetContext<'_>, cycles: &[Animation]) -> Extent
         let of_panel = |all: &Extents| all.iter().find(|(own, _)| *own == panel).map(|(_, extent)| *extent);
         let whole = seen.iter().fold(extent, |whole, (is_round, all)| {
             let all = all.iter().filter_map(of_panel);
-            if *is_round { whole.with_all(all) } else { whole.with_share(MOST, all) }
+            if *is_round { whole.with_all(all) } else { whole.with_usual(RUNS_OFF, all) }
         });
         (panel, whole)
     };

@@ -24,10 +24,9 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     let is_projected = context.surface.series == Series::Any || context.surface.dims.unit > 1.0;
     let is_said = !agrees || (context.values.is_empty() && !is_projected);
     let sentence = is_said.then_some(sentence);
-    Lines {
-        step,
-        ..Lines::of(sentence_on_paths(context).iter().chain(&sentence), context.surface.dims.width_below() - beside)
-    }
+    let sentences: Vec<String> = sentence_on_paths(context).into_iter().chain(sentence).collect();
+    let together = (!sentences.is_empty()).then(|| sentences.join(" "));
+    Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }
 }
 
 /// The sentence on paths alone, which holds for all positions.

@@ -63,7 +63,10 @@ impl ScaleBars {
             return whole;
         }
         match self.series {
-            Series::Any => self.alone(sheet, mu, (ALONE[1] - whole.width() + width).max(ALONE[0])),
+            Series::Any => {
+                let length = whole.bar.as_ref().map_or(0.0, |(_, length)| *length);
+                self.alone(sheet, mu, (length - whole.width() + width).max(ALONE[0]))
+            }
             _ => self.narrowest(sheet, mu),
         }
     }

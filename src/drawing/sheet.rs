@@ -30,8 +30,8 @@ pub struct Drawing {
     pub panels: Vec<(String, Rect)>,
     /// Captions of the steps of the construction, in plain text; [`Mark::since`] counts these steps.
     pub steps: Vec<String>,
-    /// By panel: its name, and the names for which it has no room.
-    pub unlabelled: Vec<(String, Vec<String>)>,
+    /// By panel: the names for which it has no room.
+    pub unlabelled: Vec<Unlabelled>,
     /// What its small code says, on a sheet with markers by which a photograph of it is read.
     pub code: Option<SheetCode>,
 }
@@ -108,6 +108,7 @@ impl Drawing {
             is_shown.then(|| Mark { emphasis, ..mark.clone() })
         });
         let words = self.steps.get(step.wrapping_sub(1));
+        let unlabelled = self.unlabelled.iter().map(|panel| panel.after_step(step));
         Drawing {
             marks: shown.collect(),
             title: self.title.clone(),
@@ -115,7 +116,7 @@ impl Drawing {
             description: words.cloned().unwrap_or_default(),
             style: self.style.clone(),
             steps: Vec::new(),
-            unlabelled: self.unlabelled.clone(),
+            unlabelled: unlabelled.filter(|panel| !panel.names.is_empty()).collect(),
             code: self.code.clone(),
             ..*self
         }
@@ -151,6 +152,38 @@ impl Drawing {
         let area = text.ink_box().inflate(0.5 * halo, 0.5 * halo);
         let crosses = |shape: &Shape| shape.bounds().overlaps(area) && shape.lines_cross(area);
         halo > 0.0 && below.any(area, |other| crosses(&self.marks[other].shape))
+    }
+}
+
+/// The names for which a panel has no room.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unlabelled {
+    /// The panel's name.
+    pub panel: String,
+    /// The names, in the order of the steps that make them.
+    pub names: Vec<UnlabelledName>,
+    /// How many rows below the panel's heading their list takes.
+    pub rows: usize,
+    /// Whether they stand there; else the panel only says that it has no room.
+    pub are_listed: bool,
+}
+
+/// A name without room.
+#[derive(Clone, Debug, PartialEq)]
+pub struct UnlabelledName {
+    /// The name.
+    pub text: RichText,
+    /// What it names, on the sheet.
+    pub place: Point,
+    /// The step of the construction with which it appears, as of a [`Mark`].
+    pub since: u16,
+}
+
+impl Unlabelled {
+    /// Those of the sheet after a step.
+    fn after_step(&self, step: usize) -> Unlabelled {
+        let names = self.names.iter().filter(|name| usize::from(name.since) <= step);
+        Unlabelled { names: names.cloned().collect(), panel: self.panel.clone(), ..*self }
     }
 }
 

@@ -10,11 +10,11 @@ use super::sheet::{Drawing, Pen};
 use super::style::Style;
 use super::table::{Cells, Heading, Table};
 use super::text::{CAPTION, PlacedText, RichText};
-use crate::construction::{NOTHING, Plan, PlanVector, PointRole, Solution, rate_symbol};
+use crate::construction::{NOTHING, Plan, PlanVector, PointRole, Solution, VectorPart, image_name, rate_symbol};
 use crate::mechanism::{BodyId, Role};
 use crate::motion::BodyMotion;
 use crate::quantity::QuantityKind;
-use crate::scene::{Figure, Shape as Given, Units, ValuesShown};
+use crate::scene::{Figure, QuantityName, Shape as Given, Units, ValuesShown};
 use crate::sheet::{Order, Sheet};
 use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
@@ -23,7 +23,7 @@ use kurbo::{Point, Rect, Vec2};
 const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
-/// Largest part of a sheet's height for a list that the figure's style alone asks for.
+/// Largest part of a sheet's height for the list of results.
 const MOST: f64 = 0.2;
 /// Height of a line of listed values, in mm.
 const LINE: f64 = 6.6;
@@ -184,17 +184,39 @@ impl List<'_> {
     }
 }
 
-/// The list of the results: rates of links, motions of points, and motions along guides; none in a figure without
-/// values, or where its style asks for values and the list would be long. On a stepwise sheet it stands below the panels, after the last step.
+/// The list of the results: rates of links, motions of points, and motions along guides; only the main ones where all would
+/// take too much of the sheet, and none where these would. On a stepwise sheet it stands below the panels, after the last
+/// step.
 pub(super) fn value_list(context: &SheetContext<'_>, after: Option<u16>) -> Option<ValueList> {
-    let entry = |value: &Value| (value.text(), format!("{}-{}", value.panel.as_str(), value.name));
-    let entries: Vec<(RichText, String)> = context.values.iter().filter(|value| value.is_listed()).map(entry).collect();
-    let (page, width) = (context.surface.dims.page, context.surface.dims.width_below());
-    let list = ValueList { entries, after, width };
-    // Values that nobody has asked for must not take the panels' room.
-    let most = if context.figure().values.is_some() { f64::INFINITY } else { MOST * page[1] };
-    let fits = list.height_in(width) <= most;
+    let list = ValueList::of(context, context.values.iter().filter(|value| value.is_listed()), after);
+    let fits = list.height_in(list.width) <= MOST * context.surface.dims.page[1];
+    let list = if fits { list } else { ValueList::of(context, context.main_values(), after) };
+    let fits = list.height_in(list.width) <= MOST * context.surface.dims.page[1];
     (!list.entries.is_empty() && fits).then_some(list)
+}
+
+/// The end of the id of a value in a list.
+fn id(value: &Value) -> String {
+    format!("{}-{}", value.panel.as_str(), value.name)
+}
+
+impl SheetContext<'_> {
+    /// The main results: the rates, what the scene wants, and how points move that are no joints.
+    fn main_values(&self) -> impl Iterator<Item = &Value> {
+        let wanted = self.solution.scene.want.iter().flatten().filter_map(|name| QuantityName::parse(name));
+        let wanted: Vec<QuantityName> = wanted.collect();
+        self.values.iter().filter(move |value| match &value.of {
+            ValueOf::Rate(_) => true,
+            ValueOf::Vector(vector) if vector.part == VectorPart::Whole => {
+                let is_image = |point: &str| image_name(point) == vector.ends[1];
+                let is_wanted = wanted.iter().any(|name| name.arguments.first().is_some_and(|point| is_image(point)));
+                let mut points = self.mechanism().point_ids();
+                let point = points.find(|point| is_image(self.mechanism().point_name(*point)));
+                is_wanted || point.is_some_and(|point| !self.facts.pins[point.0] && !self.facts.slides[point.0])
+            }
+            _ => false,
+        })
+    }
 }
 
 /// A table of values.
@@ -222,12 +244,27 @@ pub(super) fn label<'c>(
         ValueOf::Rate(link) => context.number(*link),
         ValueOf::Vector(_) | ValueOf::Length(..) => None,
     };
-    let may_stand_apart = value.is_listed() && value.number != 0.0;
-    let priority = u8::from(may_stand_apart) + u8::from(may_stand_apart && matches!(value.of, ValueOf::Rate(_)));
-    let request = LabelRequest { may_stand_apart, ..LabelRequest::new(value.text(), anchor, 0.9, prefer, priority) };
+    let request = LabelRequest {
+        may_stand_apart: value.is_listed() && value.number != 0.0,
+        ..LabelRequest::new(value.text(), anchor, 0.9, prefer, rank(value))
+    };
     canvas.step = value.since;
     let wanted = Wanted::new(value.name.clone(), request);
     canvas.request_label(Wanted { number, optional: true, last: true, ..wanted })
+}
+
+/// Which values choose their places first: results before what leads to them, angular velocities before accelerations, what
+/// is zero last.
+fn rank(value: &Value) -> u8 {
+    match (&value.of, value.kind) {
+        _ if value.number == 0.0 => 0,
+        (ValueOf::Rate(_), QuantityKind::AngularVelocity) => 4,
+        (ValueOf::Rate(_), _) => 3,
+        (ValueOf::Vector(PlanVector { part: VectorPart::Whole, .. }), _) => 3,
+        (ValueOf::Vector(_), _) if value.is_listed() => 2,
+        (ValueOf::Vector(_), _) => 1,
+        (ValueOf::Length(_), _) => 0,
+    }
 }
 
 /// Whether a value has its label at the arrow of a drive.
@@ -255,6 +292,17 @@ pub(super) struct ValueList {
 }
 
 impl ValueList {
+    fn of<'v>(context: &SheetContext<'_>, values: impl Iterator<Item = &'v Value>, after: Option<u16>) -> ValueList {
+        let entry = |value: &Value| (value.text(), id(value));
+        ValueList { entries: values.map(entry).collect(), after, width: context.surface.dims.width_below() }
+    }
+
+    /// Whether a value is in the list.
+    pub(super) fn has(&self, value: &Value) -> bool {
+        let own = id(value);
+        self.entries.iter().any(|(_, id)| *id == own)
+    }
+
     /// By entry: its column's left end and its line, for lines of this width; in columns of one width.
     fn places(&self, width: f64) -> Vec<(f64, usize)> {
         let column = self.widest() + BETWEEN;

@@ -23,12 +23,13 @@ impl Extent {
         Extent::of([self.low, self.high, place])
     }
 
-    /// The extent of this content and a share of the others, from 0 to 1: those of the smallest size.
-    pub(super) fn with_share(self, share: f64, others: impl Iterator<Item = Extent>) -> Extent {
+    /// The extent of this content and of those others that are at most so many times as large as half of them are.
+    pub(super) fn with_usual(self, times: f64, others: impl Iterator<Item = Extent>) -> Extent {
         let mut others: Vec<Extent> = others.collect();
-        others.sort_by(|a, b| a.size().norm().total_cmp(&b.size().norm()));
-        let count = libm::ceil(share * others.len() as f64) as usize;
-        self.with_all(others.into_iter().take(count))
+        let size = |extent: &Extent| extent.size().norm();
+        others.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        let most = times * others.get(others.len() / 2).map_or(0.0, size);
+        self.with_all(others.into_iter().take_while(|other| size(other) <= most))
     }
 
     /// The extent of this content and all others.

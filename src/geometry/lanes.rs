@@ -265,6 +265,19 @@ impl<S: Simd, const N: usize> Neg for Register<S, N> {
     }
 }
 
+/// Whether registers of two numbers have an operation for `a b + c`; wider ones always do.
+const HAS_PLUS_PRODUCT: bool = cfg!(target_arch = "aarch64");
+
+/// `a b + c` without an operation for it: some eighty instructions. Not inlined, for a group's equations have hundreds of
+/// these: functions of 300 kB took the compiler longer than a quarter of the library.
+#[inline(never)]
+fn step_by_step<S: Simd>(simd: S, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
+    simd.vectorize(
+        #[inline(always)]
+        || a.mul_add_precise(b, c),
+    )
+}
+
 impl<S: Simd, const N: usize> Number for Register<S, N> {
     #[inline(always)]
     fn same(self, number: f64) -> Self {
@@ -275,7 +288,12 @@ impl<S: Simd, const N: usize> Number for Register<S, N> {
     #[inline(always)]
     fn plus_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
-            self.numbers[i] = a.numbers[i].mul_add_precise(b.numbers[i], self.numbers[i]);
+            let (a, b, sum) = (a.numbers[i], b.numbers[i], self.numbers[i]);
+            self.numbers[i] = if HAS_PLUS_PRODUCT || S::f64s::LEN > 2 {
+                a.mul_add_precise(b, sum)
+            } else {
+                step_by_step(self.simd, a, b, sum)
+            };
         }
         self
     }

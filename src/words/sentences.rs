@@ -162,6 +162,8 @@ sentences! {
     /// In a panel whose content is larger.
     cut_at_edge = "cut at the edge";
     names_without_room = "no room for all names";
+    /// Before a list of them.
+    names_left_out = "no room for:";
     at_infinity(point) = "{point} at infinity";
     paths(points, step, drive) = "Ticks on the path of {points}: every {step} of drive {drive}.";
     paths_in_time(points, step, drive, time) =

@@ -2,46 +2,87 @@
 //! languages and notations, at several steps of the construction.
 
 use kinegon::Scene;
-use kinegon::drawing::{Drawing, FigureSheets, Steps};
+use kinegon::drawing::{Drawing, FigureSheets, Pen, RichText, Shape, Steps};
 use kinegon::scene::{LanguageName, NotationName, Page, StyleName, ValuesShown};
 use support::files;
 use support::legible::misread;
 use support::stages::solved;
 use support::survey::{LEGIBLE, MISREAD, on_all_cores};
 
-/// What is counted in each group of drawings: pairs beside each other, pairs one above the other, texts struck through, names
-/// left out; and all of them in words.
+/// What is counted, and all of it in words.
 #[derive(Default)]
 struct Count {
     drawings: usize,
-    misread: [usize; 4],
+    /// Pairs beside each other, pairs one above the other, texts struck through, names without room, and names and values
+    /// that stand nowhere.
+    misread: [usize; 5],
     words: Vec<String>,
 }
 
 /// A sheet of each kind: its style, its page, whether values are asked for.
-const SURFACES: [(StyleName, &str, bool); 4] = [
+const SURFACES: [(StyleName, &str, bool); 8] = [
     (StyleName::Paper, "a4", false),
-    (StyleName::Paper, "a4", true),
-    (StyleName::Lecture, "16x9", false),
     (StyleName::Lecture, "16x9", true),
+    (StyleName::Print, "a4", true),
+    (StyleName::Board, "16x9", false),
+    (StyleName::Lecture, "16x9", false),
+    (StyleName::Paper, "a4", true),
+    (StyleName::Lecture, "a4-portrait", false),
+    (StyleName::Board, "16x9", true),
 ];
 
-/// The finished figure, and the sheets after some of the steps.
-fn drawings(scene: &Scene) -> Vec<(String, Drawing)> {
-    let solution = kinegon::solve(scene).expect("it moves");
-    let sheets = FigureSheets::new(&solution);
-    let stepwise = sheets.steps(Steps::Fine);
-    let last = stepwise.steps.len();
+/// The finished figure, and the sheets after some of the steps, fine and coarse.
+fn drawings(sheets: &FigureSheets<'_>) -> Vec<(String, Drawing)> {
     let mut all = vec![("figure".to_owned(), sheets.figure())];
-    all.extend([last / 3, 2 * last / 3, last].map(|step| (format!("step {step}"), stepwise.after_step(step))));
+    for (steps, word) in [(Steps::Fine, "step"), (Steps::Coarse, "coarse step")] {
+        let stepwise = sheets.steps(steps);
+        let last = stepwise.steps.len();
+        all.extend([last / 3, 2 * last / 3, last].map(|step| (format!("{word} {step}"), stepwise.after_step(step))));
+    }
     all
 }
 
-fn judge(name: &str, drawing: &Drawing, count: &mut Count) {
+/// Names without room that the panel does not list.
+fn unlisted(drawing: &Drawing) -> Vec<String> {
+    let mut missing = Vec::new();
+    for unlabelled in &drawing.unlabelled {
+        let frame = drawing.panels.iter().find(|(name, _)| *name == unlabelled.panel).expect("it names a panel").1;
+        let listed = drawing.marks.iter().filter_map(|mark| match &mark.shape {
+            Shape::Text(text) if frame.overlaps(text.ink_box()) && mark.pen == Pen::Caption => Some(&text.text),
+            _ => None,
+        });
+        let listed: Vec<&RichText> = listed.collect();
+        let names = unlabelled.names.iter().filter(|name| !listed.contains(&&name.text));
+        missing.extend(names.map(|name| name.text.content()));
+    }
+    missing
+}
+
+/// Values that the figure asks for and that stand neither on it nor on a further sheet.
+fn values_nowhere(sheets: &FigureSheets<'_>, figure: &Drawing) -> Vec<String> {
+    let all = sheets.sheets();
+    let further = all.iter().skip(1).flat_map(|sheet| &sheet.marks).filter_map(|mark| match &mark.shape {
+        Shape::Text(text) => Some(text.text.content()),
+        _ => None,
+    });
+    let further: Vec<String> = further.collect();
+    let count = further.len();
+    let missing = sheets.values_without_room(figure);
+    // Each has a row of three cells: symbols are set, so that only their number is compared.
+    if count >= 2 * missing.len() { Vec::new() } else { missing }
+}
+
+fn judge(name: &str, drawing: &Drawing, nowhere: Vec<String>, count: &mut Count) {
     let found = misread(drawing);
-    let left_out: Vec<String> = drawing.unlabelled.iter().flat_map(|(_, names)| names.clone()).collect();
-    let kinds =
-        [("beside", found.beside), ("stacked", found.stacked), ("struck", found.struck), ("left out", left_out)];
+    let names = drawing.unlabelled.iter().flat_map(|panel| &panel.names);
+    let left_out: Vec<String> = names.map(|name| name.text.content()).collect();
+    let kinds = [
+        ("beside", found.beside),
+        ("stacked", found.stacked),
+        ("struck", found.struck),
+        ("no room", left_out),
+        ("nowhere", [unlisted(drawing), nowhere].concat()),
+    ];
     count.drawings += 1;
     for ((kind, all), sum) in kinds.into_iter().zip(&mut count.misread) {
         *sum += all.len();
@@ -71,9 +112,12 @@ fn texts_are_read_as_they_are() {
         (figure.style, figure.notation, figure.language) = (style, notation, language);
         figure.page = Page::from_name(page).expect("it is a page");
         figure.values = Some(if values { ValuesShown::Shown(None) } else { ValuesShown::Hidden });
-        for (sheet, drawing) in drawings(&scene) {
-            let name = format!("{name} on {page}, values {values}, {notation:?}, {language:?}, {sheet}");
-            judge(&name, &drawing, count);
+        let solution = kinegon::solve(&scene).expect("it moves");
+        let sheets = FigureSheets::new(&solution);
+        for (sheet, drawing) in drawings(&sheets) {
+            let name = format!("{name} in {style:?} on {page}, values {values}, {notation:?}, {language:?}, {sheet}");
+            let nowhere = if sheet == "figure" { values_nowhere(&sheets, &drawing) } else { Vec::new() };
+            judge(&name, &drawing, nowhere, count);
         }
     });
     let mut whole = Count::default();
@@ -83,7 +127,11 @@ fn texts_are_read_as_they_are() {
         whole.words.extend(words);
     }
     whole.words.sort();
-    let said = format!("{:?} in {} drawings\n{}", whole.misread, whole.drawings, whole.words.join("\n"));
+    let counted = format!(
+        "{:?} in {} drawings: pairs beside each other, above each other, texts struck, without room, nowhere",
+        whole.misread, whole.drawings
+    );
+    eprintln!("{counted}");
     let few = whole.misread.iter().zip(MISREAD.now()).all(|(seen, most)| *seen <= most);
-    assert!(few, "{said}");
+    assert!(few, "{counted}\n{}", whole.words.join("\n"));
 }

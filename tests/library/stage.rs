@@ -8,12 +8,13 @@ use std::collections::BTreeSet;
 use support::faults::faults;
 use support::files;
 use support::stages::solved;
-use support::survey::TURN;
+use support::survey::{KINDS, MOVED, TURN};
 
-/// Every scene, with its name.
-fn scenes() -> Vec<(String, Solution)> {
+/// Scenes of all kinds with their names; quick runs take others in each test.
+fn scenes(first: usize) -> Vec<(String, Solution)> {
     let folders = ["templates", "examples", "tests/lecture", "tests/driven_sliders"];
-    let texts = folders.into_iter().flat_map(files::scenes);
+    let every = KINDS.now();
+    let texts = folders.into_iter().flat_map(files::scenes).skip(first % every).step_by(every);
     texts.filter_map(|(name, text)| Some((name, solved(&text).ok()?))).collect()
 }
 
@@ -43,7 +44,7 @@ fn centre(drawing: &Drawing, id: &str) -> Option<Point> {
 
 #[test]
 fn on_paper_the_own_position_is_the_file() {
-    for (name, own) in scenes() {
+    for (name, own) in scenes(0) {
         let held = HeldLayout::of_figure(&own, None, None).draw(&own, None);
         assert!(held.svg() == own.figure().svg(), "{name}: at rest");
         for (steps, file) in [(Steps::Fine, own.stepwise_figure()), (Steps::Coarse, own.coarse_figure())] {
@@ -75,7 +76,7 @@ fn a_layout_eases_over() {
 
 #[test]
 fn layout_and_scales_are_held() {
-    for (name, own) in scenes() {
+    for (name, own) in scenes(1) {
         for steps in [None, Some(Steps::Fine)] {
             let stage = HeldLayout::of_figure(&own, steps, None);
             let drawing = stage.draw(&own, None);
@@ -100,7 +101,7 @@ fn layout_and_scales_are_held() {
 #[test]
 fn handles_are_where_points_are_drawn() {
     let mut checked = 0;
-    for (name, own) in scenes() {
+    for (name, own) in scenes(2) {
         let stage = HeldLayout::of_figure(&own, None, None);
         for moved in positions(&own) {
             let drawing = stage.draw(&moved, None);
@@ -132,13 +133,13 @@ fn handles_are_where_points_are_drawn() {
             }
         }
     }
-    assert!(checked > 2000, "{checked}");
+    assert!(checked > 2000 / KINDS.now(), "{checked}");
 }
 
 #[test]
 fn other_modes_have_their_numbers() {
     let mut seen = 0;
-    for (name, own) in scenes() {
+    for (name, own) in scenes(0) {
         let modes = OtherModes::of(&own).unwrap_or_else(|error| panic!("{name}: {error}"));
         let all = counted_poses(&own.mechanism, &own.scene.near).expect("it has been assembled").poses;
         assert!(modes.own.is_some() || modes.has_more, "{name}");
@@ -158,7 +159,7 @@ fn other_modes_have_their_numbers() {
             assert!(there.own.is_some() || there.has_more, "{name}");
         }
     }
-    assert!(seen > 40, "{seen}");
+    assert!(seen > 40 / KINDS.now(), "{seen}");
 }
 
 /// By point with a name: where the name is from the point.
@@ -191,7 +192,7 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
         let mut last = [stage.drag(&own, None, None), stage.draw(&own, None)];
         assert_eq!(last[0].marks, last[1].marks, "{name}");
         let start = pull.value();
-        for k in 1..=40 {
+        for k in 1..=MOVED.now() {
             let moved = own.moved(pull.to_value(start + 1.5 * f64::from(k)).pose).expect("it has a motion");
             let next = [stage.drag(&moved, None, None), stage.draw(&moved, None)];
             let differing: Vec<String> = ids(&next[0]).symmetric_difference(&ids(&next[1])).cloned().collect();
@@ -220,7 +221,7 @@ fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
     let telephone = Pane { width: 378.0, height: 620.0, letters: 12.0, words: false };
     let panes = [(None, Some(Steps::Coarse)), (Some(desk), Some(Steps::Fine)), (Some(telephone), None)];
     let mut turns = 0;
-    for (name, own) in scenes() {
+    for (name, own) in scenes(1) {
         let Ok(animation) = Animation::new(&own, None, TURN.now()) else { continue };
         let positions = Positions::of(&own);
         for (pane, steps) in panes {
@@ -244,5 +245,5 @@ fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
             turns += usize::from(animation.is_round);
         }
     }
-    assert!(turns > 10, "{turns}");
+    assert!(turns > 10 / KINDS.now(), "{turns}");
 }

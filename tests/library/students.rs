@@ -2,6 +2,7 @@
 
 use kinegon::exercise::{Exercise, Exercises};
 use kinegon::quantity::Quantity;
+use std::sync::OnceLock;
 use support::files;
 use support::stages::solved;
 use support::students::hand::{Hand, RIGHT};
@@ -22,20 +23,28 @@ const TOO_SURE: f64 = 0.03;
 const SPREAD: f64 = 2.5;
 
 /// The first exercises of a kind.
-fn exercises(kind: &str, seed: u64, count: usize) -> Vec<Exercise> {
+fn first(kind: &'static str) -> (&'static str, Vec<Exercise>) {
     let folder = if kind.starts_with("figure") { "examples" } else { "templates" };
     let text = files::read(&format!("{folder}/{kind}.json"));
     let base = solved(&text).expect("a good scene");
-    let exercises = Exercises::new(&base, None, seed);
+    let exercises = Exercises::new(&base, None, 7);
     let mut exercises = exercises.expect("it can vary");
-    (0..count).map(|_| exercises.next().expect("one can be found")).collect()
+    let count = RIGHT_EXERCISES.now().max(WRONG_EXERCISES.now());
+    (kind, (0..count).map(|_| exercises.next().expect("one can be found")).collect())
+}
+
+/// The first exercises of every kind, looked for once for all tests.
+fn exercises() -> &'static [(&'static str, Vec<Exercise>)] {
+    static FOUND: OnceLock<Vec<(&'static str, Vec<Exercise>)>> = OnceLock::new();
+    FOUND.get_or_init(|| kinds().map(first).collect())
 }
 
 fn tasks() -> Vec<Task> {
-    let of = |kind| {
-        exercises(kind, 7, WRONG_EXERCISES.now()).into_iter().map(move |exercise| Task::new(kind, &exercise.text))
+    let of = |(kind, exercises): &(&'static str, Vec<Exercise>)| {
+        let some = exercises[..WRONG_EXERCISES.now()].iter();
+        some.map(|exercise| Task::new(kind, &exercise.text).expect("a scene")).collect::<Vec<_>>()
     };
-    kinds().flat_map(of).map(|task| task.expect("a scene")).collect()
+    exercises().iter().flat_map(of).collect()
 }
 
 /// What this construction and the one of the library have in common is the scene and the names.
@@ -43,8 +52,8 @@ fn tasks() -> Vec<Task> {
 fn exact_drawings_agree_with_the_solution() {
     let mut failures = Vec::new();
     let mut drawn = 0;
-    for kind in kinds() {
-        for exercise in exercises(kind, 3, RIGHT_EXERCISES.now()) {
+    for (kind, exercises) in exercises() {
+        for exercise in &exercises[..RIGHT_EXERCISES.now()] {
             let (mut scheme, solution) = Scheme::new(&exercise.text).expect("a scene");
             place_specials(kind, &mut scheme);
             let mut sheet = draw(kind, &scheme, Hand::new(RIGHT, 1), &[]);

@@ -91,7 +91,7 @@ fn a_table_has_a_sheet_of_its_own() {
     assert!(text("own.name-2.svg").contains("measured-1-mm"));
     let output = draw(&["-o", "-"]);
     assert!(String::from_utf8_lossy(&output.stdout).contains("id=\"ruler\""));
-    assert!(stderr(&output).contains("the table is on a second sheet"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("a second sheet is not on stdout"), "{}", stderr(&output));
 }
 
 #[test]

@@ -83,21 +83,38 @@ pub const BRANCH_UNCLEAR: By<usize> = By(10, 20, 20);
 /// Pulls of each point of `pull`.
 pub const PULLS: By<usize> = By(3, 12, 12);
 /// Linkages in one scene that is drawn whole.
-pub const DRAWN_LINKAGES: By<usize> = By(150, 334, 334);
+pub const DRAWN_LINKAGES: By<usize> = By(80, 150, 334);
 /// Linkages of the smaller of two scenes whose times are compared.
-pub const LINKAGES: By<usize> = By(30, 60, 60);
+pub const LINKAGES: By<usize> = By(30, 30, 60);
 /// Positions of each drive in `editing::driven`.
-pub const DRIVEN_POSITIONS: By<u32> = By(8, 24, 72);
+pub const DRIVEN_POSITIONS: By<u32> = By(4, 24, 72);
+/// Of the ways that each joint is pulled in `editing::pulled` every so many-th, by turns.
+pub const PULLED: By<usize> = By(2, 1, 1);
 /// Scenes of each of the `properties`; PROPTEST_CASES asks for another number.
 pub const PROPERTIES: By<u32> = By(12, 48, 256);
-/// Positions of a turn in `stage`.
-pub const TURN: By<usize> = By(8, 24, 72);
 /// Pictures of each animation in `hall`.
-pub const HALL: By<usize> = By(18, 18, 36);
+pub const HALL: By<usize> = By(6, 12, 36);
+/// Of the sheets of all scenes there every so many-th; it shares no factor with the 8 of each scene.
+pub const HALL_SHEETS: By<usize> = By(3, 1, 1);
+/// Pictures of a cycle whose scales hold all of it.
+pub const SCALES_OF_A_CYCLE: By<usize> = By(24, 72, 72);
+/// Of the three units of `values` every so many-th, by turns.
+pub const LISTED_UNITS: By<usize> = By(3, 1, 1);
+/// Positions of a hand that moves a mechanism in `stage`, and those of a turn there.
+pub const MOVED: By<u32> = By(16, 24, 40);
+pub const TURN: By<usize> = By(6, 12, 72);
+/// Positions of each scene in `gallery_measured`.
+pub const GALLERY: By<usize> = By(4, 8, 12);
+/// Of the six pages of each work sheet every so many-th, by turns.
+pub const PAGES_EACH: By<usize> = By(3, 1, 1);
 /// Of the sheets of `legible` every so many-th.
-pub const LEGIBLE: By<usize> = By(23, 5, 1);
-/// The most texts there that run together beside each other and above each other, that are struck through, and that are left out.
-pub const MISREAD: By<[usize; 4]> = By([2, 4, 30, 80], [10, 20, 150, 400], [50, 100, 750, 2000]);
+pub const LEGIBLE: By<usize> = By(61, 7, 1);
+/// The most texts there that run together beside each other and above each other, that are struck through, that have no
+/// room, and that are not listed either.
+pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 60, 0], [0, 0, 0, 500, 0], [0, 0, 0, 3500, 0]);
+
+/// Every so many-th kind of mechanism, where each takes long and what is looked at hangs little on the kind.
+pub const KINDS: By<usize> = By(3, 1, 1);
 
 // Students.
 
@@ -122,8 +139,6 @@ pub const KEYS: By<u64> = By(1, 2, 16);
 
 // Photographs.
 
-/// Black edges in each view of the camera, and pages of different fineness.
-pub const EDGES: By<(usize, usize)> = By((2, 1), (4, 2), (4, 2));
 /// Sheets of each kind, and pixels of the longer edge.
 pub const PLACES: By<(u64, usize)> = By((1, 1600), (1, 1600), (130, 4032));
 /// Every so many-th kind of photograph: from flat sheets to hard ones.

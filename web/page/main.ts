@@ -48,10 +48,10 @@ import { engineBytes, unpacked } from "./unpack.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
 
-/** The first document, where nothing else gives one: the paper's figure. */
+/** The first document, where nothing else gives one: a mechanism whose crank turns right round. */
 async function firstKind(engine: EngineClient): Promise<Shared> {
   const kinds = await engine.kinds();
-  return { text: (kinds.find((kind) => kind.name === "paper-figure-2") ?? kinds[0])?.text ?? "" };
+  return { text: (kinds.find((kind) => kind.name === "watt-1") ?? kinds[0])?.text ?? "" };
 }
 
 function application(shared: Shared, engine: EngineClient, tell: App["tell"]): App {

@@ -1,18 +1,20 @@
-//! A panel in progress: what is drawn on it (`mod.rs`), and its labels (`placing.rs`).
+//! A panel in progress: what is drawn on it (`mod.rs`), its labels (`placing.rs`), and the names without room (`unlabelled.rs`).
 
 mod placing;
+mod unlabelled;
 
 use crate::drawing::clip::clipped_segment;
 use crate::drawing::dims::Dims;
-use crate::drawing::grid::Obstacles;
+use crate::drawing::grid::{Obstacles, STRIKE};
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::HEADING;
 use crate::drawing::shape::{Shape, around};
-use crate::drawing::sheet::{Drawing, Mark, Pen};
+use crate::drawing::sheet::{Drawing, Emphasis, Mark, Pen};
 use crate::drawing::text::RichText;
 use crate::text::Untrusted;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect, Vec2};
+use std::ops::RangeInclusive;
 
 /// A panel in progress: drawn marks become obstacles; labels are placed when all is drawn.
 pub(super) struct Canvas<'a> {
@@ -24,8 +26,10 @@ pub(super) struct Canvas<'a> {
     pub obstacles: Obstacles,
     requests: Vec<Wanted>,
     pub frame: Rect,
-    /// Height of heading and scale below the upper edge of the frame.
+    /// Height of heading, scale and rows of names below the upper edge of the frame.
     pub header: f64,
+    /// The lowest rows of it, which are for the names without room.
+    rows: usize,
     /// Index of the first mark of the panel's content; earlier marks are not cut off at its edge.
     content_start: usize,
     /// The step of the construction with which new marks and labels appear.
@@ -38,6 +42,8 @@ pub(super) struct Canvas<'a> {
     /// Whether a student's drawing is laid over the content: labels from outside then keep off enlarged details, so that
     /// none is taken for another's.
     pub is_overlaid: bool,
+    /// Whether a part of the content is shown, below heading and scale: that the rest is cut off is no news.
+    pub is_part: bool,
     /// Ids of marks whose labels found no room: they are taken back.
     unnamed: Vec<String>,
     /// Where labels and enlarged details were in the picture before, if the mechanism moves.
@@ -97,20 +103,25 @@ impl<'a> Canvas<'a> {
         dims: Dims,
     ) -> Self {
         drawing.panels.push((name.to_owned(), frame));
+        let mut obstacles = Obstacles::new(frame.inset(-1.2));
+        let widest = 0.5 * drawing.style.look(Pen::Link, None).width / dims.unit;
+        obstacles.strike = (widest + 0.05).clamp(STRIKE[0], STRIKE[1]);
         Self {
             content_start: drawing.marks.len(),
             drawing,
             name,
             prefix,
-            obstacles: Obstacles::new(frame.inset(-1.2)),
+            obstacles,
             requests: Vec::new(),
             frame,
             header: HEADING,
+            rows: 0,
             step: 0,
             renamed,
             dims,
             reserved_circles: Vec::new(),
             is_overlaid: false,
+            is_part: false,
             unnamed: Vec::new(),
             held: None,
         }
@@ -199,6 +210,27 @@ impl<'a> Canvas<'a> {
         if self.is_overlaid {
             self.reserved_circles.push((centre, radius));
         }
+    }
+
+    /// Shows a part of the content: what comes with some steps, with the names of these and of the points `starts` from
+    /// which they go on; all else is pale and without names.
+    pub(super) fn show_part(&mut self, steps: &RangeInclusive<u16>, starts: &[String]) {
+        let starts: Vec<String> = starts.iter().map(|name| format!("label-{name}-")).collect();
+        self.requests.retain(|wanted| {
+            let mut since = wanted.before.iter().map(|(step, _)| *step).chain([wanted.since]);
+            since.any(|step| steps.contains(&step)) || starts.contains(&wanted.name) || wanted.name == "factor"
+        });
+        let content = self.drawing.marks.split_off(self.content_start);
+        let is_seen = |mark: &Mark| mark.pen != Pen::Special || steps.contains(&mark.since);
+        self.drawing.marks.extend(content.into_iter().filter(is_seen).map(|mark| {
+            let is_own = steps.contains(&mark.since) || matches!(mark.pen, Pen::Pole | Pen::Frame);
+            Mark { emphasis: if is_own { mark.emphasis } else { Emphasis::Earlier }, ..mark }
+        }));
+    }
+
+    /// The area in which its content is seen.
+    fn seen(&self) -> Rect {
+        if self.is_part { Rect { y0: self.frame.y0 + self.header, ..self.frame } } else { self.frame }
     }
 
     /// The marks of the panel's content so far.

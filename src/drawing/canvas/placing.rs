@@ -1,17 +1,14 @@
 //! The labels of a panel: requested while it is drawn, placed when all is drawn.
 
 use super::{Canvas, Wanted};
-use crate::drawing::clip::{clipped, clipped_segment, holds, is_within};
+use crate::drawing::clip::{clipped, holds, is_within};
 use crate::drawing::labels::{LabelRequest, place};
 use crate::drawing::shape::Shape;
-use crate::drawing::sheet::{Mark, Pen};
-use crate::drawing::text::{ABOVE, BESIDE, CAPTION, PlacedText, RichText};
+use crate::drawing::sheet::{Mark, Pen, UnlabelledName};
+use crate::drawing::text::{PlacedText, RichText};
 use crate::text::Untrusted;
 use crate::words::Language;
 use kurbo::{Point, Rect, Vec2};
-
-/// White between a panel's edge and the words on what is cut off there, in mm.
-const CUT_EDGE: f64 = 2.5;
 
 impl Canvas<'_> {
     /// Requests a label beside `anchor`, at least `clearance` mm away: `standard`, unless the scene renames `name`.
@@ -50,11 +47,11 @@ impl Canvas<'_> {
     pub(in crate::drawing) fn finish(mut self, language: Option<&Language>) {
         let leaves = |mark: &&Mark| !mark.passing && !is_within(self.frame, &mark.shape);
         let cut_from = self.marks().iter().filter(leaves).map(|mark| mark.since).min();
-        if let (Some(step), Some(language)) = (cut_from, language) {
+        if let (Some(step), Some(language), false) = (cut_from, language, self.is_part) {
             self.say("cut", language.cut_at_edge(), step);
         }
         let mut requests = std::mem::take(&mut self.requests);
-        requests.retain(|wanted| holds(self.frame, wanted.request.anchor));
+        requests.retain(|wanted| holds(self.seen(), wanted.request.anchor));
         let is_in_detail = |wanted: &Wanted| {
             let mut details = self.reserved_circles.iter();
             details.any(|(centre, radius)| (wanted.request.anchor - *centre).hypot() < *radius)
@@ -66,63 +63,14 @@ impl Canvas<'_> {
             self.obstacles.add_boxes(strips(centre, radius));
         }
         left_out.append(&mut self.place(outside));
-        if let Some(language) = language.filter(|_| !left_out.is_empty()) {
-            left_out.append(&mut self.say_unlabelled(language.names_without_room(), first));
-        }
+        self.tell_unlabelled(left_out, first, language);
         let unnamed = std::mem::take(&mut self.unnamed);
         self.drawing.marks.retain(|mark| mark.id.as_ref().is_none_or(|id| !unnamed.contains(id)));
         self.cut_off();
-        if !left_out.is_empty() {
-            self.drawing.unlabelled.push((self.name.to_owned(), left_out));
-        }
-    }
-
-    /// Says in a corner that there is no room for all names. Labels, which begin with the mark `first`, give way; these
-    /// are returned.
-    fn say_unlabelled(&mut self, words: &str, first: usize) -> Vec<String> {
-        let boxes = self.drawing.marks[first..].iter().map(|mark| mark.shape.bounds());
-        self.obstacles.add_boxes(boxes);
-        let labels = self.drawing.marks.split_off(first);
-        let area = self.say("unlabelled", words, 0);
-        let mut left_out = Vec::new();
-        for mark in labels {
-            match &mark.shape {
-                Shape::Text(text) if text.ink_box().overlaps(area) => {
-                    left_out.push(text.text.content());
-                    // Its leader comes before it.
-                    let marks = &mut self.drawing.marks;
-                    let has_leader = marks.last().is_some_and(|last| last.pen == Pen::Leader);
-                    marks.truncate(marks.len() - usize::from(has_leader));
-                }
-                _ => self.drawing.marks.push(mark),
-            }
-        }
-        left_out
-    }
-
-    /// Says something in a corner of the panel from a step on; `name` is the end of its mark's id. Returns its box.
-    fn say(&mut self, name: &str, words: &str, step: u16) -> Rect {
-        let text = RichText::plain(words);
-        let size = Vec2::new(text.width(CAPTION), CAPTION);
-        let (left, right) = (self.frame.x0 + CUT_EDGE, self.frame.x1 - CUT_EDGE - size.x);
-        let (top, bottom) = (self.frame.y0 + self.header, self.frame.y1 - CUT_EDGE);
-        let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
-        let corners = corners.map(|(x, y)| Point::new(x, y));
-        let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
-        let covered = |from: &Point| {
-            let ink = place(*from).ink_box().inflate(BESIDE, ABOVE);
-            let lines = self.obstacles.lines.iter().filter(|(a, b)| clipped_segment(ink, *a, *b).is_some());
-            lines.count() + 4 * self.obstacles.boxes.iter().filter(|area| area.overlaps(ink)).count()
-        };
-        let text = place(corners.into_iter().min_by_key(covered).expect("a panel has four corners"));
-        let area = text.ink_box();
-        self.step = step;
-        self.draw_named(name, Pen::Caption, Shape::Text(text));
-        area.inflate(BESIDE, ABOVE)
     }
 
     /// Places labels and draws them, those that come last after all others; returns those for which there is no room.
-    fn place(&mut self, requests: Vec<Wanted>) -> Vec<String> {
+    fn place(&mut self, requests: Vec<Wanted>) -> Vec<UnlabelledName> {
         let (last, requests): (Vec<_>, Vec<_>) = requests.into_iter().partition(|wanted| wanted.last);
         let first = self.drawing.marks.len();
         let left_out = self.place_together(requests);
@@ -139,8 +87,9 @@ impl Canvas<'_> {
     }
 
     /// Places labels at once and draws them; returns those for which there is no room, but for optional ones.
-    fn place_together(&mut self, requests: Vec<Wanted>) -> Vec<String> {
-        let mut asked: Vec<LabelRequest> = requests.iter().map(|wanted| wanted.request.clone()).collect();
+    fn place_together(&mut self, requests: Vec<Wanted>) -> Vec<UnlabelledName> {
+        let request = |wanted: &Wanted| LabelRequest { short: wanted.short.clone(), ..wanted.request.clone() };
+        let asked: Vec<LabelRequest> = requests.iter().map(request).collect();
         let ids: Vec<String> = match self.held {
             Some(_) => requests.iter().map(|wanted| self.id(&wanted.name)).collect(),
             None => Vec::new(),
@@ -148,17 +97,7 @@ impl Canvas<'_> {
         let before = self.held.as_ref().filter(|held| !held.before.labels.is_empty());
         let before: Option<Vec<_>> =
             before.map(|held| ids.iter().map(|id| held.before.labels.get(id).copied()).collect());
-        let mut placed = place(&asked, &self.obstacles, before.as_deref());
-        let mut is_shortened = false;
-        for ((label, wanted), asked) in placed.iter().zip(&requests).zip(&mut asked) {
-            let has_room = label.as_ref().is_some_and(|label| !label.is_struck);
-            if let (false, Some(short)) = (has_room, &wanted.short) {
-                (asked.text, is_shortened) = (short.clone(), true);
-            }
-        }
-        if is_shortened {
-            placed = place(&asked, &self.obstacles, before.as_deref());
-        }
+        let placed = place(&asked, &self.obstacles, before.as_deref());
         if let Some(held) = &mut self.held {
             let all = ids.into_iter().zip(&placed).zip(&asked);
             let offsets = all
@@ -167,11 +106,12 @@ impl Canvas<'_> {
         }
         let mut left_out = Vec::new();
         for ((label, asked), wanted) in placed.into_iter().zip(asked).zip(requests) {
-            let Some(label) = label.filter(|label| !label.is_struck) else {
+            let Some(label) = label else {
                 let with: Vec<String> = wanted.with.iter().map(|name| self.id(name)).collect();
                 self.unnamed.extend(with);
                 if !wanted.optional && !asked.text.is_empty() {
-                    left_out.push(asked.text.content());
+                    let (text, place) = (asked.short.unwrap_or(asked.text), asked.anchor);
+                    left_out.push(UnlabelledName { text, place, since: wanted.since });
                 }
                 continue;
             };
@@ -195,9 +135,9 @@ impl Canvas<'_> {
 
     /// Cuts off the content's marks at the panel's edge.
     fn cut_off(&mut self) {
+        let seen = self.seen();
         let marks = &mut self.drawing.marks;
-        let frame = self.frame;
-        let leaves = |mark: &Mark| !is_within(frame, &mark.shape);
+        let leaves = |mark: &Mark| !is_within(seen, &mark.shape);
         if !marks[self.content_start..].iter().any(leaves) {
             return;
         }
@@ -206,7 +146,7 @@ impl Canvas<'_> {
         let content = marks.split_off(self.content_start).into_iter();
         for mark in content.filter(|mark| !(is_point(mark) && leaves(mark))) {
             let mut id = mark.id;
-            for shape in clipped(self.frame, mark.shape) {
+            for shape in clipped(seen, mark.shape) {
                 marks.push(Mark { id: id.take(), shape, ..mark });
             }
         }

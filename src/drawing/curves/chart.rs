@@ -21,6 +21,8 @@ const BAND: f64 = 6.6;
 const FOOT: f64 = 14.5;
 /// White between a panel and the heading of the next, in mm.
 const GAP: f64 = 2.0;
+/// White beside the graphs for half of the last number of the drive's axis, in mm.
+const END: f64 = 5.0;
 /// Smallest height of a panel's area, in mm: on paper, and on a part of a screen.
 const LOWEST: [f64; 2] = [27.0, 12.0];
 /// Largest height, in parts of its width.
@@ -40,7 +42,7 @@ pub fn curves(scene: &Scene, curves: &Curves, pane: Option<Pane>) -> Result<Draw
     let graphs = graphs(&context, curves)?;
     let numbers = graphs.iter().map(Graph::widest_number).fold(0.0, f64::max);
     let ([width, _], edge) = (context.dims.page, context.dims.free.edge);
-    let across = [edge + numbers + BESIDE, width - edge - 0.5];
+    let across = [edge + numbers + BESIDE, width - edge.max(END) - 0.5];
     let drive = Axis::new(context.words, shown_range(&context), across, APART, context.path.drive.is_angle);
     let mut drawing = context.titled(across[1]);
     for (index, graph) in graphs.iter().enumerate() {

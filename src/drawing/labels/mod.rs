@@ -11,12 +11,13 @@
 
 use kurbo::{Point, Rect, Vec2};
 
+mod blocked;
 mod moves;
 mod places;
 mod search;
 
 use super::grid::Obstacles;
-use super::text::{Anchor, PlacedText};
+use super::text::{Anchor, PlacedText, RichText};
 use places::Spot;
 pub use places::{LabelRequest, PlacedLabel};
 use search::Search;
@@ -24,7 +25,8 @@ use search::Search;
 /// The places of the labels, in the order of the requests; none for a label without a place, as on a panel that is full,
 /// and for one without text.
 ///
-/// Between two labels is so much white that they are not read as one, and none touches an obstacle box or leaves the panel.
+/// Between two labels is so much white that they are not read as one, no line goes through one and no leader through a
+/// text, and none touches an obstacle box or leaves the panel.
 /// The search for so many labels that no panel could show them ends early. The same input gives the same places on every
 /// platform.
 ///
@@ -40,16 +42,17 @@ pub fn place(
     search.settle();
     search.improve();
     search.settle();
+    search.shorten();
     let placed = requests.iter().enumerate().map(|(index, request)| {
-        let is_struck = !search.is_clear(index);
         let label = &search.labels[index];
         let Spot { ink, leader, .. } = label.places[label.chosen?];
-        Some(PlacedLabel { text: text_at(request, ink), leader, is_struck })
+        let text = request.short.as_ref().filter(|_| label.is_short).unwrap_or(&request.text);
+        Some(PlacedLabel { text: text_at(text, request.size, ink), leader })
     });
     placed.collect()
 }
 
-fn text_at(request: &LabelRequest, ink: Rect) -> PlacedText {
-    let origin = Point::ORIGIN + (ink.origin() - request.text.ink_box(request.size).origin());
-    PlacedText::new(request.text.clone(), request.size, origin).anchored(Anchor::Middle)
+fn text_at(text: &RichText, size: f64, ink: Rect) -> PlacedText {
+    let origin = Point::ORIGIN + (ink.origin() - text.ink_box(size).origin());
+    PlacedText::new(text.clone(), size, origin).anchored(Anchor::Middle)
 }

@@ -26,7 +26,7 @@ struct Pushed {
 }
 
 impl Search<'_> {
-    /// Assigns to every label its cheapest place; labels with fewest places first.
+    /// Assigns to every label its cheapest clear place; labels with fewest places first.
     pub(super) fn choose_first(&mut self) {
         let mut order: Vec<usize> = (0..self.labels.len()).collect();
         order.sort_by_key(|&index| {
@@ -34,36 +34,49 @@ impl Search<'_> {
             (label.before.is_none(), u8::MAX - label.priority, label.places.len(), index)
         });
         for index in order {
-            self.choose_cheapest(index, f64::INFINITY);
+            self.choose_cheapest(index);
         }
     }
 
-    fn choose_cheapest(&mut self, index: usize, limit: f64) -> bool {
-        let place = self.cheapest(index, limit).map(|(place, _)| place);
+    fn choose_cheapest(&mut self, index: usize) -> bool {
+        let place = self.cheapest(index, STRUCK).map(|(place, _)| place);
         self.choose(index, place);
         place.is_some()
     }
 
     /// Finds clear places for labels that have none: others move, or the label stands apart with a leader, as near as it
-    /// can. Without a clear place anywhere it stays on a line.
+    /// can. A label for which nothing has been found before only takes a place that has become free.
     pub(super) fn settle(&mut self) {
         self.begin();
         let mut order: Vec<usize> = (0..self.labels.len()).collect();
         order.sort_by_key(|&index| (u8::MAX - self.labels[index].priority, index));
         for index in order {
-            if self.labels[index].is_blank() || self.is_clear(index) {
+            if self.labels[index].is_blank() || self.labels[index].chosen.is_some() {
                 continue;
             }
-            let is_settled = self.push_others(index) || self.stand_apart(index);
-            if !is_settled && self.labels[index].chosen.is_none() {
-                self.choose_cheapest(index, f64::INFINITY);
-            }
+            let is_settled = match self.labels[index].is_stuck {
+                true => self.choose_cheapest(index),
+                false => self.push_others(index) || self.stand_apart(index),
+            };
+            self.labels[index].is_stuck = !is_settled;
         }
     }
 
-    /// Whether a label has a place off all lines.
-    pub(super) fn is_clear(&mut self, index: usize) -> bool {
-        self.labels[index].chosen.is_some_and(|chosen| self.cost(index, chosen) < STRUCK)
+    /// Sets labels without a place shorter, if they may be, and finds places for these.
+    pub(super) fn shorten(&mut self) {
+        let mut is_shorter = false;
+        for index in 0..self.labels.len() {
+            let label = &mut self.labels[index];
+            if let Some(ink) = label.short.take_if(|_| label.chosen.is_none()) {
+                (label.ink, label.is_short, label.is_stuck, label.has_far) = (ink, true, false, false);
+                label.places.clear();
+                self.begin_label(index);
+                is_shorter = true;
+            }
+        }
+        if is_shorter {
+            self.settle();
+        }
     }
 
     /// Gives a label a clear place with a leader, if it may have one.
@@ -72,16 +85,13 @@ impl Search<'_> {
             return false;
         }
         self.add_far_places(index);
-        if let Some((place, _)) = self.cheapest(index, STRUCK) {
-            self.choose(index, Some(place));
-            return true;
-        }
-        self.push_others(index) || self.search_panel(index)
+        self.choose_cheapest(index) || self.push_others(index) || self.search_panel(index)
     }
 
     /// Finds a clear place for a label by moving others, while there is time for it.
     fn push_others(&mut self, index: usize) -> bool {
-        let Effort { pushes, mut tries } = self.effort;
+        let Effort { pushes, mut tries } =
+            if self.labels[index].may_stand_apart { self.effort } else { Effort::LITTLE };
         !self.is_enough() && self.push(index, pushes, &mut Pushed::default(), &mut tries)
     }
 
@@ -248,12 +258,18 @@ impl Search<'_> {
     fn free_place(&self, index: usize, ink: Rect, limit: f64) -> Option<(f64, Spot)> {
         let label = &self.labels[index];
         let distance = distance_to_box(ink, label.anchor) - label.clearance;
+        if distance < 0.0 || distance >= limit || self.is_ruled_out(ink) {
+            return None;
+        }
         self.count(1);
-        if distance < 0.0 || distance >= limit || self.is_on_obstacle(ink) || self.is_struck(ink) {
+        if self.is_on_obstacle(ink) || self.is_struck(ink) {
             return None;
         }
         let place = label.place_at(ink, distance, 0.0);
         let mut worth = place.least + self.ambiguity(index, ink);
+        if worth >= limit {
+            return None;
+        }
         for (other, spot) in self.chosen_near(place.surroundings()) {
             if other != index {
                 if place.conflicts(spot) {

@@ -22,6 +22,8 @@ pub struct LabelRequest {
     pub priority: u8,
     /// Whether it may stand apart from the anchor, with a leader, where no place near it is free.
     pub may_stand_apart: bool,
+    /// A shorter text, where the whole has no place.
+    pub short: Option<RichText>,
 }
 
 impl LabelRequest {
@@ -33,7 +35,7 @@ impl LabelRequest {
         prefer: Option<Vec2>,
         priority: u8,
     ) -> LabelRequest {
-        LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority, may_stand_apart: true }
+        LabelRequest { text, size: LABEL, anchor, clearance, prefer, priority, may_stand_apart: true, short: None }
     }
 }
 
@@ -44,8 +46,6 @@ pub struct PlacedLabel {
     pub text: PlacedText,
     /// A thin line from near the anchor to near the text, where the text had to stand apart.
     pub leader: Option<(Point, Point)>,
-    /// Whether a line goes through it, or its leader through another text.
-    pub is_struck: bool,
 }
 
 /// Distances beyond the clearance, in mm, at which a label still clearly belongs to its anchor.
@@ -56,8 +56,6 @@ pub(super) const FAR: [f64; 6] = [3.5, 5.0, 7.0, 9.5, 12.5, 16.0];
 pub(super) const CLEAR: f64 = LABEL;
 /// White around a label's ink that a line should not enter, in mm.
 pub(super) const LINE_GAP: f64 = 0.6;
-/// White around it that no line enters as long as another place is free, in mm: half the width of a line.
-pub(super) const STRIKE_GAP: f64 = 0.4;
 /// White between a leader and the ink it leads to, in mm.
 pub(super) const LEADER_GAP: f64 = 0.4;
 
@@ -163,13 +161,18 @@ pub(super) struct Label {
     pub(super) reach: Rect,
     pub(super) may_stand_apart: bool,
     pub(super) has_far: bool,
+    /// Whether no clear place was found for it, near or far.
+    pub(super) is_stuck: bool,
+    /// The ink box of a shorter text set at the origin, until it is taken.
+    pub(super) short: Option<Rect>,
+    pub(super) is_short: bool,
     /// Where the middle of its ink was from the anchor in the picture before, if there is one.
     pub(super) before: Option<Vec2>,
 }
 
 impl Label {
     pub(super) fn new(request: &LabelRequest) -> Self {
-        let mut label = Self {
+        let label = Self {
             anchor: request.anchor,
             clearance: request.clearance.max(0.0),
             ink: request.text.ink_box(request.size),
@@ -182,9 +185,11 @@ impl Label {
             reach: Rect::ZERO,
             may_stand_apart: request.may_stand_apart,
             has_far: false,
+            is_stuck: false,
+            short: request.short.as_ref().map(|short| short.ink_box(request.size)),
+            is_short: false,
             before: None,
         };
-        label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
         label
     }
 

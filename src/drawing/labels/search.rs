@@ -2,11 +2,12 @@
 
 use kurbo::{Point, Rect, Vec2};
 use smallvec::SmallVec;
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use super::super::grid::{BOX_GAP, Grid, Obstacles};
 use super::super::shape::{crosses_line, distance_to_box};
-use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, SIDES, STRIKE_GAP, Spot, inside};
+use super::blocked::Blocked;
+use super::places::{Clipped, FAR, LINE_GAP, Label, LabelRequest, NEAR, SIDES, Spot, inside};
 
 // Costs, in mm of distance from the anchor.
 /// Of a place that a line strikes through: more than that of any clear place on a sheet.
@@ -23,9 +24,9 @@ const CLEARLY: f64 = 0.6;
 /// Most lines, and most other anchors, that count for a label: among more it cannot be read anyway.
 const MOST_AROUND: usize = 400;
 
-/// How many things each stage of a search may look at: far more than a figure of a textbook needs, and less than three
-/// tenths of a second.
-const ENOUGH: usize = 2_000_000;
+/// How many things each stage of a search may look at: far more than a figure of a textbook needs, and less than a tenth
+/// of a second.
+const ENOUGH: usize = 200_000;
 
 /// Least distance from its anchor, beyond the clearance, of a label that stays, in mm: its text may have grown.
 const GROWN: f64 = -0.3;
@@ -40,7 +41,9 @@ pub(super) struct Effort {
 }
 
 impl Effort {
-    const WHOLE: Effort = Effort { pushes: 3, tries: 1_000 };
+    const WHOLE: Effort = Effort { pushes: 3, tries: 60 };
+    /// For a label that may be left out.
+    pub(super) const LITTLE: Effort = Effort { pushes: 2, tries: 20 };
     /// For a picture that is soon replaced by the next one.
     const MOVING: Effort = Effort { pushes: 2, tries: 40 };
 }
@@ -65,6 +68,8 @@ pub(super) struct Search<'a> {
     /// Where the labels' present places and their leaders are.
     chosen: Grid,
     anchors: Grid,
+    /// Where the obstacles leave no place, once it is asked for.
+    blocked: OnceCell<Blocked>,
     /// How many things this stage has looked at: a measure of time that is the same everywhere.
     work: Cell<usize>,
     /// Whether a stage was stopped because it looked at too many.
@@ -81,16 +86,23 @@ impl<'a> Search<'a> {
             anchors.add(index, Rect::from_points(label.anchor, label.anchor));
         }
         let chosen = Grid::new(bounds);
-        let (work, is_cut_short) = (Cell::new(0), Cell::new(false));
+        let (work, is_cut_short, blocked) = (Cell::new(0), Cell::new(false), OnceCell::new());
         let effort = if before.is_some() { Effort::MOVING } else { Effort::WHOLE };
-        let mut search = Self { labels, effort, lines, obstacles, chosen, anchors, work, is_cut_short };
+        let mut search = Self { labels, effort, lines, obstacles, chosen, anchors, blocked, work, is_cut_short };
         for index in 0..search.labels.len() {
-            search.find_surroundings(index);
             search.labels[index].before = before.and_then(|before| before[index]);
-            search.add_places(index, &NEAR);
-            search.add_kept(index);
+            search.begin_label(index);
         }
         search
+    }
+
+    /// Finds the places of a label near its anchor.
+    pub(super) fn begin_label(&mut self, index: usize) {
+        let label = &mut self.labels[index];
+        label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
+        self.find_surroundings(index);
+        self.add_places(index, &NEAR);
+        self.add_kept(index);
     }
 
     /// Begins a stage of the search.
@@ -123,8 +135,13 @@ impl<'a> Search<'a> {
 
     /// Labels with a present place near a box, in rising order; at least all that touch it.
     pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = (usize, &Spot)> {
-        let near = self.chosen.near(area).into_iter();
-        near.filter_map(|index| Some((index, &self.labels[index].places[self.labels[index].chosen?])))
+        let near = if self.is_wide(area) { (0..self.labels.len()).collect() } else { self.chosen.near(area) };
+        near.into_iter().filter_map(|index| Some((index, &self.labels[index].places[self.labels[index].chosen?])))
+    }
+
+    /// Whether it is quicker to look at all labels than at all cells of a box, as around a long leader.
+    fn is_wide(&self, area: Rect) -> bool {
+        self.chosen.cell_count(area) > self.labels.len()
     }
 
     /// Finds the lines and anchors that the places of a label could touch.
@@ -202,20 +219,24 @@ impl<'a> Search<'a> {
         self.add_places(index, &FAR);
     }
 
+    /// Whether ink is on an obstacle for certain, which is told quickly.
+    pub(super) fn is_ruled_out(&self, ink: Rect) -> bool {
+        let blocked = self.blocked.get_or_init(|| Blocked::new(self.obstacles));
+        blocked.is_certain(ink.inflate(BOX_GAP, BOX_GAP))
+    }
+
     /// Whether a line strikes through ink.
     pub(super) fn is_struck(&self, ink: Rect) -> bool {
-        let area = ink.inflate(STRIKE_GAP, STRIKE_GAP);
+        let area = ink.inflate(self.obstacles.strike, self.obstacles.strike);
         self.obstacles.any_line(area, |line| self.lines[line].share_inside(area) * self.lines[line].length > 0.0)
     }
 
     /// The cost of what a leader crosses.
     pub(super) fn cost_of_leader(&self, leader: (Point, Point)) -> f64 {
-        let area = Rect::from_points(leader.0, leader.1);
         let is_crossed = |line: &usize| crosses_line(self.obstacles.lines[*line], leader);
-        let lines = self.obstacles.lines_near(area).into_iter().filter(is_crossed).count();
+        let lines = self.obstacles.lines_along(leader).into_iter().filter(is_crossed).count();
         let clipped = Clipped::new(leader);
-        let near = self.obstacles.things_near(area.inflate(LINE_GAP, LINE_GAP));
-        let boxes = near.map(|(other, is_text)| match is_text {
+        let boxes = self.obstacles.things_along(leader).map(|(other, is_text)| match is_text {
             true if clipped.share_inside(other.inflate(LINE_GAP, LINE_GAP)) > 0.0 => STRUCK,
             false if clipped.share_inside(other) > 0.0 => ACROSS[1],
             _ => 0.0,
@@ -239,9 +260,9 @@ impl<'a> Search<'a> {
             return (least < limit).then_some(least);
         }
         // Summation stops at the limit; the sum is then a better lower bound for the next time.
-        let (mut whole, mut is_struck) = (true, false);
+        let (mut whole, mut is_struck, strike) = (true, false, self.obstacles.strike);
         least += ambiguity(ink, label.anchor, label.anchors.iter().copied());
-        let (area, narrow) = (ink.inflate(LINE_GAP, LINE_GAP), ink.inflate(STRIKE_GAP, STRIKE_GAP));
+        let (area, narrow) = (ink.inflate(LINE_GAP, LINE_GAP), ink.inflate(strike, strike));
         self.work.set(self.work.get() + 1 + label.anchors.len() + label.lines.len());
         for &line in &label.lines {
             let line = &self.lines[line as usize];
@@ -281,12 +302,16 @@ impl<'a> Search<'a> {
         let (mut around, mut looked_at) = (Around { blockers: [usize::MAX; 2], ..Around::default() }, 1);
         let mut seen: SmallVec<[usize; 8]> = SmallVec::new();
         let wanted = &self.labels[index].places[place];
-        self.chosen.any(wanted.surroundings(), |other| {
+        let area = wanted.surroundings();
+        let is_wide = self.is_wide(area);
+        let mut look = |other: usize| {
             looked_at += 1;
-            if other == index || seen.contains(&other) {
+            if other == index || !is_wide && seen.contains(&other) {
                 return false;
             }
-            seen.push(other);
+            if !is_wide {
+                seen.push(other);
+            }
             let Some(chosen) = self.labels[other].chosen else { return false };
             let spot = &self.labels[other].places[chosen];
             if wanted.conflicts(spot) || wanted.crosses(spot) {
@@ -298,7 +323,12 @@ impl<'a> Search<'a> {
                 around.closeness += wanted.closeness(spot);
             }
             around.count > most
-        });
+        };
+        if is_wide {
+            (0..self.labels.len()).any(&mut look);
+        } else {
+            self.chosen.any(area, &mut look);
+        }
         self.count(looked_at);
         around.blockers.sort_unstable();
         around
@@ -312,10 +342,10 @@ impl<'a> Search<'a> {
             if self.labels[index].places[place].least >= limit {
                 continue;
             }
+            // What a place costs is known after the first time.
+            let Some(cost) = self.cost_below(index, place, limit) else { continue };
             let around = self.around(index, place, 0);
-            if around.count == 0
-                && let Some(cost) = self.cost_below(index, place, limit - around.closeness)
-            {
+            if around.count == 0 && cost + around.closeness < limit {
                 limit = cost + around.closeness;
                 best = Some((place, limit));
             }

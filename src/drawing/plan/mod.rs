@@ -3,6 +3,7 @@
 pub(super) mod on_paper;
 
 use super::canvas::Canvas;
+use super::clip::clipped_segment;
 use super::context::SheetContext;
 use super::shape::Shape;
 use super::sheet::Pen;
@@ -54,8 +55,9 @@ fn right_angle(canvas: &mut Canvas<'_>, step: u16, corner: Point, ray: Vec2) {
     const SIDE: f64 = 2.0;
     const PIECE: f64 = 7.0;
     let line = Vec2::new(-ray.y, ray.x);
-    let ends = Shape::Line(corner - line * PIECE, corner + line * PIECE);
-    canvas.draw_in_step(step, Pen::Construction, ends);
+    if let Some((a, b)) = clipped_segment(canvas.room(), corner - line * PIECE, corner + line * PIECE) {
+        canvas.draw_in_step(step, Pen::Construction, Shape::Line(a, b));
+    }
     let chain = [line * SIDE, (line + ray) * SIDE, ray * SIDE].map(|v| corner + v);
     canvas.draw_in_step(step, Pen::Frame, Shape::Polyline(chain.to_vec()));
 }

@@ -65,7 +65,7 @@ fn a_foreign_text_is_text() {
 }
 
 /// A row of that many four-bar linkages, each driven by the rocker of the one before.
-fn row(linkages: usize) -> String {
+pub fn row(linkages: usize) -> String {
     let (mut ground, mut links, mut near) = (String::new(), String::new(), String::new());
     for k in 0..linkages {
         let x = 100 * k;

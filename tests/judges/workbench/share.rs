@@ -129,7 +129,7 @@ fn values_and_curves_stand_beside_the_figure() {
     }
     bench.picture("values");
     bench.panel("curves");
-    bench.until_drawn("#panel-curves");
+    bench.until_drawn("#below");
     bench.settle();
     bench.picture("curves");
     bench.assert_quiet();

@@ -1,6 +1,7 @@
 //! How long people wait: opening, dragging. Limits are wide, as tests run beside each other; what was measured is printed.
 
 use super::bench::Bench;
+use super::hostile::row;
 use serde_json::json;
 use support::files;
 
@@ -55,7 +56,9 @@ fn drag(bench: &mut Bench, joint: &str, radius: f64) -> [f64; 3] {
 fn the_picture_follows_the_hand() {
     let Some(mut bench) = Bench::open("drag") else { return };
     let jansen = files::read("tests/lecture/jansen.json");
-    for (name, text, joint) in [("Figure 2", None, "B"), ("Jansen", Some(jansen), "B")] {
+    for (name, text, joint) in
+        [("Figure 2", None, "B"), ("Jansen", Some(jansen), "B"), ("41 links", Some(row(20)), "B")]
+    {
         if let Some(text) = text {
             bench.put(&text);
         }

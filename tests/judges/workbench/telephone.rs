@@ -8,6 +8,13 @@ const SMALL: &str = "[...document.querySelectorAll('button, select, input:not([t
     .filter(([e, r]) => r.width > 0 && !e.matches('.handle, .cm-editor *') && (r.height < 43.5)) \
     .map(([e, r]) => `${e.id || e.className || e.tagName}: ${Math.round(r.width)}×${Math.round(r.height)}`)";
 
+/// The place of the picture farthest from all joints.
+const FAR: &str = "(() => { const { left, top, width, height } = document.querySelector('#pane').getBoundingClientRect(); \
+    const joints = [...document.querySelectorAll('.handle')].map((e) => e.getBoundingClientRect()).map((r) => [r.x + r.width / 2, r.y + r.height / 2]); \
+    const places = [0.25, 0.4, 0.55, 0.7].flatMap((y) => [0.3, 0.5, 0.7].map((x) => [left + x * width, top + y * height])); \
+    const near = ([x, y]) => Math.min(...joints.map(([a, b]) => Math.hypot(x - a, y - b))); \
+    return places.reduce((best, next) => (near(next) > near(best) ? next : best)); })()";
+
 #[test]
 fn it_is_used_with_fingers() {
     let Some(mut bench) = Bench::closed("telephone", None) else { return };
@@ -26,9 +33,9 @@ fn it_is_used_with_fingers() {
     // Two fingers make it larger.
     let sight = "document.querySelector('#sheet').viewBox.baseVal.width";
     let before = bench.number(sight);
-    // On the ground between the joints.
-    let [x, y, width, height] = bench.place("#pane");
-    let [x, y] = [x + 0.22 * width, y + 0.3 * height];
+    // On the ground, where no joint is near.
+    let far = bench.value(FAR);
+    let [x, y] = [0, 1].map(|k| far[k].as_f64().expect("a place"));
     let apart = |d: f64| [[x - d, y], [x + d, y]];
     bench.touch(&[&apart(20.0), &apart(40.0), &apart(70.0)]);
     bench.until(&format!("{sight} < {before}"));

@@ -235,6 +235,7 @@ mod labels {
             prefer: (index % 3 == 0).then_some(Vec2::new(1.0, -0.2)),
             priority: 0,
             may_stand_apart: true,
+            short: None,
         };
         let requests = anchors.iter().enumerate().map(request).collect();
         let mut obstacles = Obstacles::new(bounds);
@@ -292,6 +293,7 @@ mod labels {
                 prefer: Some(wish),
                 priority: 0,
                 may_stand_apart: true,
+                short: None,
             };
             let placed = check(place(&[request], &obstacles, None), &obstacles);
             let away = placed[0].text.ink_box().center() - anchor;
@@ -314,6 +316,7 @@ mod labels {
             prefer: None,
             priority: 0,
             may_stand_apart: true,
+            short: None,
         };
         let placed = check(place(&[request], &obstacles, None), &obstacles);
         assert!(placed[0].leader.is_some());
@@ -330,6 +333,7 @@ mod labels {
             prefer: None,
             priority: 0,
             may_stand_apart: true,
+            short: None,
         };
         let placed = place(&[request(1.0), request(f64::NAN)], &obstacles, None);
         assert_eq!(placed, [None, None]);

@@ -467,17 +467,38 @@ export interface View {
    * The panels that are shown in place of the figure's: a student's link shows the scheme alone. What is no panel is passed over.
    */
   panels?: Panel[] | null;
+  /**
+   * The part of the screen for which it is laid out; none for the figure's paper, as in its file.
+   */
   pane?: Pane | null;
+  /**
+   * The panel that has most of a part of the screen; none where all share it.
+   */
   focus?: Panel | null;
+  /**
+   * How far the layout has gone from that of the last gesture to its own, from 0 to 1; none where it is there.
+   */
   eased?: number | null;
 }
 /**
  * A part of the screen, in pixels.
  */
 export interface Pane {
+  /**
+   * Its width.
+   */
   width: number;
+  /**
+   * Its height.
+   */
   height: number;
+  /**
+   * Height of the em of its letters.
+   */
   letters: number;
+  /**
+   * Whether the words of steps stand on it.
+   */
   words: boolean;
 }
 /**

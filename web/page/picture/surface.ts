@@ -7,6 +7,9 @@ import type { Viewport } from "./viewport.ts";
 /** Smallest and largest letters, in pixels, and their part of the mean side of the pane; in full screen they are for the last row: so much of its height. */
 const [LEAST, MOST, PART, LESSON] = [12, 18, 0.021, 0.032];
 
+/** White below the buttons, in pixels. */
+const BELOW_BUTTONS = 6;
+
 /** Below this width or height the words of a step stand beside the sheet, in lines that fit. */
 const [ROOMY_WIDTH, ROOMY_HEIGHT] = [620, 400];
 
@@ -36,7 +39,11 @@ export function surface(app: App, view: Viewport, lesson: Signal<boolean>): Sign
   app.view.on(look);
   app.paper.on(look);
   app.focus.on(look);
-  lesson.on((is) => view.bare(is));
+  // Buttons stand above the picture; in full screen they come and go over it.
+  const buttons = byId("look");
+  const keepFree = (): void => view.keepFree(lesson.value ? null : buttons.offsetTop + buttons.offsetHeight + BELOW_BUTTONS);
+  lesson.on(keepFree);
+  new ResizeObserver(keepFree).observe(buttons);
   view.resized.on(look);
   return sight;
 }

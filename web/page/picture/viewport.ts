@@ -27,8 +27,8 @@ export interface Viewport {
   readonly resized: Pick<Signal<unknown>, "on">;
   /** Width and height that a picture fills, in pixels. */
   room(): { width: number; height: number };
-  /** Whether the picture has all of the pane: in full screen no buttons stand above it. */
-  bare(is: boolean): void;
+  /** So many pixels above the picture are for other things; null where it has all of the pane. */
+  keepFree(above: number | null): void;
   /** Shows this box whole; as long as nobody zooms, also when the pane changes. */
   fit(box: Box): void;
   /** Fits again what was fitted last. */
@@ -40,9 +40,9 @@ export interface Viewport {
   toPane(mm: readonly [number, number]): [number, number];
 }
 
-/** Room around what is fitted, in pixels; above the picture stand the buttons. */
+/** Room around what is fitted, in pixels; above it buttons may stand. */
 const MARGIN = 6;
-const ABOVE = 52;
+const ABOVE = 54;
 /** How much larger than fitting, and how much smaller. */
 const [LEAST, MOST] = [0.5, 40];
 
@@ -86,8 +86,8 @@ export function viewport(above = ABOVE): Viewport {
     },
     resized,
     room,
-    bare(is) {
-      head = is ? MARGIN : above;
+    keepFree(above) {
+      head = above ?? MARGIN;
       if (!isOwn) refit();
       resized.set({});
     },

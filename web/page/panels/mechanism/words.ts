@@ -11,7 +11,7 @@ type Key =
   | "near" | "near_help" | "add_near" | "angle_of" | "drop_near"
   | "drawn_points" | "drawn_help" | "fixed" | "known" | "known_help" | "add_known" | "drop_known" | "velocity" | "by_parts" | "by_size" | "size" | "known_motion"
   | "drop_motion" | "add_acceleration" | "drop_acceleration" | "stub" | "moving"
-  | "change_kind" | "empty" | "open_file" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper"
+  | "change_kind" | "empty" | "open_file" | "figure_2" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper"
   | "board" | "tool_ground" | "tool_link" | "tool_third" | "tool_block" | "tool_drive" | "tool_drop" | "board_link" | "board_third"
   | "board_block" | "board_drive" | "board_ground" | "board_drop" | "board_pick_second" | "board_pick_link" | "board_pick_guide" | "begin" | "incomplete" | "shape_help"
   | "larger" | "done" | "board_label" | "board_keys" | "at_link";
@@ -105,6 +105,7 @@ const WORDS: Words<Key> = {
     change_kind: "Start from another mechanism",
     empty: "New, empty",
     open_file: "Open file…",
+    figure_2: "The paper’s Figure 2",
     groups_bars: "One loop",
     groups_more: "Six links",
     groups_drives: "Several drives",
@@ -224,6 +225,7 @@ const WORDS: Words<Key> = {
     change_kind: "Partir de otro mecanismo",
     empty: "Nuevo, vacío",
     open_file: "Abrir archivo…",
+    figure_2: "Figura 2 del artículo",
     groups_bars: "Un lazo",
     groups_more: "Seis eslabones",
     groups_drives: "Varios accionamientos",
