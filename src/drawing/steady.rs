@@ -51,12 +51,11 @@ impl Steady {
     }
 }
 
-/// A label's name and its middle.
+/// A label's name and its middle; also of the words that a panel has no room for names, but not of those that something is
+/// cut off, however short that is.
 fn named(mark: &Mark) -> Option<(&str, Point)> {
-    match (&mark.id, &mark.shape) {
-        (Some(name), Shape::Text(text)) if !matches!(mark.pen, Pen::Caption | Pen::Heading) => {
-            Some((name, text.ink_box().center()))
-        }
+    match (mark.id.as_deref(), &mark.shape) {
+        (Some(name), Shape::Text(text)) if !name.ends_with("-cut") => Some((name, text.ink_box().center())),
         _ => None,
     }
 }

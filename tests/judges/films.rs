@@ -50,7 +50,7 @@ fn chromium_shows_every_picture_of_a_film() {
         let sum: f64 = seen["lengths"].as_array().expect("a list").iter().filter_map(|ms| ms.as_f64()).sum();
         assert!((sum - 1500.0).abs() < 1.0, "{name}: {}", seen["lengths"]);
         // A4, upright or not.
-        let [across, down] = own.scene.figure.page.size_mm().map(|mm| (mm * 48.0 / 25.4).round());
+        let [across, down] = own.scene.figure.page.size_mm().map(|mm| (mm * 48.0 / 25.4).round() as u32);
         assert_eq!(seen["size"], json!([across, down]), "{name}");
         inks.push(seen["ink"].as_array().expect("a list").iter().filter_map(|ink| ink.as_f64()).collect::<Vec<_>>());
     }

@@ -44,7 +44,7 @@ fn a_film_is_written_to_files_and_stdout_alike() {
         assert!(on_one_core.expect("it runs").stdout == bytes, "{format}: the same on one core");
         if format == "gif" {
             let ([width, height], pictures) = gif(&bytes);
-            assert_eq!((width, height, pictures), (240, 339, 8), "A4, 8 pictures");
+            assert_eq!((width, height, pictures), (240, 170, 8), "A4, 8 pictures");
         }
     }
     // Into a folder, with sheets.
