@@ -92,8 +92,6 @@ pub const DRIVEN_POSITIONS: By<u32> = By(4, 24, 72);
 pub const PULLED: By<usize> = By(2, 1, 1);
 /// Scenes of each of the `properties`; PROPTEST_CASES asks for another number.
 pub const PROPERTIES: By<u32> = By(12, 48, 256);
-/// Positions of a turn in `stage`.
-pub const TURN: By<usize> = By(8, 12, 72);
 /// Pictures of each animation in `hall`.
 pub const HALL: By<usize> = By(6, 12, 36);
 /// Of the sheets of all scenes there every so many-th; it shares no factor with the 8 of each scene.
@@ -102,17 +100,18 @@ pub const HALL_SHEETS: By<usize> = By(3, 1, 1);
 pub const SCALES_OF_A_CYCLE: By<usize> = By(24, 72, 72);
 /// Of the three units of `values` every so many-th, by turns.
 pub const LISTED_UNITS: By<usize> = By(3, 1, 1);
-/// Positions of a hand that moves a mechanism, in `stage`.
+/// Positions of a hand that moves a mechanism in `stage`, and those of a turn there.
 pub const MOVED: By<u32> = By(16, 24, 40);
+pub const TURN: By<usize> = By(6, 12, 72);
 /// Positions of each scene in `gallery_measured`.
 pub const GALLERY: By<usize> = By(4, 8, 12);
 /// Of the six pages of each work sheet every so many-th, by turns.
 pub const PAGES_EACH: By<usize> = By(3, 1, 1);
 /// Of the sheets of `legible` every so many-th.
-pub const LEGIBLE: By<usize> = By(23, 5, 1);
+pub const LEGIBLE: By<usize> = By(61, 7, 1);
 /// The most texts there that run together beside each other and above each other, that are struck through, that have no
 /// room, and that are not listed either.
-pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 0, 0], [0, 0, 0, 0, 0], [0, 0, 0, 0, 0]);
+pub const MISREAD: By<[usize; 5]> = By([0, 0, 0, 60, 0], [0, 0, 0, 500, 0], [0, 0, 0, 3500, 0]);
 
 /// Every so many-th kind of mechanism, where each takes long and what is looked at hangs little on the kind.
 pub const KINDS: By<usize> = By(3, 1, 1);

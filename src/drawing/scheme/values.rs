@@ -81,7 +81,8 @@ impl SchemeOnPaper<'_> {
         wanted.with = names;
     }
 
-    /// Draws the senses of the angular rates that a step yields, unless they are there with their values.
+    /// Draws the senses of the angular rates that a step yields, where they have room, unless they are there with their
+    /// values.
     pub(super) fn solved_rates(&self, canvas: &mut Canvas<'_>, step: u16, unknowns: &[(String, f64)]) {
         let mut places = Vec::new();
         for (name, value) in unknowns.iter().filter(|(_, value)| *value != 0.0 && self.context.values.is_empty()) {
@@ -93,8 +94,8 @@ impl SchemeOnPaper<'_> {
             };
             let argument = parsed.as_ref().and_then(|name| name.arguments.first());
             let Some(link) = argument.and_then(|name| self.mechanism.link(name)) else { continue };
-            let Some((center, has_room)) = self.place_of_arcs(canvas, link, &places) else { continue };
-            places.push((link, center, has_room));
+            let Some((center, true)) = self.place_of_arcs(canvas, link, &places) else { continue };
+            places.push((link, center, true));
             let number = self.context.number(link);
             for shape in self.arc(center, order, *value) {
                 canvas.draw_in_step(step, Pen::Turning, shape).number = number;
@@ -123,15 +124,20 @@ impl SchemeOnPaper<'_> {
             bars.iter().copied().max_by(|one, other| length(one).total_cmp(&length(other)))
         };
         let tried: Vec<Point> = match self.shape(link) {
-            // Off the link's name, which is in the middle.
+            // Off the link's name, which is in the middle, or around it.
             LinkShape::Bars(bars) => {
                 let [a, b] = longest(&bars)?;
-                [0.35, 0.65, 0.25, 0.75, 0.5].map(|share| a.lerp(b, share)).to_vec()
+                let is_long = (b - a).hypot() > 8.0 * RADIUS;
+                let shares = if is_long { [0.35, 0.65, 0.25, 0.75, 0.5] } else { [0.5, 0.35, 0.65, 0.25, 0.75] };
+                shares.map(|share| a.lerp(b, share)).to_vec()
             }
             LinkShape::Plate(corners) => {
                 let sum = corners.iter().fold(Vec2::ZERO, |sum, corner| sum + corner.to_vec2());
                 let middle = (sum / corners.len() as f64).to_point();
-                std::iter::once(middle).chain(corners.iter().map(|corner| middle.lerp(*corner, 0.4))).collect()
+                let inside = std::iter::once(middle).chain(corners.iter().map(|corner| middle.lerp(*corner, 0.4)));
+                // Or on a side of a narrow one.
+                let sides = corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| a.midpoint(*b));
+                inside.chain(sides).collect()
             }
             LinkShape::Nothing => vec![self.at(*self.mechanism.body(link).points.first()?)],
         };
