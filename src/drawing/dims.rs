@@ -4,6 +4,7 @@
 //! on a smaller sheet for a style with larger letters. [`Drawing::enlarged`] brings it to its size on paper. So all
 //! that has no size of its own is in proportion to the letters; "mm" of the layout are these units.
 
+use super::grid::STRIKE;
 use super::held_layout::Pane;
 use super::markers::{CODE_WHITE, EDGE, SIDE, WHITE, code_place};
 use super::shape::Shape;
@@ -37,6 +38,8 @@ pub(super) struct Dims {
     pub dot: f64,
     /// Radius of a joint's circle.
     pub joint: f64,
+    /// White around a label's ink that no line enters.
+    pub strike: f64,
     /// What is kept free of contents.
     pub free: Free,
 }
@@ -74,7 +77,8 @@ impl Dims {
         let unit = sizes.letters.on(page) / CAPTION;
         let [head, dot, joint] = [sizes.arrowheads, sizes.points, sizes.joints].map(|size| size.on(page) / unit);
         let page = page.map(|side| side / unit);
-        Dims { unit, page, head, dot: 0.5 * dot, joint: 0.5 * joint, free: Free::PLAIN }
+        let strike = (0.5 * sizes.lines / unit + 0.05).clamp(STRIKE[0], STRIKE[1]);
+        Dims { unit, page, head, dot: 0.5 * dot, joint: 0.5 * joint, strike, free: Free::PLAIN }
     }
 
     /// Those of a figure on a part of a screen, which has no title: a sheet of the pane's proportions on which the letters

@@ -315,6 +315,8 @@ pub struct Sizes {
     pub points: Measure,
     /// Diameter of the circle of a joint or a special point of the scheme.
     pub joints: Measure,
+    /// Width of the line of a link, in mm of paper: labels keep off lines by it.
+    pub lines: f64,
 }
 
 /// A length on a sheet.
@@ -345,6 +347,7 @@ impl Default for Sizes {
             arrowheads: Measure::Millimetres(2.6),
             points: Measure::Millimetres(0.9),
             joints: Measure::Millimetres(2.3),
+            lines: 0.5,
         }
     }
 }

@@ -5,7 +5,7 @@ mod unlabelled;
 
 use crate::drawing::clip::clipped_segment;
 use crate::drawing::dims::Dims;
-use crate::drawing::grid::{Obstacles, STRIKE};
+use crate::drawing::grid::Obstacles;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::layout::HEADING;
 use crate::drawing::shape::{Shape, around};
@@ -104,8 +104,7 @@ impl<'a> Canvas<'a> {
     ) -> Self {
         drawing.panels.push((name.to_owned(), frame));
         let mut obstacles = Obstacles::new(frame.inset(-1.2));
-        let widest = 0.5 * drawing.style.look(Pen::Link, None).width / dims.unit;
-        obstacles.strike = (widest + 0.05).clamp(STRIKE[0], STRIKE[1]);
+        obstacles.strike = dims.strike;
         Self {
             content_start: drawing.marks.len(),
             drawing,

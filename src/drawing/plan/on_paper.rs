@@ -313,7 +313,8 @@ impl<'a> PlanOnPaper<'a> {
         canvas.step = last;
         let text = words(&self.shown(names));
         let label = canvas.ask(&id(names), LabelRequest::new(text, tail, 1.0, None, 2));
-        label.short = before.is_empty().then(|| RichText::math(&self.shown(names)));
+        let shown = self.shown(names);
+        label.short = (before.is_empty() && !shown.is_empty()).then(|| RichText::math(&shown));
         label.before = before;
     }
 

@@ -73,6 +73,7 @@ impl SizesFile {
             arrowheads: self.arrowheads.unwrap_or(sizes.arrowheads),
             points: self.points.unwrap_or(sizes.points),
             joints: self.joints.unwrap_or(sizes.joints),
+            lines: sizes.lines,
         }
     }
 }

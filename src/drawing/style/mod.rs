@@ -97,7 +97,7 @@ impl Style {
     /// is laid out.
     #[must_use]
     pub fn sizes(&self) -> Sizes {
-        self.0.sizes
+        Sizes { lines: self.look(Pen::Link, None).width, ..self.0.sizes }
     }
 
     /// Whether figures show values where the scene does not say so.

@@ -136,10 +136,10 @@ impl Mechanism {
     }
 
     fn slider_name_with(&self, id: SliderId, ground: &str) -> String {
-        let ends = |slider: &Slider| [slider.link, slider.on];
-        let own = ends(self.slider(id));
-        let [link, on] = own.map(|body| if body == GROUND { ground } else { self.body(body).name.as_str() });
-        match self.sliders[..id.0].iter().filter(|slider| ends(slider) == own).count() {
+        let name = |body: BodyId| if body == GROUND { ground } else { self.body(body).name.as_str() };
+        let names = |slider: &Slider| [slider.link, slider.on].map(name);
+        let own @ [link, on] = names(self.slider(id));
+        match self.sliders[..id.0].iter().filter(|slider| names(slider) == own).count() {
             0 => format!("{link}/{on}"),
             count => format!("{link}/{on}#{}", count + 1),
         }
