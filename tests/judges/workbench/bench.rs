@@ -208,6 +208,11 @@ impl Bench {
         self.text("document.querySelector('#sheet').innerHTML")
     }
 
+    /// The points and links that the picture shows, wherever they stand.
+    pub fn shown(&mut self) -> String {
+        self.text("[...new Set([...document.querySelectorAll('#sheet :is([id*=-point-], [id*=-link-])')].map((e) => e.id))].sort().join(' ')")
+    }
+
     /// Waits for a picture in a panel, which is in a tree of its own.
     pub fn until_drawn(&mut self, selector: &str) {
         let selector = json!(format!("{selector} .drawn"));
