@@ -172,7 +172,7 @@ pub(super) struct Label {
 
 impl Label {
     pub(super) fn new(request: &LabelRequest) -> Self {
-        let label = Self {
+        Self {
             anchor: request.anchor,
             clearance: request.clearance.max(0.0),
             ink: request.text.ink_box(request.size),
@@ -189,8 +189,7 @@ impl Label {
             short: request.short.as_ref().map(|short| short.ink_box(request.size)),
             is_short: false,
             before: None,
-        };
-        label
+        }
     }
 
     pub(super) fn is_blank(&self) -> bool {

@@ -167,9 +167,9 @@ fn a_plan_is_large_beside_the_scheme() {
     bench.until_other(&before);
     let keys = bench.value(&format!("{panels}.map(({{ key }}) => key)"));
     assert_eq!(keys, json!(["scheme", "velocity"]));
-    let share = bench.number(&format!(
-        "(({{ panels, width, height }}) => panels[1].box[2] * panels[1].box[3] / (width * height))(kinegon.app.picture.value)"
-    ));
+    let share = bench.number(
+        "(({ panels, width, height }) => panels[1].box[2] * panels[1].box[3] / (width * height))(kinegon.app.picture.value)"
+    );
     assert!(share > 0.5, "the plan has {share} of the picture");
     bench.press("p");
     bench.until("document.body.classList.contains('presenting')");
