@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 const MOST_LISTED: usize = 20;
 
 /// Millimetres in an inch.
+#[cfg(feature = "png")]
 const INCH: f64 = 25.4;
 
 /// Where figures go, and in which forms.
@@ -49,6 +50,7 @@ pub(super) struct FigureOptions {
 
 impl FigureOptions {
     /// The dots per inch of a sheet of that width in mm.
+    #[cfg(feature = "png")]
     pub(super) fn dpi_of(&self, width: f64) -> f64 {
         self.width.map_or(self.dpi, |pixels| f64::from(pixels) * INCH / width)
     }

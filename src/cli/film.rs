@@ -1,5 +1,6 @@
 //! Films of `kinegon draw`.
 
+#[cfg(feature = "png")]
 use super::figures::GivenStyle;
 #[cfg(feature = "png")]
 use super::message::{Failure, Source, note, warn};
