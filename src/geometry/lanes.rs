@@ -275,7 +275,11 @@ impl<S: Simd, const N: usize> Number for Register<S, N> {
     #[inline(always)]
     fn plus_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
-            self.numbers[i] = a.numbers[i].mul_add_precise(b.numbers[i], self.numbers[i]);
+            self.numbers[i] = if cfg!(target_arch = "x86_64") && S::f64s::LEN == 2 {
+                emulated(self.simd, a.numbers[i], b.numbers[i], self.numbers[i])
+            } else {
+                a.numbers[i].mul_add_precise(b.numbers[i], self.numbers[i])
+            };
         }
         self
     }
@@ -295,4 +299,14 @@ impl<S: Simd, const N: usize> Number for Register<S, N> {
         }
         self
     }
+}
+
+/// a b + c, rounded once, on processors older than x86-64-v3, which have no instruction for it: some sixty others, which
+/// would else stand, twice over, wherever products are added, and take the compiler longer than all the rest.
+#[inline(never)]
+fn emulated<S: Simd>(simd: S, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
+    simd.vectorize(
+        #[inline(always)]
+        || a.mul_add_precise(b, c),
+    )
 }

@@ -110,6 +110,8 @@ pub(super) struct Closing {
     pub unknowns: Vec<Unknown>,
     /// The reduced equations, if they reduce; the unknowns are then in the order shared, shared, own, own.
     pub reduced: Option<Reducing>,
+    /// Index of its shape, if it has one of `shapes.rs`.
+    pub shape: Option<usize>,
     /// The largest component of a member's vector with all sliders at zero: the group's size for slides. Not zero, even
     /// where all of a loop belongs to one class and its vector vanishes.
     pub size: f64,

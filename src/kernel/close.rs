@@ -1,5 +1,7 @@
-use super::action::{Action, Closing, InputKind, Placing, Unknown};
+use super::action::{Action, Closing, InputKind, Placing, Reducing, Unknown};
 use super::columns::{correct_columns, turn_columns};
+use super::rates::{group_rates, point_rates};
+use super::shapes::{Pass, SLIDE_AND_TURN, TURN_AND_SLIDE, TWO_TURNS, in_registers};
 use super::solve::{determinant, solve};
 use super::{Block, Kernel, Single};
 use crate::geometry::{
@@ -16,6 +18,17 @@ const NEAR_START: f64 = 0.5;
 
 /// Largest correction, in radians, after which [`unit`] restores a direction's length 1.
 const SMALL: f64 = 1e-3;
+
+/// What is asked of a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Task {
+    /// Positions, as [`Kernel::assemble`] says.
+    Positions { sure: f64 },
+    /// Rates at the positions computed last.
+    Rates,
+    /// Both.
+    Motions { sure: f64 },
+}
 
 /// Outcome of the assembly of a block's positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,26 +82,78 @@ impl Kernel {
     /// corrections do not decrease, the loops count as not closed. After a correction of at most `sure`, in radians or
     /// parts of a group's size, no further step is made; with zero, what a step leaves is estimated each time.
     ///
-    /// A function of its own, as those for many: the compiler would repeat what is in it wherever it is called.
-    #[inline(never)]
     pub fn assemble(&self, block: &mut Single, sure: f64) -> Correction {
-        self.assemble_in(OneByOne, block, sure)
+        self.carry_out(block, Task::Positions { sure })
     }
 
     /// As [`Self::assemble`], for many positions in the widest registers of the processor.
-    #[inline(never)]
     pub fn assemble_many(&self, registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
-        dispatch!(registers, simd => self.assemble_in(Registers::<_, TOGETHER>(simd), block, sure))
+        self.carry_out_many(registers, block, Task::Positions { sure })
+    }
+
+    /// Computes all velocities and accelerations at assembled positions, from the rates of the drives.
+    pub fn rates(&self, block: &mut Single) {
+        self.carry_out(block, Task::Rates);
+    }
+
+    /// As [`Self::rates`], for many positions in the widest registers of the processor.
+    pub fn rates_many(&self, registers: Level, block: &mut Block<Many>) {
+        self.carry_out_many(registers, block, Task::Rates);
+    }
+
+    /// [`Self::assemble`], then [`Self::rates`] if all loops have closed: quicker together where the first corrections are
+    /// sure, and to the same bits.
+    pub fn motions(&self, block: &mut Single, sure: f64) -> Correction {
+        self.carry_out(block, Task::Motions { sure })
+    }
+
+    /// As [`Self::motions`], for many positions in the widest registers of the processor.
+    pub fn motions_many(&self, registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
+        self.carry_out_many(registers, block, Task::Motions { sure })
+    }
+
+    /// The only code for single positions, and the one below that for many: the compiler makes it once for each
+    /// instruction set.
+    #[inline(never)]
+    fn carry_out(&self, block: &mut Single, task: Task) -> Correction {
+        self.carry_out_in(OneByOne, block, task)
+    }
+
+    #[inline(never)]
+    fn carry_out_many(&self, registers: Level, block: &mut Block<Many>, task: Task) -> Correction {
+        dispatch!(registers, simd => self.carry_out_in(Registers::<_, TOGETHER>(simd), block, task))
     }
 
     #[inline(always)]
-    fn assemble_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
+    fn carry_out_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, task: Task) -> Correction {
         let mut worst = Correction { first: 0.0, last: 0.0, closed: true, doubt: 0.0 };
+        let has_rates = !matches!(task, Task::Positions { .. });
         for action in &self.actions {
             match action {
-                Action::Place(placing) => place(lanes, block, placing),
+                Action::Place(placing) => {
+                    if task != Task::Rates {
+                        place(lanes, block, placing);
+                    }
+                    if has_rates {
+                        point_rates(lanes, block, placing);
+                    }
+                }
                 Action::Close(closing) => {
-                    let found = close(lanes, block, closing, sure);
+                    let quick = if has_rates { at_once(lanes, block, closing, task) } else { None };
+                    let found = match (quick, task) {
+                        (Some(found), _) => found,
+                        (None, Task::Rates) => {
+                            group_rates(lanes, block, closing);
+                            continue;
+                        }
+                        (None, Task::Positions { sure } | Task::Motions { sure }) => {
+                            let found = close(lanes, block, closing, sure);
+                            if found.closed && has_rates {
+                                group_rates(lanes, block, closing);
+                            }
+                            found
+                        }
+                    };
                     worst.first = worst.first.max(found.first);
                     worst.last = worst.last.max(found.last);
                     worst.doubt = worst.doubt.max(found.doubt);
@@ -202,6 +267,33 @@ pub(super) fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &
     for k in portions::<L, R>() {
         lanes.store_pair(to, k, lanes.pair(from, k) + lanes.pair(reach, k));
     }
+}
+
+/// A group's rates, after one Newton step if positions are asked for, in registers; none if it has no shape for that, or
+/// that step is not sure: then nothing is changed that `close` reads.
+#[inline(always)]
+fn at_once<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, task: Task) -> Option<Correction> {
+    let (pass, sure) = match task {
+        Task::Motions { sure } if sure > 0.0 => (Pass::StepAndRates, sure),
+        Task::Rates => (Pass::Rates, 0.0),
+        _ => return None,
+    };
+    let longest = match (closing.shape?, closing.reduced.as_ref()?) {
+        (TWO_TURNS, Reducing::One(e)) => in_registers::<_, R, 1, TWO_TURNS>(lanes, block, closing, e, pass),
+        (TURN_AND_SLIDE, Reducing::One(e)) => in_registers::<_, R, 1, TURN_AND_SLIDE>(lanes, block, closing, e, pass),
+        (SLIDE_AND_TURN, Reducing::Two(e)) => {
+            // The columns of two loops fill the registers once.
+            in_registers::<_, R, 2, SLIDE_AND_TURN>(lanes.narrow(), block, closing, e, pass)
+        }
+        _ => return None,
+    };
+    if pass == Pass::StepAndRates {
+        if longest.is_nan() || longest > sure {
+            return None;
+        }
+        correct(lanes, block, closing, Size::Tiny);
+    }
+    Some(Correction { first: longest, last: longest, closed: true, doubt: 0.0 })
 }
 
 /// The larger of two magnitudes; NaN if one is NaN.

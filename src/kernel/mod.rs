@@ -25,6 +25,7 @@ mod columns;
 mod compile;
 mod rates;
 mod refine;
+mod shapes;
 mod solve;
 
 pub use action::{Input, InputKind, Kernel, Seat, Unknown};

@@ -1,8 +1,7 @@
-use super::action::{Action, Chain, Closing, InputKind, Placing, Reducible, Reducing, Unknown};
+use super::action::{Chain, Closing, InputKind, Placing, Reducible, Reducing, Unknown};
 use super::solve::{factor, general_systems, solve_general};
-use super::{Block, Kernel, Single};
-use crate::geometry::{Lanes, Many, Number, OneByOne, Pair, Registers, Row, TOGETHER, portions};
-use fearless_simd::{Level, dispatch};
+use super::{Block, Kernel};
+use crate::geometry::{Lanes, Number, Pair, Row, portions};
 
 impl Kernel {
     /// Sets the rates of a drive: angular velocity and acceleration, in rad, or velocity and acceleration along the
@@ -15,33 +14,11 @@ impl Kernel {
         };
         (*rates, *seconds) = (R::splat(rate), R::splat(second));
     }
-
-    /// Computes all velocities and accelerations at assembled positions, from the rates of the drives.
-    #[inline(never)]
-    pub fn rates(&self, block: &mut Single) {
-        self.rates_in(OneByOne, block);
-    }
-
-    /// As [`Self::rates`], for many positions in the widest registers of the processor.
-    #[inline(never)]
-    pub fn rates_many(&self, registers: Level, block: &mut Block<Many>) {
-        dispatch!(registers, simd => self.rates_in(Registers::<_, TOGETHER>(simd), block));
-    }
-
-    #[inline(always)]
-    fn rates_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>) {
-        for action in &self.actions {
-            match action {
-                Action::Place(placing) => point_rates(lanes, block, placing),
-                Action::Close(closing) => group_rates(lanes, block, closing),
-            }
-        }
-    }
 }
 
 /// Computes velocity and acceleration of a placed point from those of the earlier point.
 #[inline(always)]
-fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+pub(super) fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Block { reaches, omegas, alphas, point_velocities, point_accelerations, .. } = block;
     let reach = &reaches[placing.reach];
     let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);
@@ -78,7 +55,7 @@ fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placi
 
 /// Solves a group's equations for its velocities, then for its accelerations.
 #[inline(always)]
-fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
+pub(super) fn group_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing) {
     match &closing.reduced {
         Some(Reducing::One(equations)) => reduced_rates(lanes, block, closing, equations),
         // The columns of two loops fill the registers once.
