@@ -157,11 +157,10 @@ impl<'a> Mover<'a> {
     #[inline]
     fn step(&mut self, change: f64) -> bool {
         self.carry_on(change);
-        let found = self.kernel.assemble(&mut self.block, self.sure);
+        let found = self.kernel.motions(&mut self.block, self.sure);
         if !(found.closed && found.first <= OFF) {
             return false;
         }
-        self.kernel.rates(&mut self.block);
         // All determinants have the signs that they had.
         let is_on_branch = self.ratios().all(|ratio| ratio > 0.0);
         let is_near = self.ratios().all(|ratio| (0.5..=2.0).contains(&ratio));

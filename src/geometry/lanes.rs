@@ -83,6 +83,9 @@ pub trait Lanes: Copy {
     /// Positions in one [`Self::Number`].
     const COUNT: usize;
 
+    /// Whether the processor adds products only by a call each, which empties all registers.
+    const EMULATED: bool;
+
     /// One register at a time: for steps with more numbers in use than two together leave room for.
     fn narrow(self) -> Self::Narrow;
 
@@ -132,6 +135,8 @@ impl Lanes for OneByOne {
     type Narrow = Self;
 
     const COUNT: usize = 1;
+
+    const EMULATED: bool = false;
 
     #[inline(always)]
     fn narrow(self) -> Self {
@@ -187,6 +192,8 @@ impl<S: Simd, const N: usize> Lanes for Registers<S, N> {
     type Narrow = Registers<S, 1>;
 
     const COUNT: usize = N * S::f64s::LEN;
+
+    const EMULATED: bool = cfg!(target_arch = "x86_64") && S::f64s::LEN == 2;
 
     #[inline(always)]
     fn narrow(self) -> Registers<S, 1> {
@@ -275,7 +282,7 @@ impl<S: Simd, const N: usize> Number for Register<S, N> {
     #[inline(always)]
     fn plus_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
-            self.numbers[i] = if cfg!(target_arch = "x86_64") && S::f64s::LEN == 2 {
+            self.numbers[i] = if Registers::<S, N>::EMULATED {
                 emulated(self.simd, a.numbers[i], b.numbers[i], self.numbers[i])
             } else {
                 a.numbers[i].mul_add_precise(b.numbers[i], self.numbers[i])

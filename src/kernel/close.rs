@@ -273,6 +273,9 @@ pub(super) fn place<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &
 /// that step is not sure: then nothing is changed that `close` reads.
 #[inline(always)]
 fn at_once<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, task: Task) -> Option<Correction> {
+    if L::EMULATED {
+        return None;
+    }
     let (pass, sure) = match task {
         Task::Motions { sure } if sure > 0.0 => (Pass::StepAndRates, sure),
         Task::Rates => (Pass::Rates, 0.0),

@@ -3,6 +3,7 @@ use super::action::{
     ZERO,
 };
 use super::classes::classes;
+use super::shapes::shape_of;
 use crate::geometry::{Point, Turn, Vector};
 use crate::mechanism::{
     AngularConstraint, Body, BodyId, GROUND, Group, Joint, JointId, Loop, LoopEquations, Mechanism, Reduction, Role,
@@ -245,8 +246,16 @@ impl<'a> Compiler<'a> {
             .iter()
             .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).angular.as_ref()?, &unknowns));
         let ties = ties.collect();
-        let mut closing =
-            Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0, scales: Vec::new() };
+        let mut closing = Closing {
+            group: index,
+            chains: Vec::new(),
+            ties,
+            reduced: None,
+            shape: None,
+            unknowns,
+            size: 0.0,
+            scales: Vec::new(),
+        };
         for chain in &group.loops {
             self.compile_loop(chain, &mut closing);
         }
@@ -257,6 +266,11 @@ impl<'a> Compiler<'a> {
         closing.scales = closing.unknowns.iter().map(scale).collect();
         let reduction = equations.reduction;
         closing.reduced = reduction.and_then(|r| Reducing::new(r, &closing.chains));
+        closing.shape = match &closing.reduced {
+            Some(Reducing::One(equations)) => shape_of(&closing.chains, &equations.columns),
+            Some(Reducing::Two(equations)) => shape_of(&closing.chains, &equations.columns),
+            None => None,
+        };
         closing
     }
 
