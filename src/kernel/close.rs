@@ -1,7 +1,7 @@
 use super::action::{Action, Closing, InputKind, Placing, Reducing, Unknown};
 use super::columns::{correct_columns, turn_columns};
 use super::rates::{group_rates, point_rates};
-use super::shapes::{Pass, SLIDE_AND_TURN, TURN_AND_SLIDE, TWO_TURNS, in_registers};
+use super::shapes::{Pass, SLIDE_AND_TURN, TWO_TURNS, in_registers};
 use super::solve::{determinant, solve};
 use super::{Block, Kernel, Single};
 use crate::geometry::{
@@ -283,7 +283,6 @@ fn at_once<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &Closing, 
     };
     let longest = match (closing.shape?, closing.reduced.as_ref()?) {
         (TWO_TURNS, Reducing::One(e)) => in_registers::<_, R, 1, TWO_TURNS>(lanes, block, closing, e, pass),
-        (TURN_AND_SLIDE, Reducing::One(e)) => in_registers::<_, R, 1, TURN_AND_SLIDE>(lanes, block, closing, e, pass),
         (SLIDE_AND_TURN, Reducing::Two(e)) => {
             // The columns of two loops fill the registers once.
             in_registers::<_, R, 2, SLIDE_AND_TURN>(lanes.narrow(), block, closing, e, pass)

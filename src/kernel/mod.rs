@@ -16,6 +16,9 @@
 //! same bytes on every machine and in the browser; last digits differ from those of one position. The many are
 //! positions of one path (`cycle/walker.rs`), or mechanisms of one kind with other lengths (`cycle/variants.rs`). A
 //! quantity of links alone needs no places of points, and then none are computed.
+//!
+//! Between actions numbers go through memory. For the commonest groups (`shapes.rs`) a Newton step and the rates after it
+//! are one action, made by the compiler for that shape of loops: all between lies in registers. Bits stay the same.
 
 mod action;
 mod block;

@@ -40,16 +40,13 @@ const NO_LOOP: LoopShape = LoopShape { members: [None; MEMBERS], guide: None };
 
 /// Two links with pins, as in a four-bar.
 pub(super) const TWO_TURNS: usize = 0;
-/// A link on a pin, and a slide along it, as in a quick-return.
-pub(super) const TURN_AND_SLIDE: usize = 1;
 /// A slide along a link that both loops share, as in the source's Figure 2.
-pub(super) const SLIDE_AND_TURN: usize = 2;
+pub(super) const SLIDE_AND_TURN: usize = 1;
 
 /// Shapes of groups for which the compiler makes code of its own, in which all of a group's equations stay in
 /// registers. Groups of all other shapes go through rows of memory, to the same bits.
-const SHAPES: [[LoopShape; 2]; 3] = [
+const SHAPES: [[LoopShape; 2]; 2] = [
     [LoopShape { members: [Some(S), Some(T), None], guide: None }, NO_LOOP],
-    [LoopShape { members: [Some(S), None, None], guide: Some((0, T)) }, NO_LOOP],
     [
         LoopShape { members: [Some(S), Some(T), None], guide: Some((0, H)) },
         LoopShape { members: [Some(S), Some(H), Some(T)], guide: None },
