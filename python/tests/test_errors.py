@@ -79,7 +79,7 @@ def test_files(tmp_path):
 def test_figures():
     solution = kinegon.Scene.kind("four-bar").solve()
     for options, message in [
-        ({"format": "gif"}, "the formats are svg, png, pdf, tikz, html"),
+        ({"format": "bmp"}, "the formats are svg, png, pdf, tikz, html"),
         ({"format": "pdf", "layered": True}, "only SVG has layers"),
         ({"dpi": 1e9, "format": "png"}, "dpi must be from 10 to 2400"),
         ({"sheet": 2}, "sheets 1 to 1"),
