@@ -146,6 +146,7 @@ impl Part {
         let whole = extent.with(geometry::Point::origin());
         let size = extent.size().norm();
         let plan = plan::on_paper::extent(plan, context.figure().construction).size().norm();
-        (0.0 < size && size <= MOST * plan).then(|| if whole.size().norm() <= WITH_POLE * size { whole } else { extent })
+        (0.0 < size && size <= MOST * plan)
+            .then(|| if whole.size().norm() <= WITH_POLE * size { whole } else { extent })
     }
 }
