@@ -13,8 +13,8 @@ use kurbo::{Point, Rect, Vec2};
 const CORNER: f64 = 2.5;
 /// White between the words of a list and its names, and between two names, in em.
 const BETWEEN: f64 = 0.3;
-/// The lower edge of a row below its baseline, in mm.
-const BELOW: f64 = 1.2;
+/// The lower edge of a row below its baseline, in mm: scripts one above the other do not reach below it.
+const BELOW: f64 = 1.6;
 
 /// A piece of a list: its text, the row in which it stands, its left end, the step from which it is there.
 struct Piece {
