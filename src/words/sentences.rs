@@ -158,7 +158,7 @@ sentences! {
     /// A special point that lies off the sheet.
     far_away(point, distance, from) = "{point}: {distance} from {from}";
     /// At the line to an image that lies off the panel.
-    far_in_plan(point, distance) = "to {point}: {distance} mm";
+    far_in_plan(point, distance) = "to {point}: {distance}";
     /// In a panel whose content is larger.
     cut_at_edge = "cut at the edge";
     names_without_room = "no room for all names";
