@@ -45,7 +45,8 @@ pub struct Pane {
 /// That [of the figure](HeldLayout::of_figure) is that of the file: in the scene's own position it is drawn as there; in
 /// others what leaves its panel is cut off. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the
 /// figure's page or on a part of a screen; of a drive that swings, whose vectors run off to infinity at the ends of its
-/// range, it has room for all in which they are not far larger than in most. A panel says that its content is cut.
+/// range, it has room for all in which they are not far larger than in most; those that run off have their size at the
+/// edge. A panel says that its content is cut.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
