@@ -37,6 +37,10 @@ impl PlanOnPaper<'_> {
         };
         for value in shown.values_of(self.plan.sheet()) {
             let Some((ends, part)) = self.ends_of(value) else { continue };
+            // A point that only leads to others says itself how far it is.
+            if matches!(&value.of, ValueOf::Vector(vector) if self.is_far(canvas, &vector.ends[1])) {
+                continue;
+            }
             let Some([from, edge]) = self.running_off(canvas, ends) else { continue };
             canvas.obstacles.add_boxes(canvas.arrow(from, edge).head_box());
             let along = edge - from;
