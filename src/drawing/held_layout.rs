@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// Every so many of them is asked for the height of its words.
 const WORDS_OF: usize = 12;
 /// How much the size of the mechanism counts beside that of a plan, which fills its panel in few positions only.
-const HERO: f64 = 2.0;
+const HERO: f64 = 1.5;
 /// Into so many parts the range of a drive that moves alone is divided.
 const PULLED: usize = 48;
 
