@@ -21,7 +21,8 @@ use std::sync::Arc;
 
 /// Every so many of them is asked for the height of its words.
 const WORDS_OF: usize = 12;
-/// How much the size of the mechanism counts beside that of a plan, which fills its panel in few positions only.
+/// How much the size of the mechanism counts beside that of a plan, which fills its panel in few positions only; in a
+/// lesson on the plans no more than they.
 const HERO: f64 = 1.5;
 /// Into so many parts the range of a drive that moves alone is divided.
 const PULLED: usize = 48;
@@ -199,7 +200,7 @@ impl HeldLayout {
     fn new(mut context: SheetContext<'_>, extents: Extents, contents: Contents, below: f64) -> HeldLayout {
         let mut sheet = composed(&context, &extents, contents);
         let scheme = sheet.panels.iter_mut().find(|panel| panel.needs.sheet == Sheet::Scheme);
-        if let Some(scheme) = scheme.filter(|_| context.figure().focus.is_none()) {
+        if let Some(scheme) = scheme.filter(|_| context.figure().focus.is_none() && contents.steps.is_none()) {
             scheme.needs.weight = HERO;
         }
         let layout = sheet.layout_above(sheet.height_below().max(below));
