@@ -27,6 +27,10 @@ export type Grab =
       drive: string;
     }
   | {
+      kind: "run";
+      drive: string;
+    }
+  | {
       kind: "shape";
       /**
        * The joint.
@@ -1881,3 +1885,5 @@ export const SHEETS = [
     "vector": "a"
   }
 ] as const;
+
+export interface Running { drive: string; is_backwards: boolean; low: number | null; high: number | null; turns: number | null }
