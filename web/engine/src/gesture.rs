@@ -25,7 +25,7 @@ pub enum Grab {
         /// The drive.
         drive: String,
     },
-    /// All drives that have a speed in the scene, which run as time moves them: [`Running`](crate::answers::Running) says which of them is pulled.
+    /// All drives that have a speed in the scene, which run as time moves them: `Running` says which of them is pulled.
     Run {
         /// The drive that is pulled.
         drive: String,
