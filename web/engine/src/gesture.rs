@@ -69,8 +69,16 @@ pub struct Gesture {
 
 enum Hold {
     /// `moved` are the drives that it moves.
-    Drive { pull: Box<Pull>, moved: Vec<cycle::Drive>, point: Option<PointId>, pose: Pose },
-    Shape { reshape: Box<Reshape>, text: String },
+    Drive {
+        pull: Box<Pull>,
+        moved: Vec<cycle::Drive>,
+        point: Option<PointId>,
+        pose: Pose,
+    },
+    Shape {
+        reshape: Box<Reshape>,
+        text: String,
+    },
 }
 
 impl Desk {

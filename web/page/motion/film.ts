@@ -14,8 +14,8 @@ const BITS = 12_000_000;
 /** Kinds of films, the best first. */
 const KINDS = ["video/webm;codecs=vp9", "video/webm", "video/mp4"];
 
-/** Why there is no film: something else was taken hold of, the scene was changed, the page went out of sight, the drive does not move. */
-export type Broken = "taken" | "changed" | "hidden" | "stuck";
+/** Why there is no film: something was moved or changed, the page went out of sight, the drive does not move. */
+export type Broken = "taken" | "hidden" | "stuck";
 
 /**
  * A film is what the page shows: the drives run on the page, and the browser records it. The engine stays without an encoder,
@@ -29,7 +29,6 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
 
   /** Runs the drives once through their course while the canvas shows them. */
   const record = async (course: Course): Promise<Blob | Broken> => {
-    const { text } = app.history.now.value;
     const held = await gestures.start(course.what);
     if (held === null) return "taken";
     const follows = following(app, course.drive);
@@ -43,7 +42,6 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
       const way = wayOf(course);
       const seconds = SECONDS * course.turns;
       const broken = (): Broken | null => {
-        if (app.history.now.value.text !== text) return "changed";
         if (!held.isHeld()) return "taken";
         if (document.hidden) return "hidden";
         return follows.isStuck() && follows.at() === course.from ? "stuck" : null;

@@ -18,7 +18,6 @@ type Key =
   | "film_about"
   | "filming"
   | "film_taken"
-  | "film_changed"
   | "film_hidden"
   | "film_stuck"
   | "cannot_film"
@@ -63,8 +62,7 @@ const WORDS: Words<Key> = {
     film_turn: "One turn of the drive",
     film_about: "The browser records the picture while the drives run as the scene says: for six seconds, or for each turn until the mechanism is where it began. Keep the page in sight; pulling, Play or a change of the scene breaks it off. GIF, for slides and messages, is made by the program: kinegon draw scene.json -o film.gif",
     filming: "Recording …",
-    film_taken: "The film was broken off: something else was moved.",
-    film_changed: "The film was broken off: the scene was changed.",
+    film_taken: "The film was broken off: something was moved or changed.",
     film_hidden: "The film was broken off: the page was not in sight.",
     film_stuck: "There is no film: the drive cannot move from where it stands.",
     cannot_film: "This browser records no films. The program makes them: kinegon draw scene.json -o film.gif",
@@ -108,8 +106,7 @@ const WORDS: Words<Key> = {
     film_turn: "Una vuelta del accionamiento",
     film_about: "El navegador graba la figura mientras los accionamientos se mueven como dice la escena: seis segundos, o seis por vuelta hasta que el mecanismo está donde empezó. Deje la página a la vista; tirar de un punto, reproducir o cambiar la escena interrumpe la grabación. El programa hace GIF, para presentaciones y mensajes: kinegon draw escena.json -o película.gif",
     filming: "Grabando …",
-    film_taken: "La grabación se interrumpió: se movió otra cosa.",
-    film_changed: "La grabación se interrumpió: la escena cambió.",
+    film_taken: "La grabación se interrumpió: algo se movió o cambió.",
     film_hidden: "La grabación se interrumpió: la página no estaba a la vista.",
     film_stuck: "No hay película: el accionamiento no puede moverse desde donde está.",
     cannot_film: "Este navegador no graba películas. El programa las hace: kinegon draw escena.json -o película.gif",
