@@ -1,5 +1,10 @@
 import type { Shared } from "./address.ts";
-import type { Page } from "./storage.ts";
+
+/** Where a document is made: the page's address, and which scene its file has inside, in short; that is empty where it has none. */
+export interface Page {
+  readonly address: string;
+  readonly lesson: string;
+}
 
 /** The scene that `kinegon draw -o page.html` has put into the page. */
 export function lesson(): Shared | null {

@@ -1,4 +1,5 @@
 import type { Document } from "./history.ts";
+import { thisPage, type Page } from "./lesson.ts";
 
 /** A document as it is kept. */
 export interface Kept extends Document {
@@ -11,17 +12,11 @@ export interface Kept extends Document {
   time: number;
 }
 
-/** Where a document is made: the page's address, and which scene its file has inside, in short; that is empty where it has none. */
-export interface Page {
-  readonly address: string;
-  readonly lesson: string;
-}
-
 /** Where documents are kept. */
 export interface Store {
   /** Whether anything is kept at all. */
   readonly works: boolean;
-  /** What this very tab had before it was loaded again, or before it went elsewhere; a tab that was duplicated has what the other had. */
+  /** What this very tab had on this page before it was loaded again, or before it went elsewhere; a tab that was duplicated has what the other had. */
   own(): Kept | null;
   /** What other tabs have or had, the newest first. */
   others(): Kept[];
@@ -71,10 +66,12 @@ function browserStore(local: Storage, session: Storage): Store {
   local.setItem(`${PREFIX}try`, "1");
   local.removeItem(`${PREFIX}try`);
   const isReload = (performance.getEntriesByType("navigation")[0] as PerformanceNavigationTiming | undefined)?.type === "reload";
-  const before = session.getItem(`${PREFIX}tab`);
+  // A tab may go from one page to another and back: it has one document for each.
+  const name = `${PREFIX}tab:${thisPage().address}`;
+  const before = session.getItem(name);
   // A tab that was duplicated has the other's name in its session, but was not loaded again: it keeps its own under another name.
   const tab = before !== null && isReload ? before : `${PREFIX}doc:${crypto.randomUUID()}`;
-  session.setItem(`${PREFIX}tab`, tab);
+  session.setItem(name, tab);
 
   const own = before === null ? null : parsed(local.getItem(before));
 
