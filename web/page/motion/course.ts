@@ -26,6 +26,7 @@ export interface Course {
  * was touched last. Null where nothing can run.
  */
 export async function courseOf(app: App, touched: Drive | undefined): Promise<Course | null> {
+  await known(app);
   const { good } = app.solved.value;
   const runs = await app.engine.running(good);
   const drives = app.picture.value?.drives ?? [];
@@ -44,6 +45,19 @@ export async function courseOf(app: App, touched: Drive | undefined): Promise<Co
     turns: runs?.turns ?? 1,
     isTogether: runs !== null && drives.length > 1,
   };
+}
+
+/** Waits until the engine has said what the present text means: what was held may just have changed it. */
+function known(app: App): Promise<void> {
+  const is = (): boolean => app.solved.value.text === app.history.now.value.text;
+  if (is()) return Promise.resolve();
+  return new Promise((done) => {
+    const end = app.solved.on(() => {
+      if (!is()) return;
+      end();
+      done();
+    });
+  });
 }
 
 /** How many pictures without a motion tell that something stops the drive. */

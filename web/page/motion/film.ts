@@ -33,6 +33,9 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
     if (held === null) return "taken";
     const follows = following(app, course.drive);
     const parts: Blob[] = [];
+    const over = new AbortController();
+    // A page out of sight has no next picture, and is not waited for.
+    const hidden = new Promise((done) => document.addEventListener("visibilitychange", done, { signal: over.signal }));
     let recorder: MediaRecorder | undefined;
     try {
       const canvas = document.createElement("canvas");
@@ -53,7 +56,7 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
         if (why !== null) return why;
         held.pull({ value: way(share) });
         await paint();
-        await nextFrame();
+        await Promise.race([new Promise(requestAnimationFrame), hidden]);
       }
       await new Promise((done) => {
         made.onstop = done;
@@ -62,6 +65,7 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
       return broken() ?? new Blob(parts, { type: kind.replace(/;.*/, "") });
     } finally {
       follows.end();
+      over.abort();
       if (recorder?.state === "recording") recorder.stop();
       await held.cancel();
     }
@@ -79,15 +83,6 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
       isRecording = false;
     }
   };
-}
-
-/** The next picture on the screen; a page out of sight has none, and is not waited for. */
-function nextFrame(): Promise<unknown> {
-  return new Promise((done) => {
-    requestAnimationFrame(done);
-    if (document.hidden) done(0);
-    else document.addEventListener("visibilitychange", done, { once: true });
-  });
 }
 
 /** Makes the canvas as large as the film, and gives what paints the page's picture on it. */

@@ -28,16 +28,19 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
   const speed = byId<HTMLSelectElement>("speed");
   const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
   let gesture: Gesture | null = null;
+  /** Counts starts and stops: what a start has waited for may be wanted no more. */
+  let attempt = 0;
   let hasTold = false;
 
   async function start(): Promise<void> {
-    if (app.solved.value.refused !== null) return;
+    const own = (attempt += 1);
+    const isWanted = (): boolean => on.value && own === attempt;
     on.set(true);
     await gestures.end();
-    const course = await courseOf(app, drives().current());
-    const held = course && on.value ? await gestures.start(course.what) : null;
+    const course = isWanted() ? await courseOf(app, drives().current()) : null;
+    const held = course !== null && isWanted() ? await gestures.start(course.what) : null;
+    if (!isWanted()) return held?.drop();
     if (course === null || held === null) return on.set(false);
-    if (!on.value) return held.drop();
     gesture = held;
     if (course.isTogether && !hasTold) app.tell(say("together"));
     hasTold ||= course.isTogether;
@@ -60,9 +63,10 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
       return true;
     }
     const tick = (now: number): void => {
-      if (!on.value || !held.isHeld() || (follows.isStuck() && !turned())) {
+      if (gesture !== held) return follows.end();
+      if (!held.isHeld() || (follows.isStuck() && !turned())) {
         follows.end();
-        if (on.value && held.isHeld()) app.tell(say("stuck"));
+        if (held.isHeld()) app.tell(say("stuck"));
         return stop();
       }
       const passed = before === null ? 0 : Math.min((now - before) / 1000, 0.1);
@@ -83,6 +87,7 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
 
   function stop(): void {
     if (!on.value) return;
+    attempt += 1;
     on.set(false);
     void gesture?.drop();
     gesture = null;
@@ -98,8 +103,13 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
   app.solved.on(show);
   language.on(show);
   const toggle = (): void => {
-    if (on.value) stop();
-    else void orTell(app, start).finally(() => gesture ?? on.set(false));
+    if (on.value) return stop();
+    void orTell(app, () =>
+      start().catch((why: unknown) => {
+        stop();
+        throw why;
+      }),
+    );
   };
   button.onclick = toggle;
   return { on, toggle, stop };
