@@ -105,8 +105,15 @@ impl Walker<'_> {
     /// The position and the rates for the drives running as the scene says; `None` as for [`Self::positions`].
     #[inline]
     pub fn motions(&mut self, value: &[f64; 1]) -> Option<&Single> {
-        self.positions(value)?;
-        Some(self.rates())
+        if !(self.seek(value[0]) && self.predict(OneByOne, value)) {
+            return None;
+        }
+        self.set_scene_rates();
+        let segment = &self.path.segments[self.segment];
+        if segment.delicate {
+            return self.close(Kernel::assemble).then(|| self.rates());
+        }
+        self.kernel.motions(&mut self.block, segment.sure).closed.then_some(&self.block)
     }
 
     /// The rates at the position computed last, for the drives running as the scene says.
@@ -201,8 +208,14 @@ impl<'a> Walker<'a, Many> {
     #[inline]
     fn computed(&mut self, values: &Many, with_rates: bool) -> bool {
         let registers = self.registers;
-        let found = dispatch!(registers, simd => self.predict(Registers::<_, TOGETHER>(simd), values))
-            && self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure));
+        if !dispatch!(registers, simd => self.predict(Registers::<_, TOGETHER>(simd), values)) {
+            return false;
+        }
+        let segment = &self.path.segments[self.segment];
+        if with_rates && !segment.delicate {
+            return self.kernel.motions_many(registers, &mut self.block, segment.sure).closed;
+        }
+        let found = self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure));
         if found && with_rates {
             self.rates();
         }

@@ -83,6 +83,9 @@ pub trait Lanes: Copy {
     /// Positions in one [`Self::Number`].
     const COUNT: usize;
 
+    /// Whether `a b + c` is an operation or two, and not some eighty.
+    const HAS_PLUS_PRODUCT: bool;
+
     /// One register at a time: for steps with more numbers in use than two together leave room for.
     fn narrow(self) -> Self::Narrow;
 
@@ -132,6 +135,8 @@ impl Lanes for OneByOne {
     type Narrow = Self;
 
     const COUNT: usize = 1;
+
+    const HAS_PLUS_PRODUCT: bool = true;
 
     #[inline(always)]
     fn narrow(self) -> Self {
@@ -187,6 +192,9 @@ impl<S: Simd, const N: usize> Lanes for Registers<S, N> {
     type Narrow = Registers<S, 1>;
 
     const COUNT: usize = N * S::f64s::LEN;
+
+    /// Registers of two numbers have such an operation only on some processors; wider ones always do.
+    const HAS_PLUS_PRODUCT: bool = S::f64s::LEN > 2 || cfg!(target_arch = "aarch64");
 
     #[inline(always)]
     fn narrow(self) -> Registers<S, 1> {
@@ -265,9 +273,6 @@ impl<S: Simd, const N: usize> Neg for Register<S, N> {
     }
 }
 
-/// Whether registers of two numbers have an operation for `a b + c`; wider ones always do.
-const HAS_PLUS_PRODUCT: bool = cfg!(target_arch = "aarch64");
-
 /// `a b + c` without an operation for it: some eighty instructions. Not inlined, for a group's equations have hundreds of
 /// these: functions of 300 kB took the compiler longer than a quarter of the library.
 #[inline(never)]
@@ -289,7 +294,7 @@ impl<S: Simd, const N: usize> Number for Register<S, N> {
     fn plus_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
             let (a, b, sum) = (a.numbers[i], b.numbers[i], self.numbers[i]);
-            self.numbers[i] = if HAS_PLUS_PRODUCT || S::f64s::LEN > 2 {
+            self.numbers[i] = if Registers::<S, N>::HAS_PLUS_PRODUCT {
                 a.mul_add_precise(b, sum)
             } else {
                 step_by_step(self.simd, a, b, sum)

@@ -23,8 +23,10 @@ mod classes;
 mod close;
 mod columns;
 mod compile;
+mod motions;
 mod rates;
 mod refine;
+mod shapes;
 mod solve;
 
 pub use action::{Input, InputKind, Kernel, Seat, Unknown};
