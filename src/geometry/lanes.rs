@@ -1,5 +1,5 @@
 use super::{Number, Pair};
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Range, Sub};
 
@@ -98,6 +98,9 @@ pub trait Lanes: Copy {
     /// Sets the `k`th portion of a row.
     fn store<R: Row>(self, row: &mut R, k: usize, numbers: Self::Number);
 
+    /// Whether all lanes are from `from` to `to`; none is NaN then.
+    fn all_within(self, numbers: Self::Number, from: f64, to: f64) -> bool;
+
     /// The sum over all lanes; NaN if one of them is NaN.
     fn sum(self, numbers: Self::Number) -> f64;
 
@@ -156,6 +159,11 @@ impl Lanes for OneByOne {
     #[inline(always)]
     fn store<R: Row>(self, row: &mut R, k: usize, number: f64) {
         row.as_mut()[k] = number;
+    }
+
+    #[inline(always)]
+    fn all_within(self, number: f64, from: f64, to: f64) -> bool {
+        from <= number && number <= to
     }
 
     #[inline(always)]
@@ -222,6 +230,17 @@ impl<S: Simd, const N: usize> Lanes for Registers<S, N> {
         for i in 0..N {
             register.numbers[i].store_slice(&mut portion[i * S::f64s::LEN..(i + 1) * S::f64s::LEN]);
         }
+    }
+
+    #[inline(always)]
+    fn all_within(self, register: Register<S, N>, from: f64, to: f64) -> bool {
+        let (from, to) = (S::f64s::splat(self.0, from), S::f64s::splat(self.0, to));
+        let mut within = true;
+        for i in 0..N {
+            let numbers = register.numbers[i];
+            within &= (numbers.simd_ge(from) & numbers.simd_le(to)).all_true();
+        }
+        within
     }
 
     #[inline(always)]

@@ -1,6 +1,6 @@
 use super::action::{
-    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Tied, TiedClass, Unknown,
-    Shape, ZERO,
+    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Shape, Tied, TiedClass,
+    Unknown, ZERO,
 };
 use super::classes::classes;
 use crate::geometry::{Point, Turn, Vector};

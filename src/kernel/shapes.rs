@@ -30,11 +30,7 @@ trait Equations<const LOOPS: usize> {
 
     /// The right sides for accelerations, from differences of the ends' accelerations and the rates of s, t, and the
     /// loops' own unknowns; as `acceleration_side`.
-    fn sides<N: Number>(
-        differences: [Pair<N>; LOOPS],
-        columns: Columns<N, LOOPS>,
-        rates: [N; 4],
-    ) -> [Pair<N>; LOOPS];
+    fn sides<N: Number>(differences: [Pair<N>; LOOPS], columns: Columns<N, LOOPS>, rates: [N; 4]) -> [Pair<N>; LOOPS];
 }
 
 /// Two links with pins.
@@ -102,10 +98,7 @@ impl Equations<2> for SlideAndTurn {
     }
 
     #[inline(always)]
-    fn corrected<N: Number>(
-        [[h, s, t], [g, u, v]]: Columns<N, 2>,
-        [by_s, by_t, by_h, by_g]: [N; 4],
-    ) -> Columns<N, 2> {
+    fn corrected<N: Number>([[h, s, t], [g, u, v]]: Columns<N, 2>, [by_s, by_t, by_h, by_g]: [N; 4]) -> Columns<N, 2> {
         let h = h.plus_turned(h, by_s);
         let s = s.plus_turned(s, by_s).plus_turned(h, by_h);
         let (t, u) = (t.plus_turned(t, by_t), u.plus_turned(u, by_s));
