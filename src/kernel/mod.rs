@@ -32,3 +32,4 @@ mod solve;
 pub use action::{Input, InputKind, Kernel, Seat, Unknown};
 pub use block::{Block, Single, vector};
 pub use close::{Correction, unit};
+pub use motions::Begun;
