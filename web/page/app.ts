@@ -24,6 +24,8 @@ export interface App {
   history: History;
   engine: EngineClient;
   solved: Signal<Solved>;
+  /** Whether a number is being typed just now: what is refused meanwhile is not complained of, for it may be half a number. */
+  typing: Signal<boolean>;
   view: Signal<View>;
   /** Whether the picture is the sheet of paper that is saved and printed; else it is laid out for the screen, at scales of its own. */
   paper: Signal<boolean>;

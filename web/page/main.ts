@@ -59,6 +59,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     history: history({ text: shared.text, form: shared.form ?? "" }),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
+    typing: signal(false),
     view: signal<View>(shared.view ?? FINISHED),
     paper: signal(false),
     focus: signal<Sheet | "">(""),

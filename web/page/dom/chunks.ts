@@ -10,8 +10,8 @@ export interface Chunks {
   reach(index: number): void;
 }
 
-/** The elements of all things, each `height` high about; `built` is told of those that are built later. */
-export function chunks<Thing>(things: Thing[], height: string, build: (thing: Thing) => HTMLElement, built: () => void): Chunks {
+/** The elements of all things, each `height` high about; `built` is told of those that are built later; `empty` stands in their place until then. */
+export function chunks<Thing>(things: Thing[], height: string, build: (thing: Thing) => HTMLElement, built: () => void = () => undefined, empty: () => HTMLElement = () => element("div")): Chunks {
   const waiting = new Map<number, HTMLElement>();
   const made = (chunk: number): HTMLElement[] => things.slice(chunk * CHUNK, (chunk + 1) * CHUNK).map(build);
   const fill = (chunk: number): void => {
@@ -27,7 +27,9 @@ export function chunks<Thing>(things: Thing[], height: string, build: (thing: Th
   const later: HTMLElement[] = [];
   for (let chunk = 1; chunk * CHUNK < things.length; chunk += 1) {
     const count = Math.min(CHUNK, things.length - chunk * CHUNK);
-    const place = element("div", { "data-chunk": chunk, style: `min-height: calc(${count} * ${height})` });
+    const place = empty();
+    place.dataset["chunk"] = String(chunk);
+    place.style.height = `calc(${count} * ${height})`;
     waiting.set(chunk, place);
     observer.observe(place);
     later.push(place);

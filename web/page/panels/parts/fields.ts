@@ -253,6 +253,30 @@ export function nameInput(app: App, { of, name, label }: NameField): HTMLElement
   return element("div", { class: "naming" }, input, why);
 }
 
+/** After how long without a letter a number counts as typed, in ms. */
+const PAUSE = 900;
+
+/** Hears of each letter at once, and of the pause after the last. */
+function typing(app: App, read: (isPaused: boolean) => void): { typed(): void; paused(): void } {
+  let clock = 0;
+  const paused = (): void => {
+    if (clock === 0) return;
+    clearTimeout(clock);
+    clock = 0;
+    read(true);
+    app.typing.set(false);
+  };
+  return {
+    typed() {
+      clearTimeout(clock);
+      clock = window.setTimeout(paused, PAUSE);
+      app.typing.set(true);
+      read(false);
+    },
+    paused,
+  };
+}
+
 /** How many steps a key goes. */
 const KEYS: Record<string, number> = { ArrowUp: 1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
@@ -288,13 +312,13 @@ function numberInput(app: App, field: NumberField): Live {
     given = value;
     void edit(app, [put(path, value)], gesture);
   };
-  const read = (): void => {
+  /** Takes what stands there as far as it is a number; why it is none is said when nobody types any more. */
+  const read = (isPaused: boolean): void => {
     const text = input.value.trim();
     const value = evaluated(text, unit);
-    if (text === "") field.needed === true ? refuse(say("needed")) : take(undefined);
-    else if (value === null) refuse(say("unread"));
-    else if (field.least !== undefined && value < field.least) refuse(say("least", { least: field.least }));
-    else take(value);
+    const why = text === "" && field.needed === true ? say("needed") : text !== "" && value === null ? say("unread") : value !== null && field.least !== undefined && value < field.least ? say("least", { least: field.least }) : null;
+    if (why === null) take(value ?? undefined);
+    else if (isPaused) refuse(why);
   };
   const go = (steps: number): void => {
     const next = stepped(evaluated(input.value, unit) ?? given ?? 0, step, steps);
@@ -308,9 +332,11 @@ function numberInput(app: App, field: NumberField): Live {
   };
 
   input.addEventListener("focus", () => (gesture = newId()));
-  input.addEventListener("input", read);
-  input.addEventListener("blur", () => input.classList.contains("unread") || revert());
+  const typist = typing(app, read);
+  input.addEventListener("input", typist.typed);
+  input.addEventListener("blur", () => (typist.paused(), input.classList.contains("unread") || revert()));
   input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") typist.paused();
     const steps = (KEYS[event.key] ?? 0) * (event.shiftKey ? 10 : 1) * (event.altKey ? 0.1 : 1);
     if (steps !== 0) go(steps);
     else if (event.key === "Enter") revert(), input.select(), (gesture = newId());
