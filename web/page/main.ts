@@ -45,6 +45,7 @@ import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { steps } from "./steps/steps.ts";
 import { engineBytes, unpacked } from "./unpack.ts";
+import { language, usual } from "./words.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
 
@@ -99,7 +100,7 @@ function wire(app: App, store: Store): void {
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);
   stepsBar(app, going);
-  toolbar(app);
+  toolbar(app, store);
   messages(app);
   documents(app, store);
   dropped(app);
@@ -141,6 +142,7 @@ function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
 
 async function start(): Promise<void> {
   const store = browserStore();
+  language.set(usual(store.preference("language")));
   sayAll();
   theme(store);
   const tell = teller();

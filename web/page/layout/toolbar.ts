@@ -1,11 +1,12 @@
 import type { App } from "../app.ts";
 import { byId } from "../dom/find.ts";
 import { radios } from "../dom/radios.ts";
-import { language, LANGUAGES, type Language } from "../words.ts";
+import type { Store } from "../state/storage.ts";
+import { language, type Language } from "../words.ts";
 import { redo, undo } from "./keys.ts";
 
 /** Undo, redo, the two hands, paper, language. */
-export function toolbar(app: App): void {
+export function toolbar(app: App, store: Store): void {
   byId("undo").onclick = () => undo(app);
   byId("redo").onclick = () => redo(app);
   app.history.canUndo.on((can) => (byId<HTMLButtonElement>("undo").disabled = !can));
@@ -25,21 +26,8 @@ export function toolbar(app: App): void {
 
   const select = byId<HTMLSelectElement>("language");
   language.on((now) => (select.value = now));
-  select.onchange = () => void changeLanguage(app, select.value as Language);
-  app.solved.on(({ opened }) => {
-    const own: unknown = opened?.scene["figure"]?.["language"] ?? "en";
-    const known = LANGUAGES.find((each) => each === own);
-    if (opened !== null && known !== undefined) language.set(known);
-  });
-}
-
-/** The scene's own key chooses the language. */
-async function changeLanguage(app: App, to: Language): Promise<void> {
-  try {
-    const text = await app.engine.edit(app.history.now.value.text, [{ set: ["figure", "language"], value: to }]);
-    app.history.change({ text });
-  } catch {
-    // A text that is no scene has no key for it; the page changes all the same.
-    language.set(to);
-  }
+  select.onchange = () => {
+    language.set(select.value as Language);
+    store.prefer("language", select.value);
+  };
 }
