@@ -1,5 +1,6 @@
 import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
+import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
 import type { Shared } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
@@ -52,8 +53,8 @@ export interface App {
   brought: Signal<{ name: string; text: string } | null>;
   /** A picture that somebody brings; the panel of the check takes it for a photograph and sets it to null. */
   photographed: Signal<File | null>;
-  /** Films one turn of the drive, or its way to and fro, in so many seconds; null where the browser cannot. The answer is null where that is broken off. */
-  film: ((seconds?: number) => Promise<Blob | null>) | null;
+  /** Films the drives as they run until they begin again, or to and fro once; null where the browser cannot. */
+  film: (() => Promise<Blob | Broken>) | null;
   /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
   open(text: string): void;
   /** The address of this page with a document in it. */

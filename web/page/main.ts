@@ -40,7 +40,7 @@ import { history } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
-import { store as browserStore, type Store } from "./state/storage.ts";
+import { store as browserStore, type Kept, type Store } from "./state/storage.ts";
 import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { steps } from "./steps/steps.ts";
@@ -140,6 +140,17 @@ function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
   app.show(known(shared?.panel) ? shared.panel : known(before) && window.innerWidth >= 960 ? before : roomy);
 }
 
+/** Offers what somebody has made of the lesson before; undo leads back to the lesson. */
+function offer(app: App, { text, form, title, time, student }: Kept): void {
+  const when = new Date(time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
+  const message = say("worked_before", { title: title || say("untitled"), when });
+  const takeUp = (): void => {
+    app.history.change({ text, form });
+    app.student.set(student ?? false);
+  };
+  notice(message, [say("take_up"), takeUp]);
+}
+
 async function start(): Promise<void> {
   const store = browserStore();
   language.set(usual(store.preference("language")));
@@ -168,6 +179,7 @@ async function start(): Promise<void> {
   autosave(app, store);
   if (first.bad !== null) notice(badLink(first.bad));
   else if (!store.works) notice(say("no_storage"));
+  else if (first.before !== null) offer(app, first.before);
   else if (first.from === "autosave") tell(say("restored"));
   if (first.from === "link") store.keep(asKept(app));
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };

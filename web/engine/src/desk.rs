@@ -1,4 +1,4 @@
-use crate::answers::{Drive, View};
+use crate::answers::{Drive, Running, View};
 use crate::refused::Refused;
 use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::{HeldLayout, Positions, Steps};
@@ -155,6 +155,19 @@ impl Kept {
         let names = solution.mechanism.drive_names().into_iter();
         let drives: Vec<Drive> = names.filter_map(|name| drive(solution, &name, has_ranges)).collect();
         Ok(self.drives.insert(drives).clone())
+    }
+
+    /// How it runs; none where no drive has a speed.
+    pub fn running(&mut self) -> Result<Option<Running>, Refused> {
+        let own = self.solution(order_of_figure(&self.scene))?;
+        let running = cycle::Drive::leading(&own.mechanism).and_then(|leading| {
+            let Some(drive) = leading else { return Ok(None) };
+            let mut pull = Pull::together(own, Some(&drive.name))?;
+            let [low, high] = pull.ends().map(|end| end.map(|end| end.at));
+            let cycle::Running { turns, is_backwards, .. } = cycle::Running::new(own, Some(&drive.name), 1)?;
+            Ok(Some(Running { drive: drive.name, is_backwards, low, high, turns }))
+        });
+        running.map_err(|error| self.refused(error))
     }
 
     /// The stage of a view.

@@ -84,6 +84,14 @@ impl Engine {
         answer(asked(view).and_then(|view| self.desk.picture(text, &view)))
     }
 
+    /// How a scene runs; null where no drive has a speed.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn running(&mut self, text: &str) -> Result<String, String> {
+        answer(self.desk.kept(text).and_then(desk::Kept::running))
+    }
+
     /// Takes hold of something: the picture, whose layout stays until it is let go.
     ///
     /// # Errors

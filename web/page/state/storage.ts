@@ -5,15 +5,23 @@ export interface Kept extends Document {
   title: string;
   /** Whether it came by a student's link. */
   student?: boolean;
+  /** The page in which it was made; those of older versions do not say. */
+  page?: Page;
   /** When it was kept, in ms since 1970. */
   time: number;
+}
+
+/** Where a document is made: the page's address, and which scene its file has inside, in short; that is empty where it has none. */
+export interface Page {
+  readonly address: string;
+  readonly lesson: string;
 }
 
 /** Where documents are kept. */
 export interface Store {
   /** Whether anything is kept at all. */
   readonly works: boolean;
-  /** What this very tab had before it was loaded again. */
+  /** What this very tab had before it was loaded again, or before it went elsewhere; a tab that was duplicated has what the other had. */
   own(): Kept | null;
   /** What other tabs have or had, the newest first. */
   others(): Kept[];
@@ -64,10 +72,11 @@ function browserStore(local: Storage, session: Storage): Store {
   local.removeItem(`${PREFIX}try`);
   const isReload = (performance.getEntriesByType("navigation")[0] as PerformanceNavigationTiming | undefined)?.type === "reload";
   const before = session.getItem(`${PREFIX}tab`);
-  // A tab that was duplicated has the other's name in its session, but was not loaded again.
-  const known = before !== null && isReload;
-  const tab = known ? before : `${PREFIX}doc:${crypto.randomUUID()}`;
+  // A tab that was duplicated has the other's name in its session, but was not loaded again: it keeps its own under another name.
+  const tab = before !== null && isReload ? before : `${PREFIX}doc:${crypto.randomUUID()}`;
   session.setItem(`${PREFIX}tab`, tab);
+
+  const own = before === null ? null : parsed(local.getItem(before));
 
   const names = (): string[] => Object.keys(local).filter((name) => name.startsWith(`${PREFIX}doc:`) && name !== tab);
   const others = (): [string, Kept][] =>
@@ -78,7 +87,7 @@ function browserStore(local: Storage, session: Storage): Store {
 
   return {
     works: true,
-    own: () => (known ? parsed(local.getItem(tab)) : null),
+    own: () => own,
     others: () => others().map(([, kept]) => kept),
     keep(document) {
       for (const [name] of others().slice(MOST - 1)) local.removeItem(name);
