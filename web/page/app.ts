@@ -2,7 +2,7 @@ import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
 import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
-import type { Shared } from "./state/address.ts";
+import type { Shared, Task } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
@@ -39,6 +39,8 @@ export interface App {
   pins: Signal<Pins>;
   /** Whether the page was opened by a student's link, which shows no answers by itself. */
   student: Signal<boolean>;
+  /** The exercise that the student's scene is; null where the link names none. */
+  task: Signal<Task | null>;
   /** The course that has opened the page; null where none has. */
   course: Course | null;
   /** Says something aloud and for a moment on the page. */

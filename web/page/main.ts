@@ -33,7 +33,7 @@ import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
+import { documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
 import { history } from "./state/history.ts";
@@ -68,6 +68,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
     student: signal(shared.student ?? false),
+    task: signal<Task | null>(shared.task ?? null),
     course: course(),
     tell,
     shown: signal(""),
@@ -76,7 +77,10 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     brought: signal<{ name: string; text: string } | null>(null),
     photographed: signal<File | null>(null),
     film: null,
-    open: (text) => app.history.change({ text }),
+    open(text) {
+      app.task.set(null);
+      app.history.change({ text });
+    },
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
   };
@@ -124,6 +128,7 @@ function watchAddress(app: App, store: Store): void {
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
+    app.task.set(found.task ?? null);
     store.keep(asKept(app));
     if (found.panel !== undefined) app.show(found.panel);
   };
@@ -141,12 +146,13 @@ function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
 }
 
 /** Offers what somebody has made of the lesson before; undo leads back to the lesson. */
-function offer(app: App, { text, form, title, time, student }: Kept): void {
+function offer(app: App, { text, form, title, time, student, task }: Kept): void {
   const when = new Date(time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
   const message = say("worked_before", { title: title || say("untitled"), when });
   const takeUp = (): void => {
     app.history.change({ text, form });
     app.student.set(student ?? false);
+    app.task.set(task ?? null);
   };
   notice(message, [say("take_up"), takeUp]);
 }
