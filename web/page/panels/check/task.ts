@@ -46,7 +46,7 @@ export function taskPart(app: App): HTMLElement {
       reading,
       ...(task.more ? [press(say("task_next"), () => void next(task))] : []),
     ];
-    root.replaceChildren(title, element("p", { class: "quiet" }, say("task_intro")), element("div", { class: "sheet" }, picture), element("p", { class: "buttons" }, ...buttons), ...(task.steps ? [stepsOf(app)] : []));
+    root.replaceChildren(title, element("p", { class: "quiet" }, say("task_intro")), ...givenIn(sheet), element("div", { class: "sheet" }, picture), element("p", { class: "buttons" }, ...buttons), ...(task.steps ? [stepsOf(app)] : []));
   }
 
   /** Goes on with the next exercise; undo brings this one back. */
@@ -76,6 +76,15 @@ export function taskPart(app: App): HTMLElement {
     if (task !== null && number >= 1 && number !== task.number) app.task.set({ ...task, number });
   });
   return root;
+}
+
+/** What is given and asked for, to read beside the picture: letters on a sheet are too small for a telephone. */
+function givenIn({ given }: Exercise): HTMLElement[] {
+  return given.map((sentence) => {
+    const line = element("p", { class: "given" });
+    line.innerHTML = sentence;
+    return line;
+  });
 }
 
 /** The exercise of a task. */
