@@ -22,6 +22,7 @@ export function toolbar(app: App, store: Store): void {
   });
   byId("as-paper").onclick = () => app.paper.set(!app.paper.value);
   app.paper.on((is) => byId("as-paper").setAttribute("aria-pressed", String(is)));
+  for (const skip of document.querySelectorAll<HTMLElement>("[data-skip]")) skip.onclick = () => skipTo(skip.dataset["skip"] ?? "");
   for (const group of document.querySelectorAll<HTMLElement>("[role=radiogroup]")) radios(group);
 
   const select = byId<HTMLSelectElement>("language");
@@ -30,4 +31,10 @@ export function toolbar(app: App, store: Store): void {
     language.set(select.value as Language);
     store.prefer("language", select.value);
   };
+}
+
+/** Puts the focus on the first of these that can be seen. */
+function skipTo(selector: string): void {
+  const found = [...document.querySelectorAll<HTMLElement>(selector)].find((place) => place.getClientRects().length > 0);
+  found?.focus();
 }

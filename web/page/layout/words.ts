@@ -1,6 +1,10 @@
 import { speaker, type Words } from "../words.ts";
 
 const en = {
+  skips: "Skip",
+  skip_picture: "To the picture",
+  skip_panels: "To the panels",
+  skip_motion: "To the motion",
   toolbar: "Scene and tools",
   picture: "Picture",
   panels: "Panels",
@@ -33,6 +37,7 @@ const en = {
   speed: "Speed",
   link: "Link {name}",
   slider: "Slider {name}",
+  drive_at: "{name} stands at",
   steps: "Steps",
   steps_long: "Steps of the construction",
   first: "First step (Home)",
@@ -104,6 +109,10 @@ const en = {
 type Key = keyof typeof en;
 
 const es: Record<Key, string> = {
+  skips: "Saltar",
+  skip_picture: "A la figura",
+  skip_panels: "A los paneles",
+  skip_motion: "Al movimiento",
   toolbar: "Escena y herramientas",
   picture: "Figura",
   panels: "Paneles",
@@ -136,6 +145,7 @@ const es: Record<Key, string> = {
   speed: "Rapidez",
   link: "Eslabón {name}",
   slider: "Corredera {name}",
+  drive_at: "{name} está en",
   steps: "Pasos",
   steps_long: "Pasos de la construcción",
   first: "Primer paso (Inicio)",
