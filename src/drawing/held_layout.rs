@@ -251,7 +251,7 @@ impl HeldLayout {
         if let Some(step) = step.and_then(|number| construction.numbered_step(number)) {
             sheet.steps[step.number - 1] = shown_text(&context.teller().caption(&step), step.plan, &context.words);
         }
-        let drawing = sheet.draw_holding(&self.layout, Some(&mut held));
+        let drawing = sheet.draw_holding(&self.layout, &mut held);
         self.held = held;
         match (self.contents.steps, step) {
             (Some(steps), Some(step)) => drawing.in_steps(steps, &context).after_step(step),

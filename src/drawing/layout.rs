@@ -31,7 +31,7 @@ const STACKED: f64 = 1000.0;
 const ALIKE: f64 = 0.02;
 
 /// The room that a panel needs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Needs {
     /// The sheet of the construction that it shows.
     pub sheet: Sheet,
@@ -118,7 +118,7 @@ impl Needs {
 }
 
 /// A panel's place on a sheet of paper.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placed {
     pub needs: Needs,
     pub frame: Rect,

@@ -157,17 +157,22 @@ impl Frame {
 
     /// What a panel of a sheet with this frame needs.
     pub(super) fn needs(&self, context: &SheetContext<'_>, sheet: Sheet, extent: Extent) -> Needs {
-        let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
-        let size = extent.size();
-        let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
-        let given = context.surface.mu[sheet];
-        let width = self.scale.map(|scales| scales.least_width(sheet, given, coarse) + BEFORE + APART);
-        let needs = Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) };
+        let scale = self.scale_width(context, (sheet, extent), context.surface.mu[sheet]);
+        let needs = Needs { scale, ..Needs::usual(sheet, extent, self.width()) };
         // Scales for a hand are chosen with more white: on a work sheet markers need a part of it.
         match (context.surface.series, context.surface.mu[sheet]) {
             (Series::Any, _) | (Series::Hand, None) => needs,
             _ => needs.tight(),
         }
+    }
+
+    /// Width of the panel's scale at its narrowest, in mm: of that which is given, or of any that the content may get; 0
+    /// where none is written.
+    pub(super) fn scale_width(&self, context: &SheetContext<'_>, of: (Sheet, Extent), given: Option<f64>) -> f64 {
+        let (sheet, size) = (of.0, of.1.size());
+        let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
+        let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
+        self.scale.map_or(0.0, |scales| scales.least_width(sheet, given, coarse) + BEFORE + APART)
     }
 
     /// Smallest width of a panel with this heading, in mm.

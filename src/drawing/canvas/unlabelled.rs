@@ -31,7 +31,7 @@ impl Canvas<'_> {
         if rows > 0 {
             let bottom = self.frame.y0 + self.header;
             let area = Rect::new(self.frame.x0, bottom - ROW * rows as f64, self.frame.x1, bottom);
-            self.obstacles.add_boxes([area]);
+            self.obstacles.add_texts([area]);
         }
     }
 

@@ -359,11 +359,10 @@ impl<'a> PlanOnPaper<'a> {
 
     /// The names of coincident points.
     fn shown(&self, names: &[&str]) -> String {
-        let mut shown: Vec<String> = names.iter().map(|name| self.context.shown(name, Some(self.plan))).collect();
+        let labelled = names.iter().filter(|name| !self.context.is_unlabelled(name));
+        let mut shown: Vec<String> = labelled.map(|name| self.context.shown(name, Some(self.plan))).collect();
         // A fixed point O and the pole o have the same symbol.
         shown.dedup();
-        // The scene may give a name no text.
-        shown.retain(|name| !name.is_empty());
         shown.join(", ")
     }
 }

@@ -1,9 +1,11 @@
 import type { App } from "../app.ts";
+import { thisPage } from "./lesson.ts";
 import type { Kept, Store } from "./storage.ts";
 
 /** The document as it is kept. */
 export function asKept(app: App): Kept {
-  return { ...app.history.now.value, title: app.solved.value.opened?.title ?? "", student: app.student.value, time: Date.now() };
+  const title = app.solved.value.opened?.title ?? "";
+  return { ...app.history.now.value, title, student: app.student.value, task: app.task.value, page: thisPage(), time: Date.now() };
 }
 
 /** Keeps the document a moment after each change, and at once when the page is left. */

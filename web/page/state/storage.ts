@@ -1,10 +1,16 @@
+import type { Task } from "./address.ts";
 import type { Document } from "./history.ts";
+import { thisPage, type Page } from "./lesson.ts";
 
 /** A document as it is kept. */
 export interface Kept extends Document {
   title: string;
   /** Whether it came by a student's link. */
   student?: boolean;
+  /** The exercise that it is. */
+  task?: Task | null;
+  /** The page in which it was made; those of older versions do not say. */
+  page?: Page;
   /** When it was kept, in ms since 1970. */
   time: number;
 }
@@ -13,7 +19,7 @@ export interface Kept extends Document {
 export interface Store {
   /** Whether anything is kept at all. */
   readonly works: boolean;
-  /** What this very tab had before it was loaded again. */
+  /** What this very tab had on this page before it was loaded again, or before it went elsewhere; a tab that was duplicated has what the other had. */
   own(): Kept | null;
   /** What other tabs have or had, the newest first. */
   others(): Kept[];
@@ -63,11 +69,14 @@ function browserStore(local: Storage, session: Storage): Store {
   local.setItem(`${PREFIX}try`, "1");
   local.removeItem(`${PREFIX}try`);
   const isReload = (performance.getEntriesByType("navigation")[0] as PerformanceNavigationTiming | undefined)?.type === "reload";
-  const before = session.getItem(`${PREFIX}tab`);
-  // A tab that was duplicated has the other's name in its session, but was not loaded again.
-  const known = before !== null && isReload;
-  const tab = known ? before : `${PREFIX}doc:${crypto.randomUUID()}`;
-  session.setItem(`${PREFIX}tab`, tab);
+  // A tab may go from one page to another and back: it has one document for each.
+  const name = `${PREFIX}tab:${thisPage().address}`;
+  const before = session.getItem(name);
+  // A tab that was duplicated has the other's name in its session, but was not loaded again: it keeps its own under another name.
+  const tab = before !== null && isReload ? before : `${PREFIX}doc:${crypto.randomUUID()}`;
+  session.setItem(name, tab);
+
+  const own = before === null ? null : parsed(local.getItem(before));
 
   const names = (): string[] => Object.keys(local).filter((name) => name.startsWith(`${PREFIX}doc:`) && name !== tab);
   const others = (): [string, Kept][] =>
@@ -78,7 +87,7 @@ function browserStore(local: Storage, session: Storage): Store {
 
   return {
     works: true,
-    own: () => (known ? parsed(local.getItem(tab)) : null),
+    own: () => own,
     others: () => others().map(([, kept]) => kept),
     keep(document) {
       for (const [name] of others().slice(MOST - 1)) local.removeItem(name);
