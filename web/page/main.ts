@@ -33,7 +33,7 @@ import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
+import { documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
 import { history } from "./state/history.ts";
@@ -45,7 +45,7 @@ import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { steps } from "./steps/steps.ts";
 import { engineBytes, unpacked } from "./unpack.ts";
-import { language } from "./words.ts";
+import { language, usual } from "./words.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
 
@@ -60,6 +60,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     history: history({ text: shared.text, form: shared.form ?? "" }),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
+    typing: signal(false),
     view: signal<View>(shared.view ?? FINISHED),
     paper: signal(false),
     focus: signal<Sheet | "">(""),
@@ -67,6 +68,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
     student: signal(shared.student ?? false),
+    task: signal<Task | null>(shared.task ?? null),
     course: course(),
     tell,
     shown: signal(""),
@@ -75,7 +77,10 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     brought: signal<{ name: string; text: string } | null>(null),
     photographed: signal<File | null>(null),
     film: null,
-    open: (text) => app.history.change({ text }),
+    open(text) {
+      app.task.set(null);
+      app.history.change({ text });
+    },
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
   };
@@ -99,7 +104,7 @@ function wire(app: App, store: Store): void {
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);
   stepsBar(app, going);
-  toolbar(app);
+  toolbar(app, store);
   messages(app);
   documents(app, store);
   dropped(app);
@@ -123,6 +128,7 @@ function watchAddress(app: App, store: Store): void {
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
+    app.task.set(found.task ?? null);
     store.keep(asKept(app));
     if (found.panel !== undefined) app.show(found.panel);
   };
@@ -140,18 +146,20 @@ function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
 }
 
 /** Offers what somebody has made of the lesson before; undo leads back to the lesson. */
-function offer(app: App, { text, form, title, time, student }: Kept): void {
+function offer(app: App, { text, form, title, time, student, task }: Kept): void {
   const when = new Date(time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
   const message = say("worked_before", { title: title || say("untitled"), when });
   const takeUp = (): void => {
     app.history.change({ text, form });
     app.student.set(student ?? false);
+    app.task.set(task ?? null);
   };
   notice(message, [say("take_up"), takeUp]);
 }
 
 async function start(): Promise<void> {
   const store = browserStore();
+  language.set(usual(store.preference("language")));
   sayAll();
   theme(store);
   const tell = teller();

@@ -5,14 +5,17 @@ use kinegon::drawing::{HeldLayout, Positions, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
-use kinegon::scene::SizeLimit;
+use kinegon::scene::{LanguageName, SizeLimit};
 use kinegon::{Order, Sheet};
 use kinegon::{Scene, Solution, order_of_figure, posed};
+use std::borrow::Cow;
 
 /// The last scene, solved as far as was asked for.
 #[derive(Default)]
 pub struct Desk {
     kept: Option<Kept>,
+    /// The language of what is told beside the picture; none for the figure's.
+    language: Option<LanguageName>,
 }
 
 /// A scene in its position.
@@ -51,6 +54,23 @@ pub struct Held {
 const MOST_HELD: usize = 100;
 
 impl Desk {
+    /// Chooses the language of what is told beside the picture.
+    pub fn speak(&mut self, language: &str) {
+        self.language = LanguageName::ALL.into_iter().find(|known| known.as_str() == language);
+    }
+
+    /// As [`Self::solution`], with the words of the page.
+    pub fn told(&mut self, text: &str) -> Result<Cow<'_, Solution>, Refused> {
+        let language = self.language;
+        Ok(in_words(self.solution(text)?, language))
+    }
+
+    /// The scene of this text in its position, and the language of what is told of it.
+    pub fn kept_with_language(&mut self, text: &str) -> Result<(&mut Kept, Option<LanguageName>), Refused> {
+        let language = self.language;
+        Ok((self.kept(text)?, language))
+    }
+
     /// The scene of this text in its position.
     pub fn kept(&mut self, text: &str) -> Result<&mut Kept, Refused> {
         if self.kept.as_ref().is_none_or(|kept| kept.text != text) {
@@ -188,6 +208,16 @@ impl Kept {
         self.stage(view)?;
         self.stage.take().ok_or_else(|| Refused::whole("there is no picture"))
     }
+}
+
+/// A solution with a figure in this language, if one is given.
+pub fn in_words(solution: &Solution, language: Option<LanguageName>) -> Cow<'_, Solution> {
+    let Some(language) = language.filter(|language| *language != solution.scene.figure.language) else {
+        return Cow::Borrowed(solution);
+    };
+    let mut told = solution.clone();
+    told.scene.figure.language = language;
+    Cow::Owned(told)
 }
 
 /// A drive of a solved scene, where it stands.

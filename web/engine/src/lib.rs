@@ -62,6 +62,12 @@ impl Engine {
         json(&kinds::kinds())
     }
 
+    /// Chooses the language in which steps, boxes and verdicts are told, as `es`; pictures and files keep that of the figure.
+    /// Any other word lets all be told in the figure's.
+    pub fn speak(&mut self, language: &str) {
+        self.desk.speak(language);
+    }
+
     /// What is known of a scene.
     ///
     /// # Errors

@@ -1260,6 +1260,10 @@ export interface Exercise {
    */
   name: string;
   /**
+   * What is given and what is to be drawn, at which scales: the sheet's sentences, in HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+   */
+  given: string[];
+  /**
    * The student's sheet: sheet.svg.
    */
   sheet: string;

@@ -1,3 +1,4 @@
+import type { Task } from "./address.ts";
 import type { Document } from "./history.ts";
 import { thisPage, type Page } from "./lesson.ts";
 
@@ -6,6 +7,8 @@ export interface Kept extends Document {
   title: string;
   /** Whether it came by a student's link. */
   student?: boolean;
+  /** The exercise that it is. */
+  task?: Task | null;
   /** The page in which it was made; those of older versions do not say. */
   page?: Page;
   /** When it was kept, in ms since 1970. */
