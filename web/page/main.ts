@@ -16,6 +16,7 @@ import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
 import { tabs } from "./layout/tabs.ts";
 import { theme } from "./layout/theme.ts";
+import { tour } from "./layout/tour.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
 import { drives, type Drives } from "./motion/drives.ts";
@@ -178,7 +179,8 @@ async function start(): Promise<void> {
   wire(app, store);
   solving(app);
   tabs(app, PANELS, store);
-  help(store);
+  const tours = tour(store);
+  help(store, tours.begin);
   splitter(store);
   firstPanel(app, first, store);
   watchAddress(app, store);
@@ -187,6 +189,8 @@ async function start(): Promise<void> {
   else if (!store.works) notice(say("no_storage"));
   else if (first.before !== null) offer(app, first.before);
   else if (first.from === "autosave") tell(say("restored"));
+  // Whoever comes by a lesson or a link came for that.
+  if (first.from === "kind" && store.works && store.preference("tour") === null) tours.begin();
   if (first.from === "link") store.keep(asKept(app), app.history.past());
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };
   const ready = (is: boolean): void => {
