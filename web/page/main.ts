@@ -16,6 +16,7 @@ import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
 import { tabs } from "./layout/tabs.ts";
 import { theme } from "./layout/theme.ts";
+import { tour } from "./layout/tour.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
 import { drives, type Drives } from "./motion/drives.ts";
@@ -36,7 +37,7 @@ import type { Sheet } from "./sheets.ts";
 import { documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
-import { history } from "./state/history.ts";
+import { history, type Document } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
@@ -55,9 +56,9 @@ async function firstKind(engine: EngineClient): Promise<Shared> {
   return { text: (kinds.find((kind) => kind.name === "watt-1") ?? kinds[0])?.text ?? "" };
 }
 
-function application(shared: Shared, engine: EngineClient, tell: App["tell"]): App {
+function application(shared: Shared, past: Document[], engine: EngineClient, tell: App["tell"]): App {
   const app: App = {
-    history: history({ text: shared.text, form: shared.form ?? "" }),
+    history: history({ text: shared.text, form: shared.form ?? "" }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -129,7 +130,7 @@ function watchAddress(app: App, store: Store): void {
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
     app.task.set(found.task ?? null);
-    store.keep(asKept(app));
+    store.keep(asKept(app), app.history.past());
     if (found.panel !== undefined) app.show(found.panel);
   };
   if (location.hash !== "") clean();
@@ -173,12 +174,13 @@ async function start(): Promise<void> {
     return restarted(why);
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
-  const app = application(first.shared ?? (await firstKind(engine)), engine, tell);
+  const app = application(first.shared ?? (await firstKind(engine)), first.from === "reload" ? store.past() : [], engine, tell);
   studying(app);
   wire(app, store);
   solving(app);
   tabs(app, PANELS, store);
-  help(store);
+  const tours = tour(store);
+  help(store, tours.begin);
   splitter(store);
   firstPanel(app, first, store);
   watchAddress(app, store);
@@ -187,7 +189,9 @@ async function start(): Promise<void> {
   else if (!store.works) notice(say("no_storage"));
   else if (first.before !== null) offer(app, first.before);
   else if (first.from === "autosave") tell(say("restored"));
-  if (first.from === "link") store.keep(asKept(app));
+  // Whoever comes by a lesson or a link came for that.
+  if (first.from === "kind" && store.works && store.preference("tour") === null) tours.begin();
+  if (first.from === "link") store.keep(asKept(app), app.history.past());
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };
   const ready = (is: boolean): void => {
     if (is) document.documentElement.dataset["ready"] = "yes";

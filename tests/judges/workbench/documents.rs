@@ -59,11 +59,16 @@ fn form_text_and_picture_are_one_scene() {
 fn nothing_is_lost_by_closing_the_tab() {
     // Without a scene in the file, which would come first in a new tab.
     let Some(mut bench) = Bench::with("kept", None) else { return };
+    let first = bench.scene();
     bench.put(&files::read("templates/slotted-lever.json").replace("Crank", "My own crank"));
     let mine = bench.scene();
     // At once, before any pause.
     bench.load("");
     assert_eq!(bench.scene(), mine);
+    // Nor is what undo goes back through.
+    bench.click("#undo");
+    bench.settle();
+    assert_eq!(bench.scene(), first);
     bench.assert_quiet();
 }
 

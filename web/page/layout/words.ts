@@ -1,6 +1,13 @@
 import { speaker, type Words } from "../words.ts";
 
 const en = {
+  tour: "A short tour",
+  tour_pull: "Pull a joint: the mechanism moves, and the plans of its velocities and accelerations follow, to scale.",
+  tour_steps: "Steps shows how the plans are drawn by hand, line by line.",
+  tour_own: "Mechanism has every number to type, and other mechanisms to start from. The other panels draw, check and save.",
+  tour_next: "Next",
+  tour_leave: "Leave",
+  tour_done: "Begin",
   skips: "Skip",
   skip_picture: "To the picture",
   skip_panels: "To the panels",
@@ -109,6 +116,13 @@ const en = {
 type Key = keyof typeof en;
 
 const es: Record<Key, string> = {
+  tour: "Una visita corta",
+  tour_pull: "Tira de una articulación: el mecanismo se mueve y los planos de sus velocidades y aceleraciones lo siguen, a escala.",
+  tour_steps: "Pasos muestra cómo se dibujan los planos a mano, línea por línea.",
+  tour_own: "Mecanismo tiene cada número para escribirlo, y otros mecanismos para empezar. Los otros paneles dibujan, comprueban y guardan.",
+  tour_next: "Siguiente",
+  tour_leave: "Salir",
+  tour_done: "Empezar",
   skips: "Saltar",
   skip_picture: "A la figura",
   skip_panels: "A los paneles",

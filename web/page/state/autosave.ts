@@ -17,7 +17,7 @@ export function autosave(app: App, store: Store): void {
     const now = app.history.now.value;
     if (now === kept) return;
     kept = now;
-    store.keep(asKept(app));
+    store.keep(asKept(app), app.history.past());
   };
   app.history.now.on(() => {
     clearTimeout(clock);

@@ -23,7 +23,10 @@ export interface Store {
   own(): Kept | null;
   /** What other tabs have or had, the newest first. */
   others(): Kept[];
-  keep(document: Kept): void;
+  /** Keeps a document, with what undo goes back through. */
+  keep(document: Kept, past: readonly Document[]): void;
+  /** What undo goes back through, of the document that this tab had before it was loaded again. */
+  past(): Document[];
   forgetOthers(): void;
   /** A preference, such as dark or light. */
   preference(name: string): string | null;
@@ -43,6 +46,27 @@ function parsed(text: string | null): Kept | null {
   }
 }
 
+/** Most letters of what undo goes back through that are kept: a browser keeps some five million in all. */
+const MOST_LETTERS = 1_000_000;
+
+/** As many of the last documents as may be kept. */
+function newest(past: readonly Document[]): Document[] {
+  let letters = 0;
+  const first = past.findLastIndex(({ text, form }) => (letters += text.length + form.length) > MOST_LETTERS);
+  return past.slice(first + 1);
+}
+
+/** Documents that were kept as a list. */
+function listed(text: string | null): Document[] {
+  try {
+    const all = JSON.parse(text ?? "[]") as unknown;
+    const isDocument = (one: unknown): one is Document => typeof (one as Document | null)?.text === "string" && typeof (one as Document).form === "string";
+    return Array.isArray(all) ? all.filter(isDocument) : [];
+  } catch {
+    return [];
+  }
+}
+
 /** The browser's storage, or a store that keeps nothing where the browser forbids it. */
 export function store(): Store {
   try {
@@ -58,6 +82,7 @@ function nothing(): Store {
     own: () => null,
     others: () => [],
     keep: () => undefined,
+    past: () => [],
     forgetOthers: () => undefined,
     preference: () => null,
     prefer: () => undefined,
@@ -77,6 +102,9 @@ function browserStore(local: Storage, session: Storage): Store {
   session.setItem(name, tab);
 
   const own = before === null ? null : parsed(local.getItem(before));
+  // Of this tab alone: it goes with it.
+  const undo = `${PREFIX}past:${thisPage().address}`;
+  const past = own === null ? [] : listed(session.getItem(undo));
 
   const names = (): string[] => Object.keys(local).filter((name) => name.startsWith(`${PREFIX}doc:`) && name !== tab);
   const others = (): [string, Kept][] =>
@@ -89,7 +117,13 @@ function browserStore(local: Storage, session: Storage): Store {
     works: true,
     own: () => own,
     others: () => others().map(([, kept]) => kept),
-    keep(document) {
+    past: () => past,
+    keep(document, before) {
+      try {
+        session.setItem(undo, JSON.stringify(newest(before)));
+      } catch {
+        session.removeItem(undo);
+      }
       for (const [name] of others().slice(MOST - 1)) local.removeItem(name);
       try {
         local.setItem(tab, JSON.stringify(document));
