@@ -266,9 +266,8 @@ fn what_runs_off_has_its_size_at_the_edge() {
             let velocities = panels.iter().find(|panel| panel.panel == Sheet::Velocity).expect("there is a plan");
             let ends = layout.plan_handles(&moved).into_iter().filter(|end| end.panel == Sheet::Velocity);
             for end in ends.filter(|end| !velocities.frame.contains(end.at)) {
-                let points = moved.mechanism.point_ids();
-                let mut points = points.filter(|point| moved.mechanism.point_name(*point).to_lowercase() == end.name);
-                let Some(point) = points.next() else { continue };
+                let called = moved.mechanism.points.iter().find(|point| point.to_lowercase() == end.name);
+                let Some(point) = called.and_then(|called| moved.mechanism.point(called)) else { continue };
                 let (link, _) = moved.mechanism.links().find(|(_, link)| link.has(point)).expect("a link has it");
                 let speed = moved.motion.body(link).velocity_at(moved.pose.point(point)).norm();
                 let sizes = drawing.marks.iter().filter(|mark| velocities.frame.contains(mark.shape.bounds().center()));
