@@ -104,7 +104,11 @@ impl<'a> Composition<'a> {
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
-        let needs = self.panels.iter().map(|panel| Needs { mu: scales[panel.needs.sheet], ..panel.needs });
+        let needs = self.panels.iter().map(|panel| {
+            let (Needs { sheet, extent, .. }, mu) = (panel.needs, scales[panel.needs.sheet]);
+            let scale = panel.frame.as_ref().map(|frame| frame.scale_width(self.context, (sheet, extent), mu));
+            Needs { mu, scale: scale.unwrap_or(panel.needs.scale), ..panel.needs }
+        });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
 

@@ -135,7 +135,8 @@ impl Canvas<'_> {
 
     /// Cuts off the content's marks at the panel's edge; labels keep off the heads that vectors then have there.
     fn cut_off(&mut self) {
-        let seen = self.seen();
+        // What leaves the frame at the top must not go through heading and scale.
+        let (seen, below_header) = (self.seen(), self.below_header());
         let marks = &mut self.drawing.marks;
         let leaves = |mark: &Mark| !is_within(seen, &mark.shape);
         if !marks[self.content_start..].iter().any(leaves) {
@@ -146,8 +147,9 @@ impl Canvas<'_> {
         let content = marks.split_off(self.content_start).into_iter();
         for mark in content.filter(|mark| !(is_point(mark) && leaves(mark))) {
             let is_cut = leaves(&mark);
+            let area = if is_cut { below_header } else { seen };
             let mut id = mark.id;
-            for shape in clipped(seen, mark.shape) {
+            for shape in clipped(area, mark.shape) {
                 self.obstacles.add_boxes(shape.head_box().filter(|_| is_cut));
                 marks.push(Mark { id: id.take(), shape, ..mark });
             }

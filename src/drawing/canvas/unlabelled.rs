@@ -119,7 +119,7 @@ impl Canvas<'_> {
         let size = Vec2::new(text.width(CAPTION), CAPTION);
         let (left, right) = (self.frame.x0 + CORNER, self.frame.x1 - CORNER - size.x);
         let (top, bottom) = (self.frame.y0 + self.header, self.frame.y1 - CORNER);
-        let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
+        let corners = [(left, bottom), (right, bottom), (right, top + CAPTION), (left, top + CAPTION)];
         let corners = corners.map(|(x, y)| Point::new(x, y));
         let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
         let covered = |from: &Point| {

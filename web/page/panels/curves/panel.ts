@@ -68,7 +68,7 @@ function chooser(app: App, choice: Chosen): HTMLElement {
     const now = [language.value, kind, ...offeredNames(all)[kind]].join("\n");
     if (now === listed) return ticked(names, chosen[kind]);
     listed = now;
-    names.replaceChildren(kind === "path" ? points(all.path, chosen.path, toggle) : choices(all[kind], chosen[kind], toggle));
+    names.replaceChildren(kind === "path" ? points(all.path, chosen.path, toggle) : choices(all[kind], chosen[kind], toggle, () => ticked(names, choice.value.names[kind])));
   }
   choice.on(() => list());
   language.on(() => list());
