@@ -6,6 +6,7 @@ import type { Kind, Picture } from "../../engine/types.ts";
 import { askedFor } from "../../files/open.ts";
 import { openFile, READABLE } from "../../layout/brought.ts";
 import { language } from "../../words.ts";
+import { boxAround } from "../output/sheet.ts";
 import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
 import { say } from "./words.ts";
 
@@ -80,13 +81,4 @@ function cut(picture: Picture): HTMLElement | null {
   svg.setAttribute("height", String(box[3]));
   const address = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(svg)], { type: "image/svg+xml" }));
   return element("img", { src: address, alt: "", onload: () => URL.revokeObjectURL(address) });
-}
-
-/** A box around places of the sheet, with room for feet and letters. */
-function boxAround(places: [number, number][]): [number, number, number, number] | null {
-  if (places.length < 2) return null;
-  const [across, down] = [places.map(([x]) => x), places.map(([, y]) => y)];
-  const [left, top] = [Math.min(...across), Math.min(...down)];
-  const room = 13;
-  return [left - room, top - room, Math.max(...across) - left + 2 * room, Math.max(...down) - top + 2 * room];
 }
