@@ -4,8 +4,9 @@ import { tick, worded } from "../../dom/worded.ts";
 import type { Mode } from "../../engine/types.ts";
 import { orTell, said } from "../../refused.ts";
 import { language } from "../../words.ts";
+import { alone } from "../output/alone.ts";
 import { keepCurrent } from "../output/current.ts";
-import { boxAround, sheet, type Sheet } from "../output/sheet.ts";
+import { sheet, type Sheet } from "../output/sheet.ts";
 import { fewDigits } from "../values/text.ts";
 import { say } from "./words.ts";
 
@@ -63,8 +64,8 @@ function choice(mode: Mode, picture: Sheet | undefined, choose: () => void): HTM
 /** Draws the scheme of a mode. */
 async function draw(picture: Sheet, app: App, text: string, mode: Mode): Promise<void> {
   const other = mode.is_own ? text : await app.engine.choose_mode(text, mode.number);
-  const { svg, panels, handles } = await app.engine.picture(other, { step: null, coarse: false, modes: false });
-  picture.show(svg, boxAround(handles.map(({ at }) => at)) ?? panels.find(({ key }) => key === "scheme")?.box);
+  const { picture: drawn, box } = await alone(app, other);
+  picture.show(drawn.svg, box);
 }
 
 function choose(app: App, text: string, number: number): Promise<void> {
