@@ -175,6 +175,17 @@ impl<'a> SheetContext<'a> {
         if let Some(renamed) = self.figure().labels.get(name).filter(|_| !self.is_unlabelled(name)) {
             return renamed.for_setting();
         }
+        self.standard(name, plan)
+    }
+
+    /// The markup of a point's name in a sentence, which needs a name also where the scene shows none.
+    pub(super) fn told(&self, name: &str, plan: Option<&Plan>) -> String {
+        let shown = self.shown(name, plan);
+        if shown.trim().is_empty() { self.standard(name, plan) } else { shown }
+    }
+
+    /// The markup of a point's name in the figure's notation.
+    fn standard(&self, name: &str, plan: Option<&Plan>) -> String {
         if plan.is_none() && name == self.mechanism().body(GROUND).name {
             return self.words.language.ground().to_owned();
         }

@@ -30,7 +30,8 @@ impl LaidOut<'_> {
     /// The sheet drawn. Where names have no room it is laid out again with rows for their list, at its scales or, but for a
     /// hand, at coarser ones.
     pub(super) fn drawn(mut self) -> (Self, Drawing) {
-        let mut drawing = self.composition().draw(&self.layout);
+        let mut panels = Vec::new();
+        let mut drawing = self.composition().draw_again(&self.layout, &mut panels);
         for _ in 0..RELAID {
             let rows = self.wanted_rows(&drawing);
             if rows == self.contents.rows {
@@ -45,7 +46,7 @@ impl LaidOut<'_> {
             drop(sheet);
             let Some(layout) = found else { break };
             (self.contents, self.layout) = (contents, layout);
-            drawing = self.composition().draw(&self.layout);
+            drawing = self.composition().draw_again(&self.layout, &mut panels);
         }
         (self, drawing)
     }

@@ -217,9 +217,14 @@ pub(super) type Extents = Vec<(Sheet, Extent)>;
 
 /// The panels that a figure shows.
 pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
+    extents_with(context, scheme::on_paper::extent)
+}
+
+/// The panels that a figure shows, with this extent of the scheme.
+fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -> Extent) -> Extents {
     let extent = |&sheet: &Sheet| {
         let extent = match sheet {
-            Sheet::Scheme => scheme::on_paper::extent(context),
+            Sheet::Scheme => scheme(context),
             Sheet::Velocity | Sheet::Acceleration => {
                 plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
             }
@@ -235,17 +240,20 @@ pub(super) fn cycles_of(own: &Solution) -> Vec<Animation> {
     drives.iter().filter_map(|drive| Animation::new(own, Some(drive), POSITIONS).ok()).collect()
 }
 
-/// The extents of the panels over all positions of cycles.
+/// The extents of the panels over all positions of cycles: of plans that run off what is usual, of the scheme the mechanism
+/// in all positions, but its special points, which go round by way of infinity, only in its own.
 pub(super) fn extents_in(own: &SheetContext<'_>, cycles: &[Animation]) -> Extents {
+    let mechanism = |context: &SheetContext<'_>| Extent::of(scheme::on_paper::places(context.solution));
     let seen = |cycle: &Animation| -> Vec<Extents> {
-        cycle.positions.iter().map(|position| extents(&own.at_position(position))).collect()
+        cycle.positions.iter().map(|position| extents_with(&own.at_position(position), mechanism)).collect()
     };
     let seen: Vec<(bool, Vec<Extents>)> = cycles.iter().map(|cycle| (cycle.is_round, seen(cycle))).collect();
     let with_cycles = |(panel, extent): (Sheet, Extent)| {
         let of_panel = |all: &Extents| all.iter().find(|(own, _)| *own == panel).map(|(_, extent)| *extent);
         let whole = seen.iter().fold(extent, |whole, (is_round, all)| {
             let all = all.iter().filter_map(of_panel);
-            if *is_round { whole.with_all(all) } else { whole.with_usual(RUNS_OFF, all) }
+            let is_whole = *is_round || panel == Sheet::Scheme;
+            if is_whole { whole.with_all(all) } else { whole.with_usual(RUNS_OFF, all) }
         });
         (panel, whole)
     };

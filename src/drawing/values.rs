@@ -20,7 +20,7 @@ use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
 /// Number style of values.
-const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
+pub(super) const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
 /// Largest part of a sheet's height for the list of results.

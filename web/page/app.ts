@@ -1,7 +1,8 @@
 import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
+import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
-import type { Shared } from "./state/address.ts";
+import type { Shared, Task } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
@@ -24,6 +25,8 @@ export interface App {
   history: History;
   engine: EngineClient;
   solved: Signal<Solved>;
+  /** Whether a number is being typed just now: what is refused meanwhile is not complained of, for it may be half a number. */
+  typing: Signal<boolean>;
   view: Signal<View>;
   /** Whether the picture is the sheet of paper that is saved and printed; else it is laid out for the screen, at scales of its own. */
   paper: Signal<boolean>;
@@ -36,6 +39,8 @@ export interface App {
   pins: Signal<Pins>;
   /** Whether the page was opened by a student's link, which shows no answers by itself. */
   student: Signal<boolean>;
+  /** The exercise that the student's scene is; null where the link names none. */
+  task: Signal<Task | null>;
   /** The course that has opened the page; null where none has. */
   course: Course | null;
   /** Says something aloud and for a moment on the page. */
@@ -50,8 +55,8 @@ export interface App {
   brought: Signal<{ name: string; text: string } | null>;
   /** A picture that somebody brings; the panel of the check takes it for a photograph and sets it to null. */
   photographed: Signal<File | null>;
-  /** Films one turn of the drive, or its way to and fro, in so many seconds; null where the browser cannot. The answer is null where that is broken off. */
-  film: ((seconds?: number) => Promise<Blob | null>) | null;
+  /** Films the drives as they run until they begin again, or to and fro once; null where the browser cannot. */
+  film: (() => Promise<Blob | Broken>) | null;
   /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
   open(text: string): void;
   /** The address of this page with a document in it. */

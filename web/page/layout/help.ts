@@ -19,8 +19,18 @@ const KEYS: [string, Saying][] = [
   ["Esc", "key_escape"],
 ];
 
-/** The list of keys, and whether letters are keys at all: people who speak to their computer may not want that. */
-export function help(store: Store): void {
+/** What the letters in a plan stand for, in the notation that is usual; other notations have letters of their own. */
+const LETTERS: [string, Saying][] = [
+  ["p, π", "letter_poles"],
+  ["b, c", "letter_images"],
+  ["n", "letter_normal"],
+  ["k", "letter_coriolis"],
+  ["S₃, s₃", "letter_special"],
+  ["μ", "letter_scale"],
+];
+
+/** What the letters of a plan stand for, the list of keys, and whether letters are keys at all: people who speak to their computer may not want that. */
+export function help(store: Store, begin: () => void): void {
   const dialog = byId<HTMLDialogElement>("help");
   function build(): void {
     const rows = KEYS.map(([keys, what]) =>
@@ -31,10 +41,18 @@ export function help(store: Store): void {
     box.onchange = () => store.prefer("letters", box.checked ? "yes" : "no");
     const close = element("button", { type: "button", id: "help-close", class: "main" }, say("close"));
     close.onclick = () => dialog.close();
+    const letters = LETTERS.map(([letter, what]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, letter)), element("td", {}, say(what))));
+    const again = element("button", { type: "button", id: "help-tour" }, say("tour"));
+    again.onclick = () => (dialog.close(), begin());
     dialog.replaceChildren(
-      element("h2", { id: "help-title" }, say("keys")),
-      element("table", {}, element("tbody", {}, ...rows)),
-      element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), close),
+      element("h2", { id: "help-title" }, say("help_title")),
+      element(
+        "div",
+        { class: "columns" },
+        element("section", {}, element("h3", {}, say("letters")), element("table", {}, element("tbody", {}, ...letters))),
+        element("section", {}, element("h3", {}, say("keys")), element("table", {}, element("tbody", {}, ...rows))),
+      ),
+      element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), again, close),
     );
   }
   language.on(build);
@@ -42,5 +60,6 @@ export function help(store: Store): void {
   byId("help-button").onclick = () => {
     byId("more").hidePopover?.();
     dialog.showModal();
+    dialog.scrollTop = 0;
   };
 }

@@ -1,6 +1,17 @@
 import type { App } from "../app.ts";
 import type { Refused } from "../engine/types.ts";
+import { language } from "../words.ts";
 import { newest } from "./newest.ts";
+
+/** Does it now, or when the number that is being typed is whole, if the text is still the same then. */
+function whenTyped(app: App, text: string, act: () => void): void {
+  if (!app.typing.value) return act();
+  const end = app.typing.on((is) => {
+    if (is) return;
+    end();
+    if (app.history.now.value.text === text) act();
+  });
+}
 
 /** Keeps `solved` that of the present text; while one text is being solved only the newest of the later ones waits. */
 export function solving(app: App): void {
@@ -9,9 +20,11 @@ export function solving(app: App): void {
       const opened = await app.engine.open(text);
       app.solved.set({ text, opened, good: text, refused: null });
     } catch (refused) {
-      app.solved.set({ ...app.solved.value, text, refused: refused as Refused });
+      whenTyped(app, text, () => app.solved.set({ ...app.solved.value, text, refused: refused as Refused }));
     }
   });
+  // Steps and warnings are told in the page's language.
+  language.on(() => app.solved.value.opened !== null && solver.want(app.history.now.value.text));
   app.history.now.on(({ text }) => {
     if (text !== app.solved.value.text || !solver.isIdle()) solver.want(text);
   });

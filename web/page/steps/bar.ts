@@ -6,7 +6,7 @@ import { language } from "../words.ts";
 import type { Steps } from "./steps.ts";
 
 /** Plain text, as `v_S3 = v_G + v_S3G`, with its marks set low. */
-function marked(plain: string): (string | HTMLElement)[] {
+export function marked(plain: string): (string | HTMLElement)[] {
   const pieces = plain.split(/_(?:\{([^}]*)\}|([\p{L}\p{N}']+))/u);
   // By threes: text, mark in braces, mark without.
   return pieces.flatMap<string | HTMLElement>((piece, at) => (at % 3 === 0 ? [piece] : piece === undefined ? [] : [element("sub", {}, piece)]));
@@ -27,6 +27,7 @@ export function stepsBar(app: App, steps: Steps): void {
     if (caption !== shown) byId("step-caption").replaceChildren(...(isFinished ? [caption] : marked(caption)));
     shown = caption;
     byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map((line) => element("span", {}, ...marked(line))));
+    byId("step-values").replaceChildren(...(said?.values ?? []).map((line) => element("span", {}, ...marked(line), ". ")));
     text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
     slider.max = String(count + 1);
     slider.value = String(now);

@@ -84,9 +84,12 @@ export function pointsPart(change: Change, left: () => void, present: () => Form
     const now = mu === undefined ? say("scale_first") : chosen === "" ? say("all_placed") : say("chosen", { name: named(chosen).label });
     // Words of the page and labels of the engine; names that stand in a file alone are never chosen.
     status.innerHTML = placed === "" ? now : `<small>${placed}</small><br>${now}`;
+    // A sheet that nobody sees is not drawn: a plan may have thousands of points.
+    if (!root.open) return;
     sheet.show(here(), places, chosen);
     list.show(here(), places, chosen);
   }
+  root.addEventListener("toggle", () => root.open && show(present()));
 
   return {
     root,

@@ -1,6 +1,7 @@
+import { chunks } from "../../dom/chunks.ts";
 import { element } from "../../dom/element.ts";
 import type { Quantity } from "../../engine/types.ts";
-import { bySubject, named } from "../output/subject.ts";
+import { bySubject, named, type Subject } from "../output/subject.ts";
 
 /** Symbols in place of the names of quantities, where there are better ones. */
 const SYMBOLS: Record<string, [string, string?]> = {
@@ -13,14 +14,16 @@ const SYMBOLS: Record<string, [string, string?]> = {
   a_c: ["a", "c"],
 };
 
-/** Names to tick, grouped by link, slider and point; `toggle` hears of each change. */
-export function choices(all: Quantity[], chosen: string[], toggle: (name: string, on: boolean) => void): HTMLElement {
-  const groups = bySubject(all, (one) => one).map(([subject, members]) => {
+/** Names to tick, grouped by link, slider and point; `toggle` hears of each change, `built` of those that are built when they come near. */
+export function choices(all: Quantity[], chosen: string[], toggle: (name: string, on: boolean) => void, built: () => void): HTMLElement {
+  const group = ([subject, members]: [Subject, Quantity[]]): HTMLElement => {
     const boxes = members.map((one) => chip(one.name, symbol(one, subject.name), chosen.includes(one.name), toggle));
     const title = named(subject);
     return element("div", { role: "group", "aria-label": title }, element("span", {}, title), element("div", { class: "chips" }, ...boxes));
-  });
-  return element("div", { class: "choices" }, ...groups);
+  };
+  // What is built later is ticked as the rest is.
+  const made = chunks(bySubject(all, (one) => one), "2.6rem", group, built);
+  return element("div", { class: "choices" }, ...made.roots);
 }
 
 /** Points to tick. */

@@ -18,14 +18,13 @@ export function paths(scene: Draft, traceable: string[]): Group {
 /** Texts in place of names. */
 export function labels(scene: Draft): Group {
   const given = entries(at(scene, ["figure", "labels"])).map(([name]) => name);
-  const others = [...allPoints(scene), ...linksOf(scene), "ground"].filter((name) => !given.includes(name));
   const rows = given.map((name): Row => ({
     label: name,
     path: ["figure", "labels", name],
     fields: [{ kind: "text", path: ["figure", "labels", name], label: say("label_of", { name }), quiet: true, keepsEmpty: true }],
     buttons: [{ text: say("drop_label", { name }), icon: "remove", edits: [{ remove: given.length === 1 ? ["figure", "labels"] : ["figure", "labels", name] }] }],
   }));
-  const lists = [{ label: say("own_name"), options: others.map((value) => ({ value, text: value })) }];
+  const lists = [{ label: say("own_name"), options: unnamed }];
   return {
     id: "labels",
     title: say("labels"),
@@ -33,4 +32,10 @@ export function labels(scene: Draft): Group {
     folded: true,
     rows: [...rows, { fields: [{ kind: "adder", path: ["figure", "labels", "+"], label: say("add_label"), text: say("add_label"), ask: { do: "label", with: [] }, lists }] }],
   };
+}
+
+/** What has no text in place of its name yet. */
+function* unnamed(scene: Draft): Iterable<{ value: string; text: string }> {
+  const given = new Set(entries(at(scene, ["figure", "labels"])).map(([name]) => name));
+  for (const value of [...allPoints(scene), ...linksOf(scene), "ground"]) if (!given.has(value)) yield { value, text: value };
 }

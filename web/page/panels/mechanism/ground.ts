@@ -1,5 +1,5 @@
 import { stepFor } from "../../number.ts";
-import type { Group } from "../parts/form.ts";
+import type { Field, Group } from "../parts/form.ts";
 import { allPoints, entries, groundOf, isDrawn, sizeOf, unitsOf, type Draft } from "../parts/scene.ts";
 import { freePoint } from "./free_name.ts";
 import { vectorFields } from "./vector.ts";
@@ -37,15 +37,17 @@ export function ground(scene: Draft): Group {
         fields: vectorFields(scene, ["ground", name], unitsOf(scene).length, step),
         buttons: [{ text: say("no_longer_there", { name }), icon: "remove" as const, edits: [{ drop_point: name }] }],
       })),
-      { fields: [addGround(scene)] },
+      { fields: [addGround()] },
     ],
   };
 }
 
-function addGround(scene: Draft): NonNullable<Group["rows"]>[number]["fields"][number] {
-  const fixed = groundOf(scene);
-  const free = freePoint(scene);
-  const others = isDrawn(scene) ? allPoints(scene).filter((name) => !fixed.includes(name)) : [];
-  const options = [{ value: free, text: say("new_point", { name: free }) }, ...others.map((name) => ({ value: name, text: name }))];
+function addGround(): Field {
+  function* options(scene: Draft): Iterable<{ value: string; text: string }> {
+    const free = freePoint(scene);
+    const fixed = new Set(groundOf(scene));
+    yield { value: free, text: say("new_point", { name: free }) };
+    if (isDrawn(scene)) for (const name of allPoints(scene)) if (!fixed.has(name)) yield { value: name, text: name };
+  }
   return { kind: "adder", path: ["ground", "+"], label: say("add_fixed"), text: say("add_fixed"), ask: { do: "fixed", with: [] }, lists: [{ label: say("fixed_point"), options }] };
 }

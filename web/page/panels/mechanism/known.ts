@@ -37,14 +37,17 @@ function isFixed(name: string, fixed: string[]): Field {
 /** The known motions of points. */
 export function known(scene: Draft): Group {
   const given = entries(scene["known"]).map(([name]) => name);
-  const others = allPoints(scene).filter((name) => !given.includes(name) && !groundOf(scene).includes(name));
+  const others = (now: Draft): string[] => {
+    const has = new Set([...entries(now["known"]).map(([name]) => name), ...groundOf(now)]);
+    return allPoints(now).filter((name) => !has.has(name));
+  };
   const add: Field = {
     kind: "adder",
     path: ["known", "+"],
     label: say("add_known"),
     text: say("add_known"),
     ask: { do: "known", with: [] },
-    lists: [{ label: say("points"), options: others.map((value) => ({ value, text: value })) }],
+    lists: [{ label: say("points"), options: (now) => others(now).map((value) => ({ value, text: value })) }],
   };
   return {
     id: "known",
@@ -54,10 +57,10 @@ export function known(scene: Draft): Group {
     cards: given.map((name) => ({
       path: ["known", name],
       title: name,
-      rows: rates(scene, ["known", name]),
+      rows: () => rates(scene, ["known", name]),
       buttons: [{ text: say("drop_known", { name }), icon: "remove", edits: [{ remove: ["known", name] }] }],
     })),
-    rows: others.length === 0 ? [] : [{ fields: [add] }],
+    rows: others(scene).length === 0 ? [] : [{ fields: [add] }],
   };
 }
 

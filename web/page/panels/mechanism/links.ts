@@ -1,6 +1,6 @@
 import { stepFor } from "../../number.ts";
 import type { Button, Card, Field, Group, Row } from "../parts/form.ts";
-import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
+import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
 import { freePoint } from "./free_name.ts";
 import { motionRows } from "./known.ts";
@@ -10,14 +10,11 @@ import { say } from "./words.ts";
 /** The links, a card each. */
 export function links(scene: Draft): Group {
   const drawn = isDrawn(scene);
-  const points = allPoints(scene);
-  const free = freePoint(scene);
-  const further = freePoint(scene, [free]);
-  const existing = points.map((value) => ({ value, text: value }));
-  const fresh = [free, further].map((value) => ({ value, text: say("new_point", { name: value }) }));
+  const slides = scene["sliders"];
+  const blocks = new Set((Array.isArray(slides) ? slides : []).map((slider: unknown) => at(slider, ["link"])));
   const lists = [
-    { label: say("from"), options: [...existing.toReversed(), fresh[0]!] },
-    { label: say("to"), options: [...fresh.slice(points.length === 0 ? 1 : 0), ...existing] },
+    { label: say("from"), options: (now: Draft) => [...plain(allPoints(now).toReversed()), fresh(now)[0]!] },
+    { label: say("to"), options: (now: Draft) => [...fresh(now).slice(allPoints(now).length === 0 ? 1 : 0), ...plain(allPoints(now))] },
   ];
   const add: Field = { kind: "adder", path: ["links", "+"], label: say("add_link"), text: say("add_link"), ask: { do: "link", with: [] }, lists };
   return {
@@ -25,33 +22,41 @@ export function links(scene: Draft): Group {
     title: say("links"),
     help: drawn ? say("links_help") : `${say("links_help")} ${say("shape_help")}`,
     path: ["links"],
-    cards: linksOf(scene).map((name) => card(scene, name)),
+    cards: linksOf(scene).map((name) => card(scene, name, blocks)),
     rows: [{ fields: [add] }],
   };
 }
 
-function card(scene: Draft, name: string): Card {
+/** Names of new points: the next one that is free, and the one after it. */
+function fresh(scene: Draft): { value: string; text: string }[] {
+  const free = freePoint(scene);
+  return [free, freePoint(scene, [free])].map((value) => ({ value, text: say("new_point", { name: value }) }));
+}
+
+function plain(names: string[]): { value: string; text: string }[] {
+  return names.map((value) => ({ value, text: value }));
+}
+
+function card(scene: Draft, name: string, blocks: Set<unknown>): Card {
   const path: Path = ["links", name];
   const link = at(scene, path);
   const points = pointsOf(link);
-  const measures = isDrawn(scene) ? motionRows(scene, name) : [...measureRows(scene, path, points), ...motionOf(scene, name, points)];
+  const measures = (): Row[] => (isDrawn(scene) ? motionRows(scene, name) : [...measureRows(scene, path, points), ...motionOf(scene, name, points)]);
   return {
     path,
     title: say("link"),
     name: { of: "link", name, label: say("link_name", { name }) },
-    ...roleOf(scene, link, points),
-    rows: [{ fields: [pointChips(name, points), addPoint(scene, name, points)] }, ...measures],
+    ...roleOf(scene, link, points, blocks.has(name)),
+    rows: () => [{ fields: [pointChips(name, points), addPoint(name)] }, ...measures()],
     buttons: [{ text: say("drop_link", { name }), icon: "remove", edits: [{ drop_link: name }] }],
   };
 }
 
 /** What a link is, in a word. */
-function roleOf(scene: Draft, link: unknown, points: string[]): { role?: string } {
+function roleOf(scene: Draft, link: unknown, points: string[], isBlock: boolean): { role?: string } {
   if (at(link, ["drive"]) !== undefined) return { role: say("driven") };
   if (at(link, ["motion"]) !== undefined) return { role: say("moves_as_known") };
   if (points.length > 1) return {};
-  const slides = (scene["sliders"] as unknown[] | undefined) ?? [];
-  const isBlock = Array.isArray(slides) && slides.some((slider) => linksOf(scene).some((name) => at(scene, ["links", name]) === link && at(slider, ["link"]) === name));
   return isBlock ? { role: say("block") } : isDrawn(scene) ? { role: say("stub") } : {};
 }
 
@@ -70,10 +75,12 @@ function pointChips(link: string, points: string[]): Field {
   };
 }
 
-function addPoint(scene: Draft, link: string, points: string[]): Field {
-  const free = freePoint(scene);
-  const others = allPoints(scene).filter((name) => !points.includes(name));
-  const options = [{ value: free, text: say("new_point", { name: free }) }, ...others.map((value) => ({ value, text: value }))];
+function addPoint(link: string): Field {
+  function* options(scene: Draft): Iterable<{ value: string; text: string }> {
+    const points = pointsOn(scene, link);
+    yield fresh(scene)[0]!;
+    for (const value of allPoints(scene)) if (!points.includes(value)) yield { value, text: value };
+  }
   return { kind: "adder", path: ["links", link, "points", "+"], label: say("add_point"), text: say("add_point"), ask: { do: "point", with: [link] }, lists: [{ label: say("add_point"), options }] };
 }
 

@@ -7,19 +7,23 @@ import { say } from "./words.ts";
 /** Rough places, which choose the assembly mode. */
 export function near(scene: Draft): Group {
   const given = entries(scene["near"]);
-  const has = (name: string): boolean => given.some(([other]) => other === name);
-  const points = allPoints(scene).filter((name) => !groundOf(scene).includes(name) && !has(name));
-  const angles = linksOf(scene).filter((name) => pointsOn(scene, name).length > 0 && !has(`angle(${name})`));
-  const options = [...points.map((value) => ({ value, text: value })), ...angles.map((name) => ({ value: `angle(${name})`, text: say("angle_of", { name }) }))];
-  const add: Field = { kind: "adder", path: ["near", "+"], label: say("add_near"), text: say("add_near"), ask: { do: "near", with: [] }, lists: [{ label: say("add_near"), options }] };
+  const add: Field = { kind: "adder", path: ["near", "+"], label: say("add_near"), text: say("add_near"), ask: { do: "near", with: [] }, lists: [{ label: say("add_near"), options: open }] };
   return {
     id: "near",
     title: say("near"),
     help: say("near_help"),
     path: ["near"],
     folded: true,
-    rows: [...given.map(([name, value]) => row(scene, name, value)), ...(options.length === 0 ? [] : [{ fields: [add] }])],
+    rows: [...given.map(([name, value]) => row(scene, name, value)), ...(open(scene).length === 0 ? [] : [{ fields: [add] }])],
   };
+}
+
+/** What no rough place is given of. */
+function open(scene: Draft): { value: string; text: string }[] {
+  const has = new Set([...groundOf(scene), ...entries(scene["near"]).map(([name]) => name)]);
+  const points = allPoints(scene).filter((name) => !has.has(name));
+  const angles = linksOf(scene).filter((name) => pointsOn(scene, name).length > 0 && !has.has(`angle(${name})`));
+  return [...points.map((value) => ({ value, text: value })), ...angles.map((name) => ({ value: `angle(${name})`, text: say("angle_of", { name }) }))];
 }
 
 function row(scene: Draft, name: string, value: unknown): Row {

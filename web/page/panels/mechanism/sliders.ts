@@ -8,19 +8,13 @@ import { say } from "./words.ts";
 /** The sliders, a card each. */
 export function sliders(scene: Draft): Group {
   const list: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
-  const moving = allPoints(scene).filter((name) => !groundOf(scene).includes(name));
-  const things = [
-    ...moving.map((name) => ({ value: `new:${name}`, text: say("new_block", { name }) })),
-    ...linksOf(scene).flatMap((link) => pointsOn(scene, link).filter((name) => moving.includes(name)).map((name) => ({ value: `${link}:${name}`, text: say("link_at", { link, name }) }))),
-    ...moving.map((name) => ({ value: `:${name}`, text: say("pin_at", { name }) })),
-  ];
   const add: Field = {
     kind: "adder",
     path: ["sliders", "+"],
     label: say("add_slider"),
     text: say("add_slider"),
     ask: { do: "slider", with: [] },
-    lists: [{ label: say("what_slides"), options: things }, { label: say("on"), options: carriers(scene) }],
+    lists: [{ label: say("what_slides"), options: things }, { label: say("on"), options: carriers }],
   };
   return {
     id: "sliders",
@@ -28,8 +22,21 @@ export function sliders(scene: Draft): Group {
     help: say("sliders_help"),
     path: ["sliders"],
     cards: list.map((slider, index) => card(scene, slider, index)),
-    rows: things.length === 0 ? [] : [{ fields: [add] }],
+    rows: movingPoints(scene).length === 0 ? [] : [{ fields: [add] }],
   };
+}
+
+function movingPoints(scene: Draft): string[] {
+  const fixed = new Set(groundOf(scene));
+  return allPoints(scene).filter((name) => !fixed.has(name));
+}
+
+/** What can slide: a new block at a point, a link at one of its points, a pin in a slot. */
+function* things(scene: Draft): Iterable<{ value: string; text: string }> {
+  const moving = new Set(movingPoints(scene));
+  for (const name of moving) yield { value: `new:${name}`, text: say("new_block", { name }) };
+  for (const link of linksOf(scene)) for (const name of pointsOn(scene, link)) if (moving.has(name)) yield { value: `${link}:${name}`, text: say("link_at", { link, name }) };
+  for (const name of moving) yield { value: `:${name}`, text: say("pin_at", { name }) };
 }
 
 function carriers(scene: Draft): { value: string; text: string }[] {
@@ -40,16 +47,16 @@ function card(scene: Draft, slider: unknown, index: number): Card {
   const path: Path = ["sliders", index];
   const link = at(slider, ["link"]);
   const isPin = at(slider, ["pin"]) !== undefined;
-  const choice = (key: string, label: string, names: string[]): Field => ({ kind: "choice", path: [...path, key], label, options: names.map((value) => ({ value, text: value })) });
+  const choice = (key: string, label: string, names: (now: Draft) => string[]): Field => ({ kind: "choice", path: [...path, key], label, options: (now) => names(now).map((value) => ({ value, text: value })) });
   const what = isPin
-    ? [choice("pin", say("pin"), allPoints(scene))]
-    : [choice("link", say("sliding_link"), linksOf(scene)), choice("at", say("at"), pointsOn(scene, String(link)))];
-  const on: Field = { kind: "choice", path: [...path, "on"], label: say("on"), options: carriers(scene) };
+    ? [choice("pin", say("pin"), allPoints)]
+    : [choice("link", say("sliding_link"), linksOf), choice("at", say("at"), (now) => pointsOn(now, String(link)))];
+  const on: Field = { kind: "choice", path: [...path, "on"], label: say("on"), options: carriers };
   return {
     path,
     title: say("slider"),
     role: isPin ? say("pin_in_slot") : say("block"),
-    rows: [{ fields: [...what, on] }, ...guide(scene, slider, path), ...turnedRow(scene, path, isPin), ...driveOf(scene, slider, path, String(index + 1))],
+    rows: () => [{ fields: [...what, on] }, ...guide(scene, slider, path), ...turnedRow(scene, path, isPin), ...driveOf(scene, slider, path, String(index + 1))],
     buttons: [{ text: say("drop_slider", { name: index + 1 }), icon: "remove", ask: { do: "drop_slider", with: [String(index)] } }],
   };
 }

@@ -4,16 +4,16 @@ import { icon } from "../../dom/icon.ts";
 import type { Edit } from "../../engine/types.ts";
 import { evaluated, shownNumber, stepped } from "../../number.ts";
 import { edit } from "./edits.ts";
-import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, NumberField, PointsField, SwitchField, TextField } from "./form.ts";
+import type { Adder, Ask, ChecksField, ChoiceField, Field, NameField, Names, NumberField, Option, PointsField, SwitchField, TextField } from "./form.ts";
 import { pinButton } from "./pin.ts";
-import { at, dotted, type Path } from "./scene.ts";
+import { at, dotted, type Draft, type Path } from "./scene.ts";
 import { say } from "./words.ts";
 
 /** A part of the form that shows a value of the scene. */
 export interface Live {
   root: HTMLElement;
   /** Shows what the scene gives. */
-  show(scene: unknown): void;
+  show(scene: Draft): void;
 }
 
 let count = 0;
@@ -44,7 +44,7 @@ export function fieldOf(desk: Desk, field: Field): Live {
     case "text":
       return textInput(app, field);
     case "choice":
-      return field.open === true ? openChoice(desk, field) : select(desk, field);
+      return field.open === true && Array.isArray(field.options) ? openChoice(desk, field, field.options) : select(desk, field);
     case "checks":
       return checks(app, field);
     case "switch":
@@ -83,38 +83,85 @@ function textInput(app: App, field: TextField): Live {
 }
 
 /** Which option the scene gives. */
-function chosen(field: ChoiceField, scene: unknown): number {
-  const value = at(scene, field.path);
-  const exactly = field.options.findIndex((option) => option.any === undefined && JSON.stringify(option.value) === JSON.stringify(value));
+function chosen(options: Option[], value: unknown): number {
+  const exactly = options.findIndex((option) => option.any === undefined && JSON.stringify(option.value) === JSON.stringify(value));
   if (exactly >= 0) return exactly;
   const form = Array.isArray(value) ? "list" : typeof value;
-  return field.options.findIndex((option) => option.any === form);
+  return options.findIndex((option) => option.any === form);
 }
 
-function choose({ app, owner }: Desk, field: ChoiceField, index: number): void {
-  const option = field.options[index];
+function choose({ app, owner }: Desk, field: ChoiceField, option: Option | undefined): void {
   if (option === undefined) return;
   if (option.ask !== undefined) owner.asked?.(option.ask);
   else void edit(app, option.edits ?? [put(field.path, option.value)]);
 }
 
 function select(desk: Desk, field: ChoiceField): Live {
-  const input = element("select", {}, ...field.options.map(({ text }, index) => element("option", { value: index }, text)));
-  input.addEventListener("change", () => choose(desk, field, Number(input.value)));
-  return { root: labelled(field, input), show: (scene) => (input.value = String(chosen(field, scene))) };
+  if (typeof field.options === "function") return selectName(desk, field, field.options);
+  const { options } = field;
+  const input = element("select", {}, ...options.map(({ text }, index) => element("option", { value: index }, text)));
+  input.addEventListener("change", () => choose(desk, field, options[Number(input.value)]));
+  return { root: labelled(field, input), show: (scene) => (input.value = String(chosen(options, at(scene, field.path)))) };
+}
+
+/** One of the scene's names. */
+function selectName(desk: Desk, field: ChoiceField, options: Names): Live {
+  const input = element("select", {});
+  const names = namesIn(input, options);
+  input.addEventListener("change", () => choose(desk, field, { value: input.value, text: input.value }));
+  return { root: labelled(field, input), show: (scene) => names.show(scene, String(at(scene, field.path) ?? "")) };
+}
+
+/** Most names that a list has before somebody comes to it. */
+const AT_HAND = 60;
+
+/**
+ * Keeps the names of a list those of the scene: all of them, or, where they are many, the one that is chosen, until somebody comes to
+ * the list. Without `chosen` a list whose names have changed begins anew with its first.
+ */
+function namesIn(input: HTMLSelectElement, options: Names): { show(scene: Draft, chosen?: string): void } {
+  let now: Draft = {};
+  let basis = "";
+  const put = (wanted: { value: string; text: string }[], value: string | undefined): void => {
+    input.replaceChildren(...wanted.map((option) => element("option", { value: option.value }, option.text)));
+    if (value !== undefined) input.value = value;
+  };
+  const isAll = (): boolean => input.options.length > 1;
+  const all = (): void => {
+    if (!isAll()) put([...options(now)], input.value);
+  };
+  for (const coming of ["focus", "pointerdown", "pointerenter"]) input.addEventListener(coming, all);
+  return {
+    show(scene, chosen) {
+      now = scene;
+      const first: { value: string; text: string }[] = [];
+      for (const option of options(scene)) if (first.push(option) > AT_HAND) break;
+      const isLong = first.length > AT_HAND;
+      const next = JSON.stringify(first);
+      if (next !== basis || (isLong && isAll() && document.activeElement !== input)) {
+        const alone = chosen === undefined ? first.slice(0, 1) : [{ value: chosen, text: chosen }];
+        put(isLong ? alone : first, chosen);
+        if (isLong && document.activeElement === input) put([...options(scene)], chosen);
+      }
+      basis = next;
+      if (chosen === undefined || input.value === chosen) return;
+      if (isLong) put([{ value: chosen, text: chosen }], chosen);
+      else input.value = chosen;
+    },
+  };
 }
 
 /** All options side by side. */
-function openChoice(desk: Desk, field: ChoiceField): Live {
+function openChoice(desk: Desk, field: ChoiceField, all: Option[]): Live {
   const name = newId();
-  const inputs = field.options.map((_, index) => element("input", { type: "radio", name, value: index, onchange: () => choose(desk, field, index) }));
-  const options = field.options.map(({ text }, index) => element("label", { class: "option" }, inputs[index], element("span", {}, text)));
+  const inputs = all.map((option, index) => element("input", { type: "radio", name, value: index, onchange: () => choose(desk, field, option) }));
+  const options = all.map(({ text }, index) => element("label", { class: "option" }, inputs[index], element("span", {}, text)));
   const legend = element("legend", { class: field.quiet === true ? "unseen" : null }, field.label);
   const root = element("fieldset", { class: "field open", "data-path": dotted(field.path) }, legend, element("div", { class: "options" }, ...options));
   return {
     root,
     show(scene) {
-      const index = chosen(field, scene);
+      const index = chosen(all, at(scene, field.path));
       inputs.forEach((input, other) => (input.checked = other === index));
     },
   };
@@ -171,13 +218,12 @@ function pointNames({ app, owner }: Desk, field: PointsField): Live {
 
 /** Lists and a button that adds what is chosen in them. */
 function adder({ owner }: Desk, field: Adder): Live {
-  const lists = field.lists.map(({ label, options }) =>
-    element("select", { "aria-label": label, title: label }, ...options.map(({ value, text }) => element("option", { value }, text))),
-  );
+  const lists = field.lists.map(({ label }) => element("select", { "aria-label": label, title: label }));
+  const names = field.lists.map(({ options }, index) => namesIn(lists[index]!, options));
   const button = element("button", { type: "button", class: "small" }, icon("plus"), field.text);
   button.addEventListener("click", () => owner.asked?.({ do: field.ask.do, with: [...field.ask.with, ...lists.map(({ value }) => value)] }));
   const root = element("div", { class: "field adder", role: "group", "aria-label": field.label, "data-path": dotted(field.path) }, ...lists, button);
-  return { root, show: () => undefined };
+  return { root, show: (scene) => names.forEach((each) => each.show(scene)) };
 }
 
 /** The name of a point or link; a change of it is made everywhere when the field is left. */
@@ -205,6 +251,30 @@ export function nameInput(app: App, { of, name, label }: NameField): HTMLElement
     refuse(null);
   });
   return element("div", { class: "naming" }, input, why);
+}
+
+/** After how long without a letter a number counts as typed, in ms. */
+const PAUSE = 900;
+
+/** Hears of each letter at once, and of the pause after the last. */
+function typing(app: App, read: (isPaused: boolean) => void): { typed(): void; paused(): void } {
+  let clock = 0;
+  const paused = (): void => {
+    if (clock === 0) return;
+    clearTimeout(clock);
+    clock = 0;
+    read(true);
+    app.typing.set(false);
+  };
+  return {
+    typed() {
+      clearTimeout(clock);
+      clock = window.setTimeout(paused, PAUSE);
+      app.typing.set(true);
+      read(false);
+    },
+    paused,
+  };
 }
 
 /** How many steps a key goes. */
@@ -242,13 +312,13 @@ function numberInput(app: App, field: NumberField): Live {
     given = value;
     void edit(app, [put(path, value)], gesture);
   };
-  const read = (): void => {
+  /** Takes what stands there as far as it is a number; why it is none is said when nobody types any more. */
+  const read = (isPaused: boolean): void => {
     const text = input.value.trim();
     const value = evaluated(text, unit);
-    if (text === "") field.needed === true ? refuse(say("needed")) : take(undefined);
-    else if (value === null) refuse(say("unread"));
-    else if (field.least !== undefined && value < field.least) refuse(say("least", { least: field.least }));
-    else take(value);
+    const why = text === "" && field.needed === true ? say("needed") : text !== "" && value === null ? say("unread") : value !== null && field.least !== undefined && value < field.least ? say("least", { least: field.least }) : null;
+    if (why === null) take(value ?? undefined);
+    else if (isPaused) refuse(why);
   };
   const go = (steps: number): void => {
     const next = stepped(evaluated(input.value, unit) ?? given ?? 0, step, steps);
@@ -262,9 +332,11 @@ function numberInput(app: App, field: NumberField): Live {
   };
 
   input.addEventListener("focus", () => (gesture = newId()));
-  input.addEventListener("input", read);
-  input.addEventListener("blur", () => input.classList.contains("unread") || revert());
+  const typist = typing(app, read);
+  input.addEventListener("input", typist.typed);
+  input.addEventListener("blur", () => (typist.paused(), input.classList.contains("unread") || revert()));
   input.addEventListener("keydown", (event) => {
+    if (event.key === "Enter") typist.paused();
     const steps = (KEYS[event.key] ?? 0) * (event.shiftKey ? 10 : 1) * (event.altKey ? 0.1 : 1);
     if (steps !== 0) go(steps);
     else if (event.key === "Enter") revert(), input.select(), (gesture = newId());

@@ -1,5 +1,5 @@
 import type { Edit } from "../../engine/types.ts";
-import type { Path } from "./scene.ts";
+import type { Draft, Path } from "./scene.ts";
 
 /**
  * A form as data: what can be given, not what is given. While it stays the same the fields stay and only their values change, so
@@ -29,7 +29,8 @@ export interface Card {
   name?: NameField;
   /** What it is, in a word or two. */
   role?: string;
-  rows: Row[];
+  /** Asked for when the card is seen: of a thousand links nobody sees more than some. */
+  rows(): Row[];
   buttons?: Button[];
 }
 
@@ -91,10 +92,13 @@ export interface SwitchField extends Named {
 /** One of several values; `undefined` as the value removes the key. */
 export interface ChoiceField extends Named {
   kind: "choice";
-  options: Option[];
+  options: Option[] | Names;
   /** Whether all are seen at once. */
   open?: boolean;
 }
+
+/** Names of the scene's things to choose from: there may be thousands, so they are asked for as far as they are shown. */
+export type Names = (scene: Draft) => Iterable<{ value: string; text: string }>;
 
 export interface Option {
   value?: unknown;
@@ -119,7 +123,7 @@ export interface Adder extends Named {
   text: string;
   /** What is asked for, with the values chosen behind its own. */
   ask: Ask;
-  lists: { label: string; options: { value: string; text: string }[] }[];
+  lists: { label: string; options: Names }[];
 }
 
 /** Some of several names, as a list; none removes the key. */

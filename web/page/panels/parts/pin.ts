@@ -13,8 +13,7 @@ export function pinButton(app: App, pin: { point: string } | { length: string })
     const others = pins[list].filter((other) => other !== name);
     app.pins.set({ ...pins, [list]: others.length < pins[list].length ? others : [...others, name] });
   });
-  const end = app.pins.on((pins) => {
-    if (button.parentElement !== null && !button.isConnected) end();
+  app.pins.on((pins) => {
     button.setAttribute("aria-pressed", String(pins[list].includes(name)));
   });
   return button;

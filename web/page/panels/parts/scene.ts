@@ -67,9 +67,18 @@ export function pointsOn(scene: Draft, carrier: string): string[] {
 }
 
 /** All points, each once. */
-export function allPoints(scene: Draft): string[] {
+export const allPoints = once((scene: Draft): string[] => {
   const points = [...groundOf(scene), ...linksOf(scene).flatMap((link) => pointsOn(scene, link))];
   return [...new Set([...points, ...entries(scene["points"]).map(([name]) => name)])];
+});
+
+/** What is found by going through a whole scene, for a scene that stays as it is: found once, for every card asks for it. */
+export function once<Found>(find: (scene: Draft) => Found): (scene: Draft) => Found {
+  const found = new WeakMap<Draft, Found>();
+  return (scene) => {
+    if (!found.has(scene)) found.set(scene, find(scene));
+    return found.get(scene)!;
+  };
 }
 
 /** Whether the scene is drawn: given by coordinates in place of lengths. */
@@ -95,12 +104,12 @@ export function pairs(points: string[]): [string, string][] {
 }
 
 /** The largest coordinate or length that the scene gives, for sensible steps. */
-export function sizeOf(scene: Draft): number {
+export const sizeOf = once((scene: Draft): number => {
   const numbers = (value: unknown): number[] =>
     typeof value === "number" ? [Math.abs(value)] : typeof value === "object" && value !== null ? Object.values(value).flatMap(numbers) : [];
   const links = entries(scene["links"]).flatMap(([, link]) => [at(link, ["lengths"]), at(link, ["shape"])]);
   return Math.max(0, ...[scene["ground"], scene["points"], ...links].flatMap(numbers));
-}
+});
 
 /** Units of the scene, by what is measured. */
 export interface Units {

@@ -7,6 +7,7 @@ import { language } from "../../words.ts";
 import { edit } from "./edits.ts";
 import { fieldOf, nameInput, newId, type Live } from "./fields.ts";
 import type { Ask, Button, Card, Form, Group, Row } from "./form.ts";
+import { pieces, settled, type Pieces } from "./pieces.ts";
 import { dotted, parsed, type Draft } from "./scene.ts";
 import { say } from "./words.ts";
 
@@ -20,13 +21,11 @@ export interface Owner {
 
 /** Keeps a form of the scene in `root`; `again` describes it anew, for what is not in the scene. */
 export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): void } {
-  const state: State = { app, owner, live: [], open: new Map() };
   const body = element("div", { class: "form" });
   const waits = element("div", { class: "waits", role: "status", hidden: true }, element("p", {}, ""), element("button", { type: "button" }, ""));
   waits.querySelector("button")!.addEventListener("click", () => app.show("text"));
   root.append(waits, body);
   body.addEventListener("keydown", (event) => undone(app, event));
-  let shape = "";
   const current = (): void => {
     const scene = parsed(app.history.now.value.text);
     waits.hidden = scene !== null;
@@ -34,14 +33,17 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
     waits.querySelector("p")!.textContent = say("unreadable");
     waits.querySelector("button")!.textContent = say("mend");
     if (scene === null) return;
-    const form = owner.describe(scene);
-    const next = language.value + JSON.stringify(form);
-    if (next !== shape) rebuilt(body, state, form);
-    shape = next;
-    for (const live of state.live) live.show(scene);
+    const focus = placesOfFocus(body);
+    settled(body, owner.describe(scene).groups.map((group) => groupOf(state, group)));
+    state.pieces.show(scene);
+    if (!body.contains(document.activeElement)) focusAgain(body, focus);
   };
+  const state: State = { app, owner, pieces: pieces(body, current), open: new Map() };
   app.history.now.on(current);
-  language.on(current);
+  language.on(() => {
+    state.pieces.clear();
+    current();
+  });
   app.solved.on(({ text, refused }) => {
     current();
     const isPresent = text === app.history.now.value.text;
@@ -63,16 +65,13 @@ function undone(app: App, event: KeyboardEvent): void {
 interface State {
   app: App;
   owner: Owner;
-  live: Live[];
+  pieces: Pieces;
   /** Groups that somebody opened or closed. */
   open: Map<string, boolean>;
 }
 
-/** Builds the form anew; the focus stays where it was. */
-function rebuilt(body: HTMLElement, state: State, form: Form): void {
-  const focus = placesOfFocus(body);
-  state.live = [];
-  body.replaceChildren(...form.groups.map((group) => groupOf(state, group)));
+/** Puts the focus where it was in a form of which parts were built anew. */
+function focusAgain(body: HTMLElement, focus: { selector: string; index: number }[]): void {
   for (const { selector, index } of focus) {
     const again = body.querySelectorAll<HTMLElement>(selector)[index];
     if (again === undefined) continue;
@@ -82,7 +81,7 @@ function rebuilt(body: HTMLElement, state: State, form: Form): void {
 }
 
 /**
- * Where the focus is, for the form that is built anew: the same field or button; where that is gone, the first of what it was in, from
+ * Where the focus is, for what is built anew: the same field or button; where that is gone, the first of what it was in, from
  * the inside out.
  */
 function placesOfFocus(body: HTMLElement): { selector: string; index: number }[] {
@@ -101,14 +100,27 @@ function placesOfFocus(body: HTMLElement): { selector: string; index: number }[]
 }
 
 function groupOf(state: State, group: Group): HTMLElement {
-  const inner = element(
-    "div",
-    { class: "inner" },
-    group.help !== undefined && element("p", { class: "help" }, group.help),
-    ...(group.cards ?? []).map((card) => cardOf(state, card)),
-    ...(group.rows ?? []).map((row) => rowOf(state, row)),
-    buttonsOf(state, group.buttons),
-  );
+  const { pieces } = state;
+  const root = pieces.of(group.id, [group.title, group.folded, group.path], () => frame(state, group));
+  const inner = root.querySelector<HTMLElement>(":scope > .inner")!;
+  const help = group.help === undefined ? [] : [pieces.of(`${group.id} help`, group.help, () => element("p", { class: "help" }, group.help))];
+  const cards = (group.cards ?? []).map((card, index) => {
+    const key = dotted(card.path);
+    return pieces.isNear(key, index) ? built(state, key, card) : pieces.later(key, key);
+  });
+  const rows = (group.rows ?? []).map((row, index) => {
+    const path = dotted(row.path ?? row.fields[0]?.path ?? []);
+    const key = `${group.id} ${path === "" ? index : path}`;
+    return pieces.isNear(key, index) ? pieces.of(key, row, (live) => rowOf(state, row, live)) : pieces.later(key, path);
+  });
+  const buttons = group.buttons === undefined ? [] : [pieces.of(`${group.id} buttons`, group.buttons, () => buttonsOf(state, group.buttons)!)];
+  settled(inner, [...help, ...cards, ...rows, ...buttons]);
+  return root;
+}
+
+/** A group with nothing in it yet. */
+function frame(state: State, group: Group): HTMLElement {
+  const inner = element("div", { class: "inner" });
   const given = { class: "group", "data-path": group.path === undefined ? null : dotted(group.path) };
   if (group.folded === undefined) return element("section", given, element("h3", {}, group.title), inner);
   const details = element("details", { ...given, open: state.open.get(group.id) ?? !group.folded }, element("summary", {}, element("h3", {}, group.title)), inner);
@@ -116,7 +128,12 @@ function groupOf(state: State, group: Group): HTMLElement {
   return details;
 }
 
-function cardOf(state: State, card: Card): HTMLElement {
+function built(state: State, key: string, card: Card): HTMLElement {
+  const rows = card.rows();
+  return state.pieces.of(key, [card, rows], (live) => cardOf(state, card, rows, live));
+}
+
+function cardOf(state: State, card: Card, rows: Row[], live: Live[]): HTMLElement {
   const heading = element(
     "header",
     {},
@@ -125,12 +142,12 @@ function cardOf(state: State, card: Card): HTMLElement {
     card.role !== undefined && element("span", { class: "role" }, card.role),
     buttonsOf(state, card.buttons),
   );
-  return element("article", { class: "card", "data-path": dotted(card.path), "aria-label": `${card.title} ${card.name?.name ?? ""}` }, heading, ...card.rows.map((row) => rowOf(state, row)));
+  return element("article", { class: "card", "data-path": dotted(card.path), "aria-label": `${card.title} ${card.name?.name ?? ""}` }, heading, ...rows.map((row) => rowOf(state, row, live)));
 }
 
-function rowOf(state: State, row: Row): HTMLElement {
+function rowOf(state: State, row: Row, live: Live[]): HTMLElement {
   const fields = row.fields.map((field) => fieldOf(state, field));
-  state.live.push(...fields);
+  live.push(...fields);
   return element(
     "div",
     { class: row.titled === true ? "row titled" : row.aligned === true ? "row aligned" : "row", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },

@@ -11,8 +11,8 @@ import { tableOf } from "./table.ts";
 import { aligned, csv } from "./text.ts";
 import { say } from "./words.ts";
 
-/** How many digits can be asked for; null is all that are certain. */
-const DIGITS = [null, 4, 6];
+/** How many digits can be asked for, the usual first; null is all that are certain. */
+const DIGITS = [4, 6, null];
 
 /** All rates, velocities and accelerations of the scene's position, and what the mechanism is made of. */
 export const values: Panel = {
@@ -51,6 +51,7 @@ function fill(contents: HTMLElement, app: App): void {
   const count = element("output", { class: "quiet" });
   const table = element("div", { class: "scroll", tabindex: 0, role: "region" });
   worded(table, () => values.title[language.value], "aria-label");
+  const about = element("p", { class: "quiet" });
   const message = element("p", { role: "alert", class: "bad" });
   const structure = element("pre", { class: "structure" });
   const warnings = element("ul");
@@ -61,6 +62,7 @@ function fill(contents: HTMLElement, app: App): void {
     shown = rows.filter(({ name, label }) => `${name} ${plain(label)}`.toLowerCase().includes(wanted));
     count.textContent = say("count", { count: shown.length, all: rows.length });
     const digitsWanted = DIGITS[digits.selectedIndex] ?? null;
+    about.textContent = say(digitsWanted === null ? "about" : "about_few");
     table.replaceChildren(shown.length === 0 && rows.length > 0 ? say("none") : tableOf(shown, digitsWanted));
   }
   async function copy(): Promise<void> {
@@ -80,7 +82,7 @@ function fill(contents: HTMLElement, app: App): void {
     message,
     count,
     table,
-    worded(element("p", { class: "quiet" }), () => say("about")),
+    about,
     worded(element("h3"), () => say("groups")),
     structure,
     warned,

@@ -1,6 +1,7 @@
+import { chunks } from "../../dom/chunks.ts";
 import { element } from "../../dom/element.ts";
 import type { Value } from "../../engine/types.ts";
-import { bySubject, named } from "../output/subject.ts";
+import { bySubject, named, type Subject } from "../output/subject.ts";
 import { shortened } from "./text.ts";
 import { say } from "./words.ts";
 
@@ -12,12 +13,21 @@ export function tableOf(values: Value[], digits: number | null): HTMLTableElemen
   const table = element("table", { class: "values" }, head);
   const shown = values.map((row) => ({ row, text: digits === null ? row.value : shortened(row.value, digits) }));
   const before = Math.max(0, ...shown.map(({ text }) => wholePart(text)));
-  for (const [subject, rows] of bySubject(shown, ({ row }) => row.quantity)) {
+  const group = ([subject, rows]: [Subject, typeof shown]): HTMLElement => {
     const title = element("th", { scope: "rowgroup", colspan: heads.length }, named(subject));
     const lines = rows.map(({ row, text }) => lineOf(row, text.padStart(text.length + before - wholePart(text)), errors));
-    table.append(element("tbody", {}, element("tr", {}, title), ...lines));
-  }
+    return element("tbody", {}, element("tr", {}, title), ...lines);
+  };
+  const groups = chunks(bySubject(shown, ({ row }) => row.quantity), "9rem", group, undefined, emptyGroup);
+  table.append(...groups.roots);
   return table;
+}
+
+/** A body of a table is as high as what is in it. */
+function emptyGroup(): HTMLElement {
+  const group = element("tbody");
+  group.style.display = "block";
+  return group;
 }
 
 /** The letters before the decimal point: columns are aligned at it. */

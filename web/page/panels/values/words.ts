@@ -16,6 +16,7 @@ type Key =
   | "count"
   | "none"
   | "about"
+  | "about_few"
   | "groups"
   | "warnings"
   | "hidden"
@@ -38,6 +39,7 @@ const WORDS: Words<Key> = {
     count: "{count} of {all} quantities",
     none: "No quantity has this in its name.",
     about: "Every digit shown is certain; ± is how far the value can be from the scene’s true one.",
+    about_few: "Rounded. “All certain digits” shows every digit that is certain, and how far the value can be from the scene’s true one.",
     groups: "Assur groups",
     warnings: "Warnings",
     hidden: "This page was opened with a student’s link. The values here are what the sheet asks for.",
@@ -59,6 +61,7 @@ const WORDS: Words<Key> = {
     count: "{count} de {all} magnitudes",
     none: "Ninguna magnitud tiene esto en su nombre.",
     about: "Toda cifra que se muestra es segura; ± dice cuánto puede distar el valor del verdadero de la escena.",
+    about_few: "Redondeado. «Cifras seguras» muestra toda cifra segura y cuánto puede distar el valor del verdadero de la escena.",
     groups: "Grupos de Assur",
     warnings: "Advertencias",
     hidden: "Esta página se abrió con un enlace para estudiantes. Los valores de aquí son los que pide la hoja.",
