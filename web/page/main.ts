@@ -24,6 +24,7 @@ import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
+import { described } from "./picture/described.ts";
 import { focus } from "./picture/focus.ts";
 import { frames, gestures } from "./picture/gesture.ts";
 import { handles } from "./picture/handles.ts";
@@ -101,6 +102,7 @@ function wire(app: App, store: Store): void {
   const own = focus(app, view);
   handles(app, view, pulling(app, view, hands, bubble(app)));
   looking(app, view, own);
+  described(app);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);

@@ -24,7 +24,7 @@ export function thisPage(): Page {
 }
 
 /** A few letters for a text: its length, and FNV-1a of its UTF-16. */
-function short(text: string): string {
+export function short(text: string): string {
   if (text === "") return "";
   let hash = 0x811c9dc5;
   for (let at = 0; at < text.length; at += 1) hash = Math.imul(hash ^ text.charCodeAt(at), 0x01000193) >>> 0;

@@ -1,5 +1,5 @@
 import { documentOf, type BadLink, type Shared } from "./address.ts";
-import { lesson, thisPage } from "./lesson.ts";
+import { lesson, short, thisPage } from "./lesson.ts";
 import type { Kept, Store } from "./storage.ts";
 
 /** What the page begins with, and where that comes from. */
@@ -26,7 +26,8 @@ export async function beginning(hash: string, store: Store): Promise<Beginning> 
   if (own !== null && (own.page?.lesson ?? "") === page.lesson) return { shared: own, from: "reload", bad, before: null };
   if (taught !== null) {
     const isOfThis = (kept: Kept): boolean => kept.page !== undefined && (kept.page.lesson === page.lesson || kept.page.address === page.address);
-    const isWork = (kept: Kept): boolean => kept.text !== taught.text || kept.form !== "";
+    // A lesson as it came is nobody's work.
+    const isWork = (kept: Kept): boolean => kept.form !== "" || ![page.lesson, kept.page?.lesson].includes(short(kept.text));
     const all = own === null ? store.others() : [own, ...store.others()];
     return { shared: taught, from: "lesson", bad, before: all.find((kept) => isOfThis(kept) && isWork(kept)) ?? null };
   }
