@@ -1,5 +1,6 @@
 /** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
+import { build } from "./build/build.ts";
 import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
 import { PATIENCE } from "./engine/hand.ts";
@@ -23,6 +24,7 @@ import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
+import { clicked } from "./picture/clicked.ts";
 import { focus } from "./picture/focus.ts";
 import { frames, gestures } from "./picture/gesture.ts";
 import { handles } from "./picture/handles.ts";
@@ -66,6 +68,8 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     picture: signal<Picture | null>(null),
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
+    building: signal(false),
+    card: signal<App["card"]["value"]>(null),
     student: signal(shared.student ?? false),
     course: course(),
     tell,
@@ -95,6 +99,8 @@ function wire(app: App, store: Store): void {
   const own = focus(app, view);
   handles(app, view, pulling(app, view, hands, bubble(app)));
   looking(app, view, own);
+  clicked(app, view);
+  build(app);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);

@@ -1,4 +1,5 @@
 use crate::answers::{Drawn, Mode, Opened, Picture, Place, ValueRow, View};
+use crate::building::{Board, BoardView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
 use crate::files::{FileRequest, OverCycle};
@@ -20,6 +21,7 @@ pub fn schema() -> Value {
         ($($type:ty),*) => { $(types.subschema_for::<$type>();)* };
     }
     add!(Refused, Kind, Opened, View, Picture, Grab, To, Edit, Place, Mode, FileRequest, OverCycle, Drawn, ValueRow);
+    add!(Board, BoardView);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);

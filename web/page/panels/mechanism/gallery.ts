@@ -9,8 +9,8 @@ import { language } from "../../words.ts";
 import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
 import { say } from "./words.ts";
 
-/** The choice of a starting scene, closed at first; `begun` is called with an empty one. */
-export function gallery(app: App, begun: () => void): HTMLElement {
+/** The choice of a starting scene, closed at first; an empty one is begun on the board. */
+export function gallery(app: App): HTMLElement {
   const summary = element("summary", {});
   const groups = element("div", { class: "kinds" });
   const root = element("details", { class: "gallery" }, summary, groups);
@@ -20,7 +20,7 @@ export function gallery(app: App, begun: () => void): HTMLElement {
     summary.focus();
   };
   const empty = element("button", { type: "button", class: "small" });
-  empty.addEventListener("click", () => (open(EMPTY), begun()));
+  empty.addEventListener("click", () => (open(EMPTY), app.building.set(true)));
   const browse = element("button", { type: "button", class: "small" });
   browse.addEventListener("click", () => void askedFor(READABLE).then((file) => openFile(app, file)));
   const paper = element("button", { type: "button", class: "small" });
