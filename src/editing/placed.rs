@@ -19,12 +19,12 @@ use crate::scene::{SceneError, pair};
 /// # Errors
 /// As of [`apply`].
 pub fn apply_in_place(text: &str, edits: &[Edit]) -> Result<String, SceneError> {
-    let before = Present::of(&Document::new(text)?);
     let changed = apply(text, edits)?;
     let mut document = Document::new(&changed)?;
     if Present::of(&document).solved().is_some() {
         return Ok(changed);
     }
+    let before = Present::of(&Document::new(text)?);
     keep_places(&mut document, &before, &|name| !edits.iter().any(|edit| places_anew(edit, name)))?;
     Ok(document.text())
 }

@@ -127,7 +127,13 @@ export function stage(app: App, model: Model, menu: (press: Press, at: Pixels) =
     draw();
   }).observe(over);
   model.shown.on((shown) => (drawn(shown), ground(), draw()));
-  sight.now.on(() => (look(), ground(), draw()));
+  sight.now.on(({ centre, scale }) => {
+    // For tests: where a place of the scene is on the screen.
+    over.dataset["window"] = JSON.stringify([...centre, scale]);
+    look();
+    ground();
+    draw();
+  });
   for (const each of [model.begun, model.chosen, model.scaling, model.tool] as { on(act: () => void): void }[]) each.on(draw);
   model.photo.on(ground);
   isDark.on(() => drawn(model.shown.value));
