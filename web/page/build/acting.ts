@@ -47,7 +47,7 @@ export function pointsOfChosen(model: Model): Set<string> {
 /** A click at a place: all of a tool that is done at one place, half of one that goes from here to there. */
 export async function clicked(app: App, model: Model, press: Press): Promise<void> {
   const tool = model.tool.value;
-  if (model.scaling.value !== null) return void model.scaling.set([...model.scaling.value, press.at].slice(0, 2));
+  if (model.scaling.value !== null) return void model.scaling.set([...model.scaling.value, press.under].slice(0, 2));
   if (tool === "select") {
     model.chosen.set(only(press));
     return reveal(app, press, false);

@@ -11,14 +11,16 @@ export function build(app: App): void {
   const own = model(app);
   const back = (): void => board.focus();
   const small = menu(app, own, back);
-  const board = stage(app, own, small.open);
-  const field = element("div", { class: "field" }, ...(board.root as Node[] as HTMLElement[]));
+  const field = element("div", { class: "field" });
+  const board = stage(app, own, field, small.open);
   const root = element("section", { id: "build", class: "floating", hidden: true }, toolRows(app, own, back), field, stateLine(app, own), small.root);
   byId("pane").append(root);
 
   /** The text whose mechanism the window was put on. */
   let isFitted = false;
   async function enter(): Promise<void> {
+    // Where panels stand below the picture, there would be no room for it.
+    if (window.innerWidth < 960) app.show("");
     own.sight.resize(field.clientWidth, field.clientHeight);
     await own.fresh();
     own.fit();

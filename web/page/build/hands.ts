@@ -136,6 +136,7 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
     if (was.pans && was.hasMoved) return;
     await model.fresh();
     const press = pressAt(was.start, reach);
+    if (model.scaling.value !== null) return clicked(app, model, pressAt(pixels, reach));
     if (!was.hasMoved) {
       if (was.shift && model.tool.value === "select") return model.chosen.set(toggled(model.chosen.value, press));
       return clicked(app, model, press);

@@ -103,12 +103,12 @@ export function model(app: App): Model {
 
   function press(place: Place, reach: number): Press {
     const there = present();
-    if (there === null) return { at: own.rounded(place, snaps.value), point: null, link: null };
+    if (there === null) return { at: own.rounded(place, snaps.value), under: place, point: null, link: null };
     const { scene, places } = there;
     const far = reach / own.now.value.scale;
     const point = pointAt(places, place, far);
     const link = linkAt(scene, places, place, far, (BLOCK * letters()) / own.now.value.scale);
-    return { at: point === null ? own.rounded(place, snaps.value) : places.get(point)!, point, link };
+    return { at: point === null ? own.rounded(place, snaps.value) : places.get(point)!, under: place, point, link };
   }
 
   async function make(follows: Follows, gesture: string = newId()): Promise<boolean> {

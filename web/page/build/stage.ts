@@ -20,17 +20,18 @@ import { say } from "./words.ts";
 const WHITE = /<rect [^>]*fill="#ffffff"[^>]*\/>/;
 
 export interface Stage {
-  root: HTMLElement[] | SVGElement[];
   focus(): void;
   /** Puts back what goes on; whether something did. */
   cancel(): boolean;
 }
 
-export function stage(app: App, model: Model, menu: (press: Press, at: Pixels) => void): Stage {
+/** Fills `field` with the board. */
+export function stage(app: App, model: Model, field: HTMLElement, menu: (press: Press, at: Pixels) => void): Stage {
   const { sight } = model;
   const behind = svgElement("svg", { class: "behind", "aria-hidden": "true" });
   const picture = svgElement("svg", { class: "drawn", "aria-hidden": "true" });
   const over = svgElement("svg", { id: "board", class: "over", tabindex: 0, role: "application" });
+  field.append(behind, picture, over);
 
   function ground(): void {
     const photo = model.photo.value;
@@ -118,14 +119,14 @@ export function stage(app: App, model: Model, menu: (press: Press, at: Pixels) =
   const keyed = boardKeys(app, model, over, menu, draw);
 
   new ResizeObserver(() => {
-    const { clientWidth, clientHeight } = over.parentElement!;
+    const { clientWidth, clientHeight } = field;
     if (clientWidth === 0) return;
     sight.resize(clientWidth, clientHeight);
     for (const each of [behind, over, picture]) each.style.cssText += `;width:${clientWidth}px;height:${clientHeight}px`;
     model.redraw();
     ground();
     draw();
-  }).observe(over);
+  }).observe(field);
   model.shown.on((shown) => (drawn(shown), ground(), draw()));
   sight.now.on(({ centre, scale }) => {
     // For tests: where a place of the scene is on the screen.
@@ -138,5 +139,5 @@ export function stage(app: App, model: Model, menu: (press: Press, at: Pixels) =
   model.photo.on(ground);
   isDark.on(() => drawn(model.shown.value));
   language.on(() => drawn(model.shown.value));
-  return { root: [behind, picture, over], focus: () => over.focus({ preventScroll: true }), cancel: () => moving.cancel() || keyed.cancel() };
+  return { focus: () => over.focus({ preventScroll: true }), cancel: () => moving.cancel() || keyed.cancel() };
 }

@@ -28,6 +28,8 @@ export interface Choices {
 /** What was pressed: a point or a link that is there, and the place. */
 export interface Press {
   at: Place;
+  /** The place under the pointer itself, on no grid. */
+  under: Place;
   point: string | null;
   link: string | null;
 }
@@ -202,15 +204,18 @@ function cylinder(present: Present, from: Press, to: Press): Follows {
 /** A drive, or none where there was one: it turns a link about its fixed point, pushes a block along its guide. */
 function driven({ scene, places, board }: Present, what: Press): Follows {
   const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
-  const index = sliders.findIndex((slider) => (what.link !== null && at(slider, ["link"]) === what.link) || (what.link === null && at(slider, ["pin"]) === what.point && what.point !== null));
+  const points = pointsOn(scene, what.link ?? "");
+  const pivot = points.find((name) => groundOf(scene).includes(name));
+  // A block lies over the ends of links: where these cannot be driven, it is meant.
+  const own = sliders.findIndex((slider) => what.link !== null && at(slider, ["link"]) === what.link);
+  const there = sliders.findIndex((slider) => what.point !== null && (at(slider, ["at"]) ?? at(slider, ["pin"])) === what.point);
+  const index = own >= 0 ? own : pivot === undefined ? there : -1;
   const isDriven = index >= 0 && at(sliders[index], ["drive"]) !== undefined;
   if (isDriven) return [{ remove: ["sliders", index, "drive"] }];
   if (what.link === null && index < 0) return "needs_link";
   const link = what.link ?? "";
   const value = at(scene, ["links", link]);
   if (at(value, ["drive"]) !== undefined) return [{ remove: ["links", link, "drive"] }];
-  const points = pointsOn(scene, link);
-  const pivot = points.find((name) => groundOf(scene).includes(name));
   if (pivot !== undefined && points.length > 0 && index < 0) {
     const [from, to] = points.map((name) => places.get(name));
     const angle = isDrawn(scene) ? {} : { angle: from !== undefined && to !== undefined ? degrees(from, to) : 60 };

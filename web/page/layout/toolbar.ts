@@ -17,7 +17,7 @@ export function toolbar(app: App): void {
   };
   byId("hand-move").onclick = hand(false);
   byId("hand-shape").onclick = hand(true);
-  byId("hand-build").onclick = () => app.building.set(true);
+  byId("hand-build").onclick = () => app.building.set(!app.student.value);
   const mark = (): void => {
     const [shaping, building] = [app.shaping.value, app.building.value];
     for (const [id, is] of [["hand-move", !shaping && !building], ["hand-shape", shaping && !building], ["hand-build", building]] as const) {

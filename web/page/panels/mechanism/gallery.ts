@@ -20,7 +20,13 @@ export function gallery(app: App): HTMLElement {
     summary.focus();
   };
   const empty = element("button", { type: "button", class: "small" });
-  empty.addEventListener("click", () => (open(EMPTY), app.building.set(true)));
+  empty.addEventListener("click", () => {
+    // Nothing of what was there stays: neither its title nor its picture.
+    app.solved.set({ text: "", opened: null, good: "", refused: null });
+    app.picture.set(null);
+    open(EMPTY);
+    app.building.set(true);
+  });
   const browse = element("button", { type: "button", class: "small" });
   browse.addEventListener("click", () => void askedFor(READABLE).then((file) => openFile(app, file)));
   const paper = element("button", { type: "button", class: "small" });
