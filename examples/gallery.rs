@@ -272,6 +272,9 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
     ),
 ];
 
+/// Pictures look the same whatever fonts the reader has.
+const PICTURE: Text = Text::Glyphs;
+
 /// The sheet for a projector.
 fn wide() -> Page {
     Page { size: PageSize::Wide, landscape: true }
@@ -361,7 +364,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             "\n## {title}\n\n{teaches}\n\n`{kind}`: {formula}\n\n![{title}. {}](gallery/{kind}.svg)\n",
             drawing.description
         );
-        pictures.push((format!("docs/gallery/{kind}.svg"), drawing.svg()));
+        pictures.push((format!("docs/gallery/{kind}.svg"), svg_with(&drawing, PICTURE)));
     }
     page.push_str("\n## Kinds of pictures\n");
     for (name, path, command, purpose, kind) in PICTURES {
@@ -377,12 +380,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
         };
         let description = if drawing.description.is_empty() { purpose } else { &drawing.description };
         let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{description}](gallery/{name}.svg)\n");
-        // Running text must not hang on the fonts of whoever reads the page.
-        let text = match kind {
-            Kind::Check(_) | Kind::Exercise(_) => Text::Outlines,
-            _ => Text::Letters,
-        };
-        pictures.push((format!("docs/gallery/{name}.svg"), svg_with(&drawing, text)));
+        pictures.push((format!("docs/gallery/{name}.svg"), svg_with(&drawing, PICTURE)));
     }
     pictures.insert(0, ("docs/gallery.md".to_owned(), page));
     Ok(pictures)

@@ -288,6 +288,12 @@ impl Draw {
             if !missing.is_empty() {
                 note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));
             }
+            let left_out = figures.values_left_out(sheet);
+            if left_out > 0 {
+                note(&format!(
+                    "no room for {left_out} values that are no main results; --values adds a table with them"
+                ));
+            }
             let further = sheets.iter().flat_map(|(_, sheets)| sheets.iter().skip(1));
             let parts = further.filter(|sheet| !sheet.panels.is_empty()).count();
             if parts > 0 {

@@ -48,6 +48,17 @@ impl Drive {
         Ok(Drive { name, quantity, is_angle, input, size })
     }
 
+    /// The drive that leads when all run as the scene says: the first that has a speed there; none where all stand still.
+    ///
+    /// # Errors
+    /// The configuration is drawn.
+    pub fn leading(mechanism: &Mechanism) -> Result<Option<Self>, CycleError> {
+        let kernel = Kernel::new(mechanism).ok_or(CycleError::Drawn)?;
+        let names = mechanism.drive_names().into_iter().zip(&kernel.inputs);
+        let mut running = names.filter(|(_, input)| input.rate != 0.0);
+        running.next().map(|(name, _)| Self::new(mechanism, Some(&name))).transpose()
+    }
+
     /// The drive at this value, in words, as in `angle(1) = 30°`.
     #[must_use]
     pub fn at(&self, value: f64, words: &Wording) -> String {

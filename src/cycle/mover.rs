@@ -157,20 +157,17 @@ impl<'a> Mover<'a> {
     #[inline]
     fn step(&mut self, change: f64) -> bool {
         self.carry_on(change);
-        let found = self.kernel.assemble(&mut self.block, self.sure);
+        let found = self.kernel.motions(&mut self.block, self.sure);
         if !(found.closed && found.first <= OFF) {
             return false;
         }
-        self.kernel.rates(&mut self.block);
         // All determinants have the signs that they had.
         let is_on_branch = self.ratios().all(|ratio| ratio > 0.0);
         let is_near = self.ratios().all(|ratio| (0.5..=2.0).contains(&ratio));
         if is_on_branch && !is_near {
             // Nearer to a singular position the last correction must be smaller: `sure` may not hold any more.
             self.refresh();
-            let closed = self.kernel.assemble(&mut self.block, self.sure).closed;
-            self.kernel.rates(&mut self.block);
-            return closed;
+            return self.kernel.motions(&mut self.block, self.sure).closed;
         }
         is_on_branch
     }

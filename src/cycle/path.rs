@@ -165,8 +165,8 @@ impl<'a> Path<'a> {
     /// The mechanism with its drives where they stand at a value of the moved one.
     pub(super) fn mechanism_at(&self, value: f64) -> Mechanism {
         let mut mechanism = Mechanism { placing: None, ..Mechanism::clone(&self.mechanism) };
-        for (index, [start, ratio]) in self.inputs.iter().enumerate() {
-            let own = if index == self.drive.input { value } else { (value - self.origin) * ratio + start };
+        for index in 0..self.inputs.len() {
+            let own = self.value_of(index, value);
             match self.kernel.inputs[index].kind {
                 InputKind::Turning { .. } => {
                     if let Role::Driver { angle, .. } = &mut mechanism.bodies[self.kernel.inputs[index].body.0].role {
@@ -181,6 +181,12 @@ impl<'a> Path<'a> {
             }
         }
         mechanism
+    }
+
+    /// Where a drive stands at a value of the moved one.
+    pub(super) fn value_of(&self, input: usize, value: f64) -> f64 {
+        let [start, ratio] = self.inputs[input];
+        if input == self.drive.input { value } else { (value - self.origin) * ratio + start }
     }
 
     /// Computes all rates in `block` for a speed of the moved drive of 1° or one unit of length per unit of time.

@@ -30,7 +30,7 @@ const STEPS: usize = 60;
 
 /// A mechanism that is moved by pulling its points, or by setting a drive: for a hand on the picture.
 ///
-/// It goes along the branch of the scene's own position, with one drive; others stand still.
+/// It goes along the branch of the scene's own position, with one drive; others stand still, or run along with it.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
@@ -88,8 +88,20 @@ impl Pull {
     /// There is no such drive, the configuration is drawn, or its position is singular.
     pub fn new(solution: &Solution, drive: Option<&str>) -> Result<Self, CycleError> {
         let drive = Drive::new(&solution.mechanism, drive)?;
-        let mechanism = alone(&solution.mechanism, &drive.name);
-        let path = Path::of(Cow::Owned(mechanism), &solution.pose, drive)?;
+        Self::of(alone(&solution.mechanism, &drive.name), &solution.pose, drive)
+    }
+
+    /// As [`Self::new`], but the other drives run along in proportion to their speeds in the scene, as time moves them.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn together(solution: &Solution, drive: Option<&str>) -> Result<Self, CycleError> {
+        let drive = Drive::new(&solution.mechanism, drive)?;
+        Self::of(solution.mechanism.clone(), &solution.pose, drive)
+    }
+
+    fn of(mechanism: Mechanism, pose: &Pose, drive: Drive) -> Result<Self, CycleError> {
+        let path = Path::of(Cow::Owned(mechanism), pose, drive)?;
         Ok(Self { value: path.start(), sense: 1.0, path })
     }
 
@@ -123,6 +135,12 @@ impl Pull {
     #[must_use]
     pub fn value(&self) -> f64 {
         self.value
+    }
+
+    /// The present value of any drive of the mechanism.
+    #[must_use]
+    pub fn value_of(&self, drive: &Drive) -> f64 {
+        self.path.value_of(drive.input, self.value)
     }
 
     /// The mechanism with its drive where it stands.

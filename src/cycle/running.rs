@@ -30,6 +30,8 @@ pub struct Running {
     pub poses: Vec<Pose>,
     /// The turns after which the mechanism is where it began; none where the drive goes to and fro.
     pub turns: Option<usize>,
+    /// Whether the drive's value falls at its speed in the scene.
+    pub is_backwards: bool,
 }
 
 impl Running {
@@ -43,7 +45,8 @@ impl Running {
         let mut path = Path::new(&own.mechanism, &own.pose, drive)?;
         let (range, is_closed) = cycle(&mut path)?;
         let count = count.max(1);
-        let sense = if path.runs_backwards() { -1.0 } else { 1.0 };
+        let is_backwards = path.runs_backwards();
+        let sense = if is_backwards { -1.0 } else { 1.0 };
         let turns = is_closed.then(|| ((range[1] - range[0]) / path.unit()).round() as usize);
         let values = match turns {
             Some(turns) => round(range, sense, count * turns),
@@ -57,7 +60,7 @@ impl Running {
         };
         let others: Vec<Pose> = values.into_iter().skip(1).filter_map(&mut pose).collect();
         let poses = std::iter::once(own.pose.clone()).chain(others).collect();
-        Ok(Self { drive: path.drive.clone(), poses, turns })
+        Ok(Self { drive: path.drive.clone(), poses, turns, is_backwards })
     }
 }
 

@@ -122,15 +122,11 @@ impl Segment {
     /// Whether all these values of the drive lie on the segment.
     #[inline(always)]
     pub fn holds_all<L: Lanes, R: Row>(&self, lanes: L, drive: &R) -> bool {
-        let (from, to) = (lanes.splat(self.from), lanes.splat(self.to));
-        let (mut outside, mut sum) = (from - to, lanes.splat(0.0));
+        let mut within = true;
         for k in portions::<L, R>() {
-            let value = lanes.load(drive, k);
-            outside = outside.larger(from - value).larger(value - to);
-            sum = sum + value;
+            within &= lanes.all_within(lanes.load(drive, k), self.from, self.to);
         }
-        // A NaN may be lost in the largest value, but not in the sum.
-        lanes.largest(outside) <= 0.0 && !lanes.sum(sum).is_nan()
+        within
     }
 
     /// Sets the unknowns of `block` to the values of the polynomials at these values of the drive.

@@ -1,7 +1,7 @@
 use super::path::{BLANK, Path};
 use super::position::Position;
 use crate::geometry::{Lanes, MANY, Many, OneByOne, Registers, Row, TOGETHER};
-use crate::kernel::{Block, Correction, Kernel, Single};
+use crate::kernel::{Begun, Block, Correction, Kernel, Single};
 use fearless_simd::{Level, dispatch};
 
 impl Path<'_> {
@@ -80,8 +80,13 @@ impl<'a, R: Row> Walker<'a, R> {
     #[inline(always)]
     fn is_blank(&self, values: &R) -> bool {
         let blank = BLANK * self.path.unit();
-        let near = |at: f64| values.as_ref().iter().any(|v| (v - at).abs() < blank);
-        self.path.changes.iter().any(|change| near(change.at))
+        // Mostly there is none, and nothing is called then.
+        for change in &self.path.changes {
+            if values.as_ref().iter().any(|v| (v - change.at).abs() < blank) {
+                return true;
+            }
+        }
+        false
     }
 
     #[inline]
@@ -105,8 +110,15 @@ impl Walker<'_> {
     /// The position and the rates for the drives running as the scene says; `None` as for [`Self::positions`].
     #[inline]
     pub fn motions(&mut self, value: &[f64; 1]) -> Option<&Single> {
-        self.positions(value)?;
-        Some(self.rates())
+        if !(self.seek(value[0]) && self.predict(OneByOne, value)) {
+            return None;
+        }
+        self.set_scene_rates();
+        let segment = &self.path.segments[self.segment];
+        if segment.delicate {
+            return self.close(Kernel::assemble).then(|| self.rates());
+        }
+        self.kernel.motions(&mut self.block, segment.sure).closed.then_some(&self.block)
     }
 
     /// The rates at the position computed last, for the drives running as the scene says.
@@ -151,13 +163,13 @@ impl<'a> Walker<'a, Many> {
     /// singular or next to a change point: then ask one by one.
     #[inline]
     pub fn positions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
-        self.compute(values, false)
+        self.compute(values, Self::find_positions)
     }
 
     /// As [`Self::positions`], with the rates for the drives running as the scene says.
     #[inline]
     pub fn motions(&mut self, values: &[f64]) -> (usize, Option<&Block<Many>>) {
-        self.compute(values, true)
+        self.compute(values, Self::find_motions)
     }
 
     /// The rates at the positions computed last, for the drives running as the scene says.
@@ -168,7 +180,7 @@ impl<'a> Walker<'a, Many> {
     }
 
     #[inline]
-    fn compute(&mut self, values: &[f64], with_rates: bool) -> (usize, Option<&Block<Many>>) {
+    fn compute(&mut self, values: &[f64], find: fn(&mut Self, &Many) -> bool) -> (usize, Option<&Block<Many>>) {
         let Some(first) = values.first() else {
             return (0, None);
         };
@@ -179,7 +191,7 @@ impl<'a> Walker<'a, Many> {
         let segment = &self.path.segments[self.segment];
         let full = values.first_chunk::<MANY>();
         if let Some(full) = full.filter(|v| segment.holds(v[MANY - 1]))
-            && self.computed(&Many(*full), with_rates)
+            && find(self, &Many(*full))
         {
             return (MANY, Some(&self.block));
         }
@@ -194,18 +206,38 @@ impl<'a> Walker<'a, Many> {
         }
         let last = row.0[count - 1];
         row.0[count..].fill(last);
-        let found = self.computed(&row, with_rates);
+        let found = find(self, &row);
         (count, found.then_some(&self.block))
     }
 
     #[inline]
-    fn computed(&mut self, values: &Many, with_rates: bool) -> bool {
+    fn find_positions(&mut self, values: &Many) -> bool {
         let registers = self.registers;
-        let found = dispatch!(registers, simd => self.predict(Registers::<_, TOGETHER>(simd), values))
-            && self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure));
-        if found && with_rates {
-            self.rates();
+        dispatch!(registers, simd => self.predict(Registers::<_, TOGETHER>(simd), values))
+            && self.close(|kernel, block, sure| kernel.assemble_many(registers, block, sure))
+    }
+
+    #[inline]
+    fn find_motions(&mut self, values: &Many) -> bool {
+        let (registers, segment) = (self.registers, &self.path.segments[self.segment]);
+        if segment.delicate {
+            let found = self.find_positions(values);
+            if found {
+                self.rates();
+            }
+            return found;
         }
-        found
+        let sure = segment.sure;
+        let begun = dispatch!(registers, simd => self.begin_motions(Registers::<_, TOGETHER>(simd), values, sure));
+        begun.is_some_and(|begun| self.kernel.finish_motions(registers, &mut self.block, sure, begun).closed)
+    }
+
+    /// Predicts positions and begins with the motions there: in one function, which is called once for many positions.
+    #[inline(always)]
+    fn begin_motions<L: Lanes>(&mut self, lanes: L, values: &Many, sure: f64) -> Option<Begun> {
+        self.predict(lanes, values).then(
+            #[inline(always)]
+            || self.kernel.begin_motions(lanes, &mut self.block, sure),
+        )
     }
 }

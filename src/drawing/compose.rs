@@ -4,12 +4,12 @@
 use super::canvas::Held;
 use super::context::SheetContext;
 use super::dims::{Dims, MARGIN, TITLE};
-use super::layout::{Aside, Item, Layout, Needs, layout};
+use super::layout::{Aside, Item, Layout, Needs, Placed, layout};
 use super::lines;
 use super::markers::{SheetCode, draw_markers};
 use super::panel::Panel;
 use super::shape::Shape;
-use super::sheet::{Drawing, Pen};
+use super::sheet::{Drawing, Mark, Pen, Unlabelled};
 use super::style::Style;
 use super::table::Table;
 use super::text::{PlacedText, RichText};
@@ -104,7 +104,11 @@ impl<'a> Composition<'a> {
 
     /// The layout with scales by panel.
     pub(super) fn layout_at(&self, scales: &Scales) -> Layout {
-        let needs = self.panels.iter().map(|panel| Needs { mu: scales[panel.needs.sheet], ..panel.needs });
+        let needs = self.panels.iter().map(|panel| {
+            let (Needs { sheet, extent, .. }, mu) = (panel.needs, scales[panel.needs.sheet]);
+            let scale = panel.frame.as_ref().map(|frame| frame.scale_width(self.context, (sheet, extent), mu));
+            Needs { mu, scale: scale.unwrap_or(panel.needs.scale), ..panel.needs }
+        });
         self.layout_for(&needs.collect::<Vec<_>>(), self.height_below())
     }
 
@@ -116,19 +120,43 @@ impl<'a> Composition<'a> {
 
     /// Draws the sheet as it is laid out.
     pub(super) fn draw(&self, layout: &Layout) -> Drawing {
-        self.draw_holding(layout, None)
+        self.draw_panels(layout, |panel, placed, drawing| self.draw_panel(panel, placed, drawing, None))
     }
 
     /// Draws the sheet with labels where they were held in the picture before, if they can be there.
-    pub(super) fn draw_holding(&self, layout: &Layout, mut held: Option<&mut Held>) -> Drawing {
-        if let Some(held) = &mut held {
-            held.before = std::mem::take(&mut held.now);
-        }
+    pub(super) fn draw_holding(&self, layout: &Layout, held: &mut Held) -> Drawing {
+        held.before = std::mem::take(&mut held.now);
+        self.draw_panels(layout, |panel, placed, drawing| self.draw_panel(panel, placed, drawing, Some(held)))
+    }
+
+    /// Draws the sheet again in another layout: panels that have been drawn in the same places are not drawn anew.
+    pub(super) fn draw_again(&self, layout: &Layout, known: &mut Vec<DrawnPanel>) -> Drawing {
+        let before = std::mem::take(known);
+        self.draw_panels(layout, |panel, placed, drawing| {
+            let (first, told) = (drawing.marks.len(), drawing.unlabelled.len());
+            match before.iter().find(|drawn| drawn.placed == *placed) {
+                Some(drawn) => {
+                    drawing.panels.push((panel.name.clone(), placed.frame));
+                    drawing.marks.extend(drawn.marks.iter().cloned());
+                    drawing.unlabelled.extend(drawn.unlabelled.iter().cloned());
+                }
+                None => self.draw_panel(panel, placed, drawing, None),
+            }
+            let (marks, unlabelled) = (drawing.marks[first..].to_vec(), drawing.unlabelled[told..].to_vec());
+            known.push(DrawnPanel { placed: *placed, marks, unlabelled });
+        })
+    }
+
+    fn draw_panel(&self, panel: &Panel<'_>, placed: &Placed, drawing: &mut Drawing, held: Option<&mut Held>) {
+        panel.draw(drawing, placed, &self.context.figure().labels, &self.context.surface.dims, held);
+    }
+
+    fn draw_panels(&self, layout: &Layout, mut draw: impl FnMut(&Panel<'_>, &Placed, &mut Drawing)) -> Drawing {
         let (figure, dims) = (self.context.figure(), &self.context.surface.dims);
         let mut drawing = titled(figure, dims, self.title.clone());
         (drawing.description, drawing.steps) = (self.description.clone(), self.steps.clone());
         for (panel, placed) in self.panels.iter().zip(&layout.panels) {
-            panel.draw(&mut drawing, placed, &figure.labels, dims, held.as_deref_mut());
+            draw(panel, placed, &mut drawing);
         }
         if layout.below.height() > 0.0 && self.height_below() > 0.0 {
             drawing.draw(Pen::Frame, Shape::rectangle(layout.below));
@@ -149,6 +177,13 @@ impl<'a> Composition<'a> {
         }
         drawing
     }
+}
+
+/// A panel as it has been drawn in its place.
+pub(super) struct DrawnPanel {
+    placed: Placed,
+    marks: Vec<Mark>,
+    unlabelled: Vec<Unlabelled>,
 }
 
 /// An empty sheet in the style and the language of a figure.

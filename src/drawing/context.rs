@@ -164,12 +164,28 @@ impl<'a> SheetContext<'a> {
         self.solution.scene.title.clone().unwrap_or_else(|| self.words.language.title().into())
     }
 
+    /// Whether the scene takes a name's label from the figure.
+    pub(super) fn is_unlabelled(&self, name: &str) -> bool {
+        self.figure().labels.get(name).is_some_and(|renamed| renamed.for_setting().is_empty())
+    }
+
     /// The markup of a point's name, on the mechanism or within a plan: the scene's own, or else that of the figure's
-    /// notation.
+    /// notation. Sentences name what has no label, too.
     pub(super) fn shown(&self, name: &str, plan: Option<&Plan>) -> String {
-        if let Some(renamed) = self.figure().labels.get(name) {
+        if let Some(renamed) = self.figure().labels.get(name).filter(|_| !self.is_unlabelled(name)) {
             return renamed.for_setting();
         }
+        self.standard(name, plan)
+    }
+
+    /// The markup of a point's name in a sentence, which needs a name also where the scene shows none.
+    pub(super) fn told(&self, name: &str, plan: Option<&Plan>) -> String {
+        let shown = self.shown(name, plan);
+        if shown.trim().is_empty() { self.standard(name, plan) } else { shown }
+    }
+
+    /// The markup of a point's name in the figure's notation.
+    fn standard(&self, name: &str, plan: Option<&Plan>) -> String {
         if plan.is_none() && name == self.mechanism().body(GROUND).name {
             return self.words.language.ground().to_owned();
         }

@@ -210,7 +210,7 @@ fn draw_seen(drawing: &mut Drawing, context: &SheetContext<'_>, point: &SeenPoin
     }
     drawing.draw(Pen::StudentPoint, Shape::Circle { center, radius: point.band.max(CROSS) });
     if point.is_off {
-        let name = context.shown(&point.name, context.plan(point.panel));
+        let name = context.told(&point.name, context.plan(point.panel));
         let name = RichText::math(&format!("{name}^*"));
         let from = center + Vec2::new(1.5 * CROSS, -1.2 * CROSS);
         drawing.draw(Pen::StudentPoint, Shape::Text(PlacedText::new(name, CAPTION * context.surface.dims.unit, from)));

@@ -11,7 +11,7 @@ use super::parts::sheets_of_parts;
 use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
-use super::values::{self, value_list};
+use super::values::{self, Listed, value_list};
 use super::view::{Series, next_scale};
 use super::worksheet::{TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text};
@@ -28,8 +28,8 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
 
-/// How much coarser a scale may be for the list of results.
-const STEP: f64 = 1.25;
+/// How much coarser a scale may be for a list of results: less than what is seen at a glance.
+const COST: f64 = 1.2;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -102,7 +102,7 @@ impl<'a> FigureSheets<'a> {
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
         if !context.figure().worksheet && !context.values.is_empty() {
-            let table = values::table(context, self.unplaced(&sheets[0]));
+            let table = values::table(context, self.in_table(&sheets[0]));
             sheets.extend(further_sheets(&sheets[0], context.surface.dims.unit, |_| Vec::new(), table));
         }
         if !context.figure().worksheet {
@@ -162,11 +162,24 @@ impl<'a> FigureSheets<'a> {
         layout.panels.iter().enumerate().filter_map(warning).collect()
     }
 
-    /// The symbols of the values that the figure asks for and that have no room on its drawing: they are in a table on the
-    /// sheet after it.
+    /// The symbols of the values that have no room on the figure's drawing and are in a table on the sheet after it: all where the
+    /// figure asks for values, the main results where its style has them.
     #[must_use]
     pub fn values_without_room(&self, drawing: &Drawing) -> Vec<String> {
-        self.unplaced(drawing).map(|value| plain_text(&value.symbol)).collect()
+        self.in_table(drawing).map(|value| plain_text(&value.symbol)).collect()
+    }
+
+    /// How many values have no room on the figure's drawing and are in no table, because nobody has asked for them.
+    #[must_use]
+    pub fn values_left_out(&self, drawing: &Drawing) -> usize {
+        self.unplaced(drawing).count() - self.in_table(drawing).count()
+    }
+
+    /// The values of the table after a figure.
+    fn in_table(&self, drawing: &Drawing) -> impl Iterator<Item = &Value> {
+        let is_asked = self.base.figure().values.is_some();
+        let main: Vec<&str> = self.base.main_values().map(|value| value.name.as_str()).collect();
+        self.unplaced(drawing).filter(move |value| is_asked || main.contains(&value.name.as_str()))
     }
 
     /// The values whose labels found no room, and which are not in the list of results.
@@ -181,7 +194,7 @@ impl<'a> FigureSheets<'a> {
             drawing.marks.iter().any(is_its)
         };
         let LaidOut { context, contents, .. } = self.laid_out();
-        let list = contents.list.then(|| value_list(context, None)).flatten();
+        let list = contents.list.and_then(|listed| value_list(context, listed, None));
         let is_shown = move |value: &&Value| has(value) || list.as_ref().is_some_and(|list| list.has(value));
         self.base.values.iter().filter(move |value| !is_shown(value))
     }
@@ -249,23 +262,25 @@ impl<'a> FigureSheets<'a> {
                 .then(|| self.lay_out(marked, None))
                 .filter(|marked| marked.layout.shows_all());
             let figure = marked.unwrap_or_else(|| self.lay_out(context, None));
-            let has_list = !figure.context.figure().worksheet && value_list(&figure.context, None).is_some();
-            if has_list { self.listed(figure) } else { figure }
+            if figure.context.figure().worksheet { figure } else { self.listed(figure) }
         })
     }
 
-    /// The finished figure with the list of its results: where that has room at the scales, or costs none of them more than
-    /// a step.
+    /// The finished figure with a list of its results: of all or of the main ones where that has room at the scales, or else
+    /// costs none of them much.
     fn listed(&self, without: LaidOut<'a>) -> LaidOut<'a> {
-        let contents = Contents { list: true, ..without.contents };
         let LaidOut { context, extents, layout, .. } = &without;
-        let sheet = composed(context, extents, contents);
-        let is_near = |with: &Layout| layout.mu().given().all(|(panel, mu)| with.mu_of(panel) <= Some(STEP * mu));
-        let tried = [layout.mu(), context.figure().mu].into_iter().map(|scales| sheet.layout_at(&scales));
-        let found = tried.into_iter().find(|with| with.shows_all() && is_near(with));
-        drop(sheet);
+        let is_near = |with: &Layout| layout.mu().given().all(|(panel, mu)| with.mu_of(panel) <= Some(COST * mu));
+        let tried = [layout.mu(), context.figure().mu].into_iter().flat_map(|scales| {
+            Listed::BOTH.into_iter().filter_map(move |listed| {
+                value_list(context, listed, None)?;
+                let contents = Contents { list: Some(listed), ..without.contents };
+                Some((composed(context, extents, contents).layout_at(&scales), contents))
+            })
+        });
+        let found = { tried }.find(|(with, _)| with.shows_all() && is_near(with));
         match found {
-            Some(layout) => LaidOut { layout, contents, ..without },
+            Some((layout, contents)) => LaidOut { layout, contents, ..without },
             None => without,
         }
     }

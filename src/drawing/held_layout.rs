@@ -21,6 +21,9 @@ use std::sync::Arc;
 
 /// Every so many of them is asked for the height of its words.
 const WORDS_OF: usize = 12;
+/// How much the size of the mechanism counts beside that of a plan, which fills its panel in few positions only; in a
+/// lesson on the plans no more than they.
+const HERO: f64 = 1.5;
 /// Into so many parts the range of a drive that moves alone is divided.
 const PULLED: usize = 48;
 
@@ -43,7 +46,8 @@ pub struct Pane {
 /// That [of the figure](HeldLayout::of_figure) is that of the file: in the scene's own position it is drawn as there; in
 /// others what leaves its panel is cut off. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the
 /// figure's page or on a part of a screen; of a drive that swings, whose vectors run off to infinity at the ends of its
-/// range, it has room for all in which they are not far larger than in most. A panel says that its content is cut.
+/// range, it has room for all in which they are not far larger than in most; those that run off have their size at the
+/// edge. A panel says that its content is cut.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
@@ -194,7 +198,11 @@ impl HeldLayout {
 
     /// The layout of a context for these extents, with at least `below` mm for words.
     fn new(mut context: SheetContext<'_>, extents: Extents, contents: Contents, below: f64) -> HeldLayout {
-        let sheet = composed(&context, &extents, contents);
+        let mut sheet = composed(&context, &extents, contents);
+        let scheme = sheet.panels.iter_mut().find(|panel| panel.needs.sheet == Sheet::Scheme);
+        if let Some(scheme) = scheme.filter(|_| context.figure().focus.is_none() && contents.steps.is_none()) {
+            scheme.needs.weight = HERO;
+        }
         let layout = sheet.layout_above(sheet.height_below().max(below));
         drop(sheet);
         context.surface.mu = context.surface.mu.or(layout.mu());
@@ -243,7 +251,7 @@ impl HeldLayout {
         if let Some(step) = step.and_then(|number| construction.numbered_step(number)) {
             sheet.steps[step.number - 1] = shown_text(&context.teller().caption(&step), step.plan, &context.words);
         }
-        let drawing = sheet.draw_holding(&self.layout, Some(&mut held));
+        let drawing = sheet.draw_holding(&self.layout, &mut held);
         self.held = held;
         match (self.contents.steps, step) {
             (Some(steps), Some(step)) => drawing.in_steps(steps, &context).after_step(step),

@@ -7,7 +7,7 @@ use super::layout::{Item, Layout};
 use super::panel::{Extents, Panel, content, hints, panels};
 use super::remarks;
 use super::sheet::Drawing;
-use super::values::value_list;
+use super::values::{Listed, value_list};
 use super::view::Series;
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
@@ -30,7 +30,8 @@ impl LaidOut<'_> {
     /// The sheet drawn. Where names have no room it is laid out again with rows for their list, at its scales or, but for a
     /// hand, at coarser ones.
     pub(super) fn drawn(mut self) -> (Self, Drawing) {
-        let mut drawing = self.composition().draw(&self.layout);
+        let mut panels = Vec::new();
+        let mut drawing = self.composition().draw_again(&self.layout, &mut panels);
         for _ in 0..RELAID {
             let rows = self.wanted_rows(&drawing);
             if rows == self.contents.rows {
@@ -45,7 +46,7 @@ impl LaidOut<'_> {
             drop(sheet);
             let Some(layout) = found else { break };
             (self.contents, self.layout) = (contents, layout);
-            drawing = self.composition().draw(&self.layout);
+            drawing = self.composition().draw_again(&self.layout, &mut panels);
         }
         (self, drawing)
     }
@@ -77,8 +78,8 @@ pub(super) struct Contents {
     pub only_step: Option<usize>,
     /// The table of measured lengths, on a work sheet.
     pub table: Option<TablePlace>,
-    /// Whether the finished figure has the list of results.
-    pub list: bool,
+    /// The results in the list of the finished figure; none where it has no list.
+    pub list: Option<Listed>,
     /// By panel: rows for the names that have no room in it.
     pub rows: PerSheet<usize>,
     /// Whether the words of steps stand elsewhere: on a narrow part of a screen.
@@ -103,7 +104,7 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
         return sheet.with(remarks::paths(context));
     }
     let Some(steps) = steps else {
-        let values = if list { value_list(context, None) } else { None };
+        let values = list.and_then(|listed| value_list(context, listed, None));
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
         let agreement = remarks::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
         return sheet.with_optional(values).with(agreement).with_optional(ruler);
@@ -118,7 +119,8 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     let height = words.height();
     let sheet = sheet.with(words);
     // They must not take more room than the words before them.
-    match value_list(context, after).filter(|values| values.height() <= height) {
+    let lists = Listed::BOTH.into_iter().filter_map(|listed| value_list(context, listed, after));
+    match { lists }.find(|values| values.height() <= height) {
         Some(values) => sheet.with(values),
         None => sheet.with(remarks::agreement(context, after, 0.0)),
     }

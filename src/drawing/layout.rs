@@ -24,11 +24,14 @@ pub(super) const ROW: f64 = 6.0;
 const ROUNDING: f64 = 1e-6;
 /// Smallest width and height of a panel's content area, in mm.
 pub(super) const LEAST: f64 = 20.0;
+/// Loss where a companion stands above the panel in focus, or below it, on a sheet wider than high: more than any
+/// gain, so that it does only where it has no room beside.
+const STACKED: f64 = 1000.0;
 /// Difference of the logarithms of scales that makes no difference to the eye.
 const ALIKE: f64 = 0.02;
 
 /// The room that a panel needs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Needs {
     /// The sheet of the construction that it shows.
     pub sheet: Sheet,
@@ -115,7 +118,7 @@ impl Needs {
 }
 
 /// A panel's place on a sheet of paper.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placed {
     pub needs: Needs,
     pub frame: Rect,
@@ -250,11 +253,16 @@ pub(super) fn layout(
         false => asides.into_iter().map(|aside| cut_off(whole, aside)).collect(),
     };
     let sharing = Sharing { needs, unit: dims.unit, series };
+    let has_companion = needs.iter().any(|needs| needs.weight < 1.0);
     let divisions = if needs.is_empty() { Vec::new() } else { Division::all(needs.len()) };
     let mut best: Option<Layout> = None;
     for (room, aside) in rooms {
         for division in &divisions {
-            let Best { mu, wide, loss } = sharing.best(division, [room.width(), room.height()]);
+            let Best { mu, wide, mut loss } = sharing.best(division, [room.width(), room.height()]);
+            let is_stacked = matches!(division, Division::Parts { down: true, .. });
+            if has_companion && is_stacked && room.width() > room.height() {
+                loss += STACKED;
+            }
             let mut frames = vec![room; needs.len()];
             sharing.frames(division, room, (&mu, wide), &mut frames);
             let placed = needs.iter().zip(frames).zip(mu);

@@ -157,17 +157,22 @@ impl Frame {
 
     /// What a panel of a sheet with this frame needs.
     pub(super) fn needs(&self, context: &SheetContext<'_>, sheet: Sheet, extent: Extent) -> Needs {
-        let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
-        let size = extent.size();
-        let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
-        let given = context.surface.mu[sheet];
-        let width = self.scale.map(|scales| scales.least_width(sheet, given, coarse) + BEFORE + APART);
-        let needs = Needs { scale: width.unwrap_or(0.0), ..Needs::usual(sheet, extent, self.width()) };
+        let scale = self.scale_width(context, (sheet, extent), context.surface.mu[sheet]);
+        let needs = Needs { scale, ..Needs::usual(sheet, extent, self.width()) };
         // Scales for a hand are chosen with more white: on a work sheet markers need a part of it.
         match (context.surface.series, context.surface.mu[sheet]) {
             (Series::Any, _) | (Series::Hand, None) => needs,
             _ => needs.tight(),
         }
+    }
+
+    /// Width of the panel's scale at its narrowest, in mm: of that which is given, or of any that the content may get; 0
+    /// where none is written.
+    pub(super) fn scale_width(&self, context: &SheetContext<'_>, of: (Sheet, Extent), given: Option<f64>) -> f64 {
+        let (sheet, size) = (of.0, of.1.size());
+        let page = context.surface.dims.page.map(|side| side * context.surface.dims.unit);
+        let coarse = (size.x / page[0]).max(size.y / page[1]).max(f64::MIN_POSITIVE);
+        self.scale.map_or(0.0, |scales| scales.least_width(sheet, given, coarse) + BEFORE + APART)
     }
 
     /// Smallest width of a panel with this heading, in mm.
@@ -212,9 +217,14 @@ pub(super) type Extents = Vec<(Sheet, Extent)>;
 
 /// The panels that a figure shows.
 pub(super) fn extents(context: &SheetContext<'_>) -> Extents {
+    extents_with(context, scheme::on_paper::extent)
+}
+
+/// The panels that a figure shows, with this extent of the scheme.
+fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -> Extent) -> Extents {
     let extent = |&sheet: &Sheet| {
         let extent = match sheet {
-            Sheet::Scheme => scheme::on_paper::extent(context),
+            Sheet::Scheme => scheme(context),
             Sheet::Velocity | Sheet::Acceleration => {
                 plan::on_paper::extent(context.plan(sheet)?, context.figure().construction)
             }
@@ -230,17 +240,20 @@ pub(super) fn cycles_of(own: &Solution) -> Vec<Animation> {
     drives.iter().filter_map(|drive| Animation::new(own, Some(drive), POSITIONS).ok()).collect()
 }
 
-/// The extents of the panels over all positions of cycles.
+/// The extents of the panels over all positions of cycles: of plans that run off what is usual, of the scheme the mechanism
+/// in all positions, but its special points, which go round by way of infinity, only in its own.
 pub(super) fn extents_in(own: &SheetContext<'_>, cycles: &[Animation]) -> Extents {
+    let mechanism = |context: &SheetContext<'_>| Extent::of(scheme::on_paper::places(context.solution));
     let seen = |cycle: &Animation| -> Vec<Extents> {
-        cycle.positions.iter().map(|position| extents(&own.at_position(position))).collect()
+        cycle.positions.iter().map(|position| extents_with(&own.at_position(position), mechanism)).collect()
     };
     let seen: Vec<(bool, Vec<Extents>)> = cycles.iter().map(|cycle| (cycle.is_round, seen(cycle))).collect();
     let with_cycles = |(panel, extent): (Sheet, Extent)| {
         let of_panel = |all: &Extents| all.iter().find(|(own, _)| *own == panel).map(|(_, extent)| *extent);
         let whole = seen.iter().fold(extent, |whole, (is_round, all)| {
             let all = all.iter().filter_map(of_panel);
-            if *is_round { whole.with_all(all) } else { whole.with_usual(RUNS_OFF, all) }
+            let is_whole = *is_round || panel == Sheet::Scheme;
+            if is_whole { whole.with_all(all) } else { whole.with_usual(RUNS_OFF, all) }
         });
         (panel, whole)
     };

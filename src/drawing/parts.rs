@@ -24,6 +24,8 @@ use std::ops::RangeInclusive;
 const MOST_APART: usize = 10;
 /// By how much a part must be larger than on the figure to have a sheet.
 const LARGER: f64 = 1.25;
+/// Largest part of a plan's size that has a sheet: what is hardly less than all of it is seen with that panel alone.
+const MOST: f64 = 0.5;
 /// By how much a part may grow so that the pole is in sight.
 const WITH_POLE: f64 = 1.6;
 
@@ -131,7 +133,7 @@ impl Part {
     }
 
     /// What of the plan must be in sight: its points and those from which it starts, and the pole where that is near; none
-    /// where that is a single place.
+    /// where that is a single place or most of the plan.
     fn extent(&self, context: &SheetContext<'_>, plan: &Plan, starts: &[String]) -> Option<Extent> {
         let steps = &context.facts.plan_steps[plan.sheet()];
         let is_own = |name: &String| self.steps.contains(&steps.point(name)) || starts.contains(name);
@@ -143,6 +145,8 @@ impl Part {
         let extent = Extent::of(places.iter().copied());
         let whole = extent.with(geometry::Point::origin());
         let size = extent.size().norm();
-        (size > 0.0).then(|| if whole.size().norm() <= WITH_POLE * size { whole } else { extent })
+        let plan = plan::on_paper::extent(plan, context.figure().construction).size().norm();
+        (0.0 < size && size <= MOST * plan)
+            .then(|| if whole.size().norm() <= WITH_POLE * size { whole } else { extent })
     }
 }

@@ -23,7 +23,9 @@ pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f
     let (sentence, agrees) = routes(context);
     let is_projected = context.surface.series == Series::Any || context.surface.dims.unit > 1.0;
     let is_said = !agrees || (context.values.is_empty() && !is_projected);
-    let sentence = is_said.then_some(sentence);
+    // On a screen there is no paper to be measured on.
+    let printed = (context.surface.series != Series::Any).then(|| context.words.language.printed().to_owned());
+    let sentence = is_said.then(|| std::iter::once(sentence).chain(printed).collect::<Vec<_>>().join(" "));
     let sentences: Vec<String> = sentence_on_paths(context).into_iter().chain(sentence).collect();
     let together = (!sentences.is_empty()).then(|| sentences.join(" "));
     Lines { step, ..Lines::of(&together, context.surface.dims.width_below() - beside) }

@@ -8,7 +8,7 @@ use super::text::{CAPTION, RichText};
 use super::view::{Series, next_of};
 use crate::scene::Units;
 use crate::sheet::Sheet;
-use crate::words::{NumberStyle, Wording};
+use crate::words::{Medium, NumberStyle, Wording};
 use kurbo::{Point, Rect};
 
 /// Length of the bar beside a scale, in mm of paper.
@@ -21,6 +21,8 @@ const GAPS: [f64; 3] = [1.2, 3.0, 1.4];
 const TICK: f64 = 0.9;
 /// Number style of scales.
 pub(super) const SCALE: NumberStyle = NumberStyle::decimals(6).trimmed().in_full(-4, 6);
+/// The same on a sheet.
+const ON_SHEET: NumberStyle = SCALE.on(Medium::Figure);
 
 /// What scales are written with.
 #[derive(Clone, Copy)]
@@ -52,7 +54,7 @@ impl ScaleBars {
         if self.series == Series::Any {
             return self.alone(sheet, mu, ALONE[1]);
         }
-        let text = format!("{} {}", self.words.write(BAR * mu, SCALE), sheet.facts().drawn.unit(self.units));
+        let text = format!("{} {}", self.words.write(BAR * mu, ON_SHEET), sheet.facts().drawn.unit(self.units));
         ScaleBar { value: Some(self.value(sheet, mu)), bar: Some((RichText::plain(&text), BAR / self.unit)) }
     }
 
@@ -76,7 +78,7 @@ impl ScaleBars {
         let mu = mu * self.unit;
         let shown = next_of(&[1.0, 2.0, 5.0], 0.4 * most * mu);
         let unit = sheet.facts().drawn.unit(self.units);
-        let text = RichText::plain(&format!("{} {unit}", self.words.write(shown, SCALE)));
+        let text = RichText::plain(&format!("{} {unit}", self.words.write(shown, ON_SHEET)));
         ScaleBar { value: None, bar: Some((text, shown / mu)) }
     }
 
@@ -106,7 +108,7 @@ impl ScaleBars {
     fn value(&self, sheet: Sheet, mu: f64) -> [RichText; 2] {
         let unit = sheet.facts().drawn.unit(self.units);
         let per_mm = if unit.contains('/') { format!("({unit})/mm") } else { format!("{unit}/mm") };
-        let value = RichText::plain(&format!("= {} {per_mm}", self.words.write(mu, SCALE)));
+        let value = RichText::plain(&format!("= {} {per_mm}", self.words.write(mu, ON_SHEET)));
         [RichText::math(sheet.facts().scale_symbol), value]
     }
 }

@@ -20,7 +20,7 @@ use crate::words::{Medium, NumberStyle};
 use kurbo::{Point, Rect, Vec2};
 
 /// Number style of values.
-const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
+pub(super) const VALUE: NumberStyle = NumberStyle::significant(3).rounded().in_full(-3, 6).on(Medium::Figure);
 /// Number style of given lengths.
 const GIVEN: NumberStyle = NumberStyle::shortest().on(Medium::Figure);
 /// Largest part of a sheet's height for the list of results.
@@ -184,13 +184,27 @@ impl List<'_> {
     }
 }
 
-/// The list of the results: rates of links, motions of points, and motions along guides; only the main ones where all would
-/// take too much of the sheet, and none where these would. On a stepwise sheet it stands below the panels, after the last
-/// step.
-pub(super) fn value_list(context: &SheetContext<'_>, after: Option<u16>) -> Option<ValueList> {
-    let list = ValueList::of(context, context.values.iter().filter(|value| value.is_listed()), after);
-    let fits = list.height_in(list.width) <= MOST * context.surface.dims.page[1];
-    let list = if fits { list } else { ValueList::of(context, context.main_values(), after) };
+/// Which results a list has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Listed {
+    /// Rates of links, motions of points, and motions along guides.
+    All,
+    /// The main ones: rates, what the scene wants, and how points move that are no joints.
+    Main,
+}
+
+impl Listed {
+    /// Those with more results first.
+    pub(super) const BOTH: [Listed; 2] = [Listed::All, Listed::Main];
+}
+
+/// The list of results; none where it would take too much of the sheet. On a stepwise sheet it stands below the panels,
+/// after the last step.
+pub(super) fn value_list(context: &SheetContext<'_>, listed: Listed, after: Option<u16>) -> Option<ValueList> {
+    let list = match listed {
+        Listed::All => ValueList::of(context, context.values.iter().filter(|value| value.is_listed()), after),
+        Listed::Main => ValueList::of(context, context.main_values(), after),
+    };
     let fits = list.height_in(list.width) <= MOST * context.surface.dims.page[1];
     (!list.entries.is_empty() && fits).then_some(list)
 }
@@ -201,8 +215,8 @@ fn id(value: &Value) -> String {
 }
 
 impl SheetContext<'_> {
-    /// The main results: the rates, what the scene wants, and how points move that are no joints.
-    fn main_values(&self) -> impl Iterator<Item = &Value> {
+    /// The [main](Listed::Main) results.
+    pub(super) fn main_values(&self) -> impl Iterator<Item = &Value> {
         let wanted = self.solution.scene.want.iter().flatten().filter_map(|name| QuantityName::parse(name));
         let wanted: Vec<QuantityName> = wanted.collect();
         self.values.iter().filter(move |value| match &value.of {

@@ -219,7 +219,7 @@ impl Writer<'_> {
     pub(super) fn pieces(&self, text: &str, plan: Option<&Plan>, set: fn(&str) -> RichText) -> Vec<RichText> {
         let piece = |(index, piece): (usize, &str)| match index % 2 {
             0 => set(piece),
-            _ => RichText::math(&self.context.shown(piece, plan)),
+            _ => RichText::math(&self.context.told(piece, plan)),
         };
         text.split('`').enumerate().map(piece).collect()
     }
@@ -252,7 +252,7 @@ impl Writer<'_> {
             (_, Some((_, vector))) => self.vector(vector, sheet),
             _ => return,
         };
-        let name = |name: &str| [RichText::math(&self.context.shown(name, plan)), RichText::plain(" ")];
+        let name = |name: &str| [RichText::math(&self.context.told(name, plan)), RichText::plain(" ")];
         let mut texts: Vec<RichText> = drawn.into_iter().flat_map(|(ends, _)| ends).flat_map(name).collect();
         texts.push(RichText::plain(&format!("= {value}")));
         let x = match (end > self.area.x0, drawn) {

@@ -78,7 +78,7 @@ impl Worksheet {
                 continue;
             };
             lengths.push(Some((value, sheet)));
-            let name = format!("{} {}", context.shown(from, plan), context.shown(to, plan));
+            let name = format!("{} {}", context.told(from, plan), context.told(to, plan));
             let mm = millimetres(&words, value, least(panel, page));
             let unit = sheet.facts().drawn.unit(context.solution.scene.units);
             let texts = row(&name, &mm, sheet.facts().scale_symbol, &words.write(value, VALUE), &unit);

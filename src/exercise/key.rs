@@ -54,7 +54,8 @@ pub struct KeyValue {
     pub value: f64,
     /// Its unit.
     pub unit: String,
-    /// By how much the value of a careful hand may differ, as `kinegon check` judges it; not there for what is given.
+    /// By how much the value of a careful hand may differ, as `kinegon check` judges it; not there for what is given. A check
+    /// allows half a unit of the last digit more, in which the value is written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<f64>,
     /// The number of the step that gives it.

@@ -1,5 +1,5 @@
 use super::{Number, Pair};
-use fearless_simd::{Simd, SimdBase, SimdFloat};
+use fearless_simd::{Simd, SimdBase, SimdFloat, SimdMask};
 use std::fmt::Debug;
 use std::ops::{Add, Div, Index, IndexMut, Mul, Neg, Range, Sub};
 
@@ -83,6 +83,9 @@ pub trait Lanes: Copy {
     /// Positions in one [`Self::Number`].
     const COUNT: usize;
 
+    /// Whether `a b + c` is an operation or two, and not some eighty.
+    const HAS_PLUS_PRODUCT: bool;
+
     /// One register at a time: for steps with more numbers in use than two together leave room for.
     fn narrow(self) -> Self::Narrow;
 
@@ -94,6 +97,9 @@ pub trait Lanes: Copy {
 
     /// Sets the `k`th portion of a row.
     fn store<R: Row>(self, row: &mut R, k: usize, numbers: Self::Number);
+
+    /// Whether all lanes are from `from` to `to`; none is NaN then.
+    fn all_within(self, numbers: Self::Number, from: f64, to: f64) -> bool;
 
     /// The sum over all lanes; NaN if one of them is NaN.
     fn sum(self, numbers: Self::Number) -> f64;
@@ -133,6 +139,8 @@ impl Lanes for OneByOne {
 
     const COUNT: usize = 1;
 
+    const HAS_PLUS_PRODUCT: bool = true;
+
     #[inline(always)]
     fn narrow(self) -> Self {
         self
@@ -151,6 +159,11 @@ impl Lanes for OneByOne {
     #[inline(always)]
     fn store<R: Row>(self, row: &mut R, k: usize, number: f64) {
         row.as_mut()[k] = number;
+    }
+
+    #[inline(always)]
+    fn all_within(self, number: f64, from: f64, to: f64) -> bool {
+        from <= number && number <= to
     }
 
     #[inline(always)]
@@ -188,6 +201,9 @@ impl<S: Simd, const N: usize> Lanes for Registers<S, N> {
 
     const COUNT: usize = N * S::f64s::LEN;
 
+    /// Registers of two numbers have such an operation only on some processors; wider ones always do.
+    const HAS_PLUS_PRODUCT: bool = S::f64s::LEN > 2 || cfg!(target_arch = "aarch64");
+
     #[inline(always)]
     fn narrow(self) -> Registers<S, 1> {
         Registers(self.0)
@@ -214,6 +230,17 @@ impl<S: Simd, const N: usize> Lanes for Registers<S, N> {
         for i in 0..N {
             register.numbers[i].store_slice(&mut portion[i * S::f64s::LEN..(i + 1) * S::f64s::LEN]);
         }
+    }
+
+    #[inline(always)]
+    fn all_within(self, register: Register<S, N>, from: f64, to: f64) -> bool {
+        let (from, to) = (S::f64s::splat(self.0, from), S::f64s::splat(self.0, to));
+        let mut within = true;
+        for i in 0..N {
+            let numbers = register.numbers[i];
+            within &= (numbers.simd_ge(from) & numbers.simd_le(to)).all_true();
+        }
+        within
     }
 
     #[inline(always)]
@@ -265,9 +292,6 @@ impl<S: Simd, const N: usize> Neg for Register<S, N> {
     }
 }
 
-/// Whether registers of two numbers have an operation for `a b + c`; wider ones always do.
-const HAS_PLUS_PRODUCT: bool = cfg!(target_arch = "aarch64");
-
 /// `a b + c` without an operation for it: some eighty instructions. Not inlined, for a group's equations have hundreds of
 /// these: functions of 300 kB took the compiler longer than a quarter of the library.
 #[inline(never)]
@@ -289,7 +313,7 @@ impl<S: Simd, const N: usize> Number for Register<S, N> {
     fn plus_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
             let (a, b, sum) = (a.numbers[i], b.numbers[i], self.numbers[i]);
-            self.numbers[i] = if HAS_PLUS_PRODUCT || S::f64s::LEN > 2 {
+            self.numbers[i] = if Registers::<S, N>::HAS_PLUS_PRODUCT {
                 a.mul_add_precise(b, sum)
             } else {
                 step_by_step(self.simd, a, b, sum)

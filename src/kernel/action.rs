@@ -110,11 +110,23 @@ pub(super) struct Closing {
     pub unknowns: Vec<Unknown>,
     /// The reduced equations, if they reduce; the unknowns are then in the order shared, shared, own, own.
     pub reduced: Option<Reducing>,
+    /// Its shape, if there is code for that.
+    pub shape: Option<Shape>,
     /// The largest component of a member's vector with all sliders at zero: the group's size for slides. Not zero, even
     /// where all of a loop belongs to one class and its vector vanishes.
     pub size: f64,
     /// By unknown: what makes a correction a part of one, 1 of an angle in radians and 1 / size of a slide.
     pub scales: Vec<f64>,
+}
+
+/// Groups of which a Newton step and the rates after it are computed without rows between: each has code of its own, in
+/// which all vectors of the equations stay in registers. Other groups go through rows, to the same bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    /// Two links with pins, as in a four-bar.
+    TwoTurns,
+    /// A slide along a link that both loops share, as in the source's Figure 2.
+    SlideAndTurn,
 }
 
 /// A loop as a sum of vectors.

@@ -31,6 +31,22 @@ pub struct Correction {
     pub doubt: f64,
 }
 
+impl Correction {
+    /// Nothing to correct.
+    pub(super) const NONE: Correction = Correction { first: 0.0, last: 0.0, closed: true, doubt: 0.0 };
+
+    /// That of two groups.
+    #[inline(always)]
+    pub(super) fn and(self, other: Correction) -> Correction {
+        Correction {
+            first: self.first.max(other.first),
+            last: self.last.max(other.last),
+            closed: self.closed && other.closed,
+            doubt: self.doubt.max(other.doubt),
+        }
+    }
+}
+
 impl Kernel {
     /// Sets a drive to angles in degrees, or to positions along the guide, number by number.
     pub fn set_input<R: Row>(&self, block: &mut Block<R>, input: usize, values: &R) {
@@ -68,38 +84,13 @@ impl Kernel {
     /// allows. The start must be near: where a first correction exceeds half a radian or half the group's size, or
     /// corrections do not decrease, the loops count as not closed. After a correction of at most `sure`, in radians or
     /// parts of a group's size, no further step is made; with zero, what a step leaves is estimated each time.
-    ///
-    /// A function of its own, as those for many: the compiler would repeat what is in it wherever it is called.
-    #[inline(never)]
     pub fn assemble(&self, block: &mut Single, sure: f64) -> Correction {
-        self.assemble_in(OneByOne, block, sure)
+        assemble(&self.actions, block, sure)
     }
 
     /// As [`Self::assemble`], for many positions in the widest registers of the processor.
-    #[inline(never)]
     pub fn assemble_many(&self, registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
-        dispatch!(registers, simd => self.assemble_in(Registers::<_, TOGETHER>(simd), block, sure))
-    }
-
-    #[inline(always)]
-    fn assemble_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>, sure: f64) -> Correction {
-        let mut worst = Correction { first: 0.0, last: 0.0, closed: true, doubt: 0.0 };
-        for action in &self.actions {
-            match action {
-                Action::Place(placing) => place(lanes, block, placing),
-                Action::Close(closing) => {
-                    let found = close(lanes, block, closing, sure);
-                    worst.first = worst.first.max(found.first);
-                    worst.last = worst.last.max(found.last);
-                    worst.doubt = worst.doubt.max(found.doubt);
-                    worst.closed &= found.closed;
-                    if !worst.closed {
-                        return worst;
-                    }
-                }
-            }
-        }
-        worst
+        assemble_many(&self.actions, registers, block, sure)
     }
 
     /// One Newton step for a group from any start. Returns the largest gap of its loops before the step, a length, and
@@ -179,6 +170,36 @@ impl Kernel {
         let closings = groups.filter_map(|group| self.closing(group));
         closings.map(|c| determinant(block, c, 0)).collect()
     }
+}
+
+/// Carries out these actions for positions, as [`Kernel::assemble`] says.
+///
+/// A function of its own, as that for many: the compiler would repeat what is in it wherever it is called.
+#[inline(never)]
+pub(super) fn assemble(actions: &[Action], block: &mut Single, sure: f64) -> Correction {
+    assemble_in(OneByOne, actions, block, sure)
+}
+
+#[inline(never)]
+pub(super) fn assemble_many(actions: &[Action], registers: Level, block: &mut Block<Many>, sure: f64) -> Correction {
+    dispatch!(registers, simd => assemble_in(Registers::<_, TOGETHER>(simd), actions, block, sure))
+}
+
+#[inline(always)]
+fn assemble_in<L: Lanes, R: Row>(lanes: L, actions: &[Action], block: &mut Block<R>, sure: f64) -> Correction {
+    let mut worst = Correction::NONE;
+    for action in actions {
+        match action {
+            Action::Place(placing) => place(lanes, block, placing),
+            Action::Close(closing) => {
+                worst = worst.and(close(lanes, block, closing, sure));
+                if !worst.closed {
+                    return worst;
+                }
+            }
+        }
+    }
+    worst
 }
 
 #[inline(always)]

@@ -1,6 +1,6 @@
 use super::action::{
-    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Tied, TiedClass, Unknown,
-    ZERO,
+    Action, Chain, Closing, Input, InputKind, Kernel, Member, Placing, Rail, Reducing, Seat, Shape, Tied, TiedClass,
+    Unknown, ZERO,
 };
 use super::classes::classes;
 use crate::geometry::{Point, Turn, Vector};
@@ -245,8 +245,16 @@ impl<'a> Compiler<'a> {
             .iter()
             .filter_map(|&joint| self.compile_tie(self.mechanism.joint(joint).angular.as_ref()?, &unknowns));
         let ties = ties.collect();
-        let mut closing =
-            Closing { group: index, chains: Vec::new(), ties, reduced: None, unknowns, size: 0.0, scales: Vec::new() };
+        let mut closing = Closing {
+            group: index,
+            chains: Vec::new(),
+            ties,
+            unknowns,
+            reduced: None,
+            shape: None,
+            size: 0.0,
+            scales: Vec::new(),
+        };
         for chain in &group.loops {
             self.compile_loop(chain, &mut closing);
         }
@@ -257,6 +265,7 @@ impl<'a> Compiler<'a> {
         closing.scales = closing.unknowns.iter().map(scale).collect();
         let reduction = equations.reduction;
         closing.reduced = reduction.and_then(|r| Reducing::new(r, &closing.chains));
+        closing.shape = Shape::of(&closing);
         closing
     }
 

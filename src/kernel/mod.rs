@@ -23,10 +23,13 @@ mod classes;
 mod close;
 mod columns;
 mod compile;
+mod motions;
 mod rates;
 mod refine;
+mod shapes;
 mod solve;
 
 pub use action::{Input, InputKind, Kernel, Seat, Unknown};
 pub use block::{Block, Single, vector};
 pub use close::{Correction, unit};
+pub use motions::Begun;

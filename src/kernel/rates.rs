@@ -17,31 +17,40 @@ impl Kernel {
     }
 
     /// Computes all velocities and accelerations at assembled positions, from the rates of the drives.
-    #[inline(never)]
     pub fn rates(&self, block: &mut Single) {
-        self.rates_in(OneByOne, block);
+        rates(&self.actions, block);
     }
 
     /// As [`Self::rates`], for many positions in the widest registers of the processor.
-    #[inline(never)]
     pub fn rates_many(&self, registers: Level, block: &mut Block<Many>) {
-        dispatch!(registers, simd => self.rates_in(Registers::<_, TOGETHER>(simd), block));
+        rates_many(&self.actions, registers, block);
     }
+}
 
-    #[inline(always)]
-    fn rates_in<L: Lanes, R: Row>(&self, lanes: L, block: &mut Block<R>) {
-        for action in &self.actions {
-            match action {
-                Action::Place(placing) => point_rates(lanes, block, placing),
-                Action::Close(closing) => group_rates(lanes, block, closing),
-            }
+/// The rates that these actions give.
+#[inline(never)]
+pub(super) fn rates(actions: &[Action], block: &mut Single) {
+    rates_in(OneByOne, actions, block);
+}
+
+#[inline(never)]
+pub(super) fn rates_many(actions: &[Action], registers: Level, block: &mut Block<Many>) {
+    dispatch!(registers, simd => rates_in(Registers::<_, TOGETHER>(simd), actions, block));
+}
+
+#[inline(always)]
+fn rates_in<L: Lanes, R: Row>(lanes: L, actions: &[Action], block: &mut Block<R>) {
+    for action in actions {
+        match action {
+            Action::Place(placing) => point_rates(lanes, block, placing),
+            Action::Close(closing) => group_rates(lanes, block, closing),
         }
     }
 }
 
 /// Computes velocity and acceleration of a placed point from those of the earlier point.
 #[inline(always)]
-fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
+pub(super) fn point_rates<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, placing: &Placing) {
     let Block { reaches, omegas, alphas, point_velocities, point_accelerations, .. } = block;
     let reach = &reaches[placing.reach];
     let (omegas, alphas) = (&omegas[placing.class], &alphas[placing.class]);

@@ -34,7 +34,7 @@ pub(super) fn solve<L: Lanes, R: Row>(lanes: L, block: &mut Block<R>, closing: &
 /// The largest norm, from the sum and the largest of the squares: a NaN may be lost in the largest number, but not in
 /// the sum.
 #[inline(always)]
-fn largest_norm<L: Lanes>(lanes: L, sum: L::Number, longest: L::Number) -> f64 {
+pub(super) fn largest_norm<L: Lanes>(lanes: L, sum: L::Number, longest: L::Number) -> f64 {
     if lanes.sum(sum).is_nan() { f64::NAN } else { lanes.largest(longest).sqrt() }
 }
 

@@ -3,7 +3,8 @@ use crate::scene::DecimalMark;
 /// The kind of text that a number is part of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Medium {
-    /// On a figure, in markup: `−2.5·10^{−7}`, with the minus sign that is as wide as a plus.
+    /// On a figure, in markup: `−2.5·10^{−7}`, with the minus sign that is as wide as a plus, and `83 300` with a space that is not
+    /// broken where the whole part has five digits or more (ISO 80000-1, 7.3.1).
     Figure,
     /// In plain text: `-2.5e-7`.
     Text,
@@ -107,7 +108,7 @@ impl NumberStyle {
             text.insert(0, '+');
         }
         if self.medium == Medium::Figure {
-            text = text.replace('-', "−");
+            text = in_groups(&text).replace('-', "−");
         }
         marked(text, mark)
     }
@@ -155,6 +156,23 @@ pub(super) fn marked(written: String, mark: DecimalMark) -> String {
         DecimalMark::Point => written,
         DecimalMark::Comma => written.replace('.', ","),
     }
+}
+
+/// A number with its whole part in groups of three digits; one of four digits stays together.
+fn in_groups(number: &str) -> String {
+    let from = number.find(|c: char| c.is_ascii_digit()).unwrap_or(number.len());
+    let digits = number[from..].bytes().take_while(u8::is_ascii_digit).count();
+    if digits < 5 {
+        return number.to_owned();
+    }
+    let mut grouped = number[..from].to_owned();
+    for (index, digit) in number[from..].chars().enumerate() {
+        if index > 0 && index < digits && (digits - index).is_multiple_of(3) {
+            grouped.push('\u{a0}');
+        }
+        grouped.push(digit);
+    }
+    grouped
 }
 
 /// A power of ten in markup: `10^{−3}`.

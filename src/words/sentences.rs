@@ -158,7 +158,7 @@ sentences! {
     /// A special point that lies off the sheet.
     far_away(point, distance, from) = "{point}: {distance} from {from}";
     /// At the line to an image that lies off the panel.
-    far_in_plan(point, distance) = "to {point}: {distance} mm";
+    far_in_plan(point, distance) = "to {point}: {distance}";
     /// In a panel whose content is larger.
     cut_at_edge = "cut at the edge";
     names_without_room = "no room for all names";
@@ -176,13 +176,10 @@ sentences! {
     paths_beyond = "Dashed: beyond the limits of the drive.";
     agreement(difference, allowed) =
         "Construction and loop equations agree: rates differ by {difference} of the largest (crossings allow \
-         {allowed}). Printed at 100 %, mm × μ is the value.";
-    one_route_far =
-        "A special point lies at infinity: rates are from the loop equations alone. Printed at 100 %, mm × μ is the \
-         value.";
-    one_route =
-        "A group has no construction by two rays: rates are from the loop equations alone. Printed at 100 %, mm × μ \
-         is the value.";
+         {allowed}).";
+    one_route_far = "A special point lies at infinity: rates are from the loop equations alone.";
+    one_route = "A group has no construction by two rays: rates are from the loop equations alone.";
+    printed = "Printed at 100 %, mm × μ is the value.";
     with_direction(size, degrees) = "{size}, direction {degrees}°";
     segment = "segment";
     value = "value";

@@ -251,7 +251,7 @@ fn scale(drawing: &Drawing, panel: Rect, upright: bool) -> impl Fn(f64) -> f64 {
             } else {
                 centre.y > panel.y1 && (centre.x - place).abs() < 1.0
             };
-            beside.then(|| text.replace('−', "-").parse().ok()).flatten()
+            beside.then(|| text.replace('−', "-").replace('\u{a0}', "").parse().ok()).flatten()
         });
         numbers.last()
     };

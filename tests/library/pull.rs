@@ -1,7 +1,7 @@
 //! A mechanism pulled by its points: it comes as near as it can, on its branch, with one drive.
 
 use kinegon::Solution;
-use kinegon::cycle::{Happening, Pull, Pulled};
+use kinegon::cycle::{Drive, Happening, Pull, Pulled};
 use kinegon::geometry::{Point, Vector, degrees_of, span};
 use kinegon::mechanism::PointId;
 use kinegon::scene::GivenBy;
@@ -198,4 +198,44 @@ fn one_drive_moves_and_the_others_stand_still() {
             assert_eq!(&pull.drive().name, if is_fixed { &names[0] } else { name });
         }
     }
+}
+
+/// As time moves them: the angles of both cranks go on in proportion to their speeds, 4 and −3 rad/s, and the loop stays closed.
+#[test]
+fn drives_run_together_as_their_speeds_say() {
+    let solution = scene("templates/five-bar.json");
+    let mut pull = Pull::together(&solution, None).expect("it can be moved");
+    let other = Drive::new(&solution.mechanism, Some("4")).expect("a second drive");
+    let [b, c, d, e] = ["B", "C", "D", "E"].map(|name| point(&solution, name));
+    for degrees in [120.0, 121.0, 160.0, 400.0, 30.0] {
+        let pulled = pull.to_value(degrees);
+        let second = 50.0 - 0.75 * (degrees - 120.0);
+        assert!((pull.value_of(&other) - second).abs() < 1e-9, "{} at {degrees}", pull.value_of(&other));
+        let place = |id| pulled.pose.point(id);
+        let arm = place(d) - place(e);
+        let off = libm::remainder(degrees_of(arm / arm.norm()) - second, 360.0);
+        assert!(off.abs() < 1e-9, "{off} at {degrees}");
+        for (from, to, length) in [(b, c, 130.0), (d, c, 120.0), (e, d, 40.0)] {
+            assert!(((place(from) - place(to)).norm() - length).abs() < 1e-9, "at {degrees}");
+        }
+    }
+    // The other drive stands where one is pulled alone.
+    let mut alone = Pull::new(&solution, None).expect("it can be moved");
+    alone.to_value(160.0);
+    assert_eq!(alone.value_of(&other), 50.0);
+}
+
+#[test]
+fn the_first_drive_with_a_speed_leads() {
+    let leading = |text: &str| {
+        let solution = solved(text).expect("it can be solved");
+        Drive::leading(&solution.mechanism).expect("it has lengths").map(|drive| drive.name)
+    };
+    let text = files::read("templates/five-bar.json");
+    let first_rests = text.replace("\"omega\": 4", "\"omega\": 0");
+    let both_rest = first_rests.replace("\"omega\": -3", "\"omega\": 0");
+    assert_eq!(
+        [leading(&text), leading(&first_rests), leading(&both_rest)],
+        [Some("1".into()), Some("4".into()), None]
+    );
 }

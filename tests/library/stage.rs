@@ -231,6 +231,7 @@ fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
                 let panels = stage.panels(&drawing);
                 let frames: Vec<Rect> = panels.iter().map(|panel| panel.frame).collect();
                 let is_cut = panels.iter().any(|panel| panel.is_cut);
+                assert!(!panels.iter().any(|panel| panel.is_cut && panel.panel == Sheet::Scheme), "{name}: the scheme");
                 let poles = stage.plan_handles(solution).into_iter().filter(|handle| handle.is_fixed);
                 (is_cut, frames, poles.map(|pole| pole.at).collect::<Vec<_>>())
             };
@@ -246,4 +247,59 @@ fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
         }
     }
     assert!(turns > 10 / KINDS.now(), "{turns}");
+}
+
+/// A vector of a swinging drive that runs off its panel has its size at its head, the speed of its point.
+#[test]
+fn what_runs_off_has_its_size_at_the_edge() {
+    let pane = Pane { width: 780.0, height: 590.0, letters: 14.0, words: true };
+    let mut seen = 0;
+    for name in ["templates/hydraulic-boom", "tests/lecture/peau", "tests/lecture/trammel"] {
+        let own = solved(&files::read(&format!("{name}.json"))).expect("it can be solved");
+        let layout = HeldLayout::of_cycle(&own, None, None, Some(pane));
+        let mut pull = Pull::new(&own, None).expect("it can be moved");
+        let [low, high] = pull.ends().map(|end| end.expect("it swings").at);
+        for share in [0.003, 0.01, 0.99, 0.997] {
+            let moved = own.moved(pull.to_value(low + share * (high - low)).pose).expect("it has a motion");
+            let drawing = layout.draw(&moved, None);
+            let panels = layout.panels(&drawing);
+            let velocities = panels.iter().find(|panel| panel.panel == Sheet::Velocity).expect("there is a plan");
+            let ends = layout.plan_handles(&moved).into_iter().filter(|end| end.panel == Sheet::Velocity);
+            for end in ends.filter(|end| !velocities.frame.contains(end.at)) {
+                let called = moved.mechanism.points.iter().find(|point| point.to_lowercase() == end.name);
+                let Some(point) = called.and_then(|called| moved.mechanism.point(called)) else { continue };
+                let (link, _) = moved.mechanism.links().find(|(_, link)| link.has(point)).expect("a link has it");
+                let speed = moved.motion.body(link).velocity_at(moved.pose.point(point)).norm();
+                let sizes = drawing.marks.iter().filter(|mark| velocities.frame.contains(mark.shape.bounds().center()));
+                let sizes = sizes.filter(|mark| mark.id.as_ref().is_some_and(|id| id.contains("-value-")));
+                let texts = sizes.filter_map(|mark| match &mark.shape {
+                    Shape::Text(text) => Some(text.text.content()),
+                    _ => None,
+                });
+                let texts: Vec<String> = texts.collect();
+                let is_near = |text: &String| {
+                    let written = text.split("= ").last().and_then(|text| text.split(' ').next());
+                    let number: Option<f64> = written.and_then(|number| number.parse().ok());
+                    number.is_some_and(|number| (number - speed).abs() <= 0.006 * speed)
+                };
+                assert!(texts.iter().any(is_near), "{name} at {share}: {} has {speed}, not {texts:?}", end.name);
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 4, "{seen}");
+}
+
+/// On a surface wider than high the scheme stands beside the plan in focus, not above it.
+#[test]
+fn the_companion_stands_beside() {
+    let pane = Pane { width: 780.0, height: 590.0, letters: 14.0, words: true };
+    for (name, mut own) in scenes(2) {
+        own.scene.figure.focus = Some(Sheet::Velocity);
+        let layout = HeldLayout::of_cycle(&own, None, None, Some(pane));
+        let frames: Vec<Rect> = layout.panels(&layout.draw(&own, None)).iter().map(|panel| panel.frame).collect();
+        if let [scheme, plan] = frames.as_slice() {
+            assert!(scheme.x1 < plan.x0 && scheme.y0 == plan.y0, "{name}: {frames:?}");
+        }
+    }
 }

@@ -134,3 +134,23 @@ fn replaced_names_are_hidden_layers() {
     assert!(!groups.is_empty());
     assert!(groups.iter().all(|line| line.contains("visibility=\"hidden\"")), "{groups:?}");
 }
+
+/// The scene may take a name's label from the figure; sentences name the point all the same.
+#[test]
+fn sentences_name_what_has_no_label() {
+    let solution = solved(&files::read("examples/figure-2.json")).expect("it moves");
+    let name = |label: &str| solution.scene.figure.labels.iter().any(|(name, text)| name == label && text.is_blank());
+    assert!(name("k_b3"), "that name has a label now: take another");
+    let all = solution.stepwise_figure();
+    let captions: Vec<&String> = all.steps.iter().filter(|caption| caption.contains("k_b3")).collect();
+    assert!(captions.len() >= 2, "{captions:?}");
+    for (index, caption) in all.steps.iter().enumerate().filter(|(_, caption)| caption.contains("k_b3")) {
+        let sheet = all.after_step(index + 1);
+        let words = sheet.marks.iter().filter(|mark| mark.pen == Pen::Caption);
+        let said = words.filter_map(|mark| match &mark.shape {
+            Shape::Text(text) => Some(text.text.content()),
+            _ => None,
+        });
+        assert!(said.collect::<Vec<_>>().iter().any(|text| text == "kb3"), "step {}: {caption}", index + 1);
+    }
+}

@@ -1,7 +1,7 @@
 //! The layer of values: each number beside a vector or a link is that of the result, in the unit asked for.
 
-use kinegon::drawing::{Drawing, Shape};
-use kinegon::scene::{LengthUnit, ValuesShown};
+use kinegon::drawing::{Drawing, FigureSheets, Shape};
+use kinegon::scene::{LengthUnit, Page, StyleName, ValuesShown};
 use kinegon::{Scene, Solution, solve};
 use support::faults::{faults, id};
 use support::files::{read, scenes};
@@ -30,7 +30,7 @@ fn number_and_unit(text: &str) -> (f64, &str) {
     let behind = text.rsplit('=').next().expect("a value");
     let letters = behind.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(behind.len());
     let (number, unit) = behind.split_at(letters);
-    let number = number.trim().replace('−', "-");
+    let number = number.trim().replace('−', "-").replace('\u{a0}', "");
     let (digits, power) = number.split_once("·10").unwrap_or((&number, "0"));
     let number: f64 = digits.parse().unwrap_or_else(|_| panic!("{text}"));
     (number * libm::pow(10.0, power.parse().unwrap_or_else(|_| panic!("{text}"))), unit)
@@ -115,6 +115,56 @@ fn values_are_usual_in_a_lecture_alone() {
     };
     assert_eq!(texts(&drawn("paper"), "value-").count(), 0);
     assert!(texts(&drawn("lecture"), "value-").count() > 5);
+}
+
+/// A list of results makes no scale much coarser, and the scales that the sheet then states are scales at which it can be drawn.
+#[test]
+fn a_list_costs_no_scale_much() {
+    let mut with_list = 0;
+    for name in ["dyad-rpp", "fourth-class"].map(|name| format!("templates/{name}.json")).into_iter().chain(
+        ["atkinson", "geneva", "peau", "shaper", "stephenson", "valve"]
+            .map(|name| format!("tests/lecture/{name}.json")),
+    ) {
+        let text = read(&name);
+        let mut scales = |shown: ValuesShown, given| {
+            let mut scene = Scene::read(&text).expect("a good scene");
+            (scene.figure.values, scene.figure.mu) = (Some(shown), given);
+            let solution = solve(&scene).expect("it moves");
+            let sheets = FigureSheets::new(&solution);
+            assert!(sheets.overflow_warnings().is_empty(), "{name}: {:?}", sheets.overflow_warnings());
+            with_list += usize::from(texts(&sheets.figure(), "listed-").next().is_some());
+            sheets.scales()
+        };
+        let without = scales(ValuesShown::Hidden, Default::default());
+        let with = scales(ValuesShown::Shown(None), Default::default());
+        for (sheet, mu) in with.given() {
+            let before = without[sheet].expect("it has that panel");
+            assert!(mu <= 1.2 * before * (1.0 + 1e-9), "{name}: {mu} in place of {before}");
+        }
+        assert_eq!(scales(ValuesShown::Shown(None), with), with, "{name}");
+    }
+    assert!(with_list >= 8, "only {with_list} lists");
+}
+
+/// Of a crowd in the hall there are few sheets: the main results that have no room on the figure, and parts of the plans that
+/// are much smaller than these. All values follow only where they are asked for.
+#[test]
+fn a_crowd_in_the_hall_has_few_sheets() {
+    let sheets_of = |asked: Option<ValuesShown>| {
+        let mut scene = Scene::read(&read("tests/lecture/excavator.json")).expect("a good scene");
+        let figure = &mut scene.figure;
+        (figure.style, figure.page, figure.values) =
+            (StyleName::Lecture, Page::from_name("16x9").expect("a page"), asked);
+        let solution = solve(&scene).expect("it moves");
+        let sheets = FigureSheets::new(&solution);
+        let all = sheets.sheets();
+        let tables = all.iter().skip(1).filter(|sheet| sheet.panels.is_empty()).count();
+        (tables, all.len(), sheets.values_left_out(&all[0]))
+    };
+    let (tables, all, left_out) = sheets_of(None);
+    assert!(tables <= 1 && all <= 5 && left_out > 20, "{tables} tables of {all} sheets, {left_out} values left out");
+    let (tables, _, left_out) = sheets_of(Some(ValuesShown::Shown(None)));
+    assert!(tables > 1 && left_out == 0, "{tables} tables, {left_out} values left out");
 }
 
 /// A relative vector has its head where its symbol says: that of v_CB is at c.

@@ -49,7 +49,7 @@ fn said(sheets: &[Drawing], id: &str) -> String {
 
 /// A number as it stands on paper, and the half of its last digit.
 fn read(written: &str) -> (f64, f64) {
-    let text = written.replace(',', ".").replace('−', "-");
+    let text = written.replace(',', ".").replace('−', "-").replace('\u{a0}', "");
     let (mantissa, power) = text.split_once("·10").unwrap_or((&text, "0"));
     let ten = libm::pow(10.0, power.parse().expect("a power"));
     let decimals = mantissa.split_once('.').map_or(0, |(_, d)| d.len()) as f64;

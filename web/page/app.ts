@@ -1,7 +1,8 @@
 import type { EngineClient } from "./engine/client.ts";
 import type { Opened, Picture, Pins, Refused, View } from "./engine/types.ts";
+import type { Broken } from "./motion/film.ts";
 import type { Sheet } from "./sheets.ts";
-import type { Shared } from "./state/address.ts";
+import type { Shared, Task } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
@@ -42,6 +43,8 @@ export interface App {
   card: Signal<{ of: "point" | "link"; name: string; types: boolean } | null>;
   /** Whether the page was opened by a student's link, which shows no answers by itself. */
   student: Signal<boolean>;
+  /** The exercise that the student's scene is; null where the link names none. */
+  task: Signal<Task | null>;
   /** The course that has opened the page; null where none has. */
   course: Course | null;
   /** Says something aloud and for a moment on the page. */
@@ -56,8 +59,8 @@ export interface App {
   brought: Signal<{ name: string; text: string } | null>;
   /** A picture that somebody brings; the panel of the check takes it for a photograph and sets it to null. */
   photographed: Signal<File | null>;
-  /** Films one turn of the drive, or its way to and fro, in so many seconds; null where the browser cannot. The answer is null where that is broken off. */
-  film: ((seconds?: number) => Promise<Blob | null>) | null;
+  /** Films the drives as they run until they begin again, or to and fro once; null where the browser cannot. */
+  film: (() => Promise<Blob | Broken>) | null;
   /** Opens a scene that somebody brings, in place of the present document; undo brings that back. */
   open(text: string): void;
   /** The address of this page with a document in it. */

@@ -17,6 +17,7 @@ import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
 import { tabs } from "./layout/tabs.ts";
 import { theme } from "./layout/theme.ts";
+import { tour } from "./layout/tour.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
 import { drives, type Drives } from "./motion/drives.ts";
@@ -35,18 +36,19 @@ import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { documentOf, hashOf, type BadLink, type Shared } from "./state/address.ts";
+import { documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
-import { history } from "./state/history.ts";
+import { history, type Document } from "./state/history.ts";
 import { beginning, type Beginning } from "./state/route.ts";
 import { signal } from "./state/signal.ts";
 import { solving } from "./state/solving.ts";
-import { store as browserStore, type Store } from "./state/storage.ts";
+import { store as browserStore, type Kept, type Store } from "./state/storage.ts";
 import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { steps } from "./steps/steps.ts";
 import { engineBytes, unpacked } from "./unpack.ts";
+import { language, usual } from "./words.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
 
@@ -56,9 +58,9 @@ async function firstKind(engine: EngineClient): Promise<Shared> {
   return { text: (kinds.find((kind) => kind.name === "watt-1") ?? kinds[0])?.text ?? "" };
 }
 
-function application(shared: Shared, engine: EngineClient, tell: App["tell"]): App {
+function application(shared: Shared, past: Document[], engine: EngineClient, tell: App["tell"]): App {
   const app: App = {
-    history: history({ text: shared.text, form: shared.form ?? "" }),
+    history: history({ text: shared.text, form: shared.form ?? "" }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -71,6 +73,7 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     building: signal(false),
     card: signal<App["card"]["value"]>(null),
     student: signal(shared.student ?? false),
+    task: signal<Task | null>(shared.task ?? null),
     course: course(),
     tell,
     shown: signal(""),
@@ -79,7 +82,10 @@ function application(shared: Shared, engine: EngineClient, tell: App["tell"]): A
     brought: signal<{ name: string; text: string } | null>(null),
     photographed: signal<File | null>(null),
     film: null,
-    open: (text) => app.history.change({ text }),
+    open(text) {
+      app.task.set(null);
+      app.history.change({ text });
+    },
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
   };
@@ -100,13 +106,13 @@ function wire(app: App, store: Store): void {
   handles(app, view, pulling(app, view, hands, bubble(app)));
   looking(app, view, own);
   clicked(app, view);
-  build(app);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);
   stepsBar(app, going);
-  toolbar(app);
+  toolbar(app, store);
   messages(app);
+  build(app);
   documents(app, store);
   dropped(app);
   printedByBrowser(app);
@@ -129,7 +135,8 @@ function watchAddress(app: App, store: Store): void {
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
     app.student.set(found.student ?? false);
-    store.keep(asKept(app));
+    app.task.set(found.task ?? null);
+    store.keep(asKept(app), app.history.past());
     if (found.panel !== undefined) app.show(found.panel);
   };
   if (location.hash !== "") clean();
@@ -145,8 +152,21 @@ function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
   app.show(known(shared?.panel) ? shared.panel : known(before) && window.innerWidth >= 960 ? before : roomy);
 }
 
+/** Offers what somebody has made of the lesson before; undo leads back to the lesson. */
+function offer(app: App, { text, form, title, time, student, task }: Kept): void {
+  const when = new Date(time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
+  const message = say("worked_before", { title: title || say("untitled"), when });
+  const takeUp = (): void => {
+    app.history.change({ text, form });
+    app.student.set(student ?? false);
+    app.task.set(task ?? null);
+  };
+  notice(message, [say("take_up"), takeUp]);
+}
+
 async function start(): Promise<void> {
   const store = browserStore();
+  language.set(usual(store.preference("language")));
   sayAll();
   theme(store);
   const tell = teller();
@@ -160,20 +180,24 @@ async function start(): Promise<void> {
     return restarted(why);
   });
   busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
-  const app = application(first.shared ?? (await firstKind(engine)), engine, tell);
+  const app = application(first.shared ?? (await firstKind(engine)), first.from === "reload" ? store.past() : [], engine, tell);
   studying(app);
   wire(app, store);
   solving(app);
   tabs(app, PANELS, store);
-  help(store);
+  const tours = tour(store);
+  help(store, tours.begin);
   splitter(store);
   firstPanel(app, first, store);
   watchAddress(app, store);
   autosave(app, store);
   if (first.bad !== null) notice(badLink(first.bad));
   else if (!store.works) notice(say("no_storage"));
+  else if (first.before !== null) offer(app, first.before);
   else if (first.from === "autosave") tell(say("restored"));
-  if (first.from === "link") store.keep(asKept(app));
+  // Whoever comes by a lesson or a link came for that.
+  if (first.from === "kind" && store.works && store.preference("tour") === null) tours.begin();
+  if (first.from === "link") store.keep(asKept(app), app.history.past());
   (window as unknown as { kinegon: object }).kinegon = { app, engine, history: app.history, frames };
   const ready = (is: boolean): void => {
     if (is) document.documentElement.dataset["ready"] = "yes";

@@ -1,11 +1,17 @@
 import { signal } from "./state/signal.ts";
 
-/** The languages of the page; a scene's `figure.language` chooses. */
+/** The languages of the page. That of a figure is its own: `figure.language` of its scene. */
 export const LANGUAGES = ["en", "es"] as const;
 export type Language = (typeof LANGUAGES)[number];
 
 /** The page's language. */
 export const language = signal<Language>("en");
+
+/** The language to begin with: the one that the person chose before, else the first of the browser's that the page has. */
+export function usual(chosen: string | null): Language {
+  const wanted = [chosen ?? "", ...navigator.languages].map((name) => name.slice(0, 2).toLowerCase());
+  return wanted.flatMap((name) => LANGUAGES.filter((known) => known === name))[0] ?? "en";
+}
 
 /** What a part of the page says, in all languages: a missing sentence does not compile. */
 export type Words<Key extends string> = Record<Language, Record<Key, string>>;

@@ -227,9 +227,14 @@ impl<'a> Canvas<'a> {
         }));
     }
 
-    /// The area in which its content is seen.
+    /// The frame below heading and scale: what leaves the frame is cut off at its edge.
+    pub(super) fn below_header(&self) -> Rect {
+        Rect { y0: self.frame.y0 + self.header, ..self.frame }
+    }
+
+    /// The area that its content does not leave where nothing is cut off.
     fn seen(&self) -> Rect {
-        if self.is_part { Rect { y0: self.frame.y0 + self.header, ..self.frame } } else { self.frame }
+        if self.is_part { self.below_header() } else { self.frame }
     }
 
     /// The marks of the panel's content so far.

@@ -50,6 +50,7 @@ impl Canvas<'_> {
         if let (Some(step), Some(language), false) = (cut_from, language, self.is_part) {
             self.say("cut", language.cut_at_edge(), step);
         }
+        self.cut_off();
         let mut requests = std::mem::take(&mut self.requests);
         requests.retain(|wanted| holds(self.seen(), wanted.request.anchor));
         let is_in_detail = |wanted: &Wanted| {
@@ -66,7 +67,6 @@ impl Canvas<'_> {
         self.tell_unlabelled(left_out, first, language);
         let unnamed = std::mem::take(&mut self.unnamed);
         self.drawing.marks.retain(|mark| mark.id.as_ref().is_none_or(|id| !unnamed.contains(id)));
-        self.cut_off();
     }
 
     /// Places labels and draws them, those that come last after all others; returns those for which there is no room.
@@ -133,9 +133,10 @@ impl Canvas<'_> {
         left_out
     }
 
-    /// Cuts off the content's marks at the panel's edge.
+    /// Cuts off the content's marks at the panel's edge; labels keep off the heads that vectors then have there.
     fn cut_off(&mut self) {
-        let seen = self.seen();
+        // What leaves the frame at the top must not go through heading and scale.
+        let (seen, below_header) = (self.seen(), self.below_header());
         let marks = &mut self.drawing.marks;
         let leaves = |mark: &Mark| !is_within(seen, &mark.shape);
         if !marks[self.content_start..].iter().any(leaves) {
@@ -145,8 +146,11 @@ impl Canvas<'_> {
         let is_point = |mark: &Mark| matches!(mark.pen, Pen::Joint | Pen::ImagePoint | Pen::Special);
         let content = marks.split_off(self.content_start).into_iter();
         for mark in content.filter(|mark| !(is_point(mark) && leaves(mark))) {
+            let is_cut = leaves(&mark);
+            let area = if is_cut { below_header } else { seen };
             let mut id = mark.id;
-            for shape in clipped(seen, mark.shape) {
+            for shape in clipped(area, mark.shape) {
+                self.obstacles.add_boxes(shape.head_box().filter(|_| is_cut));
                 marks.push(Mark { id: id.take(), shape, ..mark });
             }
         }

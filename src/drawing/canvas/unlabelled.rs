@@ -13,8 +13,8 @@ use kurbo::{Point, Rect, Vec2};
 const CORNER: f64 = 2.5;
 /// White between the words of a list and its names, and between two names, in em.
 const BETWEEN: f64 = 0.3;
-/// The lower edge of a row below its baseline, in mm.
-const BELOW: f64 = 1.2;
+/// The lower edge of a row below its baseline, in mm: scripts one above the other do not reach below it.
+const BELOW: f64 = 1.6;
 
 /// A piece of a list: its text, the row in which it stands, its left end, the step from which it is there.
 struct Piece {
@@ -31,7 +31,7 @@ impl Canvas<'_> {
         if rows > 0 {
             let bottom = self.frame.y0 + self.header;
             let area = Rect::new(self.frame.x0, bottom - ROW * rows as f64, self.frame.x1, bottom);
-            self.obstacles.add_boxes([area]);
+            self.obstacles.add_texts([area]);
         }
     }
 
@@ -119,7 +119,7 @@ impl Canvas<'_> {
         let size = Vec2::new(text.width(CAPTION), CAPTION);
         let (left, right) = (self.frame.x0 + CORNER, self.frame.x1 - CORNER - size.x);
         let (top, bottom) = (self.frame.y0 + self.header, self.frame.y1 - CORNER);
-        let corners = [(left, bottom), (right, bottom), (right, top), (left, top + CAPTION)];
+        let corners = [(left, bottom), (right, bottom), (right, top + CAPTION), (left, top + CAPTION)];
         let corners = corners.map(|(x, y)| Point::new(x, y));
         let place = |from: Point| PlacedText::new(text.clone(), CAPTION, from);
         let covered = |from: &Point| {

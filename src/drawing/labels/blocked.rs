@@ -66,8 +66,10 @@ impl Blocked {
     /// Whether an obstacle lies in a box for certain; else one may.
     pub(super) fn is_certain(&self, area: Rect) -> bool {
         let whole = |from: f64, to: f64, most: usize| {
-            let first = (from / CELL).ceil().max(0.0) as usize;
-            (first, ((to / CELL).floor().max(0.0) as usize).min(most))
+            // Rounded up and down without the library's functions: this is asked for every place of a panel.
+            let (from, to) = ((from / CELL).max(0.0), (to / CELL).max(0.0));
+            let first = from as usize;
+            (first + usize::from(from > first as f64), (to as usize).min(most))
         };
         let (left, right) = whole(area.x0 - self.origin.x, area.x1 - self.origin.x, self.columns);
         let (top, bottom) = whole(area.y0 - self.origin.y, area.y1 - self.origin.y, self.rows);

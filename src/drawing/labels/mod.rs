@@ -5,13 +5,15 @@
 //! if it is off all lines, too; a free place has a *cost* in millimetres for its distance, its direction, lines near it,
 //! and other labels' anchors that are nearer than its own. Labels with the fewest free places choose first; those
 //! without a clear place push others away or stand apart, anywhere on the panel, with a thin leader to their anchor;
-//! then labels move, alone or in pairs, as long as the sum of the costs decreases. Christensen, Marks and Shieber, "An Empirical Study of Algorithms for
+//! then labels move, alone or in pairs, as long as the sum of the costs decreases (`moves.rs`). While a mechanism moves, labels stay where they
+//! were, and only those in the way of something move (`held.rs`). Christensen, Marks and Shieber, "An Empirical Study of Algorithms for
 //! Point-Feature Label Placement" (ACM Trans. Graphics 14(3), 1995), compare such searches; this one is deterministic:
 //! the same labels always get the same places.
 
 use kurbo::{Point, Rect, Vec2};
 
 mod blocked;
+mod held;
 mod moves;
 mod places;
 mod search;
@@ -31,17 +33,17 @@ use search::Search;
 /// platform.
 ///
 /// While a mechanism moves, `before` has for each label where the middle of its ink was from its anchor: it stays there
-/// as long as nothing is much better, and the search is short.
+/// as long as it is clear there, and only labels that are not look for another place.
 pub fn place(
     requests: &[LabelRequest],
     obstacles: &Obstacles,
     before: Option<&[Option<Vec2>]>,
 ) -> Vec<Option<PlacedLabel>> {
-    let mut search = Search::new(requests, obstacles, before);
-    search.choose_first();
-    search.settle();
-    search.improve();
-    search.settle();
+    let mut search = Search::new(requests, obstacles);
+    match before {
+        Some(before) => search.hold(before),
+        None => search.choose_all(),
+    }
     search.shorten();
     let placed = requests.iter().enumerate().map(|(index, request)| {
         let label = &search.labels[index];

@@ -26,19 +26,28 @@ struct Pushed {
 }
 
 impl Search<'_> {
+    /// Finds places for all labels anew.
+    pub(super) fn choose_all(&mut self) {
+        (0..self.labels.len()).for_each(|index| self.begin_label(index));
+        self.choose_first();
+        self.settle();
+        self.improve();
+        self.settle();
+    }
+
     /// Assigns to every label its cheapest clear place; labels with fewest places first.
-    pub(super) fn choose_first(&mut self) {
+    fn choose_first(&mut self) {
         let mut order: Vec<usize> = (0..self.labels.len()).collect();
         order.sort_by_key(|&index| {
             let label = &self.labels[index];
-            (label.before.is_none(), u8::MAX - label.priority, label.places.len(), index)
+            (u8::MAX - label.priority, label.places.len(), index)
         });
         for index in order {
             self.choose_cheapest(index);
         }
     }
 
-    fn choose_cheapest(&mut self, index: usize) -> bool {
+    pub(super) fn choose_cheapest(&mut self, index: usize) -> bool {
         let place = self.cheapest(index, STRUCK).map(|(place, _)| place);
         self.choose(index, place);
         place.is_some()
@@ -68,7 +77,8 @@ impl Search<'_> {
         for index in 0..self.labels.len() {
             let label = &mut self.labels[index];
             if let Some(ink) = label.short.take_if(|_| label.chosen.is_none()) {
-                (label.ink, label.is_short, label.is_stuck, label.has_far) = (ink, true, false, false);
+                (label.ink, label.is_short, label.is_stuck) = (ink, true, false);
+                (label.has_near, label.has_far) = (false, false);
                 label.places.clear();
                 self.begin_label(index);
                 is_shorter = true;
@@ -80,7 +90,7 @@ impl Search<'_> {
     }
 
     /// Gives a label a clear place with a leader, if it may have one.
-    fn stand_apart(&mut self, index: usize) -> bool {
+    pub(super) fn stand_apart(&mut self, index: usize) -> bool {
         if !self.labels[index].may_stand_apart {
             return false;
         }
@@ -89,7 +99,7 @@ impl Search<'_> {
     }
 
     /// Finds a clear place for a label by moving others, while there is time for it.
-    fn push_others(&mut self, index: usize) -> bool {
+    pub(super) fn push_others(&mut self, index: usize) -> bool {
         let Effort { pushes, mut tries } =
             if self.labels[index].may_stand_apart { self.effort } else { Effort::LITTLE };
         !self.is_enough() && self.push(index, pushes, &mut Pushed::default(), &mut tries)
@@ -98,6 +108,7 @@ impl Search<'_> {
     /// Finds a clear place for a label by moving at most two others, which may move others in turn; changes nothing if
     /// that fails.
     fn push(&mut self, index: usize, depth: usize, pushed: &mut Pushed, tries: &mut usize) -> bool {
+        self.begin_label(index);
         if let Some((place, _)) = self.cheapest(index, STRUCK) {
             pushed.moved.push((index, self.labels[index].chosen));
             self.choose(index, Some(place));
@@ -115,9 +126,11 @@ impl Search<'_> {
             if *tries == 0 || self.is_enough() {
                 break;
             }
-            let around = self.around(index, place, 2);
-            let others = &around.blockers[..around.count.min(2)];
-            if around.count > 2 || others.iter().any(|other| pushed.fixed.contains(other)) {
+            if self.is_still_blocked(index, place, 2) {
+                continue;
+            }
+            let others = self.around(index, place, 2).blockers;
+            if others.len() > 2 || others.iter().any(|other| pushed.fixed.contains(other)) {
                 continue;
             }
             *tries -= 1;
@@ -142,7 +155,7 @@ impl Search<'_> {
     }
 
     /// Moves labels, alone or with the one in the way, as long as the sum of the costs decreases.
-    pub(super) fn improve(&mut self) {
+    fn improve(&mut self) {
         self.begin();
         for _ in 0..ROUNDS {
             let mut moved = false;
@@ -170,18 +183,20 @@ impl Search<'_> {
             let Some(cost) = self.cost_below(index, place, cost_here - gain) else {
                 continue;
             };
+            if self.is_still_blocked(index, place, 1) {
+                continue;
+            }
             let around = self.around(index, place, 1);
             let gain_here = cost_here - cost - around.closeness;
             if gain_here <= gain {
                 continue;
             }
-            match around.count {
-                0 => {
+            match *around.blockers {
+                [] => {
                     gain = gain_here;
                     best = Some((place, None));
                 }
-                1 => {
-                    let other = around.blockers[0];
+                [other] => {
                     let Some(others_place) = self.labels[other].chosen else {
                         continue;
                     };
@@ -225,20 +240,13 @@ impl Search<'_> {
             if best.is_some_and(|(least, _)| nearest >= least) || self.is_enough() {
                 break;
             }
-            // The sides of the square, as far as they lie on the panel.
-            let is_between = |[low, high]: [i32; 2], step: i32| low <= step && step <= high;
-            let across = |row: i32| {
-                let within = columns[0].max(-ring)..=columns[1].min(ring);
-                within.filter(move |_| is_between(rows, row)).map(move |column| (column, row))
-            };
-            let down = |column: i32| {
-                let within = rows[0].max(1 - ring)..=rows[1].min(ring - 1);
-                within.filter(move |_| is_between(columns, column)).map(move |row| (column, row))
-            };
-            for (column, row) in across(-ring).chain(across(ring)).chain(down(-ring)).chain(down(ring)) {
+            for (column, row) in square(ring, columns, rows) {
                 let center = anchor + Vec2::new(f64::from(column), f64::from(row)) * STEP;
                 let ink = Rect::from_center_size(center, size);
                 let limit = best.map_or(f64::INFINITY, |(least, _)| least);
+                if self.is_ruled_out(ink) {
+                    continue;
+                }
                 if let Some((worth, place)) = self.free_place(index, ink, limit) {
                     best = Some((worth, place));
                 }
@@ -255,10 +263,10 @@ impl Search<'_> {
     }
 
     /// A place for this ink apart from the anchor, if it is clear and costs less than `limit`, with its cost.
-    fn free_place(&self, index: usize, ink: Rect, limit: f64) -> Option<(f64, Spot)> {
+    pub(super) fn free_place(&self, index: usize, ink: Rect, limit: f64) -> Option<(f64, Spot)> {
         let label = &self.labels[index];
         let distance = distance_to_box(ink, label.anchor) - label.clearance;
-        if distance < 0.0 || distance >= limit || self.is_ruled_out(ink) {
+        if distance < 0.0 || distance >= limit {
             return None;
         }
         self.count(1);
@@ -270,15 +278,30 @@ impl Search<'_> {
         if worth >= limit {
             return None;
         }
-        for (other, spot) in self.chosen_near(place.surroundings()) {
-            if other != index {
-                if place.conflicts(spot) {
-                    return None;
-                }
-                worth += place.closeness(spot) + if place.crosses(spot) { CROSSED } else { 0.0 };
-            }
+        self.look_around(index, place.surroundings(), |_, spot| {
+            let is_free = !place.conflicts(spot);
+            worth += place.closeness(spot) + if place.crosses(spot) { CROSSED } else { 0.0 };
+            worth = if is_free { worth } else { f64::INFINITY };
+            worth >= limit
+        });
+        if worth >= limit {
+            return None;
         }
         worth += place.leader.map_or(0.0, |leader| self.cost_of_leader(leader));
         (worth < limit.min(STRUCK)).then_some((worth, place))
     }
+}
+
+/// The steps to the places on the sides of a square, as far as they lie between two columns and two rows.
+pub(super) fn square(ring: i32, columns: [i32; 2], rows: [i32; 2]) -> impl Iterator<Item = (i32, i32)> {
+    let is_between = |[low, high]: [i32; 2], step: i32| low <= step && step <= high;
+    let across = move |row: i32| {
+        let within = columns[0].max(-ring)..=columns[1].min(ring);
+        within.filter(move |_| is_between(rows, row)).map(move |column| (column, row))
+    };
+    let down = move |column: i32| {
+        let within = rows[0].max(1 - ring)..=rows[1].min(ring - 1);
+        within.filter(move |_| is_between(columns, column)).map(move |row| (column, row))
+    };
+    across(-ring).chain(across(ring)).chain(down(-ring)).chain(down(ring))
 }

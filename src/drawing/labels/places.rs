@@ -136,13 +136,19 @@ pub(super) static SIDES: [Side; 24] = [
 #[derive(Clone, Copy)]
 pub(super) struct Spot {
     pub(super) ink: Rect,
-    /// A lower bound of its cost: first for distance and direction, in the end the whole. Most places are ruled out
-    /// before.
+    /// Its cost by distance and direction alone.
+    pub(super) own: f64,
+    /// A lower bound of its cost, in the end the whole. Most places are ruled out before.
     pub(super) least: f64,
     /// Whether `least` is the whole cost.
     pub(super) known: bool,
     pub(super) leader: Option<(Point, Point)>,
+    /// The labels that were in its way when it was last looked at: mostly they still are.
+    pub(super) blockers: [u32; 3],
 }
+
+/// Where there is no label.
+pub(super) const NOBODY: u32 = u32::MAX;
 
 /// A label in search of a place.
 pub(super) struct Label {
@@ -152,7 +158,7 @@ pub(super) struct Label {
     pub(super) ink: Rect,
     pub(super) prefer: Option<Vec2>,
     pub(super) priority: u8,
-    /// Its free places, and the index of the present one.
+    /// Its free places, as far as they have been looked for, and the index of the present one.
     pub(super) places: Vec<Spot>,
     pub(super) chosen: Option<usize>,
     /// What any of its places could touch: lines by their numbers, and anchors.
@@ -160,6 +166,7 @@ pub(super) struct Label {
     pub(super) anchors: Vec<Point>,
     pub(super) reach: Rect,
     pub(super) may_stand_apart: bool,
+    pub(super) has_near: bool,
     pub(super) has_far: bool,
     /// Whether no clear place was found for it, near or far.
     pub(super) is_stuck: bool,
@@ -184,6 +191,7 @@ impl Label {
             anchors: Vec::new(),
             reach: Rect::ZERO,
             may_stand_apart: request.may_stand_apart,
+            has_near: false,
             has_far: false,
             is_stuck: false,
             short: request.short.as_ref().map(|short| short.ink_box(request.size)),
@@ -235,7 +243,8 @@ impl Label {
     pub(super) fn place_at(&self, ink: Rect, distance: f64, dislike: f64) -> Spot {
         let leader = if distance < FAR[0] { None } else { self.leader_to(ink) };
         let apart = if leader.is_some() { LEADER } else { 0.0 };
-        Spot { ink, least: distance + dislike + apart, known: false, leader }
+        let own = distance + dislike + apart;
+        Spot { ink, own, least: own, known: false, leader, blockers: [NOBODY; 3] }
     }
 
     /// The leader, from the edge of the anchor's clearance to near the ink.
@@ -266,6 +275,11 @@ impl Spot {
         let (a, b) = (self.ink, other.ink);
         let is_near = a.x0 < b.x1 + BESIDE && b.x0 < a.x1 + BESIDE && a.y0 < b.y1 + ABOVE && b.y0 < a.y1 + ABOVE;
         is_near || strikes(self.leader, b) || strikes(other.leader, a)
+    }
+
+    /// Whether two labels cannot have these places together, or their leaders cross.
+    pub(super) fn excludes(&self, other: &Self) -> bool {
+        self.conflicts(other) || self.crosses(other)
     }
 
     /// Whether the leaders of two labels cross.

@@ -1,6 +1,6 @@
 //! The labels of a panel, their free places, and the cost of each place.
 
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Point, Rect};
 use smallvec::SmallVec;
 use std::cell::{Cell, OnceCell};
 
@@ -28,9 +28,6 @@ const MOST_AROUND: usize = 400;
 /// of a second.
 const ENOUGH: usize = 200_000;
 
-/// Least distance from its anchor, beyond the clearance, of a label that stays, in mm: its text may have grown.
-const GROWN: f64 = -0.3;
-
 /// How much is tried to find places for all labels.
 #[derive(Clone, Copy)]
 pub(super) struct Effort {
@@ -45,16 +42,14 @@ impl Effort {
     /// For a label that may be left out.
     pub(super) const LITTLE: Effort = Effort { pushes: 2, tries: 20 };
     /// For a picture that is soon replaced by the next one.
-    const MOVING: Effort = Effort { pushes: 2, tries: 40 };
+    pub(super) const MOVING: Effort = Effort { pushes: 2, tries: 40 };
 }
 
 /// What the other labels at their present places do to a place.
 #[derive(Default)]
 pub(super) struct Around {
-    /// Those in the way, two at most, and their number, at most one above what was asked for; zero means that the place
-    /// can be taken.
-    pub(super) blockers: [usize; 2],
-    pub(super) count: usize,
+    /// Those in the way, at most one more than was asked for; without one the place can be taken.
+    pub(super) blockers: SmallVec<[usize; 3]>,
     /// The cost of the others' being near.
     pub(super) closeness: f64,
 }
@@ -77,7 +72,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(requests: &[LabelRequest], obstacles: &'a Obstacles, before: Option<&[Option<Vec2>]>) -> Self {
+    pub(super) fn new(requests: &[LabelRequest], obstacles: &'a Obstacles) -> Self {
         let lines = obstacles.lines.iter().copied().map(Clipped::new).collect();
         let labels: Vec<Label> = requests.iter().map(Label::new).collect();
         let bounds = obstacles.bounds;
@@ -87,22 +82,19 @@ impl<'a> Search<'a> {
         }
         let chosen = Grid::new(bounds);
         let (work, is_cut_short, blocked) = (Cell::new(0), Cell::new(false), OnceCell::new());
-        let effort = if before.is_some() { Effort::MOVING } else { Effort::WHOLE };
-        let mut search = Self { labels, effort, lines, obstacles, chosen, anchors, blocked, work, is_cut_short };
-        for index in 0..search.labels.len() {
-            search.labels[index].before = before.and_then(|before| before[index]);
-            search.begin_label(index);
-        }
-        search
+        let effort = Effort::WHOLE;
+        Self { labels, effort, lines, obstacles, chosen, anchors, blocked, work, is_cut_short }
     }
 
-    /// Finds the places of a label near its anchor.
+    /// Finds the places of a label near its anchor, if they are not known yet.
     pub(super) fn begin_label(&mut self, index: usize) {
         let label = &mut self.labels[index];
+        if std::mem::replace(&mut label.has_near, true) {
+            return;
+        }
         label.reach = label.reach_at(NEAR[NEAR.len() - 1]);
         self.find_surroundings(index);
         self.add_places(index, &NEAR);
-        self.add_kept(index);
     }
 
     /// Begins a stage of the search.
@@ -133,20 +125,35 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Labels with a present place near a box, in rising order; at least all that touch it.
-    pub(super) fn chosen_near(&self, area: Rect) -> impl Iterator<Item = (usize, &Spot)> {
-        let near = if self.is_wide(area) { (0..self.labels.len()).collect() } else { self.chosen.near(area) };
-        near.into_iter().filter_map(|index| Some((index, &self.labels[index].places[self.labels[index].chosen?])))
-    }
-
-    /// Whether it is quicker to look at all labels than at all cells of a box, as around a long leader.
-    fn is_wide(&self, area: Rect) -> bool {
-        self.chosen.cell_count(area) > self.labels.len()
+    /// Looks at the labels other than `index` with a present place near a box, at least at all that touch it, each once,
+    /// until `is_enough` says so.
+    pub(super) fn look_around(&self, index: usize, area: Rect, mut is_enough: impl FnMut(usize, &Spot) -> bool) {
+        // Around a long leader it is quicker to look at all labels than at all cells.
+        let is_wide = self.chosen.cell_count(area) > self.labels.len();
+        let mut looked_at = 1;
+        let mut seen: SmallVec<[usize; 8]> = SmallVec::new();
+        let mut look = |other: usize| {
+            looked_at += 1;
+            if other == index || !is_wide && seen.contains(&other) {
+                return false;
+            }
+            if !is_wide {
+                seen.push(other);
+            }
+            let label = &self.labels[other];
+            label.chosen.is_some_and(|chosen| is_enough(other, &label.places[chosen]))
+        };
+        if is_wide {
+            (0..self.labels.len()).any(&mut look);
+        } else {
+            self.chosen.any(area, &mut look);
+        }
+        self.count(looked_at);
     }
 
     /// Finds the lines and anchors that the places of a label could touch.
     fn find_surroundings(&mut self, index: usize) {
-        let (reach, anchor) = (self.labels[index].reach, self.labels[index].anchor);
+        let (reach, anchor) = (self.labels[index].reach.inflate(LINE_GAP, LINE_GAP), self.labels[index].anchor);
         let lines = self.obstacles.lines_near(reach).into_iter();
         let lines = lines.filter(|&line| self.lines[line].share_inside(reach) > 0.0);
         let lines = lines.take(MOST_AROUND).map(|line| line as u32).collect();
@@ -155,25 +162,6 @@ impl<'a> Search<'a> {
         let anchors = anchors.take(MOST_AROUND).collect();
         let label = &mut self.labels[index];
         (label.lines, label.anchors) = (lines, anchors);
-    }
-
-    /// Adds the place where a label was before, if it is free.
-    fn add_kept(&mut self, index: usize) {
-        let label = &self.labels[index];
-        let Some(offset) = label.before else { return };
-        let ink = Rect::from_center_size(label.anchor + offset, label.ink.size());
-        let distance = distance_to_box(ink, label.anchor) - label.clearance;
-        let bounds = self.obstacles.bounds;
-        if distance < GROWN || ink.union(bounds) != bounds || self.is_on_obstacle(ink) {
-            return;
-        }
-        let place = label.place_at(ink, distance.max(0.0), label.dislike_at(offset));
-        if distance > NEAR[NEAR.len() - 1] {
-            let reach = label.reach_at(distance);
-            self.labels[index].reach = reach;
-            self.find_surroundings(index);
-        }
-        self.labels[index].places.push(place);
     }
 
     /// Adds the free places of a label at these distances.
@@ -187,12 +175,14 @@ impl<'a> Search<'a> {
                 && ink.y1 <= bounds.y1
                 && !self.is_on_obstacle(ink)
         };
+        // Around those far off are many lines, of which most are not near one of them.
+        let is_clear = |ink: Rect, distance: f64| distance < FAR[0] || !self.is_struck(ink);
         let dislikes = label.dislikes();
         let mut places = Vec::with_capacity(distances.len() * SIDES.len());
         for &distance in distances {
             for (side, dislike) in SIDES.iter().zip(dislikes) {
                 let ink = label.ink_beside(side, label.clearance + distance);
-                if free(ink) {
+                if free(ink) && is_clear(ink, distance) {
                     places.push(label.place_at(ink, distance, dislike + label.elsewhere(ink)));
                 }
             }
@@ -247,21 +237,29 @@ impl<'a> Search<'a> {
     /// The cost of other anchors that are not clearly farther from ink than its own.
     pub(super) fn ambiguity(&self, index: usize, ink: Rect) -> f64 {
         let label = &self.labels[index];
-        let near = self.anchors.near(ink.inflate(FAR[0] + CLEARLY, FAR[0] + CLEARLY)).into_iter();
-        let anchors = near.map(|other| self.labels[other].anchor).filter(|other| is_other(*other, label.anchor));
-        ambiguity(ink, label.anchor, anchors)
+        let gap = gap(ink, label.anchor);
+        let mut cost = 0.0;
+        self.anchors.any(ink.inflate(FAR[0] + CLEARLY, FAR[0] + CLEARLY), |other| {
+            let other = self.labels[other].anchor;
+            if is_other(other, label.anchor) {
+                cost += ambiguity(ink, gap, other);
+            }
+            false
+        });
+        cost
     }
 
     /// The whole cost of a place if it is less than `limit`.
     pub(super) fn cost_below(&mut self, index: usize, place: usize, limit: f64) -> Option<f64> {
         let label = &mut self.labels[index];
-        let Spot { ink, mut least, known, leader } = label.places[place];
+        let Spot { ink, own, least, known, leader, .. } = label.places[place];
         if known || least >= limit {
             return (least < limit).then_some(least);
         }
         // Summation stops at the limit; the sum is then a better lower bound for the next time.
         let (mut whole, mut is_struck, strike) = (true, false, self.obstacles.strike);
-        least += ambiguity(ink, label.anchor, label.anchors.iter().copied());
+        let gap = gap(ink, label.anchor);
+        let mut least = own + label.anchors.iter().map(|other| ambiguity(ink, gap, *other)).sum::<f64>();
         let (area, narrow) = (ink.inflate(LINE_GAP, LINE_GAP), ink.inflate(strike, strike));
         self.work.set(self.work.get() + 1 + label.anchors.len() + label.lines.len());
         for &line in &label.lines {
@@ -297,41 +295,33 @@ impl<'a> Search<'a> {
         self.cost_below(index, place, f64::INFINITY).unwrap_or(f64::INFINITY)
     }
 
-    /// What other labels do to a place; it is enough to know whether more than `most` are in the way.
-    pub(super) fn around(&self, index: usize, place: usize, most: usize) -> Around {
-        let (mut around, mut looked_at) = (Around { blockers: [usize::MAX; 2], ..Around::default() }, 1);
-        let mut seen: SmallVec<[usize; 8]> = SmallVec::new();
+    /// What other labels do to a place; it is enough to know whether more than `most`, at most two, are in the way.
+    pub(super) fn around(&mut self, index: usize, place: usize, most: usize) -> Around {
+        let mut around = Around::default();
         let wanted = &self.labels[index].places[place];
-        let area = wanted.surroundings();
-        let is_wide = self.is_wide(area);
-        let mut look = |other: usize| {
-            looked_at += 1;
-            if other == index || !is_wide && seen.contains(&other) {
-                return false;
-            }
-            if !is_wide {
-                seen.push(other);
-            }
-            let Some(chosen) = self.labels[other].chosen else { return false };
-            let spot = &self.labels[other].places[chosen];
-            if wanted.conflicts(spot) || wanted.crosses(spot) {
-                if let Some(blocker) = around.blockers.get_mut(around.count) {
-                    *blocker = other;
-                }
-                around.count += 1;
+        self.look_around(index, wanted.surroundings(), |other, spot| {
+            if wanted.excludes(spot) {
+                around.blockers.push(other);
             } else {
                 around.closeness += wanted.closeness(spot);
             }
-            around.count > most
-        };
-        if is_wide {
-            (0..self.labels.len()).any(&mut look);
-        } else {
-            self.chosen.any(area, &mut look);
-        }
-        self.count(looked_at);
+            around.blockers.len() > most
+        });
         around.blockers.sort_unstable();
+        let known = &mut self.labels[index].places[place].blockers;
+        let found: SmallVec<[u32; 3]> = around.blockers.iter().map(|other| *other as u32).collect();
+        let before = known.iter().copied().filter(|other| !found.contains(other));
+        let all: SmallVec<[u32; 6]> = found.iter().copied().chain(before).collect();
+        known.iter_mut().zip(all).for_each(|(known, other)| *known = other);
         around
+    }
+
+    /// Whether more than `most` of the labels that were in the way of a place when it was last looked at still are.
+    pub(super) fn is_still_blocked(&self, index: usize, place: usize, most: usize) -> bool {
+        let wanted = &self.labels[index].places[place];
+        let others = wanted.blockers.iter().filter_map(|&other| self.labels.get(other as usize));
+        let spots = others.filter_map(|other| Some(&other.places[other.chosen?]));
+        spots.filter(|spot| wanted.excludes(spot)).nth(most).is_some()
     }
 
     /// The cheapest place of a label without another label in the way, if it costs less than `limit`, with its cost.
@@ -344,8 +334,11 @@ impl<'a> Search<'a> {
             }
             // What a place costs is known after the first time.
             let Some(cost) = self.cost_below(index, place, limit) else { continue };
+            if self.is_still_blocked(index, place, 0) {
+                continue;
+            }
             let around = self.around(index, place, 0);
-            if around.count == 0 && cost + around.closeness < limit {
+            if around.blockers.is_empty() && cost + around.closeness < limit {
                 limit = cost + around.closeness;
                 best = Some((place, limit));
             }
@@ -359,9 +352,13 @@ fn is_other(point: Point, anchor: Point) -> bool {
     (point - anchor).hypot2() > 1e-6
 }
 
-/// The cost of anchors that are not clearly farther from ink than its own; from a label with a leader it is enough that
-/// they are not near.
-fn ambiguity(ink: Rect, own: Point, others: impl Iterator<Item = Point>) -> f64 {
-    let gap = distance_to_box(ink, own).min(FAR[0]);
-    others.map(|other| AMBIGUITY * (gap + CLEARLY - distance_to_box(ink, other)).max(0.0)).sum()
+/// The distance of ink from its own anchor that others are compared with: from a label with a leader it is enough that they
+/// are not near.
+fn gap(ink: Rect, own: Point) -> f64 {
+    distance_to_box(ink, own).min(FAR[0])
+}
+
+/// The cost of an anchor that is not clearly farther from ink than its own.
+fn ambiguity(ink: Rect, gap: f64, other: Point) -> f64 {
+    AMBIGUITY * (gap + CLEARLY - distance_to_box(ink, other)).max(0.0)
 }

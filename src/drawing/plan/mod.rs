@@ -1,6 +1,7 @@
 //! A plan in its panel, drawn from the steps of its construction.
 
 pub(super) mod on_paper;
+mod values;
 
 use super::canvas::Canvas;
 use super::clip::clipped_segment;

@@ -1,19 +1,19 @@
-//! A plan in a view: images of links, rays, vectors and their values; points with their names. Coincident points share a
+//! A plan in a view: images of links, rays and vectors; points with their names. Coincident points share a
 //! label, crowds have an enlarged detail, and far points stand as arrows at the edge. And what of a plan is in sight: its extent,
 //! and which points are drawn.
 
 use crate::construction::{Arrow, Plan, PlanVector, PointRole, VectorOf, VectorPart, coincident_name, image_name};
 use crate::drawing::canvas::{Canvas, Inset};
 use crate::drawing::clip::{clipped_segment, holds};
-use crate::drawing::context::{SheetContext, ValueOf};
+use crate::drawing::context::SheetContext;
 use crate::drawing::facts::PlanSteps;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::scheme::on_paper::outline;
 use crate::drawing::shape::Shape;
 use crate::drawing::sheet::{Mark, Pen};
 use crate::drawing::text::RichText;
-use crate::drawing::values::{is_hidden, label};
-use crate::drawing::view::{Extent, View, on_sheet, together};
+use crate::drawing::values::{VALUE, is_hidden};
+use crate::drawing::view::{Extent, Series, View, on_sheet, together};
 use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::scene::ConstructionShown;
@@ -22,8 +22,6 @@ use kurbo::{Point, Vec2};
 
 /// White between the room of a panel and the points in it, in mm.
 const EDGE: f64 = 1.5;
-/// Length of the shortest vector with a value beside it, in mm.
-const SHORT: f64 = 4.0;
 /// Length of a ray beyond the crossing, in mm.
 const BEYOND: f64 = 5.0;
 
@@ -203,23 +201,6 @@ impl<'a> PlanOnPaper<'a> {
         self.context.number(special.link)
     }
 
-    /// Requests the labels of values, each beside the middle of its vector, away from the middle of the plan.
-    pub(super) fn values(&self, canvas: &mut Canvas<'_>) {
-        let middle = self.middle();
-        for value in self.context.values_of(self.plan.sheet()) {
-            let ValueOf::Vector(PlanVector { ends: [from, to], .. }) = &value.of else { continue };
-            let (Some(from), Some(to)) = (self.at(from), self.at(to)) else { continue };
-            let along = to - from;
-            if along.hypot() < SHORT {
-                continue;
-            }
-            let side = Vec2::new(-along.y, along.x) / along.hypot();
-            let outward = if side.dot(from.midpoint(to) - middle) < 0.0 { -side } else { side };
-            let (anchor, prefer) = canvas.free_side([from, to], outward);
-            label(self.context, canvas, value, anchor, Some(prefer));
-        }
-    }
-
     /// Number of the link to which a vector that is laid off belongs.
     fn link_of_vector(&self, laid: &Arrow) -> Option<usize> {
         let mechanism = self.context.mechanism();
@@ -304,9 +285,11 @@ impl<'a> PlanOnPaper<'a> {
         let Some(from) = self.at(start) else { return };
         let Some((_, edge)) = clipped_segment(canvas.room().inset(-1.0), from, place) else { return };
         let tail = edge - (edge - from).normalize() * ARROW.min(0.5 * (edge - from).hypot());
-        let mm = (place - from).hypot() * self.context.surface.dims.unit;
-        let mm = self.context.words.write(mm, NumberStyle::decimals(0).on(Medium::Figure));
-        let words = |names: &str| RichText::plain(&self.context.words.language.far_in_plan(names, &mm));
+        let distance = self.distance((place - from).hypot());
+        let words = |names: &str| match names {
+            "" => RichText::plain(&distance),
+            names => RichText::plain(&self.context.words.language.far_in_plan(names, &distance)),
+        };
         let (last, before) = self.growth(names, words);
         canvas.step = before.first().map_or(last, |(first, _)| *first);
         canvas.draw_named(&format!("point-{}", names[0]), Pen::Special, canvas.arrow(tail, edge));
@@ -316,6 +299,17 @@ impl<'a> PlanOnPaper<'a> {
         let shown = self.shown(names);
         label.short = (before.is_empty() && !shown.is_empty()).then(|| RichText::math(&shown));
         label.before = before;
+    }
+
+    /// A distance on the sheet as it is told: on paper in mm, and in the plan's own unit where nobody measures.
+    fn distance(&self, of: f64) -> String {
+        let words = &self.context.words;
+        if self.context.surface.series != Series::Any {
+            let mm = words.write(of * self.context.surface.dims.unit, NumberStyle::decimals(0).on(Medium::Figure));
+            return format!("{mm} mm");
+        }
+        let unit = self.plan.sheet().facts().drawn.unit(self.context.solution.scene.units);
+        format!("{} {unit}", words.write(of * self.view.mu(), VALUE))
     }
 
     /// The visible points, grouped by place.
@@ -365,11 +359,10 @@ impl<'a> PlanOnPaper<'a> {
 
     /// The names of coincident points.
     fn shown(&self, names: &[&str]) -> String {
-        let mut shown: Vec<String> = names.iter().map(|name| self.context.shown(name, Some(self.plan))).collect();
+        let labelled = names.iter().filter(|name| !self.context.is_unlabelled(name));
+        let mut shown: Vec<String> = labelled.map(|name| self.context.shown(name, Some(self.plan))).collect();
         // A fixed point O and the pole o have the same symbol.
         shown.dedup();
-        // The scene may give a name no text.
-        shown.retain(|name| !name.is_empty());
         shown.join(", ")
     }
 }
@@ -413,7 +406,7 @@ pub(in crate::drawing) fn extent(plan: &Plan, shown: ConstructionShown) -> Exten
 }
 
 /// Whether a point stands for one of the mechanism, and does not only lead to others.
-fn is_image(role: PointRole) -> bool {
+pub(super) fn is_image(role: PointRole) -> bool {
     matches!(role, PointRole::Pole | PointRole::Known | PointRole::Image)
 }
 

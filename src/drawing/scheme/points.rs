@@ -4,7 +4,7 @@ use super::on_paper::{LinkShape, SchemeOnPaper, is_near};
 use super::sliders::BLOCK;
 use crate::construction::{Special, display};
 use crate::drawing::canvas::Canvas;
-use crate::drawing::clip::clipped_segment;
+use crate::drawing::clip::{clipped_segment, holds};
 use crate::drawing::grid::Obstacles;
 use crate::drawing::labels::LabelRequest;
 use crate::drawing::shape::Shape;
@@ -138,7 +138,7 @@ impl SchemeOnPaper<'_> {
             let name = format!("cut-{}-{}", special.name, self.mechanism.point_name(start));
             // A special point may coincide with the joint.
             let towards_special = towards(from, to, on_sheet(direction));
-            let end = if is_near(self.context, special) { to + towards_special * 3.0 } else { to };
+            let end = if self.shows(canvas, special) { to + towards_special * 3.0 } else { to };
             if let Some((a, b)) = clipped_segment(bounds, from, end) {
                 canvas.draw_named(&name, Pen::Construction, Shape::Line(a, b));
             }
@@ -151,10 +151,16 @@ impl SchemeOnPaper<'_> {
         }
     }
 
+    /// Whether a special point stands at its place: it is near enough, and there is room.
+    fn shows(&self, canvas: &Canvas<'_>, special: &Special) -> bool {
+        let place = special.place.finite().filter(|_| is_near(self.context, special));
+        place.is_some_and(|place| holds(canvas.room().inset(-self.dims().joint), self.view.at(place)))
+    }
+
     /// Draws a special point at its place, or a distant one as an arrow with its distance.
     pub(super) fn mark_special(&self, canvas: &mut Canvas<'_>, special: &Special) {
         let label = self.context.facts.markup(&special.name);
-        if is_near(self.context, special) {
+        if self.shows(canvas, special) {
             let Some(place) = special.place.finite() else {
                 return;
             };

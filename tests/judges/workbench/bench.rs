@@ -72,6 +72,11 @@ impl Bench {
         Some(Bench { browser, folder, page: file })
     }
 
+    /// Puts another scene into the page's file; it is there when the page is loaded.
+    pub fn put_into_file(&self, scene: OpenScene<'_>) {
+        std::fs::write(&self.page, page(Some(scene)).expect("it is built")).expect("the test's folder can be written");
+    }
+
     /// Loads the page, with what stands behind its name in the address.
     pub fn load(&mut self, behind: &str) {
         let page = self.page.clone();

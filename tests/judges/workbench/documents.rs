@@ -1,6 +1,7 @@
 //! Form, text and picture are one scene; nothing is lost.
 
 use super::bench::Bench;
+use kinegon::format::OpenScene;
 use support::files;
 
 const AB: &str = "#panel-mechanism [data-path=\"links.1.lengths.AB\"] input";
@@ -58,10 +59,48 @@ fn form_text_and_picture_are_one_scene() {
 fn nothing_is_lost_by_closing_the_tab() {
     // Without a scene in the file, which would come first in a new tab.
     let Some(mut bench) = Bench::with("kept", None) else { return };
+    let first = bench.scene();
     bench.put(&files::read("templates/slotted-lever.json").replace("Crank", "My own crank"));
     let mine = bench.scene();
     // At once, before any pause.
     bench.load("");
     assert_eq!(bench.scene(), mine);
+    // Nor is what undo goes back through.
+    bench.click("#undo");
+    bench.settle();
+    assert_eq!(bench.scene(), first);
+    bench.assert_quiet();
+}
+
+/// A lesson comes with its scene in the file; what somebody makes of it is there again, and never takes the place of another lesson.
+#[test]
+fn work_on_a_lesson_is_never_lost() {
+    let text = files::read("templates/four-bar.json");
+    let Some(mut bench) = Bench::of("lesson-kept", &text) else { return };
+    let mine = text.replace("Four-bar", "My four-bar");
+    bench.put(&mine);
+    // Loaded again, at once.
+    bench.load("");
+    assert_eq!(bench.scene(), mine);
+    // The file has another lesson now: that is shown, and the work is offered.
+    let other = files::read("templates/slider-crank.json");
+    bench.put_into_file(OpenScene { text: &other, step: None });
+    bench.load("");
+    assert_eq!(bench.scene(), other);
+    let offer = bench.text("document.querySelector('#notice').textContent");
+    assert!(offer.contains("My four-bar linkage"), "{offer}");
+    bench.picture("lesson-offer");
+    bench.click("#notice-act");
+    bench.settle();
+    assert_eq!(bench.scene(), mine);
+    bench.click("#undo");
+    bench.settle();
+    assert_eq!(bench.scene(), other, "undo leads back to the file's");
+    // Another tab has the lesson of the file, and the offer.
+    bench.value("sessionStorage.clear()");
+    bench.put_into_file(OpenScene { text: &text, step: None });
+    bench.load("");
+    assert_eq!(bench.scene(), text);
+    assert!(bench.text("document.querySelector('#notice').textContent").contains("My four-bar linkage"));
     bench.assert_quiet();
 }

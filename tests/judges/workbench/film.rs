@@ -37,6 +37,45 @@ fn a_turn_is_filmed_and_can_be_played() {
     assert!(width == 1280.0 && end > 1.0 && ink > 2000.0, "{played}");
 }
 
+/// Whatever happens while it is recorded is told once; then everything can be done again.
+#[test]
+fn a_film_that_is_broken_off_says_why() {
+    let Some(mut bench) = Bench::of("film-broken", &files::read("templates/four-bar.json")) else { return };
+    bench.panel("save");
+    bench.value("(window.told = [])");
+    bench.value("new MutationObserver(() => { const said = document.querySelector('#said').textContent; if (said) window.told.push(said); }).observe(document.querySelector('#said'), { childList: true })");
+    let edited = files::read("templates/four-bar.json").replace("\"AB\": 60", "\"AB\": 55");
+    let hide = "(Object.defineProperty(document, 'hidden', { get: () => true, configurable: true }), document.dispatchEvent(new Event('visibilitychange')))";
+    for (what, act, said) in [
+        ("changed", format!("kinegon.app.open({})", serde_json::json!(edited)), "moved or changed"),
+        ("typed", "kinegon.history.change({ text: '{' })".to_owned(), "moved or changed"),
+        ("undone", "kinegon.history.undo()".to_owned(), ""),
+        ("hidden", hide.to_owned(), "not in sight"),
+        ("seen", "delete document.hidden".to_owned(), ""),
+    ] {
+        bench.value("window.told = []");
+        if said.is_empty() {
+            bench.value(&act);
+            bench.settle();
+            continue;
+        }
+        // The second click is one too many, and makes no second film.
+        bench.click("#film");
+        bench.click("#film");
+        bench.until("document.querySelector('#film').disabled && kinegon.frames.length > 0");
+        bench.value("new Promise((done) => setTimeout(done, 400))");
+        bench.value(&act);
+        bench.until("!document.querySelector('#film').disabled");
+        bench.settle();
+        let told = bench.value("window.told.filter((text) => text.includes('film'))");
+        assert_eq!(told.as_array().map(Vec::len), Some(1), "{what}: {told}");
+        assert!(told[0].as_str().is_some_and(|text| text.contains(said)), "{what}: {told}");
+        assert_eq!(bench.value("document.querySelector('#play').ariaPressed"), "false", "{what}");
+    }
+    assert!(bench.scene().contains("\"AB\": 55"), "what was changed stays");
+    bench.assert_quiet();
+}
+
 /// What does not move has no film.
 #[test]
 fn a_drawn_configuration_is_not_filmed() {

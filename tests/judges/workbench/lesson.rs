@@ -67,6 +67,53 @@ fn it_plays_by_itself() {
     bench.assert_quiet();
 }
 
+/// Lets it play for some pictures and stops it: how far each drive has gone, from the pictures that were shown.
+fn played(bench: &mut Bench) -> Vec<f64> {
+    bench.value("(window.stands = [], window.unwatch = kinegon.app.picture.on(({ drives }) => window.stands.push(drives.map(({ value }) => value))), 0)");
+    bench.press(" ");
+    bench.until("window.stands.length > 12");
+    bench.press(" ");
+    bench.until("document.querySelector('#play').ariaPressed === 'false'");
+    bench.settle();
+    let gone = bench.value("(window.unwatch(), window.stands[12].map((value, k) => value - window.stands[0][k]))");
+    gone.as_array().expect("a list").iter().filter_map(|gone| gone.as_f64()).collect()
+}
+
+#[test]
+fn drives_run_as_the_scene_says() {
+    // Crank 1 of the paper's Figure 2 turns at −1 rad/s.
+    let Some(mut bench) = Bench::open("runs") else { return };
+    let gone = played(&mut bench);
+    assert!(gone[0] < -1.0, "{gone:?}");
+    // Of two, at 4 and −3 rad/s, both run; the page says so.
+    bench.put(&files::read("templates/five-bar.json"));
+    let gone = played(&mut bench);
+    assert!(gone[0] > 1.0 && (gone[1] / gone[0] + 0.75).abs() < 1e-6, "{gone:?}");
+    assert!(bench.text("document.querySelector('#said').textContent").contains("All drives run together"));
+    assert!(bench.text("document.querySelector('#play').title").contains("all drives"));
+    // A slider moves one alone.
+    let other = bench.at("/links/4/drive/angle");
+    bench.focus("#drive-1");
+    bench.press("ArrowRight");
+    bench.value("document.activeElement.blur()");
+    bench.settle();
+    assert_eq!(bench.at("/links/4/drive/angle"), other);
+    bench.assert_quiet();
+}
+
+#[test]
+fn what_is_changed_while_it_plays_stays() {
+    let Some(mut bench) = Bench::open("plays-changed") else { return };
+    let other = files::read("templates/four-bar.json");
+    bench.press(" ");
+    bench.until("document.querySelector('#play').ariaPressed === 'true' && kinegon.frames.length > 5");
+    bench.value(&format!("kinegon.app.open({})", json!(other)));
+    bench.until("document.querySelector('#play').ariaPressed === 'false'");
+    bench.settle();
+    assert_eq!(bench.scene(), other);
+    bench.assert_quiet();
+}
+
 #[test]
 fn a_lesson_goes_step_by_step() {
     let text = files::read("examples/figure-2.json");

@@ -13,6 +13,7 @@ mod gestures;
 mod hostile;
 mod keyboard;
 mod lesson;
+mod people;
 mod photo;
 mod prepare;
 mod share;

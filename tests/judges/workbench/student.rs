@@ -112,6 +112,21 @@ fn an_exercise_is_made_and_given() {
     let (_, hash) = link.split_once('#').expect("a link");
     bench.load(&format!("#{hash}"));
     assert_eq!(bench.value("kinegon.app.student.value"), true);
+    // The link has what is given, the sheet, and the next exercise; undo brings the one before back, with its sheet.
+    let task = "document.querySelector('#panel-check .task')?.textContent ?? ''";
+    let stands = |number: u32| format!("({task}).includes('four-bar-7-{number}') && document.querySelector('#panel-check .task svg') !== null");
+    bench.until(&stands(1));
+    let told = bench.text(task);
+    assert!(told.contains("Given:") && told.contains("Draw the plans"), "{told}");
+    assert!(!told.contains("Choose the pole"), "the teacher did not allow the steps: {told}");
+    let first = bench.scene();
+    bench.press_named("#panel-check .task", "Next exercise");
+    bench.until(&stands(2));
+    assert_ne!(bench.scene(), first);
+    bench.picture("student-next");
+    bench.click("#undo");
+    bench.until(&stands(1));
+    assert_eq!(bench.scene(), first);
     // The same exercise as the program's.
     let made = bench.scene();
     let folder = bench.folder().join("made");

@@ -116,7 +116,7 @@ fn on_paper_the_screen_is_the_file() {
     let paper = bench.marks();
     bench.click("#as-paper");
     bench.until_other(&paper);
-    // A message that is gone leaves more of the pane.
+    // The bar of the steps leaves less of the pane.
     assert_eq!(bench.shown(), shown);
     bench.assert_quiet();
 }
@@ -178,5 +178,31 @@ fn a_plan_is_large_beside_the_scheme() {
     assert!(filled > 0.99, "{filled}");
     bench.picture("full-screen-plan");
     bench.press("Escape");
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_message_leaves_the_picture_where_it_is() {
+    let Some(mut bench) = Bench::open("message") else { return };
+    let seen = "[document.querySelector('#sheet').getAttribute('viewBox'), document.querySelector('#pane').clientHeight, kinegon.app.picture.value.svg]";
+    for size in [[1280, 800], [390, 844]] {
+        bench.screen(size, 1.0);
+        bench.frame();
+        bench.settle();
+        let before = bench.value(seen);
+        bench.value(
+            "kinegon.history.change({ text: kinegon.history.now.value.text.replace('\"links\"', '\"linkz\"') })",
+        );
+        bench.settle();
+        assert!(!bench.message().is_empty());
+        bench.frame();
+        assert_eq!(bench.value(seen), before, "{size:?}");
+        // It can be read and used: nothing lies over its button.
+        let [x, y, ..] = bench.place("#message-place");
+        assert_eq!(bench.text(&format!("document.elementFromPoint({x}, {y}).closest('button').id")), "message-place");
+        bench.picture(&format!("message-{}", size[0]));
+        bench.value("kinegon.history.undo()");
+        bench.settle();
+    }
     bench.assert_quiet();
 }

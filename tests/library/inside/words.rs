@@ -83,6 +83,24 @@ fn idle_zeros_are_left_out() {
 }
 
 #[test]
+fn long_numbers_stand_in_groups() {
+    let figure = NumberStyle::shortest().on(Medium::Figure);
+    for (x, text) in [
+        (1040.0, "1040"),
+        (-83300.0, "−83 300"),
+        (123456.75, "123 456.75"),
+        (-1234567.0, "−1 234 567"),
+        (0.12345678, "0.12345678"),
+        (1e-12, "1·10^{−12}"),
+    ] {
+        assert_eq!(written(figure, x).replace('\u{a0}', " "), text);
+        assert!(!written(figure, x).contains(' '), "{x} is broken");
+    }
+    assert_eq!(figure.with_plus().write(12345.5, DecimalMark::Comma), "+12\u{a0}345,5");
+    assert_eq!(written(NumberStyle::shortest(), 83300.0), "83300");
+}
+
+#[test]
 fn decimals_are_counted_from_the_mark() {
     let two = NumberStyle::decimals(2);
     assert_eq!([0.0, 12.345, -1e9].map(|x| written(two, x)), ["0.00", "12.35", "-1000000000.00"]);

@@ -1,4 +1,6 @@
 use kinegon::Sheet;
+use kinegon::cycle;
+use kinegon::words::Wording;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -81,6 +83,30 @@ pub struct Drive {
     pub low: Option<f64>,
     /// The greatest.
     pub high: Option<f64>,
+}
+
+impl Drive {
+    /// Sets it to a value. Where other drives move, too, it may go farther than it can alone.
+    pub fn stands_at(&mut self, value: f64, drive: &cycle::Drive, words: &Wording) {
+        (self.value, self.shown) = (value, drive.shown(value, words));
+        self.low = self.low.map(|low| low.min(value));
+        self.high = self.high.map(|high| high.max(value));
+    }
+}
+
+/// How a scene runs: all its drives together, in proportion to their speeds.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct Running {
+    /// The drive by whose value the others are told: the first that has a speed.
+    pub drive: String,
+    /// Whether its value falls.
+    pub is_backwards: bool,
+    /// The least value that it can reach; none where it turns all the way round or slides without end.
+    pub low: Option<f64>,
+    /// The greatest.
+    pub high: Option<f64>,
+    /// The turns after which the mechanism is where it began; none where it never is, or goes to and fro.
+    pub turns: Option<usize>,
 }
 
 /// A step of the construction.

@@ -91,7 +91,7 @@ impl Desk {
             let message = format!("the tolerance of a pencil is from 0 to {}", Tolerance::LARGEST);
             return Err(Refused::whole(message));
         }
-        let solution = self.solution(text)?;
+        let solution = &*self.told(text)?;
         let key = AnswerKey::new(solution, options.hand());
         let words = solution.wording();
         let scheme = options.marks.as_ref().map(|marks| {

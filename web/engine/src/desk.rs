@@ -1,18 +1,21 @@
-use crate::answers::{Drive, View};
+use crate::answers::{Drive, Running, View};
 use crate::refused::Refused;
 use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::{HeldLayout, Positions, Steps};
 use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
-use kinegon::scene::SizeLimit;
+use kinegon::scene::{LanguageName, SizeLimit};
 use kinegon::{Order, Sheet};
 use kinegon::{Scene, Solution, order_of_figure, posed};
+use std::borrow::Cow;
 
 /// The last scene, solved as far as was asked for.
 #[derive(Default)]
 pub struct Desk {
     kept: Option<Kept>,
+    /// The language of what is told beside the picture; none for the figure's.
+    language: Option<LanguageName>,
 }
 
 /// A scene in its position.
@@ -51,6 +54,23 @@ pub struct Held {
 const MOST_HELD: usize = 100;
 
 impl Desk {
+    /// Chooses the language of what is told beside the picture.
+    pub fn speak(&mut self, language: &str) {
+        self.language = LanguageName::ALL.into_iter().find(|known| known.as_str() == language);
+    }
+
+    /// As [`Self::solution`], with the words of the page.
+    pub fn told(&mut self, text: &str) -> Result<Cow<'_, Solution>, Refused> {
+        let language = self.language;
+        Ok(in_words(self.solution(text)?, language))
+    }
+
+    /// The scene of this text in its position, and the language of what is told of it.
+    pub fn kept_with_language(&mut self, text: &str) -> Result<(&mut Kept, Option<LanguageName>), Refused> {
+        let language = self.language;
+        Ok((self.kept(text)?, language))
+    }
+
     /// The scene of this text in its position.
     pub fn kept(&mut self, text: &str) -> Result<&mut Kept, Refused> {
         if self.kept.as_ref().is_none_or(|kept| kept.text != text) {
@@ -137,6 +157,19 @@ impl Kept {
         Ok(self.drives.insert(drives).clone())
     }
 
+    /// How it runs; none where no drive has a speed.
+    pub fn running(&mut self) -> Result<Option<Running>, Refused> {
+        let own = self.solution(order_of_figure(&self.scene))?;
+        let running = cycle::Drive::leading(&own.mechanism).and_then(|leading| {
+            let Some(drive) = leading else { return Ok(None) };
+            let mut pull = Pull::together(own, Some(&drive.name))?;
+            let [low, high] = pull.ends().map(|end| end.map(|end| end.at));
+            let cycle::Running { turns, is_backwards, .. } = cycle::Running::new(own, Some(&drive.name), 1)?;
+            Ok(Some(Running { drive: drive.name, is_backwards, low, high, turns }))
+        });
+        running.map_err(|error| self.refused(error))
+    }
+
     /// The stage of a view.
     pub fn stage(&mut self, view: &View) -> Result<&Staged, Refused> {
         self.check(SizeLimit::STEPS)?;
@@ -175,6 +208,16 @@ impl Kept {
         self.stage(view)?;
         self.stage.take().ok_or_else(|| Refused::whole("there is no picture"))
     }
+}
+
+/// A solution with a figure in this language, if one is given.
+pub fn in_words(solution: &Solution, language: Option<LanguageName>) -> Cow<'_, Solution> {
+    let Some(language) = language.filter(|language| *language != solution.scene.figure.language) else {
+        return Cow::Borrowed(solution);
+    };
+    let mut told = solution.clone();
+    told.scene.figure.language = language;
+    Cow::Owned(told)
 }
 
 /// A drive of a solved scene, where it stands.

@@ -2,7 +2,7 @@ use crate::refused::Refused;
 use kinegon::Scene;
 use kinegon::drawing::Drawing;
 use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises};
-use kinegon::format::{self, Text, svg_with};
+use kinegon::format::{self, Text, html_text, svg_with};
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, SizeLimit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -30,6 +30,8 @@ pub struct Exercise {
     pub text: String,
     /// Its name: that of its folder.
     pub name: String,
+    /// What is given and what is to be drawn, at which scales: the sheet's sentences, in HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+    pub given: Vec<String>,
     /// The student's sheet: sheet.svg.
     pub sheet: String,
     /// Its width in mm.
@@ -114,6 +116,7 @@ impl Exercise {
         let form = found.form(&name);
         Exercise {
             text: found.text.clone(),
+            given: found.given().iter().map(html_text).collect(),
             sheet: letters(sheet),
             width: sheet.width,
             height: sheet.height,

@@ -75,7 +75,7 @@ pub fn usual_key(solution: &Solution) -> AnswerKey<'_> {
 impl Desk {
     /// The form of a scene, with boxes for all values of a form that is filled in already; that may be empty.
     pub fn form(&mut self, text: &str, filled: &str) -> Result<Form, Refused> {
-        let solution = self.solution(text)?;
+        let solution = &*self.told(text)?;
         let figure = solution.stepwise_figure();
         let row = |asked: bool| {
             let figure = &figure;

@@ -1,7 +1,7 @@
 use crate::answers::{Drive, Picture, View};
 use crate::desk::{Desk, Staged};
 use crate::refused::Refused;
-use kinegon::cycle::{OtherModes, Pull};
+use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::Point;
 use kinegon::editing::{Pins, Reshape, with_position};
 use kinegon::mechanism::PointId;
@@ -23,6 +23,11 @@ pub enum Grab {
     /// A drive.
     Drive {
         /// The drive.
+        drive: String,
+    },
+    /// All drives that have a speed in the scene, which run as time moves them: `Running` says which of them is pulled.
+    Run {
+        /// The drive that is pulled.
         drive: String,
     },
     /// A joint, to change lengths (or the place of a fixed point); pinned joints stay, pinned lengths keep their values.
@@ -63,8 +68,17 @@ pub struct Gesture {
 }
 
 enum Hold {
-    Drive { pull: Box<Pull>, point: Option<PointId>, pose: Pose },
-    Shape { reshape: Box<Reshape>, text: String },
+    /// `moved` are the drives that it moves.
+    Drive {
+        pull: Box<Pull>,
+        moved: Vec<cycle::Drive>,
+        point: Option<PointId>,
+        pose: Pose,
+    },
+    Shape {
+        reshape: Box<Reshape>,
+        text: String,
+    },
 }
 
 impl Desk {
@@ -77,13 +91,20 @@ impl Desk {
             let message = || Refused::whole(format!("there is no point {}", Untrusted::from(name).for_message()));
             own.mechanism.point(name).ok_or_else(message)
         };
-        let refused = |error: kinegon::cycle::CycleError| Refused::of(text, error);
+        let refused = |error: cycle::CycleError| Refused::of(text, error);
         let hold = match what {
             Grab::Move { point } => {
                 let point = point_of(point)?;
                 Hold::drive(Pull::of_point(own, point).map_err(refused)?, Some(point), own)
             }
             Grab::Drive { drive } => Hold::drive(Pull::new(own, Some(drive)).map_err(refused)?, None, own),
+            Grab::Run { drive } => {
+                let pull = Pull::together(own, Some(drive)).map_err(refused)?;
+                let names = own.mechanism.drive_names();
+                let moved = names.iter().map(|name| cycle::Drive::new(&own.mechanism, Some(name)));
+                let moved = moved.collect::<Result<_, _>>().map_err(refused)?;
+                Hold::Drive { pull: Box::new(pull), moved, point: None, pose: own.pose.clone() }
+            }
             Grab::Shape { point, pins } => {
                 let reshape = Reshape::new(text, point, pins).map_err(|error| Refused::of(text, error))?;
                 Hold::Shape { reshape: Box::new(reshape), text: text.to_owned() }
@@ -103,7 +124,7 @@ pub fn nothing_held() -> Refused {
 
 impl Hold {
     fn drive(pull: Pull, point: Option<PointId>, own: &Solution) -> Hold {
-        Hold::Drive { pull: Box::new(pull), point, pose: own.pose.clone() }
+        Hold::Drive { moved: vec![pull.drive().clone()], pull: Box::new(pull), point, pose: own.pose.clone() }
     }
 }
 
@@ -129,7 +150,7 @@ impl Gesture {
             To::Value { .. } => None,
         };
         let notes = match &mut self.hold {
-            Hold::Drive { pull, point, pose } => {
+            Hold::Drive { pull, moved: drives, point, pose } => {
                 let pulled = match (to, *point, place) {
                     (To::Value { value }, ..) => pull.to_value(value),
                     (_, Some(point), Some(place)) => pull.to_place(point, place),
@@ -139,8 +160,10 @@ impl Gesture {
                 let place = |at| format!("{} = {}", pull.drive().quantity, pull.drive().shown(at, &words));
                 let limit = pulled.limit.map(|end| end.text(&place(end.at), &words));
                 let moved = self.staged.own.moved(pulled.pose.clone());
-                if let Some(drive) = self.drives.iter_mut().find(|drive| drive.name == pull.drive().name) {
-                    (drive.value, drive.shown) = (pulled.value, pull.drive().shown(pulled.value, &words));
+                for moved in drives {
+                    if let Some(drive) = self.drives.iter_mut().find(|drive| drive.name == moved.name) {
+                        drive.stands_at(pull.value_of(moved), moved, &words);
+                    }
                 }
                 *pose = pulled.pose;
                 let singular = moved.map(|moved| self.now = moved).err().map(|error| error.to_string());

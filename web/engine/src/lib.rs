@@ -63,6 +63,12 @@ impl Engine {
         json(&kinds::kinds())
     }
 
+    /// Chooses the language in which steps, boxes and verdicts are told, as `es`; pictures and files keep that of the figure.
+    /// Any other word lets all be told in the figure's.
+    pub fn speak(&mut self, language: &str) {
+        self.desk.speak(language);
+    }
+
     /// What is known of a scene.
     ///
     /// # Errors
@@ -77,6 +83,14 @@ impl Engine {
     /// A [`Refused`] as JSON.
     pub fn picture(&mut self, text: &str, view: &str) -> Result<String, String> {
         answer(asked(view).and_then(|view| self.desk.picture(text, &view)))
+    }
+
+    /// How a scene runs; null where no drive has a speed.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn running(&mut self, text: &str) -> Result<String, String> {
+        answer(self.desk.kept(text).and_then(desk::Kept::running))
     }
 
     /// Takes hold of something: the picture, whose layout stays until it is let go.

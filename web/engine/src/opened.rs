@@ -1,5 +1,5 @@
 use crate::answers::{Mode, Opened, Owner, Place, Quantity, Step, ValueRow};
-use crate::desk::{Desk, Kept};
+use crate::desk::{Desk, Kept, in_words};
 use crate::refused::Refused;
 use kinegon::construction::{Action, NumberedStep, Teller, shown_text};
 use kinegon::cycle::every_name;
@@ -10,17 +10,17 @@ use kinegon::mechanism::Mechanism;
 use kinegon::position::counted_poses;
 use kinegon::quantity::{QuantityName, QuantityRequest, measured_names};
 use kinegon::scene::{Argument, GivenBy, SizeLimit};
-use kinegon::words::Wording;
+use kinegon::words::{Language, Wording};
 use kinegon::{Sheet, Solution, order_of_result};
 use serde_json::Value;
 
 impl Desk {
     /// What is known of a scene.
     pub fn open(&mut self, text: &str) -> Result<Opened, Refused> {
-        let kept = self.kept(text)?;
+        let (kept, language) = self.kept_with_language(text)?;
         let drives = kept.drives()?;
         let too_large = kept.check(SizeLimit::STEPS).err().map(|refused| refused.message);
-        let solution = kept.figure()?;
+        let solution = &*in_words(kept.figure()?, language);
         let words = solution.wording();
         let (steps, passages) = match too_large {
             None => (steps(solution, &words), solution.construction.passages()),
@@ -63,10 +63,13 @@ impl Desk {
 
     /// Every way to assemble a scene.
     pub fn modes(&mut self, text: &str) -> Result<Vec<Mode>, Refused> {
-        let kept = self.kept(text)?;
+        let (kept, language) = self.kept_with_language(text)?;
         let Kept { scene, mechanism, pose: own, .. } = &*kept;
         let listed = counted_poses(mechanism, &scene.near).map_err(|error| kept.refused(error))?;
-        let words = Wording::of(&scene.figure);
+        let mut words = Wording::of(&scene.figure);
+        if let Some(language) = language {
+            words.language = Language::of(language);
+        }
         let modes = listed.poses.iter().zip(1..).map(|(pose, number)| Mode {
             number,
             shown: format::mode(mechanism, pose, &words).join("\n"),
@@ -125,7 +128,7 @@ pub fn places(text: &str) -> Result<Vec<Place>, Refused> {
     Ok(places.into_iter().map(|(name, at)| Place { name, at }).collect())
 }
 
-/// The steps of the construction, in the figure's language.
+/// The steps of the construction.
 fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
     let teller = Teller::new(solution, words);
     let equations = |step: &NumberedStep<'_>| match &step.action {

@@ -1,4 +1,4 @@
-use crate::answers::{Drawn, Mode, Opened, Picture, Place, ValueRow, View};
+use crate::answers::{Drawn, Mode, Opened, Picture, Place, Running, ValueRow, View};
 use crate::building::{Board, BoardView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
@@ -20,7 +20,23 @@ pub fn schema() -> Value {
     macro_rules! add {
         ($($type:ty),*) => { $(types.subschema_for::<$type>();)* };
     }
-    add!(Refused, Kind, Opened, View, Picture, Grab, To, Edit, Place, Mode, FileRequest, OverCycle, Drawn, ValueRow);
+    add!(
+        Refused,
+        Kind,
+        Opened,
+        View,
+        Picture,
+        Running,
+        Grab,
+        To,
+        Edit,
+        Place,
+        Mode,
+        FileRequest,
+        OverCycle,
+        Drawn,
+        ValueRow
+    );
     add!(Board, BoardView);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);

@@ -118,11 +118,16 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
   const moving = hands(app, model, over, menu, draw);
   const keyed = boardKeys(app, model, over, menu, draw);
 
+  /** Where the middle of the board was on the screen: rows of tools that come and go move the board, not the mechanism. */
+  let middle: Pixels | null = null;
   new ResizeObserver(() => {
-    const { clientWidth, clientHeight } = field;
-    if (clientWidth === 0) return;
-    sight.resize(clientWidth, clientHeight);
-    for (const each of [behind, over, picture]) each.style.cssText += `;width:${clientWidth}px;height:${clientHeight}px`;
+    const { left, top, width, height } = field.getBoundingClientRect();
+    if (width === 0) return void (middle = null);
+    sight.resize(width, height);
+    for (const each of [behind, over, picture]) each.style.cssText += `;width:${width}px;height:${height}px`;
+    const now: Pixels = [left + width / 2, top + height / 2];
+    if (middle !== null) sight.pan(middle[0] - now[0], middle[1] - now[1]);
+    middle = now;
     model.redraw();
     ground();
     draw();

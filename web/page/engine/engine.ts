@@ -23,6 +23,7 @@ import type {
   PointVerdict,
   Proposed,
   Pull,
+  Running,
   Tapped,
   Value,
   View,
@@ -35,6 +36,8 @@ export interface Engine {
   font(is_italic: boolean): Uint8Array;
   open(text: string): Opened;
   picture(text: string, view: View): Picture;
+  /** How the scene runs; null where no drive has a speed. */
+  running(text: string): Running | null;
   /** Takes hold; the sheet's layout stays until `drop`. */
   grab(text: string, view: View, what: Grab): Picture;
   drag(to: Pull): Picture;

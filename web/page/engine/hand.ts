@@ -1,3 +1,4 @@
+import { language } from "../words.ts";
 import type { Refused } from "./types.ts";
 import type { Answer } from "./worker.ts";
 
@@ -88,7 +89,7 @@ export function hand(address: string, module: WebAssembly.Module, watch: Watch):
     notice = window.setTimeout(() => watch.busy(true), 200);
     const { name, given } = running;
     // Bytes are handed over, not copied.
-    worker.postMessage({ name, given }, given.flatMap((one) => (one instanceof Uint8Array ? [one.buffer] : [])));
+    worker.postMessage({ name, given, language: language.value }, given.flatMap((one) => (one instanceof Uint8Array ? [one.buffer] : [])));
   }
 
   return (name, given) =>

@@ -27,6 +27,13 @@ export type Grab =
       drive: string;
     }
   | {
+      kind: "run";
+      /**
+       * The drive that is pulled.
+       */
+      drive: string;
+    }
+  | {
       kind: "shape";
       /**
        * The joint.
@@ -581,6 +588,31 @@ export interface Handle {
    * Whether it never moves: a point of the ground, or a pole.
    */
   is_fixed: boolean;
+}
+/**
+ * How a scene runs: all its drives together, in proportion to their speeds.
+ */
+export interface Running {
+  /**
+   * The drive by whose value the others are told: the first that has a speed.
+   */
+  drive: string;
+  /**
+   * Whether its value falls.
+   */
+  is_backwards: boolean;
+  /**
+   * The least value that it can reach; none where it turns all the way round or slides without end.
+   */
+  low: number | null;
+  /**
+   * The greatest.
+   */
+  high: number | null;
+  /**
+   * The turns after which the mechanism is where it began; none where it never is, or goes to and fro.
+   */
+  turns: number | null;
 }
 /**
  * What stays when a joint is pulled.
@@ -1312,6 +1344,10 @@ export interface Exercise {
    * Its name: that of its folder.
    */
   name: string;
+  /**
+   * What is given and what is to be drawn, at which scales: the sheet's sentences, in HTML of `<i>`, `<sub>`, `<sup>` and text alone.
+   */
+  given: string[];
   /**
    * The student's sheet: sheet.svg.
    */

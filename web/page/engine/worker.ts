@@ -5,6 +5,8 @@ import init, { Engine } from "kinegon-wasm";
 export interface Call {
   name: string;
   given: unknown[];
+  /** The page's language, in which the engine tells what stands beside the picture. */
+  language: string;
 }
 
 /** An answer: what was asked for, a refusal as JSON, or that the engine fell. `took` is the engine's time in ms. */
@@ -19,10 +21,14 @@ function handed(given: unknown): unknown {
   return typeof given === "object" && !(given instanceof Uint8Array) ? JSON.stringify(given) : given;
 }
 
-function answered({ name, given }: Call): Answer {
+let spoken = "";
+
+function answered({ name, given, language }: Call): Answer {
   const begin = performance.now();
   const took = (): number => performance.now() - begin;
   try {
+    if (language !== spoken) engine?.["speak"]?.(language);
+    spoken = language;
     const method = engine?.[name];
     if (method === undefined) {
       const message = `the engine has no ${name}`;

@@ -3,6 +3,7 @@ import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { icon } from "../dom/icon.ts";
 import { askedFor } from "../files/open.ts";
+import { lesson } from "../state/lesson.ts";
 import type { Kept, Store } from "../state/storage.ts";
 import { parsed } from "../panels/parts/scene.ts";
 import { language } from "../words.ts";
@@ -30,7 +31,9 @@ export function documents(app: App, store: Store): void {
     const open = entry([icon("file"), element("span", {}, say("open_file"))], () => void askedFor(READABLE).then((file) => openFile(app, file)));
     open.id = "open-file";
     const others = store.others();
+    const taught = lesson();
     menu.replaceChildren(open);
+    if (taught !== null) menu.append(entry([element("span", {}, say("lesson"))], () => app.open(taught.text)));
     if (others.length === 0) return;
     const forget = entry([element("span", {}, say("forget"))], () => store.forgetOthers());
     forget.classList.add("quiet");

@@ -30,7 +30,7 @@ const LETTERS: [string, Saying][] = [
 ];
 
 /** What the letters of a plan stand for, the list of keys, and whether letters are keys at all: people who speak to their computer may not want that. */
-export function help(store: Store): void {
+export function help(store: Store, begin: () => void): void {
   const dialog = byId<HTMLDialogElement>("help");
   function build(): void {
     const rows = KEYS.map(([keys, what]) =>
@@ -42,6 +42,8 @@ export function help(store: Store): void {
     const close = element("button", { type: "button", id: "help-close", class: "main" }, say("close"));
     close.onclick = () => dialog.close();
     const letters = LETTERS.map(([letter, what]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, letter)), element("td", {}, say(what))));
+    const again = element("button", { type: "button", id: "help-tour" }, say("tour"));
+    again.onclick = () => (dialog.close(), begin());
     dialog.replaceChildren(
       element("h2", { id: "help-title" }, say("help_title")),
       element(
@@ -50,7 +52,7 @@ export function help(store: Store): void {
         element("section", {}, element("h3", {}, say("letters")), element("table", {}, element("tbody", {}, ...letters))),
         element("section", {}, element("h3", {}, say("keys")), element("table", {}, element("tbody", {}, ...rows))),
       ),
-      element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), close),
+      element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), again, close),
     );
   }
   language.on(build);

@@ -46,12 +46,22 @@ export function messages(app: App): void {
   language.on(both);
 }
 
-/** Says something that stays until it is closed. */
-export function notice(message: string): void {
+/** Says something that stays until it is closed; `act` is what can be done about it, by its name. */
+export function notice(message: string, act?: [string, () => void]): void {
   const bar = byId("notice");
   const close = element("button", { type: "button", id: "notice-close" }, say("close"));
   close.onclick = () => (bar.hidden = true);
-  bar.replaceChildren(element("p", {}, message), close);
+  bar.replaceChildren(element("p", {}, message));
+  if (act !== undefined) {
+    const [name, does] = act;
+    const press = element("button", { type: "button", id: "notice-act" }, name);
+    press.onclick = () => {
+      bar.hidden = true;
+      does();
+    };
+    bar.append(press);
+  }
+  bar.append(close);
   bar.hidden = false;
   // Aloud it is said as everything else is.
   byId("said").classList.remove("shown");

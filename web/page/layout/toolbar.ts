@@ -1,11 +1,12 @@
 import type { App } from "../app.ts";
 import { byId } from "../dom/find.ts";
 import { radios } from "../dom/radios.ts";
-import { language, LANGUAGES, type Language } from "../words.ts";
+import type { Store } from "../state/storage.ts";
+import { language, type Language } from "../words.ts";
 import { redo, undo } from "./keys.ts";
 
 /** Undo, redo, the three hands, paper, language. */
-export function toolbar(app: App): void {
+export function toolbar(app: App, store: Store): void {
   byId("undo").onclick = () => undo(app);
   byId("redo").onclick = () => redo(app);
   app.history.canUndo.on((can) => (byId<HTMLButtonElement>("undo").disabled = !can));
@@ -29,25 +30,19 @@ export function toolbar(app: App): void {
   app.building.on(mark);
   byId("as-paper").onclick = () => app.paper.set(!app.paper.value);
   app.paper.on((is) => byId("as-paper").setAttribute("aria-pressed", String(is)));
+  for (const skip of document.querySelectorAll<HTMLElement>("[data-skip]")) skip.onclick = () => skipTo(skip.dataset["skip"] ?? "");
   for (const group of document.querySelectorAll<HTMLElement>("[role=radiogroup]")) radios(group);
 
   const select = byId<HTMLSelectElement>("language");
   language.on((now) => (select.value = now));
-  select.onchange = () => void changeLanguage(app, select.value as Language);
-  app.solved.on(({ opened }) => {
-    const own: unknown = opened?.scene["figure"]?.["language"] ?? "en";
-    const known = LANGUAGES.find((each) => each === own);
-    if (opened !== null && known !== undefined) language.set(known);
-  });
+  select.onchange = () => {
+    language.set(select.value as Language);
+    store.prefer("language", select.value);
+  };
 }
 
-/** The scene's own key chooses the language. */
-async function changeLanguage(app: App, to: Language): Promise<void> {
-  try {
-    const text = await app.engine.edit(app.history.now.value.text, [{ set: ["figure", "language"], value: to }]);
-    app.history.change({ text });
-  } catch {
-    // A text that is no scene has no key for it; the page changes all the same.
-    language.set(to);
-  }
+/** Puts the focus on the first of these that can be seen. */
+function skipTo(selector: string): void {
+  const found = [...document.querySelectorAll<HTMLElement>(selector)].find((place) => place.getClientRects().length > 0);
+  found?.focus();
 }

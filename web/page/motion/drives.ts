@@ -3,6 +3,8 @@ import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Drive } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
+import { evaluated } from "../number.ts";
+import { unitsOf } from "../panels/parts/scene.ts";
 import { REST, type Gesture, type Gestures } from "../picture/gesture.ts";
 import { language } from "../words.ts";
 
@@ -28,7 +30,7 @@ interface Row {
   root: HTMLElement;
   name: HTMLElement;
   slider: HTMLInputElement;
-  value: HTMLOutputElement;
+  value: HTMLInputElement;
 }
 
 /** The sliders of the drives. */
@@ -78,9 +80,17 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
     const id = `drive-${drive.name.replace("/", "-on-")}`;
     const slider = element("input", { type: "range", id, "data-drive": drive.name, step: "any" });
     const name = element("label", { for: id });
-    const value = element("output", { for: id, id: `${id}-value` });
+    const value = element("input", { type: "text", id: `${id}-value`, class: "at", inputmode: "decimal", autocomplete: "off", spellcheck: "false" });
     const made: Row = { drive, root: element("div", { class: "drive" }, name, slider, value), name, slider, value };
     slider.oninput = () => pull(made.drive, slider.valueAsNumber);
+    value.onfocus = () => value.select();
+    value.onchange = () => go(made);
+    value.onkeydown = (event) => {
+      if (event.key === "Enter") go(made), value.select();
+      else if (event.key === "Escape") (value.value = made.drive.shown), value.blur();
+      else return;
+      event.preventDefault();
+    };
     slider.onpointerup = finish;
     slider.onblur = finish;
     slider.onkeydown = (event) => {
@@ -90,6 +100,15 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
       step(made, event.shiftKey ? way / 10 : way);
     };
     return made;
+  }
+
+  /** Drives to the value that was typed; what is none is put back. */
+  function go({ drive, value }: Row): void {
+    const typed = evaluated(value.value.replace(/°.*$/, ""), app.solved.value.opened === null ? "" : unitsOf(app.solved.value.opened.scene).length);
+    if (typed === null || value.value === drive.shown) return void (value.value = drive.shown);
+    const { low, high } = drive;
+    pull(drive, Math.min(Math.max(typed, low ?? -Infinity), high ?? Infinity));
+    finish();
   }
 
   /** One degree, or a hundredth of the way, times `by`. */
@@ -118,7 +137,9 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
       own.slider.max = String(high);
       if (document.activeElement !== own.slider || taking === null) own.slider.value = String(drive.value);
       own.slider.setAttribute("aria-valuetext", drive.shown);
-      own.value.textContent = drive.shown;
+      own.value.setAttribute("aria-label", say("drive_at", { name: driveName(drive) }));
+      own.value.size = Math.max(5, drive.shown.length);
+      if (document.activeElement !== own.value) own.value.value = drive.shown;
     });
   }
 
@@ -130,7 +151,7 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
   language.on(label);
   app.solved.on(({ opened, refused }) => {
     byId("motion").classList.toggle("still", (opened?.drives.length ?? 0) === 0 || opened?.is_drawn === true);
-    for (const { slider } of rows) slider.disabled = refused !== null;
+    for (const { slider, value } of rows) slider.disabled = value.disabled = refused !== null;
   });
 
   return {

@@ -4,16 +4,18 @@ import { icon } from "../dom/icon.ts";
 import { name } from "../layout/say.ts";
 import { say } from "../layout/words.ts";
 import type { Gesture, Gestures } from "../picture/gesture.ts";
+import { orTell } from "../refused.ts";
 import { signal, type Signal } from "../state/signal.ts";
 import { language } from "../words.ts";
-import { range, type Drives } from "./drives.ts";
+import { courseOf, following, type Course } from "./course.ts";
+import type { Drives } from "./drives.ts";
 
 /** One turn, or once from end to end, takes so many seconds at normal speed. */
-const SECONDS = 6;
+export const SECONDS = 6;
 /** With reduced motion the drive goes in steps: so many a second. */
 const CALM = 2;
 
-/** Lets the drive go round, or to and fro between its limits. */
+/** Lets the drives run, round or to and fro between their limits. */
 export interface Play {
   readonly on: Signal<boolean>;
   toggle(): void;
@@ -26,23 +28,47 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
   const speed = byId<HTMLSelectElement>("speed");
   const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
   let gesture: Gesture | null = null;
+  /** Counts starts and stops: what a start has waited for may be wanted no more. */
+  let attempt = 0;
+  let hasTold = false;
 
   async function start(): Promise<void> {
-    const drive = drives().current();
-    if (drive === undefined || app.solved.value.refused !== null) return;
+    const own = (attempt += 1);
+    const isWanted = (): boolean => on.value && own === attempt;
     on.set(true);
-    const held = await gestures.start({ kind: "drive", drive: drive.name });
-    if (held === null || !on.value) return on.set(false);
+    await gestures.end();
+    const course = isWanted() ? await courseOf(app, drives().current()) : null;
+    const held = course !== null && isWanted() ? await gestures.start(course.what) : null;
+    if (!isWanted()) return held?.drop();
+    if (course === null || held === null) return on.set(false);
     gesture = held;
-    const [low, high] = range(drive);
-    const isRound = drive.low === null || drive.high === null;
-    let value = drive.value;
-    let way = 1;
+    if (course.isTogether && !hasTold) app.tell(say("together"));
+    hasTold ||= course.isTogether;
+    run(held, course);
+  }
+
+  function run(held: Gesture, { drive, from, low, high, isRound, sense }: Course): void {
+    const follows = following(app, drive);
+    let value = from;
+    let way: number = sense;
+    let turnedAt: number | null = null;
     let before: number | null = null;
     let shown = 0;
+    /** Turns round where something stops the drive sooner than was known; false where it can go neither way. */
+    function turned(): boolean {
+      const at = follows.at();
+      if (at === turnedAt) return false;
+      [value, way, turnedAt] = [at, -way, at];
+      follows.again();
+      return true;
+    }
     const tick = (now: number): void => {
-      if (!on.value || gesture !== held) return;
-      if (!gestures.isActive()) return on.set(false);
+      if (gesture !== held) return follows.end();
+      if (!held.isHeld() || (follows.isStuck() && !turned())) {
+        follows.end();
+        if (held.isHeld()) app.tell(say("stuck"));
+        return stop();
+      }
       const passed = before === null ? 0 : Math.min((now - before) / 1000, 0.1);
       before = now;
       value += (way * passed * (high - low) * Number(speed.value)) / SECONDS;
@@ -61,19 +87,30 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
 
   function stop(): void {
     if (!on.value) return;
+    attempt += 1;
     on.set(false);
     void gesture?.drop();
     gesture = null;
   }
 
   const show = (): void => {
+    const several = (app.solved.value.opened?.drives.length ?? 0) > 1;
     button.replaceChildren(icon(on.value ? "pause" : "play"));
     button.setAttribute("aria-pressed", String(on.value));
-    name(button, say(on.value ? "pause" : "play"));
+    name(button, say(on.value ? "pause" : several ? "play_together" : "play"));
   };
   on.on(show);
+  app.solved.on(show);
   language.on(show);
-  const toggle = (): void => (on.value ? stop() : void start());
+  const toggle = (): void => {
+    if (on.value) return stop();
+    void orTell(app, () =>
+      start().catch((why: unknown) => {
+        stop();
+        throw why;
+      }),
+    );
+  };
   button.onclick = toggle;
   return { on, toggle, stop };
 }

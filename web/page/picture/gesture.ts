@@ -28,6 +28,8 @@ export interface Gesture {
   drop(): Promise<void>;
   /** Lets go and puts everything back. */
   cancel(): Promise<void>;
+  /** Whether it goes on: nobody has let go, taken hold of something else, or made it fail. */
+  isHeld(): boolean;
 }
 
 /** Takes hold of something; what was held before is let go. */
@@ -107,11 +109,14 @@ export function gestures(app: App, sight: Signal<View>, show: (picture: Picture)
       });
     }
     const unlisten = sight.on(() => view !== sight.value && run());
+    // Somebody changes the scene while it is held: what was held belongs to the old one.
+    const unwatch = app.history.now.on((now) => now.text !== text && void gesture.cancel());
 
     function over(): void {
       isOver = true;
       next = null;
       unlisten();
+      unwatch();
       if (current === gesture) current = null;
     }
 
@@ -134,7 +139,7 @@ export function gestures(app: App, sight: Signal<View>, show: (picture: Picture)
         over();
         try {
           const next = await app.engine.drop();
-          if (next === text) return back();
+          if (next === text || app.history.now.value.text !== text) return back();
           // A drive goes on where it was; a mechanism of another shape, and another position on paper, has a layout of its own.
           if (what.kind === "shape" || app.paper.value) ease();
           app.history.change({ text: next });
@@ -150,6 +155,7 @@ export function gestures(app: App, sight: Signal<View>, show: (picture: Picture)
         await app.engine.drop().catch(() => undefined);
         back();
       },
+      isHeld: () => !isOver,
     };
     current = gesture;
     try {

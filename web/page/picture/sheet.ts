@@ -1,5 +1,7 @@
 /** The engine's SVG on the page. */
 
+import { patch } from "../dom/patch.ts";
+
 const ROOT = /^[^<]*<svg\b([^>]*)>/;
 
 /** The colours of a sheet on a dark screen, by the colour on paper. */
@@ -58,5 +60,5 @@ export function fill(root: SVGSVGElement, svg: string): void {
   }
   // Title and description would show as a tip wherever the mouse rests; the element has a name of its own.
   const inner = svg.slice(opening[0].length, svg.lastIndexOf("</svg>"));
-  root.innerHTML = inner.replace(/^\s*<title>[^<]*<\/title>/, "").replace(/^\s*<desc>[^<]*<\/desc>/, "");
+  patch(root, inner.replace(/^\s*<title>[^<]*<\/title>/, "").replace(/^\s*<desc>[^<]*<\/desc>/, ""));
 }

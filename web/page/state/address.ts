@@ -1,4 +1,20 @@
-import type { View } from "../engine/types.ts";
+import type { ExerciseOptions, View } from "../engine/types.ts";
+
+/** The exercise that a scene is: what it was made from, so that its sheet, and the next one, can be made again. */
+export interface Task {
+  /** The name of its kind, or of the scene that was varied. */
+  name: string;
+  /** That scene's text; empty for a kind of the page's own. */
+  text: string;
+  seed: number;
+  /** Counted from 1. */
+  number: number;
+  options: ExerciseOptions;
+  /** Whether the teacher lets the steps of the construction be read. */
+  steps: boolean;
+  /** Whether the teacher lets the student go on with the next ones. */
+  more: boolean;
+}
 
 /** What a link holds. */
 export interface Shared {
@@ -11,6 +27,7 @@ export interface Shared {
   panel?: string;
   /** Whether it is for a student: nothing is shown that the sheet asks for. */
   student?: boolean;
+  task?: Task | null;
 }
 
 /** Why a link cannot be read. */
@@ -58,12 +75,26 @@ function document(json: unknown): Shared | null {
   if (typeof given["form"] === "string") shared.form = given["form"];
   if (typeof given["panel"] === "string") shared.panel = given["panel"];
   if (given["student"] === true) shared.student = true;
+  const task = taskOf(given["task"]);
+  if (task !== null) shared.task = task;
   const view = given["view"] as Partial<View> | null | undefined;
   if (typeof view === "object" && view !== null) {
     const step = Number.isInteger(view.step) && (view.step as number) > 0 ? (view.step as number) : null;
     shared.view = { step, coarse: view.coarse === true, modes: view.modes === true };
   }
   return shared;
+}
+
+/** An exercise as somebody else's JSON names it; null where it names none. */
+function taskOf(json: unknown): Task | null {
+  const given = (typeof json === "object" && json !== null ? json : {}) as Record<string, unknown>;
+  const { name, text = "", seed, number } = given;
+  const isWhole = (value: unknown, least: number): value is number => Number.isSafeInteger(value) && (value as number) >= least;
+  if (typeof name !== "string" || typeof text !== "string" || !isWhole(seed, 0) || !isWhole(number, 1)) return null;
+  const asked = (typeof given["options"] === "object" && given["options"] !== null ? given["options"] : {}) as Record<string, unknown>;
+  const word = (key: string): string | null => (typeof asked[key] === "string" ? asked[key] : null);
+  const options = { page: word("page"), language: word("language"), notation: word("notation"), decimal: word("decimal") };
+  return { name, text, seed, number, options, steps: given["steps"] === true, more: given["more"] === true };
 }
 
 /** The document of a link; null where the address holds none. */

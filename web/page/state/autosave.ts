@@ -1,9 +1,11 @@
 import type { App } from "../app.ts";
+import { thisPage } from "./lesson.ts";
 import type { Kept, Store } from "./storage.ts";
 
 /** The document as it is kept. */
 export function asKept(app: App): Kept {
-  return { ...app.history.now.value, title: app.solved.value.opened?.title ?? "", student: app.student.value, time: Date.now() };
+  const title = app.solved.value.opened?.title ?? "";
+  return { ...app.history.now.value, title, student: app.student.value, task: app.task.value, page: thisPage(), time: Date.now() };
 }
 
 /** Keeps the document a moment after each change, and at once when the page is left. */
@@ -15,7 +17,7 @@ export function autosave(app: App, store: Store): void {
     const now = app.history.now.value;
     if (now === kept) return;
     kept = now;
-    store.keep(asKept(app));
+    store.keep(asKept(app), app.history.past());
   };
   app.history.now.on(() => {
     clearTimeout(clock);

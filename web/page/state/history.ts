@@ -13,6 +13,8 @@ const MOST = 500;
 
 /** The document with all that it was: one entry a gesture. */
 export interface History {
+  /** What undo goes back through, the oldest first; after a reload it is there again. */
+  past(): readonly Document[];
   readonly now: Signal<Document>;
   readonly canUndo: Signal<boolean>;
   readonly canRedo: Signal<boolean>;
@@ -22,11 +24,11 @@ export interface History {
   redo(): void;
 }
 
-export function history(first: Document): History {
+export function history(first: Document, before: readonly Document[] = []): History {
   const now = signal(first);
-  const canUndo = signal(false);
+  const canUndo = signal(before.length > 0);
   const canRedo = signal(false);
-  let past: Document[] = [];
+  let past: Document[] = [...before];
   let future: Document[] = [];
   let last: string | undefined;
 
@@ -37,6 +39,7 @@ export function history(first: Document): History {
   }
 
   return {
+    past: () => past,
     now,
     canUndo,
     canRedo,

@@ -1,5 +1,6 @@
 import type { App } from "../app.ts";
 import type { Refused } from "../engine/types.ts";
+import { language } from "../words.ts";
 import { newest } from "./newest.ts";
 
 /** Does it now, or when the number that is being typed is whole, if the text is still the same then. */
@@ -22,6 +23,8 @@ export function solving(app: App): void {
       whenTyped(app, text, () => app.solved.set({ ...app.solved.value, text, refused: refused as Refused }));
     }
   });
+  // Steps and warnings are told in the page's language.
+  language.on(() => app.solved.value.opened !== null && solver.want(app.history.now.value.text));
   app.history.now.on(({ text }) => {
     if (text !== app.solved.value.text || !solver.isIdle()) solver.want(text);
   });

@@ -6,7 +6,7 @@ import { language } from "../words.ts";
 import type { Steps } from "./steps.ts";
 
 /** Plain text, as `v_S3 = v_G + v_S3G`, with its marks set low. */
-function marked(plain: string): (string | HTMLElement)[] {
+export function marked(plain: string): (string | HTMLElement)[] {
   const pieces = plain.split(/_(?:\{([^}]*)\}|([\p{L}\p{N}']+))/u);
   // By threes: text, mark in braces, mark without.
   return pieces.flatMap<string | HTMLElement>((piece, at) => (at % 3 === 0 ? [piece] : piece === undefined ? [] : [element("sub", {}, piece)]));

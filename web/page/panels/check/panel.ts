@@ -16,6 +16,7 @@ import { photoView } from "./photo/view.ts";
 import { pointsPart } from "./points.ts";
 import { result } from "./result.ts";
 import { rows } from "./rows.ts";
+import { taskPart } from "./task.ts";
 import { say } from "./words.ts";
 
 function mount(root: HTMLElement, app: App): void {
@@ -75,7 +76,7 @@ function mount(root: HTMLElement, app: App): void {
   });
   drawing.isShown.on((is) => is && photo.hide());
   const camera = photoBlock(app, photo);
-  const all = element("div", { class: "all" }, intro, camera.root, files, top.root, boxes.root, points.root, whole.root);
+  const all = element("div", { class: "all" }, taskPart(app), intro, camera.root, files, top.root, boxes.root, points.root, whole.root);
   const none = element("p", { class: "quiet" });
   root.append(none, all, foot.root);
   // The browser's own undo ends at the field's edge; the page's goes through all of the form.

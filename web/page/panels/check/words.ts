@@ -2,6 +2,16 @@ import { speaker, type Words } from "../../words.ts";
 
 const en = {
   check: "Check",
+  task: "Exercise {name}",
+  task_intro: "Print the sheet at 100 %, draw the plans on it at its scales, then write below what you read off, or photograph it.",
+  task_sheet: "Sheet of the exercise",
+  task_print: "Print at 100 %",
+  task_large: "Read the sheet",
+  task_small: "Back to the mechanism",
+  task_next: "Next exercise",
+  task_is: "This is exercise {name}. Undo brings the one before back.",
+  task_steps: "Steps of the construction",
+  task_making: "The sheet is being made…",
   intro: "Write what you have read off your drawing, value by value. Each is checked as soon as it stands there.",
   no_scene: "This scene has no form to check: it cannot be solved.",
   no_boxes: "This scene has no construction by hand, so its form has no boxes.",
@@ -78,6 +88,16 @@ const en = {
 
 const es: Record<keyof typeof en, string> = {
   check: "Comprobar",
+  task: "Ejercicio {name}",
+  task_intro: "Imprime la lámina al 100 %, dibuja los planos en ella con sus escalas y escribe abajo lo que leas, o fotografíala.",
+  task_sheet: "Lámina del ejercicio",
+  task_print: "Imprimir al 100 %",
+  task_large: "Leer la lámina",
+  task_small: "Volver al mecanismo",
+  task_next: "Ejercicio siguiente",
+  task_is: "Este es el ejercicio {name}. Deshacer devuelve el anterior.",
+  task_steps: "Pasos de la construcción",
+  task_making: "Se prepara la lámina…",
   intro: "Escribe lo que has leído en tu dibujo, valor por valor. Cada uno se comprueba en cuanto está escrito.",
   no_scene: "Esta escena no tiene formulario: no se puede resolver.",
   no_boxes: "Esta escena no tiene construcción a mano; su formulario no tiene casillas.",

@@ -14,6 +14,7 @@ import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, offeredNames
 import { choices, points, ticked } from "./chooser.ts";
 import { follow } from "./follow.ts";
 import { place } from "./place.ts";
+import { fewDigits } from "../values/text.ts";
 import { say } from "./words.ts";
 
 /** Curves of quantities, hodographs of vectors and paths of points over the cycle. */
@@ -111,7 +112,7 @@ function picture(app: App, choice: Chosen): HTMLElement {
     if (shown === null) return;
     drawing.show(shown.svg);
     const lines = shown.events.length > 0 ? shown.events : [say("no_events")];
-    events.replaceChildren(...lines.map((text) => element("li", {}, text)));
+    events.replaceChildren(...lines.map((text) => element("li", {}, fewDigits(text))));
   });
   return element("div", {}, message, room, tools, worded(element("h3"), () => say("events")), events);
 }

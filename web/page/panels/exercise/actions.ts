@@ -32,10 +32,17 @@ function file(app: App, { exercise, wanted }: Found, saying: Saying, ending: str
 /** What a teacher gives to the students: print, link, files. */
 export function forStudents(app: App, found: Found): HTMLElement {
   const { exercise } = found;
+  const box = (saying: Saying, checked: boolean): [HTMLElement, HTMLInputElement] => {
+    const input = element("input", { type: "checkbox", checked });
+    input.onchange = () => address.value !== "" && void link();
+    return [element("label", { class: "tick" }, input, element("span", {}, say(saying))), input];
+  };
+  const [stepsBox, steps] = box("allow_steps", false);
+  const [moreBox, more] = box("allow_more", true);
   const address = element("input", { type: "text", readonly: true, "aria-label": say("link_address"), hidden: true });
   address.onfocus = () => address.select();
   async function link(): Promise<void> {
-    address.value = await studentLink(app, exercise);
+    address.value = await studentLink(app, exercise, found.wanted, { steps: steps.checked, more: more.checked });
     address.hidden = false;
     const isCopied = await copied(address.value);
     app.tell(say(isCopied ? "copied" : "not_copied"));
@@ -56,6 +63,7 @@ export function forStudents(app: App, found: Found): HTMLElement {
       file(app, found, "form", "csv", exercise.form_csv, "text/csv"),
       file(app, found, "scene", "json", exercise.text, "application/json"),
     ),
+    element("p", { class: "allowed" }, stepsBox, moreBox),
     address,
     element("p", { class: "quiet" }, say("print_hint")),
     element("p", { class: "quiet" }, say("link_hint")),

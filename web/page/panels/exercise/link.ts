@@ -1,8 +1,20 @@
 import type { App } from "../../app.ts";
 import type { Exercise } from "../../engine/types.ts";
+import type { Wanted } from "./making.ts";
 import { begun, formText } from "../check/form.ts";
 
-/** The address that a student gets: the exercise's scene and its empty form, without the key; the plans are not shown. */
-export function studentLink(app: App, { text, form }: Exercise): Promise<string> {
-  return app.link({ text, form: formText(begun(form, true)), panel: "check", student: true });
+/** What the teacher allows. */
+export interface Allowed {
+  steps: boolean;
+  more: boolean;
+}
+
+/**
+ * The address that a student gets: the exercise's scene, its empty form, and what it was made from, for its sheet; without the key. The plans are
+ * not shown.
+ */
+export async function studentLink(app: App, exercise: Exercise, { text, name, seed, number, options }: Wanted, allowed: Allowed): Promise<string> {
+  const isOwn = !(await app.engine.kinds()).some((kind) => kind.name === name && kind.text === text);
+  const task = { name, text: isOwn ? text : "", seed, number, options, ...allowed };
+  return app.link({ text: exercise.text, form: formText(begun(exercise.form, true)), panel: "check", student: true, task });
 }

@@ -6,6 +6,8 @@ import type { Kind, Picture } from "../../engine/types.ts";
 import { askedFor } from "../../files/open.ts";
 import { openFile, READABLE } from "../../layout/brought.ts";
 import { language } from "../../words.ts";
+import { alone } from "../output/alone.ts";
+import type { Box } from "../output/sheet.ts";
 import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
 import { say } from "./words.ts";
 
@@ -68,31 +70,20 @@ function card(app: App, kind: Kind, open: (text: string) => void): HTMLElement {
 /** A scene's mechanism, small; null where it cannot be drawn. */
 async function thumbnail(app: App, text: string): Promise<HTMLElement | null> {
   try {
-    const small = await app.engine.edit(text, [{ set: ["figure"], value: { panels: ["scheme"], focus: "scheme", page: "16x9", style: "lecture", values: false, special_points: false, construction: false } }]);
-    const picture = await app.engine.picture(small, { step: null, coarse: false, modes: false });
-    return cut(picture);
+    const { picture, box } = await alone(app, text);
+    return box === undefined ? null : cut(picture, box);
   } catch {
     return null;
   }
 }
 
 /** The mechanism in a picture, as an image by itself: nothing in it meets the page. */
-function cut(picture: Picture): HTMLElement | null {
+function cut(picture: Picture, box: Box): HTMLElement | null {
   const svg = new DOMParser().parseFromString(picture.svg, "image/svg+xml").documentElement;
-  const box = boxAround(picture.handles.map(({ at }) => at)) ?? picture.panels.find(({ key }) => key === "scheme")?.box;
-  if (box === undefined || svg.nodeName !== "svg") return null;
+  if (svg.nodeName !== "svg") return null;
   svg.setAttribute("viewBox", box.join(" "));
   svg.setAttribute("width", String(box[2]));
   svg.setAttribute("height", String(box[3]));
   const address = URL.createObjectURL(new Blob([new XMLSerializer().serializeToString(svg)], { type: "image/svg+xml" }));
   return element("img", { src: address, alt: "", onload: () => URL.revokeObjectURL(address) });
-}
-
-/** A box around places of the sheet, with room for feet and letters. */
-function boxAround(places: [number, number][]): [number, number, number, number] | null {
-  if (places.length < 2) return null;
-  const [across, down] = [places.map(([x]) => x), places.map(([, y]) => y)];
-  const [left, top] = [Math.min(...across), Math.min(...down)];
-  const room = 13;
-  return [left - room, top - room, Math.max(...across) - left + 2 * room, Math.max(...down) - top + 2 * room];
 }

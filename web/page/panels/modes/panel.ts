@@ -4,8 +4,10 @@ import { tick, worded } from "../../dom/worded.ts";
 import type { Mode } from "../../engine/types.ts";
 import { orTell, said } from "../../refused.ts";
 import { language } from "../../words.ts";
+import { alone } from "../output/alone.ts";
 import { keepCurrent } from "../output/current.ts";
 import { sheet, type Sheet } from "../output/sheet.ts";
+import { fewDigits } from "../values/text.ts";
 import { say } from "./words.ts";
 
 /** Most modes that get a picture of their own. */
@@ -55,15 +57,15 @@ async function show(list: HTMLElement, app: App, text: string, found: Mode[]): P
 function choice(mode: Mode, picture: Sheet | undefined, choose: () => void): HTMLLabelElement {
   const radio = element("input", { type: "radio", name: "mode", checked: mode.is_own, onchange: choose });
   const name = element("strong", {}, say("mode", { number: mode.number }));
-  const words = element("span", { class: "places" }, mode.shown);
+  const words = element("span", { class: "places" }, fewDigits(mode.shown));
   return element("label", {}, radio, element("span", { class: "mode" }, name, words), ...(picture === undefined ? [] : [picture.root]));
 }
 
 /** Draws the scheme of a mode. */
 async function draw(picture: Sheet, app: App, text: string, mode: Mode): Promise<void> {
   const other = mode.is_own ? text : await app.engine.choose_mode(text, mode.number);
-  const { svg, panels } = await app.engine.picture(other, { step: null, coarse: false, modes: false });
-  picture.show(svg, panels.find(({ key }) => key === "scheme")?.box);
+  const { picture: drawn, box } = await alone(app, other);
+  picture.show(drawn.svg, box);
 }
 
 function choose(app: App, text: string, number: number): Promise<void> {

@@ -61,3 +61,12 @@ export function sizeOf(svg: string): [number, number] {
   const side = (name: string): number => Number(new RegExp(`^<svg[^>]* ${name}="([\\d.]+)mm"`).exec(svg)?.[1] ?? Number.NaN);
   return [side("width"), side("height")];
 }
+
+/** A box around places of the sheet, with room for feet and letters. */
+export function boxAround(places: [number, number][]): Box | null {
+  if (places.length < 2) return null;
+  const [across, down] = [places.map(([x]) => x), places.map(([, y]) => y)];
+  const [left, top] = [Math.min(...across), Math.min(...down)];
+  const room = 13;
+  return [left - room, top - room, Math.max(...across) - left + 2 * room, Math.max(...down) - top + 2 * room];
+}

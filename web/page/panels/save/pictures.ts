@@ -3,6 +3,7 @@ import { element } from "../../dom/element.ts";
 import { button, worded } from "../../dom/worded.ts";
 import type { FileRequest } from "../../engine/types.ts";
 import { PICTURES } from "../output/formats.ts";
+import { pngWidth, WIDTHS } from "../output/png.ts";
 import { saveOfScene } from "./files.ts";
 import { say } from "./words.ts";
 
@@ -18,7 +19,17 @@ export function pictures(app: App): HTMLElement {
     row(app, () => say("figure"), () => "figure", () => ""),
     row(app, () => say("worksheet"), () => "worksheet", () => "worksheet"),
     ofStep,
+    width(),
   );
+}
+
+/** How wide pictures of pixels are. */
+function width(): HTMLElement {
+  const choice = element("select", { id: "png-width" }, ...WIDTHS.map((width) => element("option", { value: width }, width)));
+  choice.onchange = () => pngWidth.set(WIDTHS.find((width) => width === choice.value) ?? pngWidth.value);
+  pngWidth.on((width) => (choice.value = width));
+  const label = worded(element("label", { class: "what", for: choice.id }), () => say("png_width"));
+  return element("div", { class: "row" }, label, element("div", { class: "tools" }, choice));
 }
 
 function row(app: App, title: () => string, of: () => FileRequest["of"], part: () => string): HTMLElement {

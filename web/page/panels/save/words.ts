@@ -6,6 +6,7 @@ type Key =
   | "figure"
   | "worksheet"
   | "this_step"
+  | "png_width"
   | "as"
   | "steps"
   | "coarse"
@@ -16,7 +17,9 @@ type Key =
   | "film_turn"
   | "film_about"
   | "filming"
-  | "no_film"
+  | "film_taken"
+  | "film_hidden"
+  | "film_stuck"
   | "cannot_film"
   | "numbers"
   | "motion"
@@ -48,6 +51,7 @@ const WORDS: Words<Key> = {
     figure: "Figure",
     worksheet: "Work sheet",
     this_step: "Step {number}",
+    png_width: "Width of PNG, in pixels",
     as: "{what} as {format}",
     steps: "Construction",
     coarse: "Steps that belong together on one sheet",
@@ -56,9 +60,11 @@ const WORDS: Words<Key> = {
     packing: "Sheet {number} of {count} …",
     film: "Film",
     film_turn: "One turn of the drive",
-    film_about: "The browser records the picture for six seconds while the drive runs. GIF, for slides and messages, is made by the program: kinegon draw scene.json -o film.gif",
+    film_about: "The browser records the picture while the drives run as the scene says: for six seconds, or for each turn until the mechanism is where it began. Keep the page in sight; pulling, Play or a change of the scene breaks it off. GIF, for slides and messages, is made by the program: kinegon draw scene.json -o film.gif",
     filming: "Recording …",
-    no_film: "The film was broken off.",
+    film_taken: "The film was broken off: something was moved or changed.",
+    film_hidden: "The film was broken off: the page was not in sight.",
+    film_stuck: "There is no film: the drive cannot move from where it stands.",
     cannot_film: "This browser records no films. The program makes them: kinegon draw scene.json -o film.gif",
     numbers: "Numbers",
     motion: "Motion over the cycle (CSV)",
@@ -89,6 +95,7 @@ const WORDS: Words<Key> = {
     figure: "Figura",
     worksheet: "Hoja de trabajo",
     this_step: "Paso {number}",
+    png_width: "Ancho del PNG, en píxeles",
     as: "{what} como {format}",
     steps: "Construcción",
     coarse: "En una hoja los pasos que van juntos",
@@ -97,9 +104,11 @@ const WORDS: Words<Key> = {
     packing: "Hoja {number} de {count} …",
     film: "Película",
     film_turn: "Una vuelta del accionamiento",
-    film_about: "El navegador graba la figura durante seis segundos mientras el accionamiento se mueve. El programa hace GIF, para presentaciones y mensajes: kinegon draw escena.json -o película.gif",
+    film_about: "El navegador graba la figura mientras los accionamientos se mueven como dice la escena: seis segundos, o seis por vuelta hasta que el mecanismo está donde empezó. Deje la página a la vista; tirar de un punto, reproducir o cambiar la escena interrumpe la grabación. El programa hace GIF, para presentaciones y mensajes: kinegon draw escena.json -o película.gif",
     filming: "Grabando …",
-    no_film: "La grabación se interrumpió.",
+    film_taken: "La grabación se interrumpió: algo se movió o cambió.",
+    film_hidden: "La grabación se interrumpió: la página no estaba a la vista.",
+    film_stuck: "No hay película: el accionamiento no puede moverse desde donde está.",
     cannot_film: "Este navegador no graba películas. El programa las hace: kinegon draw escena.json -o película.gif",
     numbers: "Números",
     motion: "Movimiento a lo largo del ciclo (CSV)",

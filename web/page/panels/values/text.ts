@@ -9,6 +9,15 @@ export function shortened(value: string, digits: number): string {
   return short.includes("e") ? String(Number(short)) : short;
 }
 
+/** A sentence in which numbers have the digits that one reads: five, of a file's nine or more. */
+export function fewDigits(text: string): string {
+  return text.replace(/\d+[.,]\d{3,}/g, (number) => {
+    const isComma = number.includes(",");
+    const short = shortened(isComma ? number.replace(",", ".") : number, 5);
+    return isComma ? short.replace(".", ",") : short;
+  });
+}
+
 /** Values as lines of text with aligned columns. */
 export function aligned(values: Value[]): string {
   const rows = values.map(({ name, value, unit, error }) => [name, value, unit, error == null ? "" : `± ${error}`]);
