@@ -152,7 +152,7 @@ export function stateLine(app: App, model: Model): HTMLElement {
     if (note.value !== "") state.textContent = note.value;
     else if (isCurrent && refused === null) state.textContent = say("complete");
     else if (isEmpty) state.textContent = say("begin");
-    else if (isCurrent && refused !== null) state.textContent = say("incomplete", { why: [refused.message, refused.hint].filter(Boolean).join(" ") });
+    else if (isCurrent && refused !== null) state.textContent = say("incomplete", { why: [refused.message, refused.hint].filter(Boolean).join(" – ") });
   };
   for (const each of [model.tool, model.begun, model.scaling, model.note, model.shown, app.solved, app.building, language] as { on(act: () => void): void }[]) each.on(told);
   return element("div", { class: "foot" }, hint, state);

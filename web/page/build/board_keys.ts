@@ -17,7 +17,8 @@ export interface BoardKeys {
   cancel(): boolean;
 }
 
-export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (press: Press, at: Pixels) => void, draw: () => void): BoardKeys {
+/** `putBack` puts back what a pointer holds, and says whether it held something. */
+export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (press: Press, at: Pixels) => void, draw: () => void, putBack: () => boolean): BoardKeys {
   const { sight } = model;
   let cross: Place = [0, 0];
   /** What keys carry: taken up by Enter, put down by Enter. */
@@ -76,7 +77,7 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     Delete: () => void removeChosen(app, model),
     Backspace: () => void removeChosen(app, model),
     Escape: () => {
-      if (cancel()) speak(say("put_back"));
+      if (putBack() || cancel()) speak(say("put_back"));
     },
     ContextMenu: () => menu(press(), sight.toPane(cross)),
     n: () => reveal(app, press(), true),

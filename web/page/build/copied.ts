@@ -1,7 +1,7 @@
 /** Parts of a mechanism that are copied, and put in again elsewhere under new names. */
 import type { Edit } from "../engine/types.ts";
 import { freeLink, freePoint } from "../panels/mechanism/free_name.ts";
-import { at, groundOf, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { at, entries, groundOf, isDrawn, joined, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
 import type { Present } from "./tools.ts";
 import { short, type Place } from "./sight.ts";
 
@@ -15,7 +15,8 @@ export interface Chosen {
 export interface Copied {
   places: [string, Place][];
   fixed: string[];
-  links: [string, string[]][];
+  /** By name: its points, and what the scene says of it. */
+  links: [string, string[], unknown][];
   sliders: object[];
 }
 
@@ -29,7 +30,7 @@ export function copied({ scene, places }: Present, { points, links }: Chosen): C
   return {
     places: [...names].map((name) => [name, places.get(name)!]),
     fixed: groundOf(scene).filter((name) => names.has(name)),
-    links: whole.map((link) => [link, pointsOn(scene, link)]),
+    links: whole.map((link) => [link, pointsOn(scene, link), structuredClone(at(scene, ["links", link]))]),
     sliders: structuredClone(sliders) as object[],
   };
 }
@@ -46,11 +47,29 @@ export function pasted(scene: Draft, { places, fixed, links, sliders }: Copied, 
     ...fixed.map((name): Edit => ({ add_point: { link: "ground", ...placed(name) } })),
     ...links.map(([, names]): Edit => ({ add_link: { points: names.map(placed) } })),
   ];
+  // Lengths are those of the original, not measured anew; a drive stays with it.
+  if (!isDrawn(scene)) for (const [link, names, entry] of links) for (const key of ["lengths", "shape"]) {
+    const table = measures(at(entry, [key]), names, points);
+    if (table !== null) edits.push({ set: ["links", numbers.get(link)!], value: key === "shape" ? { shape: table } : { points: names.map((name) => points.get(name)!), lengths: table } });
+  }
   const count = Array.isArray(scene["sliders"]) ? scene["sliders"].length : 0;
   const list = sliders.map((slider) => renamed(slider, points, numbers, by));
   if (list.length > 0 && count === 0) edits.push({ set: ["sliders"], value: list });
   else list.forEach((slider, index) => edits.push({ set: ["sliders", count + index], value: slider }));
   return { edits, chosen: { points: new Set(points.values()), links: new Set(links.map(([link]) => numbers.get(link)!)) } };
+}
+
+/** Lengths or places of a link under new names; null where there are none. */
+function measures(table: unknown, names: string[], points: Map<string, string>): Record<string, unknown> | null {
+  const all = entries(table);
+  if (all.length === 0) return null;
+  const renamed = (key: string): string => {
+    const own = points.get(key);
+    if (own !== undefined) return own;
+    const ends = names.flatMap((a) => names.map((b) => [a, b] as const)).find(([a, b]) => [a + b, `${a}-${b}`].includes(key));
+    return ends === undefined ? key : joined(points.get(ends[0])!, points.get(ends[1])!);
+  };
+  return Object.fromEntries(all.map(([key, value]) => [renamed(key), value]));
 }
 
 /** A slider under new names, its guide as far away as the rest. */
@@ -62,9 +81,8 @@ function renamed(slider: object, points: Map<string, string>, links: Map<string,
     if (key === "through" && Array.isArray(value) && isGround) return [short(Number(value[0]) + dx), short(Number(value[1]) + dy)];
     if (key === "through" && typeof value === "string") return points.get(value) ?? value;
     if (key === "along" && typeof value === "string") {
-      const ends = value.includes("-") ? value.split("-") : [...value];
-      const [from, to] = ends.map((end) => points.get(end) ?? end);
-      return from !== undefined && to !== undefined && ends.length === 2 ? (from.length === 1 && to.length === 1 ? from + to : `${from}-${to}`) : value;
+      const [from, to] = (value.includes("-") ? value.split("-") : [...value]).map((end) => points.get(end) ?? end);
+      return from !== undefined && to !== undefined ? joined(from, to) : value;
     }
     return value;
   };

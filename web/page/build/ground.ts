@@ -67,10 +67,16 @@ export function photoShape(photo: Photograph, sight: Sight): SVGElement {
 
 /** A line with its length and its angle, while it is drawn. */
 export function lineShapes(from: Pixels, to: Pixels, words: string): SVGElement[] {
-  const [x, y] = [(from[0] + to[0]) / 2, (from[1] + to[1]) / 2];
+  const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+  const size = Math.max(Math.hypot(dx, dy), 1);
+  // Above the line, and beside a steep one.
+  const side = dx >= 0 ? 1 : -1;
+  const off = 14;
+  const [x, y] = [(from[0] + to[0]) / 2 + (off * side * dy) / size, (from[1] + to[1]) / 2 - (off * side * dx) / size];
+  const anchor = Math.abs(dy) < 0.3 * size ? "middle" : side * dy < 0 ? "end" : "start";
   return [
     svgElement("path", { class: "way", d: `M${from[0]} ${from[1]}L${to[0]} ${to[1]}` }),
     svgElement("circle", { cx: to[0], cy: to[1], r: 4 }),
-    svgElement("text", { x: x + 10, y: y - 10 }, words),
+    svgElement("text", { x, y, "text-anchor": anchor }, words),
   ];
 }

@@ -116,7 +116,7 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
     });
   }
   const moving = hands(app, model, over, menu, draw);
-  const keyed = boardKeys(app, model, over, menu, draw);
+  const keyed = boardKeys(app, model, over, menu, draw, moving.cancel);
 
   /** Where the middle of the board was on the screen: rows of tools that come and go move the board, not the mechanism. */
   let middle: Pixels | null = null;
