@@ -222,15 +222,19 @@ impl OnSheet<'_> {
 
     /// A link's name: in its area, beside its middle, beside its block.
     fn name(&self, canvas: &mut Canvas<'_>, link: &DraftLink) {
-        let (anchor, clearance) = match self.corners(link).as_slice() {
+        let (anchor, clearance, prefer) = match self.corners(link).as_slice() {
             [] => return,
-            &[at] => (at, BLOCK.y + 1.3),
-            &[a, b] => (a.midpoint(b), 1.3),
+            &[at] => (at, BLOCK.y + 1.3, None),
+            &[a, b] => {
+                let along = towards(a, b, Vec2::new(1.0, 0.0));
+                let above = if along.x > 0.0 { Vec2::new(along.y, -along.x) } else { Vec2::new(-along.y, along.x) };
+                (a.midpoint(b), 1.6, Some(above))
+            }
             corners => {
                 let sum = corners.iter().fold(Vec2::ZERO, |sum, corner| sum + corner.to_vec2());
-                ((sum / corners.len() as f64).to_point(), 0.0)
+                ((sum / corners.len() as f64).to_point(), 0.0, None)
             }
         };
-        canvas.label(&format!("link {}", link.name), &link.name, anchor, clearance, None, 1);
+        canvas.label(&format!("link {}", link.name), &link.name, anchor, clearance, prefer, 1);
     }
 }

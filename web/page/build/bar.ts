@@ -4,10 +4,11 @@ import { element } from "../dom/element.ts";
 import { radios } from "../dom/radios.ts";
 import { worded } from "../dom/worded.ts";
 import { askedFor } from "../files/open.ts";
-import { unitsOf } from "../panels/parts/scene.ts";
+import { isDrawn, unitsOf, type Draft } from "../panels/parts/scene.ts";
 import { evaluated } from "../number.ts";
 import { language } from "../words.ts";
 import { photographed, scaled } from "./ground.ts";
+import { hasGround, mobility } from "./mobility.ts";
 import { NOTHING, type Model } from "./model.ts";
 import type { Pixels } from "./sight.ts";
 import { GUIDED, SLIDING, TOOLS } from "./tools.ts";
@@ -137,6 +138,16 @@ function photoButtons(app: App, model: Model, back: () => void): HTMLElement {
   return root;
 }
 
+/** What a mechanism lacks, by the count of its motions; null where that is right, or not all. */
+function missing(scene: Draft): string | null {
+  const { links, taken, free, drives } = mobility(scene);
+  if (links === 0 || isDrawn(scene) || free === drives) return null;
+  const count = say("mobility", { links, taken, free });
+  if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
+  const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
+  return `${say(wants, { count: free - drives })} ${count}`;
+}
+
 /** What to do, and whether the mechanism is complete. */
 export function stateLine(app: App, model: Model): HTMLElement {
   const hint = element("p", { class: "hint" });
@@ -152,7 +163,7 @@ export function stateLine(app: App, model: Model): HTMLElement {
     if (note.value !== "") state.textContent = note.value;
     else if (isCurrent && refused === null) state.textContent = say("complete");
     else if (isEmpty) state.textContent = say("begin");
-    else if (isCurrent && refused !== null) state.textContent = say("incomplete", { why: [refused.message, refused.hint].filter(Boolean).join(" – ") });
+    else if (isCurrent && refused !== null) state.textContent = missing(model.present()?.scene ?? {}) ?? say("incomplete", { why: [refused.message, refused.hint].filter(Boolean).join(" – ") });
   };
   for (const each of [model.tool, model.begun, model.scaling, model.note, model.shown, app.solved, app.building, language] as { on(act: () => void): void }[]) each.on(told);
   return element("div", { class: "foot" }, hint, state);

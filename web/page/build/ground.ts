@@ -16,7 +16,9 @@ export function gridShapes(sight: Sight, unit: string): SVGElement[] {
       const [x, y] = sight.toPane(axis === 0 ? [value, 0] : [0, value]).map((pixel) => pixel.toFixed(1));
       const isNamed = count % every === 0;
       lines[isNamed ? "named" : "fine"].push(axis === 0 ? `M${x} 0V${height}` : `M0 ${y}H${width}`);
-      if (isNamed) texts.push(svgElement("text", axis === 0 ? { x, y: height - 5, "text-anchor": "middle" } : { x: 5, y: Number(y) + 4 }, `${value}`.replace("-", "−")));
+      // No number is cut at a corner or an edge.
+      const hasRoom = axis === 0 ? Number(x) > 36 && Number(x) < width - 40 : Number(y) > 12 && Number(y) < height - 18;
+      if (isNamed && hasRoom) texts.push(svgElement("text", axis === 0 ? { x, y: height - 5, "text-anchor": "middle" } : { x: 5, y: Number(y) + 4 }, `${value}`.replace("-", "−")));
     }
   const words = svgElement("text", { x: width - 6, y: height - 5, "text-anchor": "end", class: "unit" }, unit);
   return [svgElement("path", { d: lines.fine.join("") }), svgElement("path", { class: "named", d: lines.named.join("") }), ...texts, words];

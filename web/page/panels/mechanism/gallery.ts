@@ -27,6 +27,8 @@ export function gallery(app: App): HTMLElement {
     app.solved.set({ text: "", opened: null, good: "", refused: null });
     app.picture.set(null);
     open(EMPTY);
+    // Also a board that stands there begins anew.
+    app.building.set(false);
     app.building.set(true);
   });
   const browse = element("button", { type: "button", class: "small" });
