@@ -34,7 +34,10 @@ fn paper_together() {
     let values = values(-135.0, 135.0);
     let registers = Level::new();
     let mut start = ByHand::new();
-    start.go_to(values[0]);
+    // In steps that Newton's method can take.
+    for i in 0..=2050 {
+        start.go_to(70.0 - 0.1 * f64::from(i));
+    }
     let mut places = vec![Paper::ZERO; 100];
     paper(registers, &start, &values[..100 * EIGHT], &mut places);
     for (place, values) in places.iter().zip(values.chunks(EIGHT)) {

@@ -134,7 +134,7 @@ impl<'a> Composition<'a> {
         let before = std::mem::take(known);
         self.draw_panels(layout, |panel, placed, drawing| {
             let (first, told) = (drawing.marks.len(), drawing.unlabelled.len());
-            match before.iter().find(|drawn| drawn.placed == *placed) {
+            match before.iter().find(|drawn| drawn.placed.looks_like(placed)) {
                 Some(drawn) => {
                     drawing.panels.push((panel.name.clone(), placed.frame));
                     drawing.marks.extend(drawn.marks.iter().cloned());

@@ -63,8 +63,8 @@ const MOST: usize = 2000;
 /// The figure of a solved scene while a drive runs over and over: one cycle, after the last picture of which the first
 /// comes without a jump.
 ///
-/// Scales, panels and poles are those of the whole cycle, and names stay where they were as long as nothing is much
-/// better; one that cannot stay for 0.4 seconds is left out for that time. The plans are those for the drive's speed in the scene, also where it goes back. Values are written where the
+/// Scales, panels and poles are those of the whole cycle, and names stay where they were as long as they are
+/// clear there; one that cannot stay for 0.4 seconds is left out for that time. The plans are those for the drive's speed in the scene, also where it goes back. Values are written where the
 /// figure asks for them, but not for a style's sake: they change faster than they are read.
 ///
 /// ```

@@ -31,7 +31,7 @@ const STACKED: f64 = 1000.0;
 const ALIKE: f64 = 0.02;
 
 /// The room that a panel needs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Needs {
     /// The sheet of the construction that it shows.
     pub sheet: Sheet,
@@ -118,7 +118,7 @@ impl Needs {
 }
 
 /// A panel's place on a sheet of paper.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
     pub needs: Needs,
     pub frame: Rect,
@@ -131,6 +131,15 @@ pub(super) struct Placed {
 }
 
 impl Placed {
+    /// Whether a panel looks the same in two places: how its scale came about does not matter.
+    pub(super) fn looks_like(&self, other: &Placed) -> bool {
+        let seen = |Placed { needs, frame, area, mu, unit }: Placed| {
+            let heading = (needs.is_scale_below(frame.width()), needs.rows, needs.is_part);
+            (needs.sheet, needs.extent, heading, frame, area, mu, unit)
+        };
+        seen(*self) == seen(*other)
+    }
+
     /// A panel in a frame at a scale.
     fn new(needs: &Needs, frame: Rect, mu: f64, unit: f64) -> Placed {
         let area = Rect { y0: frame.y0 + needs.header(frame.width()), ..frame.inset(-needs.white) };

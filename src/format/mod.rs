@@ -40,6 +40,7 @@ pub use self::result::{
     BandResult, GroupResult, LinkResult, PencilResult, PointResult, QuantityResult, ResultFile, ResultUnits,
     SliderResult, pencil_result, result_schema,
 };
+pub use self::steps::step_values;
 pub use self::structure::{listed_modes, mode, structure};
 pub use self::svg::{Text, layered_svg, panels_svg, svg_with};
 pub use self::table::{columns_of, csv_header, csv_rows, json_lines};

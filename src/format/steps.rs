@@ -3,12 +3,16 @@ use crate::drawing::drawn_vector;
 use crate::geometry::{Vector, degrees_of};
 use crate::quantity::{Pencil, Unread};
 use crate::scene::{QuantityName, Units};
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use crate::words::{NumberStyle, Wording};
 use std::fmt::Write;
 
 /// The style of lengths on paper and of angles.
 const HUNDREDTHS: NumberStyle = NumberStyle::decimals(2);
+/// The style of values in a list to work with.
+const SEVEN_DIGITS: NumberStyle = NumberStyle::significant(7);
+/// The style of values that are read aloud.
+const FOUR_DIGITS: NumberStyle = NumberStyle::significant(4);
 /// The style of the difference of the two routes.
 const ONE_DIGIT: NumberStyle = NumberStyle::significant(1).in_full(0, 0);
 
@@ -21,7 +25,8 @@ impl Solution {
         let words = self.wording();
         let language = words.language;
         let teller = Teller::new(self, &words);
-        let mut list = StepList { text: String::new(), units: scene.units, words: &words, teller, pencil };
+        let style = SEVEN_DIGITS;
+        let mut list = StepList { text: String::new(), units: scene.units, words: &words, teller, pencil, style };
         if let Some(title) = scene.title.as_ref().filter(|title| !title.is_blank()) {
             list.line(&title.for_terminal());
         }
@@ -44,8 +49,23 @@ impl Solution {
     }
 }
 
+/// The equation and the values of each step in plain text, a line each, to be read aloud beside its caption: with four
+/// digits, in the scene's units, without lengths on paper and without bands.
+#[must_use]
+pub fn step_values(solution: &Solution) -> Vec<Vec<String>> {
+    let words = solution.wording();
+    let teller = Teller::new(solution, &words);
+    let none = Pencil { tolerance: Tolerance::default(), scales: Scales::default(), quantities: Vec::new() };
+    let units = solution.scene.units;
+    let list =
+        StepList { text: String::new(), units, words: &words, teller, pencil: &none, style: FOUR_DIGITS };
+    solution.construction.numbered_steps().map(|step| list.details(&step)).collect()
+}
+
 struct StepList<'a> {
     text: String,
+    /// Of values.
+    style: NumberStyle,
     units: Units,
     words: &'a Wording,
     teller: Teller<'a>,
@@ -142,9 +162,9 @@ impl StepList<'_> {
         }
     }
 
-    /// A number to seven significant digits.
+    /// A value.
     fn digits(&self, value: f64) -> String {
-        self.words.write(value, NumberStyle::significant(7))
+        self.words.write(value, self.style)
     }
 
     fn degrees(&self, degrees: f64) -> String {

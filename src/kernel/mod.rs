@@ -13,9 +13,11 @@
 //! side (`geometry/lanes.rs`); each action runs along the rows in the widest registers that the processor turns out
 //! to have, by the same code as one position does number by number. So the cost of being general is paid once a
 //! block. Registers multiply and add with one rounding, on processors without that step by step, so a table has the
-//! same bytes on every machine and in the browser; last digits differ from those of one position. The many are
-//! positions of one path (`cycle/walker.rs`), or mechanisms of one kind with other lengths (`cycle/variants.rs`). A
-//! quantity of links alone needs no places of points, and then none are computed.
+//! same bytes on every machine and in the browser; last digits differ from those of one position. Where positions and
+//! rates are asked for together, the groups of a four-bar and of the paper's mechanism have code of their own
+//! (`shapes.rs`), in which a Newton step and the rates after it stay in registers; all others go through rows, to the
+//! same bits. The many are positions of one path (`cycle/walker.rs`), or mechanisms of one kind with other lengths
+//! (`cycle/variants.rs`). A quantity of links alone needs no places of points, and then none are computed.
 
 mod action;
 mod block;

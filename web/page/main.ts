@@ -26,6 +26,7 @@ import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
 import { clicked } from "./picture/clicked.ts";
+import { described } from "./picture/described.ts";
 import { focus } from "./picture/focus.ts";
 import { frames, gestures } from "./picture/gesture.ts";
 import { handles } from "./picture/handles.ts";
@@ -106,6 +107,7 @@ function wire(app: App, store: Store): void {
   handles(app, view, pulling(app, view, hands, bubble(app)));
   looking(app, view, own);
   clicked(app, view);
+  described(app);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);

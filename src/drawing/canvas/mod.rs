@@ -264,7 +264,7 @@ impl<'a> Canvas<'a> {
 }
 
 /// Where labels and enlarged details stood in the picture before, and where they stand in the one that is being drawn:
-/// there they stay while a mechanism moves, as long as nothing is much better.
+/// there they stay while a mechanism moves, as long as they are clear there.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Held {
     pub before: Places,

@@ -206,3 +206,43 @@ fn a_message_leaves_the_picture_where_it_is() {
     }
     bench.assert_quiet();
 }
+
+/// Notes which pictures of those to come the page holds otherwise than if it had been filled with them anew, and how many elements stay from one to the next.
+const MENDED: &str = r#"(() => {
+    const sheet = document.querySelector('#sheet');
+    const fresh = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+    Object.assign(window, { count: 0, other: [], stayed: 0, elements: 0 });
+    let before = new Set();
+    window.unwatch = kinegon.app.picture.on(({ svg }) => {
+        fresh.innerHTML = svg.slice(svg.indexOf('>', svg.indexOf('<svg')) + 1, svg.lastIndexOf('</svg>'));
+        fresh.querySelectorAll(':scope > title, :scope > desc').forEach((element) => (element.previousSibling?.remove(), element.remove()));
+        if (fresh.innerHTML !== sheet.innerHTML) window.other.push(window.count);
+        const now = [...sheet.querySelectorAll('*')];
+        if (window.count > 0) {
+            window.stayed += now.filter((element) => before.has(element)).length;
+            window.elements += now.length;
+        }
+        before = new Set(now);
+        window.count += 1;
+    });
+})()"#;
+
+#[test]
+fn a_moving_picture_is_mended_as_if_it_were_filled_anew() {
+    let Some(mut bench) = Bench::open("mended") else { return };
+    for scene in ["examples/figure-2.json", "tests/lecture/jansen.json"] {
+        bench.put(&files::read(scene));
+        bench.value(MENDED);
+        bench.press(" ");
+        bench.until("window.count > 25");
+        bench.press(" ");
+        bench.until("document.querySelector('#play').ariaPressed === 'false'");
+        bench.settle();
+        bench.value("window.unwatch()");
+        assert_eq!(bench.value("window.other"), json!([]), "{scene}");
+        let share = bench.number("window.stayed / window.elements");
+        println!("{scene}: {:.0} % of the elements stay", 100.0 * share);
+        assert!(share > 0.5, "{scene}: {share}");
+    }
+    bench.assert_quiet();
+}

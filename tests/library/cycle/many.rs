@@ -2,8 +2,8 @@
 
 use super::{U, followed, posed, scenes};
 use kinegon::Order;
-use kinegon::geometry::{MANY, Vector};
-use kinegon::kernel::vector;
+use kinegon::geometry::{MANY, Row, Vector};
+use kinegon::kernel::{Block, vector};
 use kinegon::motion::motion;
 
 /// Angles, slides, places and all rates are those of one position but for rounding; without places, those of links to the last bit.
@@ -68,6 +68,45 @@ fn together_is_as_one_by_one() {
                 }
             }
             rest = &rest[count..];
+        }
+    }
+}
+
+/// The bits of all numbers in a block at one position.
+fn bits<R: Row>(block: &Block<R>, position: usize) -> Vec<u64> {
+    let vectors = [&block.turns, &block.points, &block.point_velocities, &block.point_accelerations];
+    let numbers = [&block.slides, &block.omegas, &block.alphas, &block.speeds, &block.accelerations];
+    let rows = vectors.into_iter().flatten().flatten().chain(numbers.into_iter().flatten());
+    rows.map(|row| row[position].to_bits()).collect()
+}
+
+/// Also where a correction is not sure, or a position refined.
+#[test]
+fn motions_at_once_are_positions_and_then_rates() {
+    for (name, text) in scenes() {
+        let (mechanism, pose) = posed(&text);
+        let path = followed(&mechanism, &pose);
+        let (low, wide) = (path.low(), path.high() - path.low());
+        let values: Vec<f64> = (0..1000).map(|i| low + wide * f64::from(i) / 999.0).collect();
+        let (mut at_once, mut after) = (path.many_walker(), path.many_walker());
+        let mut rest = values.as_slice();
+        while !rest.is_empty() {
+            let (count, found) = at_once.motions(rest);
+            let (same, positions) = after.positions(rest);
+            assert_eq!((count, found.is_some()), (same, positions.is_some()), "{name} {}", rest[0]);
+            if let Some(found) = found {
+                let expected = after.rates();
+                for lane in 0..count {
+                    assert_eq!(bits(found, lane), bits(expected, lane), "{name} {}", rest[lane]);
+                }
+            }
+            rest = &rest[count..];
+        }
+        let (mut at_once, mut after) = (path.walker(), path.walker());
+        for value in values {
+            let found = at_once.motions(&[value]).map(|block| bits(block, 0));
+            let expected = after.positions(&[value]).is_some().then(|| bits(after.rates(), 0));
+            assert_eq!(found, expected, "{name} {value}");
         }
     }
 }

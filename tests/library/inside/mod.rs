@@ -9,6 +9,7 @@ mod drawing;
 mod editing;
 mod format;
 mod geometry;
+mod kernel;
 mod marked_sheets;
 mod mechanism;
 mod position;

@@ -118,6 +118,8 @@ pub struct Step {
     pub caption: String,
     /// Its equation in plain text, or empty.
     pub equation: String,
+    /// What it gives besides, in plain text, a line each: sizes and directions, rates, angles of crossings.
+    pub values: Vec<String>,
     /// The panel in which it is drawn.
     pub panel: Sheet,
 }

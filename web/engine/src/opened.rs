@@ -135,11 +135,17 @@ fn steps(solution: &Solution, words: &Wording) -> Vec<Step> {
         Action::Solve { equations, .. } => equations.iter().map(|equation| teller.equation(equation)).collect(),
         _ => vec![teller.formula(step).markup()],
     };
-    let step = |step: NumberedStep<'_>| Step {
-        number: step.number,
-        caption: shown_text(&teller.caption(&step), step.plan, words),
-        equation: shown_text(&equations(&step).join("; "), step.plan, words),
-        panel: step.sheet,
+    let step = |(step, lines): (NumberedStep<'_>, Vec<String>)| {
+        let equation = shown_text(&equations(&step).join("; "), step.plan, words);
+        // An equation is told once.
+        let rest = |line: String| line.strip_prefix(&equation).unwrap_or(&line).trim_start_matches("; ").to_owned();
+        Step {
+            number: step.number,
+            caption: shown_text(&teller.caption(&step), step.plan, words),
+            values: lines.into_iter().map(rest).filter(|line| !line.is_empty()).collect(),
+            equation,
+            panel: step.sheet,
+        }
     };
-    solution.construction.numbered_steps().map(step).collect()
+    solution.construction.numbered_steps().zip(format::step_values(solution)).map(step).collect()
 }

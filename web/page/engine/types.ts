@@ -421,6 +421,10 @@ export interface Step {
    */
   equation: string;
   /**
+   * What it gives besides, in plain text, a line each: sizes and directions, rates, angles of crossings.
+   */
+  values: string[];
+  /**
    * The panel in which it is drawn.
    */
   panel: Panel;

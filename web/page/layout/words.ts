@@ -1,6 +1,14 @@
 import { speaker, type Words } from "../words.ts";
 
 const en = {
+  described: "The picture in words",
+  is_fixed: "Fixed points: {points}.",
+  is_link: "Link {name}: {points}",
+  is_driven: "driven, at {place}",
+  is_slider: "Block {name} slides on {on}.",
+  is_pin: "Pin {name} slides in a slot of {on}.",
+  is_ground: "the ground",
+  is_known: "Known motions: {points}.",
   tour: "A short tour",
   tour_pull: "Pull a joint: the mechanism moves, and the plans of its velocities and accelerations follow, to scale.",
   tour_steps: "Steps shows how the plans are drawn by hand, line by line.",
@@ -118,6 +126,14 @@ const en = {
 type Key = keyof typeof en;
 
 const es: Record<Key, string> = {
+  described: "La figura en palabras",
+  is_fixed: "Puntos fijos: {points}.",
+  is_link: "Eslabón {name}: {points}",
+  is_driven: "conductor, en {place}",
+  is_slider: "La corredera {name} desliza sobre {on}.",
+  is_pin: "El perno {name} desliza en una ranura de {on}.",
+  is_ground: "el bastidor",
+  is_known: "Movimientos conocidos: {points}.",
   tour: "Una visita corta",
   tour_pull: "Tira de una articulación: el mecanismo se mueve y los planos de sus velocidades y aceleraciones lo siguen, a escala.",
   tour_steps: "Pasos muestra cómo se dibujan los planos a mano, línea por línea.",

@@ -27,6 +27,7 @@ export function stepsBar(app: App, steps: Steps): void {
     if (caption !== shown) byId("step-caption").replaceChildren(...(isFinished ? [caption] : marked(caption)));
     shown = caption;
     byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map((line) => element("span", {}, ...marked(line))));
+    byId("step-values").replaceChildren(...(said?.values ?? []).map((line) => element("span", {}, ...marked(line), ". ")));
     text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
     slider.max = String(count + 1);
     slider.value = String(now);

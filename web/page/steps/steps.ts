@@ -10,25 +10,29 @@ export interface Steps {
   /** The present step; one more than there are for the finished figure. */
   now(): number;
   /** What is said at the present step; null at the finished figure. */
-  said(): Pick<Step, "caption" | "equation"> | null;
+  said(): Said | null;
   go(step: number): void;
   by(way: 1 | -1): void;
   coarse(is: boolean): void;
 }
 
+/** What is said at a step. */
+type Said = Pick<Step, "caption" | "equation" | "values">;
+
 /** The steps that the view counts: those of the construction, or its passages. */
-function listed(opened: Opened | null, coarse: boolean): Pick<Step, "caption" | "equation">[] {
+function listed(opened: Opened | null, coarse: boolean): Said[] {
   if (opened === null) return [];
   if (!coarse) return opened.steps;
   return opened.passages.map(([first, last], index) => {
-    const equations = opened.steps.slice(first - 1, last).map(({ equation }) => equation);
-    return { caption: opened.passage_captions[index] ?? "", equation: equations.filter((equation) => equation !== "").join("\n") };
+    const within = opened.steps.slice(first - 1, last);
+    const equations = within.map(({ equation }) => equation).filter((equation) => equation !== "");
+    return { caption: opened.passage_captions[index] ?? "", equation: equations.join("\n"), values: within.flatMap(({ values }) => values) };
   });
 }
 
 export function steps(app: App): Steps {
   const on = signal(app.view.value.step !== null);
-  const all = (): Pick<Step, "caption" | "equation">[] => listed(app.solved.value.opened, app.view.value.coarse);
+  const all = (): Said[] => listed(app.solved.value.opened, app.view.value.coarse);
   const count = (): number => all().length;
   const now = (): number => app.view.value.step ?? count() + 1;
 

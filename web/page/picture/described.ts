@@ -1,0 +1,50 @@
+import type { App } from "../app.ts";
+import { element } from "../dom/element.ts";
+import { byId } from "../dom/find.ts";
+import { SHEETS, type Opened } from "../engine/types.ts";
+import { say } from "../layout/words.ts";
+import { at, entries, groundOf, linksOf, names, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { called } from "../sheets.ts";
+import { marked } from "../steps/bar.ts";
+import { language } from "../words.ts";
+
+/** The picture in words, for who does not see it: links and joints as a list, then what each plan gives, as far as the steps have come. */
+export function described(app: App): void {
+  const place = byId("described");
+  function show(): void {
+    const { opened } = app.solved.value;
+    if (opened === null) return place.replaceChildren();
+    const isPlanless = app.student.value;
+    const last = app.view.value.step === null || app.view.value.coarse ? Infinity : app.view.value.step;
+    const parts = SHEETS.flatMap(({ key }) => {
+      if (isPlanless && key !== "scheme") return [];
+      const drawn = opened.steps.filter((step) => step.panel === key && step.number <= last);
+      const lines = [...(key === "scheme" ? mechanism(opened) : []), ...drawn.flatMap(({ values }) => (isPlanless ? [] : values))];
+      return lines.length === 0 ? [] : [element("h3", {}, called(key, "title")), element("ul", {}, ...lines.map((line) => element("li", {}, ...marked(line))))];
+    });
+    place.replaceChildren(element("h2", {}, say("described")), ...parts);
+  }
+  app.solved.on(show);
+  app.view.on(show);
+  app.student.on(show);
+  language.on(show);
+}
+
+/** The mechanism as a list: fixed points, links with their joints, sliders, drives. */
+function mechanism({ scene, drives }: Opened): string[] {
+  const draft: Draft = scene;
+  const listed = (all: string[]): string => all.join(", ");
+  const driven = new Map(drives.map(({ name, shown }) => [name, shown]));
+  const links = linksOf(draft).map((name) => {
+    const words = say("is_link", { name, points: listed(pointsOn(draft, name)) });
+    const place = driven.get(name);
+    return place === undefined ? words : `${words}; ${say("is_driven", { place })}`;
+  });
+  const sliders = (Array.isArray(draft.sliders) ? draft.sliders : []).map((slider: unknown) => {
+    const on = String(at(slider, ["on"]) ?? "ground");
+    const what = String(at(slider, ["link"]) ?? at(slider, ["pin"]) ?? "");
+    return say(at(slider, ["pin"]) === undefined ? "is_slider" : "is_pin", { name: what, on: on === "ground" ? say("is_ground") : on });
+  });
+  const known = entries(draft.known).map(([name]) => name);
+  return [say("is_fixed", { points: listed(groundOf(draft)) }), ...links, ...sliders, ...(known.length === 0 ? [] : [say("is_known", { points: listed(names(known)) })])];
+}
