@@ -10,7 +10,8 @@
 //! - A sheet is put together of `panel`s with their layers and `scale_bar`s, a `table` beside them, `remarks` and `words`
 //!   below; `compose` makes a sheet of it with a `layout`, for which `division` finds cuts and scales. `exercise`, `correction` and `curves` are other sheets;
 //!   a plan whose names crowd has further sheets with `parts` of it.
-//! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels.
+//! - `scheme` and `plan` draw in a view on a `canvas`, which keeps what is drawn as obstacles for the labels; so does `draft`, which
+//!   draws what is known of a scene that is not complete yet.
 //! - Below that is the display list, which knows nothing of mechanisms: `sheet`, `shape`, the `look` of its marks from a
 //!   `style`, its `text`, the places of its `labels` off all obstacles, which a `grid` finds.
 //!
@@ -66,6 +67,7 @@ mod correction;
 pub mod curves;
 mod dims;
 mod division;
+mod draft;
 mod exercise;
 mod facts;
 mod figure;
@@ -106,6 +108,7 @@ mod worksheet;
 
 pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
 pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
+pub use draft::{DraftView, draft};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use facts::Steps;
 pub use figure::FigureSheets;

@@ -103,7 +103,7 @@ fn lengths(pairs: &[(&Placed<'_>, &Placed<'_>)], decimals: Decimals) -> Json {
 }
 
 /// Coordinates in the frame whose origin is the first point and whose x axis goes to the second.
-fn shape(points: &[Placed<'_>], decimals: Decimals) -> Json {
+pub(super) fn shape(points: &[Placed<'_>], decimals: Decimals) -> Json {
     let (origin, second) = (points[0].1, points[1].1);
     let axis = unit(second - origin).unwrap_or_else(crate::geometry::Vector::x);
     let local = |(name, place): &Placed<'_>| {

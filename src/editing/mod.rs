@@ -4,7 +4,8 @@
 //!
 //! `document` changes a text value by value, so that what is added looks like what is there; `names` reads the names that a text
 //! gives, and changes one. On these stand the changes of an [`Edit`]: `add`, `drop`; and those that a hand makes on the picture: `position`
-//! moves the mechanism and makes the text choose the assembly that was seen, `reshape` pulls a joint to another place.
+//! moves the mechanism and makes the text choose the assembly that was seen, `reshape` pulls a joint to another place; `placed` does so
+//! in a scene that is not complete, too, of which a `draft` says what is known.
 //!
 //! # The text is the document
 //!
@@ -16,15 +17,19 @@
 
 mod add;
 mod document;
+mod draft;
 mod drop;
 #[doc(hidden)] // for tests
 pub mod measure;
 mod names;
+mod placed;
 mod position;
 mod present;
 #[doc(hidden)] // for tests
 pub mod reshape;
 
+pub use draft::{Draft, DraftGuide, DraftLink, DraftPoint, DraftSlider};
+pub use placed::{apply_in_place, with_places};
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
 pub use names::Named;
 pub use position::{with_mode, with_position};

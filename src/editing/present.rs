@@ -86,6 +86,16 @@ impl Present {
         Present { places, solved }
     }
 
+    /// The scene with its position, if it has one.
+    pub fn solved(&self) -> Option<&Solved> {
+        self.solved.as_ref()
+    }
+
+    /// The same places, of a scene that counts as not solved: for one whose points are being put elsewhere.
+    pub fn told_roughly(self) -> Present {
+        Present { solved: None, ..self }
+    }
+
     /// The size of what is known, with further places.
     pub fn size(&self, further: impl IntoIterator<Item = Point>) -> f64 {
         span(self.places.values().copied().chain(further))
@@ -122,7 +132,8 @@ fn given_places(scene: &Json) -> IndexMap<String, Point> {
     entries.filter_map(|(name, place)| Some((name.clone(), two_numbers(place)?))).collect()
 }
 
-fn two_numbers(value: &Json) -> Option<Point> {
+/// A list of two numbers as a place.
+pub(super) fn two_numbers(value: &Json) -> Option<Point> {
     match value.as_array().map(Vec::as_slice) {
         Some([x, y]) => Some(Point::new(x.as_f64()?, y.as_f64()?)),
         _ => None,

@@ -50,6 +50,7 @@ mod complete_plans;
 mod coriolis;
 mod curves;
 mod cycle;
+mod drafts;
 mod drawing;
 mod driven_cycles;
 mod driven_sliders;

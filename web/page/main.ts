@@ -1,5 +1,6 @@
 /** Wires the page: store → engine → picture → panels. */
 import type { App, Solved } from "./app.ts";
+import { build } from "./build/build.ts";
 import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
 import { PATIENCE } from "./engine/hand.ts";
@@ -24,6 +25,7 @@ import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
 import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
+import { clicked } from "./picture/clicked.ts";
 import { described } from "./picture/described.ts";
 import { focus } from "./picture/focus.ts";
 import { frames, gestures } from "./picture/gesture.ts";
@@ -69,6 +71,8 @@ function application(shared: Shared, past: Document[], engine: EngineClient, tel
     picture: signal<Picture | null>(null),
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
+    building: signal(false),
+    card: signal<App["card"]["value"]>(null),
     student: signal(shared.student ?? false),
     task: signal<Task | null>(shared.task ?? null),
     course: course(),
@@ -102,6 +106,7 @@ function wire(app: App, store: Store): void {
   const own = focus(app, view);
   handles(app, view, pulling(app, view, hands, bubble(app)));
   looking(app, view, own);
+  clicked(app, view);
   described(app);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
@@ -109,6 +114,7 @@ function wire(app: App, store: Store): void {
   stepsBar(app, going);
   toolbar(app, store);
   messages(app);
+  build(app);
   documents(app, store);
   dropped(app);
   printedByBrowser(app);

@@ -5,7 +5,7 @@ mod drives;
 mod links;
 pub(super) mod on_paper;
 mod points;
-mod sliders;
+pub(super) mod sliders;
 mod values;
 
 pub(super) use sliders::above;

@@ -12,7 +12,7 @@ use kurbo::{Point, Rect, Vec2};
 use std::f64::consts::PI;
 
 /// Half length and half width of a slider block, in mm.
-pub(super) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
+pub(in crate::drawing) const BLOCK: Vec2 = Vec2::new(3.9, 2.2);
 
 /// Half the width of a slot in mm: narrower than a block.
 const SLOT: f64 = 1.25;
@@ -25,11 +25,37 @@ const PIVOT_HALF: f64 = 4.2;
 const HATCH: f64 = 1.7;
 
 /// A slot as it is drawn.
-struct Slot {
+pub(in crate::drawing) struct Slot {
     /// The ends of its line.
-    ends: [Point; 2],
+    pub ends: [Point; 2],
     /// Arms from the points of its link that are off the line.
-    arms: Vec<[Point; 2]>,
+    pub arms: Vec<[Point; 2]>,
+}
+
+/// The slot about a block at `at` on a link with these points; its guide runs `along`, and `reach` is the part of it about the block that
+/// is seen. None between points of the link, where the block is on its line.
+pub(in crate::drawing) fn slot(
+    at: Point,
+    along: Vec2,
+    reach: [Point; 2],
+    points: impl Iterator<Item = Point>,
+) -> Option<Slot> {
+    let across = Vec2::new(-along.y, along.x);
+    let [mut low, mut high] = reach.map(|end| (end - at).dot(along));
+    let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
+        points.map(|point| point - at).partition(|offset| offset.dot(across).abs() <= ON_LINE);
+    let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
+    if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
+        return None;
+    }
+    // It begins at the point of its body that is next to the block, where there is one on that side.
+    let next = |sign: f64| places.iter().map(|x| sign * x).filter(|x| *x > 0.0).reduce(f64::min);
+    let ends = [next(-1.0).map_or(low, |x| -x), next(1.0).unwrap_or(high)].map(|x| at + along * x);
+    for place in places {
+        (low, high) = (low.min(place), high.max(place));
+    }
+    let arm = |offset: Vec2| [at + offset, at + along * offset.dot(along).clamp(low, high)];
+    Some(Slot { ends, arms: off_line.into_iter().map(arm).collect() })
 }
 
 impl SchemeOnPaper<'_> {
@@ -86,11 +112,7 @@ impl SchemeOnPaper<'_> {
         let slider = self.mechanism.slider(id);
         if slider.on == GROUND {
             let Some([a, b]) = self.reach_of_guide(id, canvas.room()) else { return };
-            let side = self.ground_side(id);
-            let (a, b) = (a + side * half.y, b + side * half.y);
-            canvas.draw(Pen::Ground, Shape::Line(a, b));
-            hatch(canvas, a, b, side);
-            canvas.obstacles.add_boxes(strokes(a, b, side).map(|(from, to)| Rect::from_points(from, to)));
+            ground_line(canvas, [a, b], self.ground_side(id), half.y);
             return;
         }
         let Some(Slot { ends, arms }) = self.slot(id, canvas.room()) else { return };
@@ -115,24 +137,8 @@ impl SchemeOnPaper<'_> {
     fn slot(&self, id: SliderId, room: Rect) -> Option<Slot> {
         let slider = self.mechanism.slider(id);
         let (at, along) = (self.at(slider.at), on_sheet(self.pose.guide(id)));
-        let across = Vec2::new(-along.y, along.x);
-        let [mut low, mut high] = self.reach_of_guide(id, room)?.map(|end| (end - at).dot(along));
         let points = &self.mechanism.body(slider.on).points;
-        let offsets = points.iter().map(|&point| self.at(point) - at);
-        let (on_line, off_line): (Vec<Vec2>, Vec<Vec2>) =
-            offsets.partition(|offset| offset.dot(across).abs() <= ON_LINE);
-        let places: Vec<f64> = on_line.iter().map(|offset| offset.dot(along)).collect();
-        if places.len() >= 2 && places.iter().any(|&x| x < 0.0) && places.iter().any(|&x| x > 0.0) {
-            return None;
-        }
-        // It begins at the point of its body that is next to the block, where there is one on that side.
-        let next = |sign: f64| places.iter().map(|x| sign * x).filter(|x| *x > 0.0).reduce(f64::min);
-        let ends = [next(-1.0).map_or(low, |x| -x), next(1.0).unwrap_or(high)].map(|x| at + along * x);
-        for place in places {
-            (low, high) = (low.min(place), high.max(place));
-        }
-        let arm = |offset: Vec2| [at + offset, at + along * offset.dot(along).clamp(low, high)];
-        Some(Slot { ends, arms: off_line.into_iter().map(arm).collect() })
+        slot(at, along, self.reach_of_guide(id, room)?, points.iter().map(|&point| self.at(point)))
     }
 
     /// The corners around the slots of a link, which its area has room for.
@@ -156,7 +162,7 @@ impl SchemeOnPaper<'_> {
         let on_sheet = |p: Point| at + along * p.x + across * p.y;
         let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
         let name = format!("slider-{}", self.mechanism.body(slider.link).name);
-        let corners = corners(area).map(on_sheet).to_vec();
+        let corners = block_corners(at, along, half);
         canvas.draw_named(&name, Pen::Slider, Shape::Polygon(corners)).number = self.context.number(slider.link);
         let others = self.mechanism.links().map(|(link, _)| link);
         for link in others.filter(|&link| link != slider.link && link != slider.on) {
@@ -173,33 +179,16 @@ impl SchemeOnPaper<'_> {
 
     /// Draws a pivot on the ground: below the point, or above it where that is out of the links' way.
     pub(super) fn pivot(&self, canvas: &mut Canvas<'_>, point: PointId) {
-        const HALF: f64 = 2.3;
         let apex = self.at(point);
         if !self.is_pin(point) {
-            // A fixed point without a link: a piece of the ground with the point on it.
-            let across = Vec2::new(PIVOT_HALF, 0.0);
-            let (a, b) = (apex - across, apex + across);
-            canvas.draw(Pen::Ground, Shape::Line(a, b));
-            hatch(canvas, a, b, Vec2::new(0.0, 1.0));
-            canvas.obstacles.add_boxes([Rect::from_points(a, b + Vec2::new(0.0, HATCH))]);
-            return;
+            return ground_piece(canvas, apex);
         }
-        let down = self.down(point);
-        let base = apex + down * PIVOT;
-        let across = Vec2::new(1.0, 0.0);
-        let triangle = vec![apex, base - across * HALF, base + across * HALF];
-        canvas.draw(Pen::Slider, Shape::Polygon(triangle));
-        let (a, b) = (base - across * PIVOT_HALF, base + across * PIVOT_HALF);
-        canvas.draw(Pen::Ground, Shape::Line(a, b));
-        hatch(canvas, a, b, down);
-        canvas.obstacles.add_boxes([self.pivot_box(point)]);
+        pivot(canvas, apex, self.down(point));
     }
 
     /// The box around the ground line under a pivot and its hatching.
     pub(super) fn pivot_box(&self, point: PointId) -> Rect {
-        let (apex, down) = (self.at(point), self.down(point));
-        let across = Vec2::new(PIVOT_HALF, 0.0);
-        Rect::from_points(apex + down * PIVOT - across, apex + down * (PIVOT + HATCH) + across)
+        pivot_box(self.at(point), self.down(point))
     }
 
     /// Unit vector from a pivot to its ground: downwards, but upwards where links hang down and none stands up.
@@ -221,8 +210,51 @@ impl SchemeOnPaper<'_> {
     }
 }
 
+/// The corners of a block.
+pub(in crate::drawing) fn block_corners(at: Point, along: Vec2, half: Vec2) -> Vec<Point> {
+    let across = Vec2::new(-along.y, along.x);
+    let area = Rect::from_center_size(Point::ORIGIN, (2.0 * half.x, 2.0 * half.y));
+    corners(area).map(|p| at + along * p.x + across * p.y).to_vec()
+}
+
+/// Draws the ground line of a guide with its hatching, beside a block of this half width.
+pub(in crate::drawing) fn ground_line(canvas: &mut Canvas<'_>, [a, b]: [Point; 2], side: Vec2, half: f64) {
+    let (a, b) = (a + side * half, b + side * half);
+    canvas.draw(Pen::Ground, Shape::Line(a, b));
+    hatch(canvas, a, b, side);
+    canvas.obstacles.add_boxes(strokes(a, b, side).map(|(from, to)| Rect::from_points(from, to)));
+}
+
+/// Draws a fixed point without a link: a piece of the ground with the point on it.
+pub(in crate::drawing) fn ground_piece(canvas: &mut Canvas<'_>, apex: Point) {
+    let across = Vec2::new(PIVOT_HALF, 0.0);
+    let (a, b) = (apex - across, apex + across);
+    canvas.draw(Pen::Ground, Shape::Line(a, b));
+    hatch(canvas, a, b, Vec2::new(0.0, 1.0));
+    canvas.obstacles.add_boxes([Rect::from_points(a, b + Vec2::new(0.0, HATCH))]);
+}
+
+/// Draws a pivot's foot; `down` is the unit vector from the pivot to its ground.
+pub(in crate::drawing) fn pivot(canvas: &mut Canvas<'_>, apex: Point, down: Vec2) {
+    const HALF: f64 = 2.3;
+    let base = apex + down * PIVOT;
+    let across = Vec2::new(1.0, 0.0);
+    let triangle = vec![apex, base - across * HALF, base + across * HALF];
+    canvas.draw(Pen::Slider, Shape::Polygon(triangle));
+    let (a, b) = (base - across * PIVOT_HALF, base + across * PIVOT_HALF);
+    canvas.draw(Pen::Ground, Shape::Line(a, b));
+    hatch(canvas, a, b, down);
+    canvas.obstacles.add_boxes([pivot_box(apex, down)]);
+}
+
+/// The box around the ground line under a pivot and its hatching.
+fn pivot_box(apex: Point, down: Vec2) -> Rect {
+    let across = Vec2::new(PIVOT_HALF, 0.0);
+    Rect::from_points(apex + down * PIVOT - across, apex + down * (PIVOT + HATCH) + across)
+}
+
 /// The closed outline of a slot with round ends about this line.
-fn slot_outline([a, b]: [Point; 2]) -> Vec<Point> {
+pub(in crate::drawing) fn slot_outline([a, b]: [Point; 2]) -> Vec<Point> {
     const PARTS: usize = 6;
     let along = (b - a).normalize();
     let across = Vec2::new(-along.y, along.x);

@@ -4,6 +4,7 @@
 
 mod access;
 mod bench;
+mod build;
 mod bytes;
 mod course;
 mod documents;

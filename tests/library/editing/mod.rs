@@ -5,6 +5,7 @@ mod added;
 mod driven;
 mod dropped;
 mod hostile;
+mod placed;
 mod pulled;
 mod renamed;
 mod set;

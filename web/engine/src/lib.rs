@@ -4,6 +4,7 @@
 //! library's; the page that calls this is in `web/page`, and the names here are those of its `engine/types.ts`.
 
 mod answers;
+mod building;
 mod checks;
 mod desk;
 mod exercises;
@@ -192,6 +193,34 @@ impl Engine {
     #[must_use]
     pub fn font(&self, is_italic: bool) -> Vec<u8> {
         if is_italic { ITALIC.to_vec() } else { REGULAR.to_vec() }
+    }
+}
+
+/// A mechanism that is being put together.
+#[wasm_bindgen]
+impl Engine {
+    /// What is known of a scene, complete or not, with its picture.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn board(&self, text: &str, view: &str) -> Result<String, String> {
+        answer(asked(view).and_then(|view| building::board(text, &view)))
+    }
+
+    /// The scene's text after some changes, with all points where they were, also where it is not complete.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn edit_in_place(&self, text: &str, edits: &str) -> Result<String, String> {
+        plain(asked::<Vec<Edit>>(edits).and_then(|edits| building::edited(text, &edits)))
+    }
+
+    /// The scene's text with points at other places.
+    ///
+    /// # Errors
+    /// A [`Refused`] as JSON.
+    pub fn move_points(&self, text: &str, moves: &str) -> Result<String, String> {
+        plain(asked(moves).and_then(|moves| building::moved(text, &moves)))
     }
 }
 

@@ -1,4 +1,5 @@
 use crate::answers::{Drawn, Mode, Opened, Picture, Place, Running, ValueRow, View};
+use crate::building::{Board, BoardView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
 use crate::files::{FileRequest, OverCycle};
@@ -36,6 +37,7 @@ pub fn schema() -> Value {
         Drawn,
         ValueRow
     );
+    add!(Board, BoardView);
     add!(Form, Checked, CheckOptions, Exercise, ExerciseOptions);
     add!(PhotoRead, Tapped, PlacedPoint, PointVerdict, Proposed);
     let mut definitions = types.take_definitions(true);

@@ -1,4 +1,6 @@
 import type {
+  Board,
+  BoardView,
   CheckOptions,
   Checked,
   Curves,
@@ -17,6 +19,7 @@ import type {
   Panel,
   PhotoRead,
   Picture,
+  PlacedPoint,
   PointVerdict,
   Proposed,
   Pull,
@@ -43,6 +46,12 @@ export interface Engine {
   edit(text: string, edits: Edit[]): string;
   /** Where the points are in the scene's own coordinates: as solved; of a scene that cannot be solved, those that its text says. */
   places(text: string): { name: string; at: [number, number] }[];
+  /** What is known of a scene, complete or not, with its picture: links, guides, fixed points, drives, no plans. */
+  board(text: string, view: BoardView): Board;
+  /** As `edit`; where the scene is not complete after it, the text says roughly where points were. */
+  edit_in_place(text: string, edits: Edit[]): string;
+  /** The scene's text with points at other places, complete or not. */
+  move_points(text: string, moves: PlacedPoint[]): string;
   modes(text: string): Mode[];
   /** The scene in another assembly mode: its text with `near` changed. */
   choose_mode(text: string, number: number): string;

@@ -6,7 +6,7 @@ import type { Answer } from "./worker.ts";
 export const PATIENCE = 20_000;
 
 /** Functions whose answers are no JSON. */
-const PLAIN = new Set(["drop", "edit", "choose_mode", "file", "font", "read_form", "write_form", "exercise_file"]);
+const PLAIN = new Set(["drop", "edit", "edit_in_place", "move_points", "choose_mode", "file", "font", "read_form", "write_form", "exercise_file"]);
 
 interface Waiting {
   name: string;

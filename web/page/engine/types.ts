@@ -815,6 +815,91 @@ export interface Value {
   error?: string | null;
 }
 /**
+ * What is known of a mechanism, complete or not, with its picture.
+ */
+export interface Board {
+  /**
+   * The picture.
+   */
+  svg: string;
+  /**
+   * Width of the picture in mm.
+   */
+  width: number;
+  /**
+   * Height of the picture in mm.
+   */
+  height: number;
+  /**
+   * The points whose places are known.
+   */
+  points: BoardPoint[];
+  /**
+   * The sliders, in the order of the scene.
+   */
+  sliders: BoardSlider[];
+  /**
+   * Whether the mechanism is complete: it has a position.
+   */
+  is_complete: boolean;
+}
+/**
+ * A point on the board.
+ */
+export interface BoardPoint {
+  /**
+   * Its name.
+   */
+  name: string;
+  /**
+   * Its place, in units of length.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  at: [number, number];
+  /**
+   * Whether it is a point of the ground.
+   */
+  is_fixed: boolean;
+}
+/**
+ * A slider on the board.
+ */
+export interface BoardSlider {
+  /**
+   * The unit direction of its guide; none where that is not known.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  along: [number, number] | null;
+  /**
+   * How far it is along its guide now, in units of length; none where that is not known.
+   */
+  position: number | null;
+}
+/**
+ * What of the mechanism is seen.
+ */
+export interface BoardView {
+  /**
+   * The part of the screen.
+   */
+  pane: Pane;
+  /**
+   * The place of the mechanism in its middle, in units of length.
+   *
+   * @minItems 2
+   * @maxItems 2
+   */
+  centre: [number, number];
+  /**
+   * Pixels for a unit of length.
+   */
+  scale: number;
+}
+/**
  * The form of a scene.
  */
 export interface Form {

@@ -5,6 +5,7 @@ import { icon } from "../dom/icon.ts";
 import { askedFor } from "../files/open.ts";
 import { lesson } from "../state/lesson.ts";
 import type { Kept, Store } from "../state/storage.ts";
+import { parsed } from "../panels/parts/scene.ts";
 import { language } from "../words.ts";
 import { openFile, READABLE } from "./brought.ts";
 import { say } from "./words.ts";
@@ -41,11 +42,14 @@ export function documents(app: App, store: Store): void {
   menu.addEventListener("beforetoggle", (event) => (event as ToggleEvent).newState === "open" && build());
 
   const title = (): void => {
-    const text = app.solved.value.opened?.title || say("untitled");
+    // On the board another mechanism may stand than the last that was complete.
+    const own = app.building.value ? parsed(app.history.now.value.text)?.["title"] : app.solved.value.opened?.title;
+    const text = (typeof own === "string" ? own : "") || say("untitled");
     byId("title").textContent = text;
     // In full screen the toolbar is away, but the page still has a name.
     document.title = byId("name").textContent = `${text} – Kinegon`;
   };
   app.solved.on(title);
+  app.building.on(title);
   language.on(title);
 }

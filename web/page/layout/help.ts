@@ -11,7 +11,7 @@ const KEYS: [string, Saying][] = [
   ["Space", "key_play"],
   ["1 2 3 A", "key_panels"],
   ["+ − 0", "key_zoom"],
-  ["M S", "key_hand"],
+  ["M S B", "key_hand"],
   ["P", "key_full"],
   ["D", "key_dark"],
   ["Ctrl+Z Ctrl+Y", "key_undo"],

@@ -54,6 +54,7 @@ export function keys(app: App, { steps, drives, play, full, store }: KeyParts): 
     a: () => choose(""),
     m: () => press("hand-move"),
     s: () => press("hand-shape"),
+    b: () => press("hand-build"),
     d: () => press("dark"),
     p: () => full.toggle(),
   };
@@ -79,12 +80,12 @@ export function keys(app: App, { steps, drives, play, full, store }: KeyParts): 
     // In a panel arrows move its own things and scroll it.
     const inPanel = target instanceof Element && target.closest("#panels, [popover]:popover-open") !== null;
     if (key === "Escape") return void full.leave();
-    if (key === " " && control === null && !inPanel) {
+    if (key === " " && control === null && !inPanel && !app.building.value) {
       event.preventDefault();
       return play.toggle();
     }
     const isRange = target instanceof HTMLInputElement;
-    if (key in always && !isRange && !inPanel) {
+    if (key in always && !isRange && !inPanel && !app.building.value) {
       event.preventDefault();
       return always[key]?.(event);
     }

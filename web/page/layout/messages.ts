@@ -12,7 +12,8 @@ export function messages(app: App): void {
 
   function refused(): void {
     const why = app.solved.value.refused;
-    bar.hidden = why === null;
+    // What is being built is not complete for a while: the board says so by itself.
+    bar.hidden = why === null || app.building.value;
     if (why === null) return bar.replaceChildren();
     const text = element("p", {}, element("strong", {}, withLine(why)));
     if (why.hint !== null) text.append(" ", why.hint);
@@ -41,6 +42,7 @@ export function messages(app: App): void {
     warnings();
   };
   app.solved.on(both);
+  app.building.on(refused);
   language.on(both);
 }
 

@@ -32,7 +32,7 @@ export function pane(app: App, view: Viewport): void {
   }
 
   view.now.on(look);
-  app.picture.on((picture) => picture !== null && draw(picture));
+  app.picture.on((picture) => (picture === null ? root.replaceChildren() : draw(picture)));
   isDark.on(() => app.picture.value !== null && draw(app.picture.value));
   app.solved.on(({ opened, refused }) => {
     box.classList.toggle("stale", refused !== null);

@@ -15,10 +15,12 @@ export function freePoint(scene: Draft, also: string[] = []): string {
   }
 }
 
-/** The number that the next new link gets. */
-export function freeLink(scene: Draft): string {
-  const taken = linksOf(scene);
+/** The number that the next new link gets: that which the engine gives it. */
+export function freeLink(scene: Draft, also: string[] = []): string {
+  const taken = new Set([...linksOf(scene), ...also]);
+  // S3 is special point 3's, and D_3 a point of link 3.
+  for (const point of allPoints(scene)) taken.add(point.startsWith("S") ? point.slice(1) : (point.split("_")[1] ?? ""));
   let number = 1;
-  while (taken.includes(String(number))) number += 1;
+  while (taken.has(String(number))) number += 1;
   return String(number);
 }

@@ -11,8 +11,8 @@ import type { Box } from "../output/sheet.ts";
 import { EMPTY, GROUPS, titleOf } from "./kinds.ts";
 import { say } from "./words.ts";
 
-/** The choice of a starting scene, closed at first; `begun` is called with an empty one. */
-export function gallery(app: App, begun: () => void): HTMLElement {
+/** The choice of a starting scene, closed at first; an empty one is begun on the board. */
+export function gallery(app: App): HTMLElement {
   const summary = element("summary", {});
   const groups = element("div", { class: "kinds" });
   const root = element("details", { class: "gallery" }, summary, groups);
@@ -22,7 +22,15 @@ export function gallery(app: App, begun: () => void): HTMLElement {
     summary.focus();
   };
   const empty = element("button", { type: "button", class: "small" });
-  empty.addEventListener("click", () => (open(EMPTY), begun()));
+  empty.addEventListener("click", () => {
+    // Nothing of what was there stays: neither its title nor its picture.
+    app.solved.set({ text: "", opened: null, good: "", refused: null });
+    app.picture.set(null);
+    open(EMPTY);
+    // Also a board that stands there begins anew.
+    app.building.set(false);
+    app.building.set(true);
+  });
   const browse = element("button", { type: "button", class: "small" });
   browse.addEventListener("click", () => void askedFor(READABLE).then((file) => openFile(app, file)));
   const paper = element("button", { type: "button", class: "small" });

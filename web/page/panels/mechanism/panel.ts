@@ -3,7 +3,6 @@ import { element } from "../../dom/element.ts";
 import type { Form } from "../parts/form.ts";
 import { at, isDrawn, type Draft } from "../parts/scene.ts";
 import { keepForm } from "../parts/sheet.ts";
-import { board } from "./board.ts";
 import { command } from "./commands.ts";
 import { gallery } from "./gallery.ts";
 import { about, ground } from "./ground.ts";
@@ -11,6 +10,7 @@ import { drawnPoints, known } from "./known.ts";
 import { links } from "./links.ts";
 import { near } from "./near.ts";
 import { placesOf } from "./places.ts";
+import { revealing } from "./revealing.ts";
 import { sliders } from "./sliders.ts";
 
 /** The whole scene as a form. */
@@ -19,11 +19,11 @@ export const mechanism: Panel = {
   title: { en: "Mechanism", es: "Mecanismo" },
   mount(root, app) {
     const places = placesOf(app);
-    const desk = board(app, places);
-    root.append(gallery(app, desk.open), desk.root);
+    root.append(gallery(app));
     const form = element("div", {});
     root.append(form);
     keepForm(form, app, { describe, asked: (ask) => void command(app, places.value, ask) });
+    revealing(app, form);
   },
 };
 

@@ -12,9 +12,7 @@ type Key =
   | "drawn_points" | "drawn_help" | "fixed" | "known" | "known_help" | "add_known" | "drop_known" | "velocity" | "by_parts" | "by_size" | "size" | "known_motion"
   | "drop_motion" | "add_acceleration" | "drop_acceleration" | "stub" | "moving"
   | "change_kind" | "empty" | "open_file" | "figure_2" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper"
-  | "board" | "tool_ground" | "tool_link" | "tool_third" | "tool_block" | "tool_drive" | "tool_drop" | "board_link" | "board_third"
-  | "board_block" | "board_drive" | "board_ground" | "board_drop" | "board_pick_second" | "board_pick_link" | "board_pick_guide" | "begin" | "incomplete" | "shape_help"
-  | "larger" | "done" | "board_label" | "board_keys" | "at_link";
+  | "shape_help";
 
 const WORDS: Words<Key> = {
   en: {
@@ -112,30 +110,7 @@ const WORDS: Words<Key> = {
     groups_class: "Third and fourth class",
     groups_drawn: "Groups as a textbook draws them",
     groups_paper: "From the paper",
-    board: "Drawing board",
-    tool_ground: "Fixed point",
-    tool_link: "Link",
-    tool_third: "Third point",
-    tool_block: "Block",
-    tool_drive: "Drive",
-    tool_drop: "Remove",
-    board_ground: "Click where a fixed point is to be.",
-    board_link: "Click two places, or points that are there already.",
-    board_pick_second: "From {name}: now click the other end.",
-    board_third: "Click a link, then the place of its further point.",
-    board_pick_link: "On link {name}: now click the place.",
-    board_block: "Click the point that slides.",
-    board_pick_guide: "{name} slides: now click the link that guides it, or an empty place for a level guide on the ground.",
-    board_drive: "Click a link that has a fixed pivot: a drive turns it.",
-    board_drop: "Click a point or a link to remove it.",
-    begin: "Nothing there yet. Click “Link”, then two points.",
-    incomplete: "Not complete yet: {why}",
     shape_help: "Pins hold points and lengths while you pull joints in shape.",
-    larger: "Larger",
-    done: "Done",
-    board_label: "Drawing board with {count} points",
-    board_keys: "By keys: arrows move the cross, with Shift finer; Page Down and Page Up go from one thing to the next; Enter is a click; 1 to 6 choose what to do; Esc begins anew.",
-    at_link: "link {name}",
   },
   es: {
     about: "General",
@@ -232,30 +207,7 @@ const WORDS: Words<Key> = {
     groups_class: "Tercera y cuarta clase",
     groups_drawn: "Grupos como en un libro",
     groups_paper: "Del artículo",
-    board: "Tablero de dibujo",
-    tool_ground: "Punto fijo",
-    tool_link: "Eslabón",
-    tool_third: "Tercer punto",
-    tool_block: "Corredera",
-    tool_drive: "Accionar",
-    tool_drop: "Quitar",
-    board_ground: "Pulse donde debe estar un punto fijo.",
-    board_link: "Pulse dos lugares, o puntos que ya están.",
-    board_pick_second: "Desde {name}: pulse ahora el otro extremo.",
-    board_third: "Pulse un eslabón y después el lugar de su nuevo punto.",
-    board_pick_link: "En el eslabón {name}: pulse ahora el lugar.",
-    board_block: "Pulse el punto que desliza.",
-    board_pick_guide: "{name} desliza: pulse ahora el eslabón que lo guía, o un lugar vacío para una guía horizontal del bastidor.",
-    board_drive: "Pulse un eslabón con un apoyo fijo: un accionamiento lo gira.",
-    board_drop: "Pulse un punto o un eslabón para quitarlo.",
-    begin: "Aún no hay nada. Pulse «Eslabón» y después dos puntos.",
-    incomplete: "Aún incompleto: {why}",
     shape_help: "Los alfileres sujetan puntos y longitudes al dar forma.",
-    larger: "Mayor",
-    done: "Listo",
-    board_label: "Tablero de dibujo con {count} puntos",
-    board_keys: "Con teclas: las flechas mueven la cruz, con Mayús más fino; Av Pág y Re Pág van de una cosa a la siguiente; Intro es un clic; de 1 a 6 se elige qué hacer; Esc empieza de nuevo.",
-    at_link: "eslabón {name}",
   },
 };
 

@@ -47,7 +47,9 @@ async function changed(app: App, { edits, gesture }: Waiting): Promise<Refused |
   for (;;) {
     const before = app.history.now.value.text;
     try {
-      const text = await app.engine.edit(before, edits);
+      // What is built keeps its places while it is not complete; half a number is not what is built.
+      const inPlace = app.building.value && !app.typing.value;
+      const text = await (inPlace ? app.engine.edit_in_place(before, edits) : app.engine.edit(before, edits));
       if (app.history.now.value.text !== before) continue;
       app.history.change({ text }, gesture);
       return null;

@@ -44,11 +44,16 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
     state.pieces.clear();
     current();
   });
-  app.solved.on(({ text, refused }) => {
+  // While a mechanism is built the board says what is missing: nothing is wrong with what is only begun.
+  const message = (): void => {
+    const { text, refused } = app.solved.value;
+    placeMessage(body, text === app.history.now.value.text && !app.building.value ? refused : null);
+  };
+  app.solved.on(() => {
     current();
-    const isPresent = text === app.history.now.value.text;
-    placeMessage(body, isPresent ? refused : null);
+    message();
   });
+  app.building.on(message);
   return { again: current };
 }
 

@@ -1,0 +1,189 @@
+/** What is being built: the tool, what is chosen, the mechanism as far as it is known, and the changes that hands make. */
+import type { App } from "../app.ts";
+import type { Board } from "../engine/types.ts";
+import { edit } from "../panels/parts/edits.ts";
+import { newId } from "../panels/parts/fields.ts";
+import { parsed, unitsOf } from "../panels/parts/scene.ts";
+import { paneOf } from "../picture/surface.ts";
+import { said } from "../refused.ts";
+import { newest } from "../state/newest.ts";
+import { signal, type Signal } from "../state/signal.ts";
+import type { Chosen, Copied } from "./copied.ts";
+import type { Photograph } from "./ground.ts";
+import { linkAt, pointAt, type Places } from "./hit.ts";
+import { short, sight, type Place, type Sight, type Sighted } from "./sight.ts";
+import type { Choices, Follows, Press, Present, Tool } from "./tools.ts";
+import { say } from "./words.ts";
+
+/** The mechanism on the screen: of a text, seen so. */
+export interface Shown {
+  text: string;
+  at: Sighted;
+  board: Board;
+}
+
+/** Points that are held and moved together. */
+export interface Held {
+  /** So far from where they were. */
+  move(by: Place): void;
+  /** Lets go: one entry of undo. */
+  drop(): Promise<void>;
+  cancel(): void;
+}
+
+export interface Model {
+  sight: Sight;
+  tool: Signal<Tool>;
+  choices: Signal<Choices>;
+  snaps: Signal<boolean>;
+  /** Where a tool was pressed first, that goes from one place to another. */
+  begun: Signal<Press | null>;
+  chosen: Signal<Chosen>;
+  shown: Signal<Shown | null>;
+  photo: Signal<Photograph | null>;
+  /** Places of the photograph whose distance will be told; null where nobody sets its scale. */
+  scaling: Signal<Place[] | null>;
+  /** What keeps held points from following; empty where nothing does. */
+  note: Signal<string>;
+  copied: Copied | null;
+  /** What is there by now; null where the text is no scene at all. */
+  present(): Present | null;
+  /** Waits until the board shows the text as it is. */
+  fresh(): Promise<void>;
+  /** What is at a place; where nothing is, the place is put on the grid. */
+  press(place: Place, reach: number): Press;
+  /** Makes the changes, as one entry of undo; or says what they need. */
+  make(follows: Follows, gesture?: string): Promise<boolean>;
+  hold(names: Iterable<string>): Held;
+  /** Shows everything. */
+  fit(): void;
+  redraw(): void;
+}
+
+export const NOTHING: Chosen = { points: new Set(), links: new Set() };
+
+/** Half the width of a block, in the height of letters. */
+const BLOCK = 0.8;
+
+export function placesIn(board: Board): Places {
+  return new Map(board.points.map(({ name, at }): [string, Place] => [name, at]));
+}
+
+export function model(app: App): Model {
+  const own = sight();
+  const shown = signal<Shown | null>(null);
+  const note = signal("");
+  const snaps = signal(true);
+  /** The text that is shown while something is held. */
+  let preview: string | null = null;
+  const letters = (): number => paneOf(own.size.width, own.size.height).letters;
+
+  const drawing = newest(async ({ text, at }: { text: string; at: Sighted }) => {
+    const { width, height } = own.size;
+    try {
+      const board = await app.engine.board(text, { pane: { width, height, letters: letters(), words: false }, centre: [...at.centre], scale: at.scale });
+      shown.set({ text, at, board });
+    } catch (refused) {
+      note.set(said(refused));
+    }
+  });
+  const redraw = (): void => {
+    if (app.building.value) drawing.want({ text: preview ?? app.history.now.value.text, at: own.now.value });
+  };
+
+  function present(): Present | null {
+    const scene = parsed(app.history.now.value.text);
+    return scene === null || shown.value === null ? null : { scene, board: shown.value.board, places: placesIn(shown.value.board) };
+  }
+
+  async function fresh(): Promise<void> {
+    redraw();
+    while (!drawing.isIdle()) await new Promise((done) => setTimeout(done, 4));
+  }
+
+  function press(place: Place, reach: number): Press {
+    const there = present();
+    if (there === null) return { at: own.rounded(place, snaps.value), under: place, point: null, link: null };
+    const { scene, places } = there;
+    const far = reach / own.now.value.scale;
+    const point = pointAt(places, place, far);
+    const link = linkAt(scene, places, place, far, (BLOCK * letters()) / own.now.value.scale);
+    return { at: point === null ? own.rounded(place, snaps.value) : places.get(point)!, under: place, point, link };
+  }
+
+  async function make(follows: Follows, gesture: string = newId()): Promise<boolean> {
+    if (typeof follows === "string") {
+      app.tell(say(follows));
+      return false;
+    }
+    if (follows.length === 0) return false;
+    const refused = await edit(app, follows, gesture);
+    if (refused !== null) app.tell(said(refused));
+    await fresh();
+    return refused === null;
+  }
+
+  function hold(names: Iterable<string>): Held {
+    const text = app.history.now.value.text;
+    const places = present()?.places ?? new Map<string, Place>();
+    const origins = [...names].flatMap((name): [string, Place][] => (places.has(name) ? [[name, places.get(name)!]] : []));
+    let last = text;
+    let isOver = false;
+    const moving = newest(async ([dx, dy]: Place) => {
+      const moves = origins.map(([name, [x, y]]) => ({ name, at: [short(x + dx), short(y + dy)] as Place }));
+      try {
+        const next = await app.engine.move_points(text, moves);
+        if (isOver) return;
+        note.set("");
+        last = preview = next;
+        redraw();
+      } catch (refused) {
+        note.set(said(refused));
+      }
+    });
+    const over = (): void => {
+      isOver = true;
+      preview = null;
+      note.set("");
+      redraw();
+    };
+    return {
+      move: (by) => moving.want(by),
+      async drop() {
+        while (!moving.isIdle()) await new Promise((done) => setTimeout(done, 4));
+        if (isOver) return;
+        app.history.change({ text: last });
+        over();
+      },
+      cancel: over,
+    };
+  }
+
+  function fit(): void {
+    const there = present();
+    own.fit(there === null ? [] : [...there.places.values()], unitsOf(there?.scene ?? {}).length);
+  }
+
+  app.history.now.on(redraw);
+  own.now.on(redraw);
+  return {
+    sight: own,
+    tool: signal<Tool>("link"),
+    choices: signal<Choices>({ sliding: "block", guided: "along" }),
+    snaps,
+    begun: signal<Press | null>(null),
+    chosen: signal(NOTHING),
+    shown,
+    photo: signal<Photograph | null>(null),
+    scaling: signal<Place[] | null>(null),
+    note,
+    copied: null,
+    present,
+    fresh,
+    press,
+    make,
+    hold,
+    fit,
+    redraw,
+  };
+}
