@@ -1,4 +1,6 @@
 import type { Panel } from "../../app.ts";
+import type { Kind } from "../../engine/types.ts";
+import { language } from "../../words.ts";
 import { element } from "../../dom/element.ts";
 import type { Form } from "../parts/form.ts";
 import { at, isDrawn, type Draft } from "../parts/scene.ts";
@@ -7,6 +9,7 @@ import { command } from "./commands.ts";
 import { gallery } from "./gallery.ts";
 import { about, ground } from "./ground.ts";
 import { drawnPoints, known } from "./known.ts";
+import { noteOf } from "./kinds.ts";
 import { links } from "./links.ts";
 import { near } from "./near.ts";
 import { placesOf } from "./places.ts";
@@ -22,15 +25,20 @@ export const mechanism: Panel = {
     root.append(gallery(app));
     const form = element("div", {});
     root.append(form);
-    keepForm(form, app, { describe, asked: (ask) => void command(app, places.value, ask) });
+    let kinds: Kind[] = [];
+    const { again } = keepForm(form, app, { describe: (scene) => describe(scene, kinds), asked: (ask) => void command(app, places.value, ask) });
+    void app.engine.kinds().then((all) => {
+      kinds = all;
+      again();
+    });
     revealing(app, form);
   },
 };
 
-function describe(scene: Draft): Form {
+function describe(scene: Draft, kinds: Kind[]): Form {
   const note = at(scene, ["note"]);
   const first = about();
-  if (typeof note === "string") first.help = note;
+  if (typeof note === "string") first.help = noteOf(note, kinds, language.value);
   const groups = isDrawn(scene)
     ? [first, drawnPoints(scene), known(scene), links(scene), sliders(scene)]
     : [first, ground(scene), links(scene), sliders(scene), near(scene)];

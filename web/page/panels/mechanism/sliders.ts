@@ -76,11 +76,16 @@ function guide(scene: Draft, slider: unknown, path: Path): Row[] {
     ...(canPlace || Array.isArray(through) ? [{ any: "list" as const, text: say("through_place"), ask: { do: "place", with: path.map(String) } }] : []),
   ];
   const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say("through"), options: places }];
-  if (Array.isArray(through)) where.push(...placeFields([...path, "through"], unit, step));
+  if (Array.isArray(through)) where.push(...withOffset(placeFields([...path, "through"], unit, step), on === "ground" && (along ?? 0) === 0));
   const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say("along"), options: directions(points, along) }];
   if (typeof along === "number") direction.push({ kind: "number", path: [...path, "along"], label: say("degrees"), unit: "°", step: 1, needed: true });
   if (Array.isArray(along)) direction.push(...placeFields([...path, "along"], "", 0.1));
   return [{ fields: where }, { fields: direction }];
+}
+
+/** Of a level guide on the ground y is what people look for as its offset. */
+function withOffset(fields: Field[], isLevel: boolean): Field[] {
+  return isLevel ? fields.map((field, index) => (index === 1 ? { ...field, label: say("offset") } : field)) : fields;
 }
 
 function directions(points: string[], along: unknown): Option[] {

@@ -7,7 +7,7 @@ type Key =
   | "add_point" | "places_on_link" | "give_place" | "drive_it" | "drop_drive" | "drive" | "angle" | "speed"
   | "turns" | "acceleration" | "position" | "axis_angle" | "block" | "driven" | "unsized" | "moves_as_known"
   | "sliders" | "sliders_help" | "slider" | "pin_in_slot" | "what_slides" | "sliding_link" | "at" | "pin" | "on" | "ground_word" | "through" | "through_usual" | "through_place" | "along"
-  | "along_usual" | "along_degrees" | "along_direction" | "degrees" | "turned" | "drop_slider" | "add_slider" | "new_block" | "link_at" | "pin_at"
+  | "offset" | "along_usual" | "along_degrees" | "along_direction" | "degrees" | "turned" | "drop_slider" | "add_slider" | "new_block" | "link_at" | "pin_at"
   | "near" | "near_help" | "add_near" | "angle_of" | "drop_near"
   | "drawn_points" | "drawn_help" | "fixed" | "known" | "known_help" | "add_known" | "drop_known" | "velocity" | "by_parts" | "by_size" | "size" | "known_motion"
   | "drop_motion" | "add_acceleration" | "drop_acceleration" | "stub" | "moving"
@@ -67,6 +67,7 @@ const WORDS: Words<Key> = {
     through: "Guide through",
     through_usual: "its own point",
     through_place: "a place x, y",
+    offset: "y (offset)",
     along: "Guide along",
     along_usual: "its axis",
     along_degrees: "an angle",
@@ -164,6 +165,7 @@ const WORDS: Words<Key> = {
     through: "Guía por",
     through_usual: "su propio punto",
     through_place: "un lugar x, y",
+    offset: "y (descentrado)",
     along: "Guía según",
     along_usual: "su eje",
     along_degrees: "un ángulo",
