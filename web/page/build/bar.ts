@@ -142,7 +142,7 @@ function photoButtons(app: App, model: Model, back: () => void): HTMLElement {
 function missing(scene: Draft): string | null {
   const { links, taken, free, drives } = mobility(scene);
   if (links === 0 || isDrawn(scene) || free === drives) return null;
-  const count = say("mobility", { links, taken, free });
+  const count = say("mobility", { links, taken, free, drives });
   if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
   const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
   return `${say(wants, { count: free - drives })} ${count}`;
