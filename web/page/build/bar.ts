@@ -20,6 +20,8 @@ const PICTURES = "image/*";
 function choice<Value extends string>(values: readonly Value[], called: (value: Value) => Saying, name: Saying, choose: (value: Value) => void): { root: HTMLElement; mark(now: Value): void } {
   const buttons = values.map((value) => {
     const button = worded(element("button", { type: "button", role: "radio", "data-value": value, onclick: () => choose(value) }), () => say(called(value)));
+    // A tap right after a drag on the board may come without a click.
+    button.addEventListener("pointerup", ({ pointerType }) => pointerType === "touch" && choose(value));
     return button;
   });
   const root = element("div", { class: "switch", role: "radiogroup" }, ...buttons);
