@@ -57,8 +57,7 @@ pub fn step_values(solution: &Solution) -> Vec<Vec<String>> {
     let teller = Teller::new(solution, &words);
     let none = Pencil { tolerance: Tolerance::default(), scales: Scales::default(), quantities: Vec::new() };
     let units = solution.scene.units;
-    let list =
-        StepList { text: String::new(), units, words: &words, teller, pencil: &none, style: FOUR_DIGITS };
+    let list = StepList { text: String::new(), units, words: &words, teller, pencil: &none, style: FOUR_DIGITS };
     solution.construction.numbered_steps().map(|step| list.details(&step)).collect()
 }
 

@@ -114,7 +114,9 @@ fn an_exercise_is_made_and_given() {
     assert_eq!(bench.value("kinegon.app.student.value"), true);
     // The link has what is given, the sheet, and the next exercise; undo brings the one before back, with its sheet.
     let task = "document.querySelector('#panel-check .task')?.textContent ?? ''";
-    let stands = |number: u32| format!("({task}).includes('four-bar-7-{number}') && document.querySelector('#panel-check .task svg') !== null");
+    let stands = |number: u32| {
+        format!("({task}).includes('four-bar-7-{number}') && document.querySelector('#panel-check .task svg') !== null")
+    };
     bench.until(&stands(1));
     let told = bench.text(task);
     assert!(told.contains("Given:") && told.contains("Draw the plans"), "{told}");
