@@ -4,8 +4,8 @@ use super::canvas::Canvas;
 use super::clip::clipped_segment;
 use super::dims::Dims;
 use super::held_layout::Pane;
-use super::scheme::sliders::{BLOCK, block_corners, ground_line, ground_piece, pivot, slot, slot_outline};
 use super::scheme::on_paper::outline;
+use super::scheme::sliders::{BLOCK, block_corners, ground_line, ground_piece, pivot, slot, slot_outline};
 use super::shape::Shape;
 use super::sheet::{Drawing, Pen};
 use super::text::CAPTION;
@@ -192,7 +192,10 @@ impl OnSheet<'_> {
     /// The sense of a drive that turns a link, about its fixed point.
     fn turning(&self, canvas: &mut Canvas<'_>, link: &DraftLink) {
         let Some(speed) = link.turning else { return };
-        let mut known = link.points.iter().filter_map(|name| self.draft.points.get(name).map(|point| (point, self.view.at(point.at))));
+        let mut known = link
+            .points
+            .iter()
+            .filter_map(|name| self.draft.points.get(name).map(|point| (point, self.view.at(point.at))));
         let ends: Vec<(bool, Point)> = known.by_ref().map(|(point, at)| (point.is_fixed, at)).collect();
         let Some(&(_, center)) = ends.iter().find(|(is_fixed, _)| *is_fixed).or(ends.first()) else { return };
         let arm = ends.iter().map(|(_, at)| *at - center).find(|arm| arm.hypot() > 0.0).unwrap_or(Vec2::new(1.0, 0.0));
@@ -209,8 +212,10 @@ impl OnSheet<'_> {
             let center = self.view.at(point.at);
             let of_links = self.draft.links.iter().filter(|link| link.points.contains(name)).count();
             let slides = self.draft.sliders.iter().any(|slider| slider.at == *name);
-            // A pin joins two bodies.
-            let (pen, radius) = match of_links + usize::from(point.is_fixed) {
+            let in_slots =
+                self.draft.sliders.iter().filter(|slider| slider.at == *name && slider.link.is_none()).count();
+            // A pin joins two bodies, or rides in a slot.
+            let (pen, radius) = match of_links + usize::from(point.is_fixed) + in_slots {
                 0 | 1 => (Pen::ImagePoint, dot * (0.5 / 0.45)),
                 _ => (Pen::Joint, joint),
             };

@@ -28,10 +28,10 @@ mod present;
 #[doc(hidden)] // for tests
 pub mod reshape;
 
-pub use draft::{Draft, DraftGuide, DraftLink, DraftPoint, DraftSlider};
-pub use placed::{apply_in_place, with_places};
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
+pub use draft::{Draft, DraftGuide, DraftLink, DraftPoint, DraftSlider};
 pub use names::Named;
+pub use placed::{apply_in_place, with_places};
 pub use position::{with_mode, with_position};
 pub use present::places;
 pub use reshape::{Pins, Reshape, Reshaped};

@@ -159,7 +159,8 @@ fn move_guides(
         let number = index.to_string();
         let was = before.places.get(&at).zip(super::present::two_numbers(&slider["through"]));
         let is_through = was.is_some_and(|(place, through)| (place - through).norm() <= decimals.step());
-        if let (true, true, Some(place)) = (slider["on"] == *"ground" && is_through, is_moved(&at), now.places.get(&at)) {
+        if let (true, true, Some(place)) = (slider["on"] == *"ground" && is_through, is_moved(&at), now.places.get(&at))
+        {
             document.set(&["sliders", &number, "through"], &decimals.place_json(*place))?;
         }
     }

@@ -1,6 +1,6 @@
 //! Mechanisms that are not complete yet, as they are drawn on the board.
 
-use kinegon::drawing::{Drawing, DraftView, Pane, Shape, draft};
+use kinegon::drawing::{DraftView, Drawing, Pane, Shape, draft};
 use kinegon::editing::Draft;
 use support::files;
 
@@ -29,14 +29,17 @@ fn what_is_known_stands_to_scale_and_what_is_not_is_left_out() {
   "near": { "B": [20, 60] }
 }"#;
     let drawing = drawn(text, [50.0, 30.0], 3.0);
-    for (id, at) in [("build-point-A", [-150.0, -90.0]), ("build-point-B", [-90.0, 90.0]), ("build-link-1", [-120.0, 0.0])] {
+    for (id, at) in
+        [("build-point-A", [-150.0, -90.0]), ("build-point-B", [-90.0, 90.0]), ("build-link-1", [-120.0, 0.0])]
+    {
         let place = middle(&drawing, id).expect(id);
         assert!((place[0] - at[0]).hypot(place[1] - at[1]) < 1e-6, "{id}: {place:?}");
     }
     assert!(middle(&drawing, "build-link-2").is_some(), "a link of which one end is known is a stub");
     assert_eq!(middle(&drawing, "build-link-3"), None);
     assert_eq!(middle(&drawing, "build-point-C"), None);
-    let names = |name: &str| drawing.marks.iter().any(|mark| mark.id.as_deref() == Some(&format!("build-label-{name}")));
+    let names =
+        |name: &str| drawing.marks.iter().any(|mark| mark.id.as_deref() == Some(&format!("build-label-{name}")));
     assert!(names("A") && names("D") && names("B"));
 }
 

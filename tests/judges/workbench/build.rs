@@ -35,7 +35,9 @@ fn empty(name: &str) -> Option<Bench> {
     let mut bench = Bench::open(name)?;
     bench.panel("mechanism");
     bench.press_named("#panel-mechanism", "New, empty");
-    bench.until("document.querySelector('#board').dataset.window !== undefined && document.activeElement.id === 'board'");
+    bench.until(
+        "document.querySelector('#board').dataset.window !== undefined && document.activeElement.id === 'board'",
+    );
     bench.settle();
     Some(bench)
 }
@@ -43,7 +45,8 @@ fn empty(name: &str) -> Option<Bench> {
 fn place_of(bench: &mut Bench, point: &str) -> [f64; 2] {
     let text = json!(bench.scene());
     let places = bench.ask("places", &[text]);
-    let found = places.as_array().expect("places").iter().find(|place| place["name"] == *point).expect("a point").clone();
+    let found =
+        places.as_array().expect("places").iter().find(|place| place["name"] == *point).expect("a point").clone();
     [0, 1].map(|axis| found["at"][axis].as_f64().expect("a number"))
 }
 
@@ -113,7 +116,14 @@ fn guides_have_any_angle_and_cylinders_drive() {
     click(&mut bench, [100.0, -40.0]);
     assert!(state(&mut bench).starts_with("Complete"), "{} {}", state(&mut bench), bench.scene());
     let position = bench.at("/sliders/1/drive/position").as_f64().expect("a position");
-    let rod = bench.at("/links/5/lengths").as_object().expect("a rod").values().next().and_then(Value::as_f64).expect("a length");
+    let rod = bench
+        .at("/links/5/lengths")
+        .as_object()
+        .expect("a rod")
+        .values()
+        .next()
+        .and_then(Value::as_f64)
+        .expect("a length");
     assert!((position + rod - 8_500_f64.sqrt()).abs() < 0.05, "√(60² + 70²): {position} {rod}");
     bench.picture("build-cylinder");
     bench.assert_quiet();

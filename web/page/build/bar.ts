@@ -20,6 +20,8 @@ const PICTURES = "image/*";
 function choice<Value extends string>(values: readonly Value[], called: (value: Value) => Saying, name: Saying, choose: (value: Value) => void): { root: HTMLElement; mark(now: Value): void } {
   const buttons = values.map((value) => {
     const button = worded(element("button", { type: "button", role: "radio", "data-value": value, onclick: () => choose(value) }), () => say(called(value)));
+    // A tap right after a drag on the board may come without a click.
+    button.addEventListener("pointerup", ({ pointerType }) => pointerType === "touch" && choose(value));
     return button;
   });
   const root = element("div", { class: "switch", role: "radiogroup" }, ...buttons);
@@ -142,7 +144,7 @@ function photoButtons(app: App, model: Model, back: () => void): HTMLElement {
 function missing(scene: Draft): string | null {
   const { links, taken, free, drives } = mobility(scene);
   if (links === 0 || isDrawn(scene) || free === drives) return null;
-  const count = say("mobility", { links, taken, free });
+  const count = say("mobility", { links, taken, free, drives });
   if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
   const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
   return `${say(wants, { count: free - drives })} ${count}`;

@@ -83,6 +83,7 @@ export function model(app: App): Model {
     try {
       const board = await app.engine.board(text, { pane: { width, height, letters: letters(), words: false }, centre: [...at.centre], scale: at.scale });
       shown.set({ text, at, board });
+      if (preview === null) note.set("");
     } catch (refused) {
       note.set(said(refused));
     }
