@@ -82,7 +82,7 @@ fn a_four_bar_is_built_moved_and_taken_apart() {
     tool(&mut bench, "select");
     drag(&mut bench, [140.0, 90.0], [150.0, 110.0]);
     let [x, y] = place_of(&mut bench, "C");
-    assert!((x - 150.0).hypot(y - 110.0) < 0.5, "{x} {y}");
+    assert!(libm::hypot(x - 150.0, y - 110.0) < 0.5, "{x} {y}");
     bench.click("#undo");
     bench.settle();
     assert_eq!(bench.scene(), before);
@@ -94,7 +94,7 @@ fn a_four_bar_is_built_moved_and_taken_apart() {
     assert_eq!(bench.at("/links/2"), Value::Null);
     assert!(state(&mut bench).starts_with("Not complete yet"), "{}", state(&mut bench));
     let [x, y] = place_of(&mut bench, "C");
-    assert!((x - 140.0).hypot(y - 90.0) < 0.5, "{x} {y}");
+    assert!(libm::hypot(x - 140.0, y - 90.0) < 0.5, "{x} {y}");
     bench.assert_quiet();
 }
 

@@ -29,7 +29,7 @@ fn points_stay_when_a_scene_is_no_longer_complete() {
         let after = places(&open).expect("places");
         for (point, [x, y]) in &before {
             let [u, v] = after.get(point).unwrap_or_else(|| panic!("{name}: {point} is lost\n{open}"));
-            assert!((x - u).hypot(y - v) < 0.5, "{name}: {point} went from {x}, {y} to {u}, {v}");
+            assert!(libm::hypot(x - u, y - v) < 0.5, "{name}: {point} went from {x}, {y} to {u}, {v}");
         }
     }
 }

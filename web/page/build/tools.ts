@@ -42,7 +42,7 @@ export interface Present {
 }
 
 /** The changes that follow; a word of the page where there are none, because something is not there that is needed. */
-export type Follows = Edit[] | "needs_point" | "needs_link" | "needs_pivot" | "needs_other" | "needs_way";
+export type Follows = Edit[] | "needs_point" | "needs_link" | "needs_pivot" | "needs_way";
 
 /** What follows where a tool goes from one place to another. */
 export function drawn(tool: Tool, present: Present, from: Press, to: Press, choices: Choices): Follows {
