@@ -15,7 +15,9 @@ export interface Menu {
 
 /** `back` gives the focus back to the board. */
 export function menu(app: App, model: Model, back: () => void): Menu {
-  const root = element("div", { class: "board-menu", popover: "auto", role: "menu" });
+  const root = element("div", { class: "board-menu", popover: "manual", role: "menu" });
+  // Not dismissed by itself: a finger that opens it by resting is lifted outside it.
+  document.addEventListener("pointerdown", ({ target }) => root.matches(":popover-open") && !root.contains(target as Node) && root.hidePopover(), { capture: true });
 
   function entry(text: string, act: () => void, stays = false): HTMLButtonElement {
     const button = element("button", { type: "button", role: "menuitem", class: "entry" }, text);
