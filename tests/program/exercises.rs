@@ -338,10 +338,16 @@ fn keys_have_all_quantities() {
         let rows = rows.filter(|id| id.starts_with("key-") && id.ends_with("-value")).count();
         assert_eq!(rows, key.values.len(), "{kind}");
         // Segments are asked for once: no two rows name one segment of a plan.
-        let rates: Vec<f64> = key.values.iter().filter(|(n, _)| n.starts_with("omega")).map(|(_, v)| v.value).collect();
-        for (index, rate) in rates.iter().enumerate() {
-            assert!(!rates[..index].contains(rate) || *rate == 0.0, "{kind}: {rates:?}");
+        let segments = key.values.keys().filter_map(|name| {
+            let (plan, ends) = name.strip_suffix(')')?.split_once("plan(")?;
+            let (from, to) = ends.split_once(',')?;
+            Some((plan, from.min(to), from.max(to)))
+        });
+        let segments: Vec<_> = segments.collect();
+        for (index, segment) in segments.iter().enumerate() {
+            assert!(!segments[..index].contains(segment), "{kind}: {segments:?}");
         }
+        assert!(segments.len() >= 2, "{kind}: {segments:?}");
     }
 }
 

@@ -147,7 +147,8 @@ impl Canvas<'_> {
         let content = marks.split_off(self.content_start).into_iter();
         for mark in content.filter(|mark| !(is_point(mark) && leaves(mark))) {
             let is_cut = leaves(&mark);
-            let area = if is_cut { below_header } else { seen };
+            let is_above = mark.shape.bounds().y0 < seen.y0;
+            let area = if is_cut && is_above { below_header } else { seen };
             let mut id = mark.id;
             for shape in clipped(area, mark.shape) {
                 self.obstacles.add_boxes(shape.head_box().filter(|_| is_cut));
