@@ -199,16 +199,16 @@ fn in_registers<E: Equations<LOOPS>, L: Lanes, R: Row, const LOOPS: usize>(
     let (mut sum, mut longest) = (zero, zero);
     for k in portions::<L, R>() {
         let mut squares = [one; LOOPS];
-        for i in 0..LOOPS {
-            squares[i] = lanes.load(&block.systems[closing.group].inverse_squares[i], k);
+        for (square, row) in squares.iter_mut().zip(&block.systems[closing.group].inverse_squares) {
+            *square = lanes.load(row, k);
         }
         let (columns, mut sides) = E::turned(lanes, k, block, chains);
         let equations = Reduced::with_inverse_squares(columns, squares);
         let steps = equations.solve(one / equations.determinant(), sides);
         let mut square = zero;
-        for i in 0..2 * LOOPS {
-            lanes.store(&mut block.solution[i], k, steps[i]);
-            let step = steps[i] * lanes.splat(closing.scales[i]);
+        for (i, step) in steps.into_iter().enumerate().take(2 * LOOPS) {
+            lanes.store(&mut block.solution[i], k, step);
+            let step = step * lanes.splat(closing.scales[i]);
             square = square.plus_product(step, step);
         }
         sum = sum + square;

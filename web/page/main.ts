@@ -187,7 +187,7 @@ async function start(): Promise<void> {
   wire(app, store);
   solving(app);
   tabs(app, PANELS, store);
-  const tours = tour(store);
+  const tours = tour(app, store);
   help(store, tours.begin);
   splitter(store);
   firstPanel(app, first, store);

@@ -1,4 +1,6 @@
+import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
+import { owned, type Signal } from "../state/signal.ts";
 import type { Store } from "../state/storage.ts";
 import { language } from "../words.ts";
 import { say, type Saying } from "./words.ts";
@@ -14,7 +16,7 @@ const STOPS: [string, Saying][] = [
 const GAP = 10;
 
 /** A tour of three stops beside the page, which goes on working; once, unless somebody asks for it again. */
-export function tour(store: Store): { begin(): void } {
+export function tour(app: App, store: Store): { begin(): void } {
   const words = element("p");
   const count = element("span", { class: "count" });
   const leave = element("button", { type: "button" });
@@ -22,9 +24,12 @@ export function tour(store: Store): { begin(): void } {
   const box = element("div", { id: "tour", role: "dialog", "aria-live": "polite", hidden: true }, words, element("div", { class: "foot" }, count, leave, next));
   document.body.append(box);
   let stop = 0;
+  let isBegun = false;
+  let acting: (() => void) | null = null;
 
   function end(): void {
     box.hidden = true;
+    isBegun = false;
     store.prefer("tour", "seen");
   }
 
@@ -63,6 +68,8 @@ export function tour(store: Store): { begin(): void } {
     event.stopPropagation();
     end();
   };
+  // Whoever does something needs no tour, and none lies over what is done.
+  const acts = [app.history.now, app.shown, app.view, app.focus];
   window.addEventListener("resize", show);
   language.on(show);
   return {
@@ -70,6 +77,9 @@ export function tour(store: Store): { begin(): void } {
       stop = 0;
       box.hidden = false;
       show();
+      acting?.();
+      acting = owned(() => acts.forEach((signal: Signal<unknown>) => signal.on(() => isBegun && end()))).end;
+      isBegun = true;
     },
   };
 }
