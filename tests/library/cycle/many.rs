@@ -96,8 +96,8 @@ fn motions_at_once_are_positions_and_then_rates() {
             assert_eq!((count, found.is_some()), (same, positions.is_some()), "{name} {}", rest[0]);
             if let Some(found) = found {
                 let expected = after.rates();
-                for lane in 0..count {
-                    assert_eq!(bits(found, lane), bits(expected, lane), "{name} {}", rest[lane]);
+                for (lane, value) in rest[..count].iter().enumerate() {
+                    assert_eq!(bits(found, lane), bits(expected, lane), "{name} {value}");
                 }
             }
             rest = &rest[count..];
