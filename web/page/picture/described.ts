@@ -8,7 +8,7 @@ import { called } from "../sheets.ts";
 import { marked } from "../steps/bar.ts";
 import { language } from "../words.ts";
 
-/** The picture in words, for who does not see it: links and joints as a list, then what each plan gives, as far as the steps have come. */
+/** The picture in words, for who does not see it: links and joints as a list, then what is drawn in each plan and what it gives, as far as the steps have come. */
 export function described(app: App): void {
   const place = byId("described");
   function show(): void {
@@ -19,7 +19,8 @@ export function described(app: App): void {
     const parts = SHEETS.flatMap(({ key }) => {
       if (isPlanless && key !== "scheme") return [];
       const drawn = opened.steps.filter((step) => step.panel === key && step.number <= last);
-      const lines = [...(key === "scheme" ? mechanism(opened) : []), ...drawn.flatMap(({ values }) => (isPlanless ? [] : values))];
+      const told = isPlanless ? [] : drawn.map(({ caption, equation, values }) => [caption, [equation, ...values].filter((part) => part !== "").join("; ")].join(" ").trim());
+      const lines = [...(key === "scheme" ? mechanism(opened) : []), ...told];
       return lines.length === 0 ? [] : [element("h3", {}, called(key, "title")), element("ul", {}, ...lines.map((line) => element("li", {}, ...marked(line))))];
     });
     place.replaceChildren(element("h2", {}, say("described")), ...parts);
