@@ -133,7 +133,7 @@ impl Part {
     }
 
     /// What of the plan must be in sight: its points and those from which it starts, and the pole where that is near; none
-    /// where that is a single place or most of the plan.
+    /// where that is a single place, to rounding, or most of the plan.
     fn extent(&self, context: &SheetContext<'_>, plan: &Plan, starts: &[String]) -> Option<Extent> {
         let steps = &context.facts.plan_steps[plan.sheet()];
         let is_own = |name: &String| self.steps.contains(&steps.point(name)) || starts.contains(name);
@@ -145,8 +145,8 @@ impl Part {
         let extent = Extent::of(places.iter().copied());
         let whole = extent.with(geometry::Point::origin());
         let size = extent.size().norm();
-        let plan = plan::on_paper::extent(plan, context.figure().construction).size().norm();
-        (0.0 < size && size <= MOST * plan)
+        let all = plan::on_paper::extent(plan, context.figure().construction).size().norm();
+        (!plan.is_nothing(size) && size <= MOST * all)
             .then(|| if whole.size().norm() <= WITH_POLE * size { whole } else { extent })
     }
 }

@@ -168,6 +168,15 @@ fn a_crowd_in_the_hall_has_few_sheets() {
     assert!(tables > 1 && left_out == 0, "{tables} tables, {left_out} values left out");
 }
 
+/// Points that are one but for rounding have no sheet of their own: of the scissor five names stand at one place.
+#[test]
+fn one_place_has_no_sheet_of_its_own() {
+    let mut scene = Scene::read(&read("tests/lecture/scissor.json")).expect("a good scene");
+    (scene.figure.style, scene.figure.page) = (StyleName::Lecture, Page::from_name("16x9").expect("a page"));
+    let sheets = FigureSheets::new(&solve(&scene).expect("it moves")).sheets();
+    assert_eq!(sheets.iter().filter(|sheet| !sheet.panels.is_empty()).count(), 1);
+}
+
 /// A relative vector has its head where its symbol says: that of v_CB is at c.
 #[test]
 fn relative_vectors_have_heads() {
