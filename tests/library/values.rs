@@ -30,7 +30,7 @@ fn number_and_unit(text: &str) -> (f64, &str) {
     let behind = text.rsplit('=').next().expect("a value");
     let letters = behind.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(behind.len());
     let (number, unit) = behind.split_at(letters);
-    let number = number.trim().replace('−', "-").replace('\u{a0}', "");
+    let number = number.replace(char::is_whitespace, "").replace('−', "-");
     let (digits, power) = number.split_once("·10").unwrap_or((&number, "0"));
     let number: f64 = digits.parse().unwrap_or_else(|_| panic!("{text}"));
     (number * libm::pow(10.0, power.parse().unwrap_or_else(|_| panic!("{text}"))), unit)
