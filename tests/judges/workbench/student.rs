@@ -48,6 +48,11 @@ fn values_are_checked_one_by_one() {
     bench.load(&link);
     assert_eq!(bench.text("kinegon.app.shown.value"), "check");
     assert!(!bench.marks().contains("velocity-vector"), "a student's link shows no plan");
+    // Nor does a second link in the same tab.
+    bench.value(&format!("location.hash = {}", json!(link)));
+    bench.until("location.hash === ''");
+    bench.settle();
+    assert!(!bench.marks().contains("velocity-vector"), "a second student's link shows no plan");
     bench.picture("student-link");
     let values = key["values"].as_object().expect("values").clone();
     let mut written = 0;

@@ -11,4 +11,6 @@ export function studying(app: App): void {
     if (is) app.view.set({ ...view, step: null, panels: ["scheme"] });
     else if (panels !== undefined) app.view.set(view);
   });
+  // A second student's link in the same tab brings a view of its own.
+  app.view.on((view) => app.student.value && view.panels === undefined && app.view.set({ ...view, step: null, panels: ["scheme"] }));
 }
