@@ -47,7 +47,7 @@ export function freshPlace(places: Places, beside: string[]): [number, number] {
 }
 
 /** A place on round numbers, for points that lie about `space` apart. */
-export function rounded([x, y]: [number, number], space: number): [number, number] {
+function rounded([x, y]: [number, number], space: number): [number, number] {
   const grain = 10 ** (Math.floor(Math.log10(space)) - 1);
   const round = (value: number): number => Number((Math.round(value / grain) * grain).toPrecision(12));
   return [round(x), round(y)];
