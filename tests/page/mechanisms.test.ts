@@ -8,7 +8,7 @@ import type { Opened } from "../../web/page/engine/types.ts";
 import { linesAt, placesAt } from "../../web/page/panels/curves/follow.ts";
 import { tracedOf } from "../../web/page/panels/curves/choice.ts";
 import { freeLink, freePoint } from "../../web/page/panels/mechanism/free_name.ts";
-import { freshPlace } from "../../web/page/panels/mechanism/places.ts";
+import { freshPlace } from "../../web/page/panels/mechanism/fresh_place.ts";
 import { allPoints, type Draft, lengthKey, pairs, parsed, pointsOf, sizeOf } from "../../web/page/panels/parts/scene.ts";
 import { viewport } from "../../web/page/picture/viewport.ts";
 
