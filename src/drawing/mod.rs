@@ -107,7 +107,7 @@ mod words;
 mod worksheet;
 
 pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
-pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
+pub use curves::{CurvesError, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 pub use draft::{DraftView, draft};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use facts::Steps;

@@ -185,6 +185,11 @@ impl Kept {
                 } else if view.pane.is_some() && view.focus.is_some() {
                     own.scene.figure.focus = view.focus;
                 }
+                let further = view.trace.iter().filter(|point| !own.scene.figure.trace.contains(point));
+                let further =
+                    further.filter(|point| own.scene.check_traced(std::slice::from_ref(*point), None).is_ok());
+                let further: Vec<String> = further.cloned().collect();
+                own.scene.figure.trace.extend(further);
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
                 let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
                 let held = self.held.as_ref().filter(|held| view.is_laid_out_as(&held.view));

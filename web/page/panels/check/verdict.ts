@@ -21,6 +21,11 @@ export const SIGNS: Record<Verdict["kind"], string> = {
   writing: "…",
 };
 
+/** The kind of a verdict that has this name in results. */
+export function kindOf(name: string): Verdict["kind"] {
+  return Object.hasOwn(SIGNS, name) ? (name as Verdict["kind"]) : "unjudged";
+}
+
 /** Shows a verdict in its place; none where there is none. */
 export function showVerdict(place: HTMLElement, verdict: Verdict | null): void {
   place.dataset["kind"] = verdict?.kind ?? "";
