@@ -1,7 +1,7 @@
 use crate::refused::Refused;
 use kinegon::Scene;
 use kinegon::drawing::Drawing;
-use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises};
+use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises, says};
 use kinegon::format::{self, Text, html_text, svg_with};
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, SizeLimit};
 use schemars::JsonSchema;
@@ -81,13 +81,13 @@ impl Series {
     /// The exercise of a number, counted from 1.
     pub fn exercise(&mut self, number: usize) -> Result<&Found, Refused> {
         if !(1..=MOST).contains(&number) {
-            return Err(Refused::whole(format!("exercises are numbered from 1 to {MOST}")));
+            return Err(Refused::whole(says::numbered(MOST)));
         }
         while self.found.len() < number {
             let next = self.more.next().map_err(refused)?;
             self.found.push(next);
         }
-        self.found.get(number - 1).ok_or_else(|| Refused::whole("there is no such exercise"))
+        self.found.get(number - 1).ok_or_else(|| Refused::whole(says::no_such()))
     }
 }
 
@@ -132,5 +132,5 @@ impl Exercise {
 }
 
 fn refused(error: ExerciseError) -> Refused {
-    Refused { hint: None, ..Refused::whole(error.to_string()) }
+    Refused::whole(error.message())
 }
