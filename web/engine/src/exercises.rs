@@ -108,15 +108,18 @@ impl ExerciseOptions {
 }
 
 impl Exercise {
-    /// The files of an exercise with that name.
-    pub fn of(found: &Found, name: String) -> Exercise {
+    /// The files of an exercise with that name; what is given is told in a language, if one is chosen.
+    pub fn of(found: &Found, name: String, language: Option<LanguageName>) -> Exercise {
         let letters = |drawing: &Drawing| svg_with(drawing, Text::Letters);
         let (sheets, key) = (found.sheets(&name), found.key_sheet());
         let sheet = sheets.first().unwrap_or(&found.sheet);
         let form = found.form(&name);
+        let mut told = found.clone();
+        told.solution.scene.figure.language = language.unwrap_or(found.solution.scene.figure.language);
+        let given = told.given();
         Exercise {
             text: found.text.clone(),
-            given: found.given().iter().map(html_text).collect(),
+            given: given.iter().map(html_text).collect(),
             sheet: letters(sheet),
             width: sheet.width,
             height: sheet.height,

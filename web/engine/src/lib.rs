@@ -279,10 +279,9 @@ impl Engine {
         options: &str,
     ) -> Result<String, String> {
         let name = format!("{name}-{seed}-{number}");
-        answer(
-            self.desk.language(),
-            self.found(text, [seed, number], options).map(|found| exercises::Exercise::of(found, name)),
-        )
+        let (language, spoken) = (self.desk.language(), self.desk.spoken());
+        let found = self.found(text, [seed, number], options);
+        answer(language, found.map(|found| exercises::Exercise::of(found, name, spoken)))
     }
 
     /// The student's sheets of an exercise as one PDF, `sheet`, or its key, `key`; the name is that of

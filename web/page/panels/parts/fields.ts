@@ -57,9 +57,11 @@ export function fieldOf(desk: Desk, field: Field): Live {
 }
 
 /** A label with its input. */
-export function labelled(field: { path: Path; label: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
+export function labelled(field: { path: Path; label: string; symbol?: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
   input.id = newId();
-  const label = element("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, field.label);
+  const { symbol } = field;
+  const words = symbol === undefined ? [field.label] : [element("span", { "aria-hidden": "true", title: field.label }, symbol), element("span", { class: "unseen" }, field.label)];
+  const label = element("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, ...words);
   return element("div", { class: "field", "data-path": dotted(field.path) }, label, element("div", { class: "value" }, input, ...more));
 }
 
