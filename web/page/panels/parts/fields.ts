@@ -222,7 +222,7 @@ function pointNames({ app, owner }: Desk, field: PointsField): Live {
 function adder({ owner }: Desk, field: Adder): Live {
   const lists = field.lists.map(({ label }) => element("select", { "aria-label": label, title: label }));
   const names = field.lists.map(({ options }, index) => namesIn(lists[index]!, options));
-  const button = element("button", { type: "button", class: "small" }, icon("plus"), field.text);
+  const button = element("button", { type: "button", class: "small", "aria-label": `+ ${field.text}` }, icon("plus"), field.text);
   button.addEventListener("click", () => owner.asked?.({ do: field.ask.do, with: [...field.ask.with, ...lists.map(({ value }) => value)] }));
   const root = element("div", { class: "field adder", role: "group", "aria-label": field.label, "data-path": dotted(field.path) }, ...lists, button);
   return { root, show: (scene) => names.forEach((each) => each.show(scene)) };

@@ -153,7 +153,7 @@ function cardOf(state: State, key: string, card: Card, { line, rows, live }: { l
     "header",
     {},
     more,
-    element("h4", { class: card.name === undefined ? null : "unseen" }, card.title),
+    element("h4", { class: card.name === undefined ? null : "unseen" }, title),
     card.name !== undefined && nameInput(state.app, card.name),
     element("div", { class: "line" }, card.role !== undefined && element("span", { class: "role" }, card.role), ...line.map((row) => rowOf(state, row, live))),
     buttonsOf(state, card.buttons),
