@@ -27,6 +27,8 @@ pub(super) const LEAST: f64 = 20.0;
 /// Loss where a companion stands above the panel in focus, or below it, on a sheet wider than high: more than any
 /// gain, so that it does only where it has no room beside.
 const STACKED: f64 = 1000.0;
+/// How much coarser a scale may be for a list of results: less than what is seen at a glance.
+const COST: f64 = 1.2;
 /// Difference of the logarithms of scales that makes no difference to the eye.
 const ALIKE: f64 = 0.02;
 
@@ -222,6 +224,11 @@ impl Layout {
     /// Whether they are wide enough for their headings and for a content, too.
     pub(super) fn shows_all(&self) -> bool {
         self.worth[0] > 0.0 && self.holds_all()
+    }
+
+    /// Whether no scale is much coarser than the one that is chosen for its sheet.
+    pub(super) fn is_nearly_at(&self, chosen: &Scales) -> bool {
+        chosen.given().all(|(sheet, mu)| self.mu_of(sheet) <= Some(COST * mu))
     }
 
     /// The place of the panel of a sheet.
