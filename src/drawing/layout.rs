@@ -3,7 +3,7 @@
 use super::dims::Dims;
 use super::division::{Best, Division, Sharing};
 use super::sheet::Drawing;
-use super::view::{Extent, Series, fitting_scale};
+use super::view::{Extent, Series};
 use crate::geometry;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Affine, Rect};
@@ -148,10 +148,10 @@ impl Placed {
         Placed { needs: *needs, frame, area, mu, unit }
     }
 
-    /// A panel in a frame with this area for its content, at its scale or else at the finest at which that fits.
-    pub(super) fn with_area(needs: &Needs, frame: Rect, area: Rect, unit: f64) -> Placed {
+    /// A panel in a frame with this area for its content, at its scale or else at the finest of a series at which that fits.
+    pub(super) fn with_area(needs: &Needs, [frame, area]: [Rect; 2], unit: f64, series: Series) -> Placed {
         let on_paper = Affine::scale(unit).transform_rect_bbox(area);
-        let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper));
+        let mu = needs.mu.unwrap_or_else(|| series.fitting(&needs.extent, on_paper));
         Placed { needs: *needs, frame, area, mu, unit }
     }
 
