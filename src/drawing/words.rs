@@ -100,7 +100,8 @@ impl<'a> StepWords<'a> {
 
     /// The passage with this number, from 0, if these are words of passages; and its steps or the step.
     fn steps_of(&self, index: usize) -> (Option<&Passage>, Vec<NumberedStep<'_>>) {
-        let (passage, construction) = (self.passages.as_ref().map(|passages| &passages[index]), self.context.construction());
+        let (passage, construction) =
+            (self.passages.as_ref().map(|passages| &passages[index]), self.context.construction());
         let steps = match passage {
             Some(passage) => construction.steps_of(passage).collect(),
             None => construction.numbered_step(index + 1).into_iter().collect(),
@@ -128,7 +129,14 @@ impl<'a> StepWords<'a> {
     }
 
     /// Writes the details of a step or passage, below its caption, which ends there, or from `start` on its line.
-    fn write_details(&self, marks: &mut Vec<Mark>, layout: &Layout, index: usize, start: Option<f64>, caption_end: f64) {
+    fn write_details(
+        &self,
+        marks: &mut Vec<Mark>,
+        layout: &Layout,
+        index: usize,
+        start: Option<f64>,
+        caption_end: f64,
+    ) {
         let (passage, steps) = self.steps_of(index);
         let mut writer = Writer { caption_end, ..self.writer(marks, layout, index) };
         if let Some(start) = start {

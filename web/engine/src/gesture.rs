@@ -167,6 +167,10 @@ impl Gesture {
                 }
                 *pose = pulled.pose;
                 let singular = moved.map(|moved| self.now = moved).err().map(|error| error.to_string());
+                // On paper a layout is that of the file, and stays.
+                if self.view.pane.is_some() {
+                    self.staged.stage.in_motion(&self.now);
+                }
                 limit.into_iter().chain(singular).collect()
             }
             Hold::Shape { reshape, text } => {
