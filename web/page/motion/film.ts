@@ -103,11 +103,11 @@ async function painter(app: App, canvas: HTMLCanvasElement, fonts: string): Prom
 
 /** Waits until plans that were larger at rest have the scales that they keep while they move. */
 async function still(app: App, held: Gesture, value: number): Promise<void> {
-  for (let before: Picture | null = null, shown = app.picture.value; held.isHeld() && shown?.svg !== before?.svg; ) {
-    before = shown;
+  for (let before = ""; held.isHeld() && app.picture.value!.svg !== before; ) {
+    const shown = app.picture.value!;
+    before = shown.svg;
     held.pull({ value });
     while (held.isHeld() && app.picture.value === shown) await new Promise(requestAnimationFrame);
-    shown = app.picture.value;
   }
 }
 
