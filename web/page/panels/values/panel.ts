@@ -1,4 +1,5 @@
 import type { App, Panel } from "../../app.ts";
+import { chunks } from "../../dom/chunks.ts";
 import { element } from "../../dom/element.ts";
 import { button, worded } from "../../dom/worded.ts";
 import type { Value } from "../../engine/types.ts";
@@ -53,7 +54,7 @@ function fill(contents: HTMLElement, app: App): void {
   worded(table, () => values.title[language.value], "aria-label");
   const about = element("p", { class: "quiet" });
   const message = element("p", { role: "alert", class: "bad" });
-  const structure = element("pre", { class: "structure" });
+  const structure = element("div", { class: "structure" });
   const warnings = element("ul");
   const warned = element("div", {}, worded(element("h3"), () => say("warnings")), warnings);
 
@@ -91,7 +92,7 @@ function fill(contents: HTMLElement, app: App): void {
   keepCurrent(app, values.id, [app.solved, language], async () => {
     const { good, opened } = app.solved.value;
     if (opened === null) return;
-    structure.textContent = opened.structure;
+    structure.replaceChildren(...chunks(opened.structure.split("\n"), "1.4rem", (line) => element("div", {}, line)).roots);
     warnings.replaceChildren(...opened.warnings.map((text) => element("li", {}, text)));
     warned.hidden = opened.warnings.length === 0;
     try {
