@@ -77,6 +77,8 @@ mod proposed;
 pub mod redrawn;
 mod report;
 mod result;
+#[doc(hidden)] // for tests
+pub mod says;
 mod score;
 mod search;
 mod sensible;

@@ -2,6 +2,8 @@
 
 use super::entry::Entry;
 use super::measured::{AnswerKey, CheckError};
+use super::says;
+use super::written::sheet_told;
 use crate::construction::{
     Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
     Solution, Tolerance, Values,
@@ -78,10 +80,8 @@ impl Model {
         let mut scales = PerSheet::default();
         for (sheet, scale) in scales.iter_mut() {
             *scale = given[sheet].ok_or_else(|| {
-                CheckError::new(
-                    format!("the scene's figure has no {}, so its scale is missing", sheet.name()),
-                    format!("add {} to the values, or the panel to the scene's figure", sheet.facts().scale_key),
-                )
+                let hint = says::add_scale_or_panel(sheet.facts().scale_key);
+                CheckError::new(says::no_sheet(sheet_told(sheet)), hint)
             })?;
         }
         let exact = construction.run(scales, &[]);

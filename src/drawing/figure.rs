@@ -8,6 +8,7 @@ use super::laid_out::{Contents, LaidOut, composed};
 use super::layout::{Layout, Placed};
 use super::panel::{Extents, cycles_of, extents, extents_in};
 use super::parts::sheets_of_parts;
+use super::says;
 use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
@@ -16,6 +17,7 @@ use super::view::{Series, next_scale};
 use super::worksheet::{TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text};
 use crate::cycle::Traces;
+use crate::message::Message;
 use crate::scene::{ScalesFor, ValuesShown};
 use crate::sheet::{Scales, Sheet};
 use crate::words::Wording;
@@ -134,7 +136,7 @@ impl<'a> FigureSheets<'a> {
     /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
     /// fits, if there is one. Special points far away count as fitting: their cut lines are shown.
     #[must_use]
-    pub fn overflow_warnings(&self) -> Vec<String> {
+    pub fn overflow_warnings(&self) -> Vec<Message> {
         let figure = self.base.figure();
         if !figure.panels.iter().any(|&panel| figure.mu[panel].is_some()) {
             return Vec::new();
@@ -201,16 +203,16 @@ impl<'a> FigureSheets<'a> {
 
     /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.
     #[must_use]
-    pub fn cost_of_list(&self) -> Option<String> {
+    pub fn cost_of_list(&self) -> Option<Message> {
         let (without, with) = (self.scaled(None).surface, &self.settled().layout);
         let coarser = with.panels.iter().filter_map(|placed| {
             let (symbol, before) = (placed.needs.sheet.facts().scale_symbol, without.mu[placed.needs.sheet]?);
             let [now, before] = [placed.mu, before].map(|mu| Wording::default().write(mu, SCALE));
-            (now != before).then(|| format!("{symbol} = {now} in place of {before}"))
+            (now != before).then(|| says::in_place_of(symbol, now, before))
         });
-        let coarser: Vec<String> = coarser.collect();
+        let coarser: Vec<Message> = coarser.collect();
         let is_told = without.series != Series::Any && !coarser.is_empty();
-        is_told.then(|| format!("scales leave room for the list of results: {}", coarser.join(", ")))
+        is_told.then(|| says::cost_of_list(Message::list(coarser, ", ")))
     }
 
     /// The context of the finished figure, or of the sheets with steps, at their scales. They do not depend on values, which
@@ -389,13 +391,13 @@ pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
 }
 
 /// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
-fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
-    let (key, words) = (panel.facts().scale_key, Wording::default());
-    let panel = words.language.sheet(panel).to_lowercase();
-    let written = |mu| words.write(mu, SCALE);
-    let fitting = fitting.map_or_else(|| "none".to_owned(), written);
-    let given = written(given);
-    format!(
-        "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
-    )
+fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> Message {
+    let name = match panel {
+        Sheet::Scheme => says::scheme(),
+        Sheet::Velocity => says::velocity_plan(),
+        Sheet::Acceleration => says::acceleration_plan(),
+    };
+    let written = |mu| Wording::default().write(mu, SCALE);
+    let fitting = fitting.map_or_else(says::no_scale, |mu| written(mu).into());
+    says::overflow(name, panel.facts().scale_key, written(given), fitting)
 }

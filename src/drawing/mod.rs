@@ -92,6 +92,8 @@ mod parts;
 mod passages;
 mod plan;
 mod remarks;
+#[doc(hidden)] // for tests
+pub mod says;
 mod scale_bar;
 mod scheme;
 mod shape;

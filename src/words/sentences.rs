@@ -2,7 +2,8 @@
 //! Other languages are text files with the same keys. A declaration gives a method of [`Language`], so the compiler
 //! checks that every blank is filled.
 
-use super::catalogue::{Declared, Language, filled};
+use super::catalogue::{Declared, Language};
+use crate::message::filled;
 use crate::sheet::Sheet;
 
 /// Declares the sentences and a method for each: `title = "…";` gives `title(&self) -> &str`, and
@@ -259,18 +260,6 @@ sentences! {
     modes_at_least(count) = "at least {count}";
     modes_listed(modes, listed) = "{modes}, listed are the first {listed}";
     modes_heading(modes, unit) = "{modes}; coordinates in {unit}, angles in degrees";
-    modes_searched(links) =
-        "links {links} form a group of higher class: its assembly modes were found by a search, and there may be more";
-
-    // Why a joint that is pulled does not follow the hand.
-    held_point(point) = "{point} is pinned";
-    held_length(point, length) = "{point} moves on a circle: {length} is pinned";
-    held_angle(point, link) = "{point} moves on a line: the angle of link {link} is pinned";
-    held_guide(point, slider) = "{point} moves on a line: the guide of {slider}";
-    held_nowhere = "the joint cannot go there";
-    held_in_one_place(link, point, other) = "link {link} would have {point} and {other} in one place";
-    held_rounded = "with the joint there, rounded lengths leave the other joints no place near their own";
-    held_try = "pull the joint to another place";
 
     // The report on a student's values.
     check_counts(right, within, off) = "{right} right, {within} within the tolerance of a pencil, {off} off";

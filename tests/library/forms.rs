@@ -63,7 +63,8 @@ fn values_that_are_not_understood_are_told_apart() {
     let key = answer_key(&solution, 2);
     let form = r#"{ "kinegon_measured": 1, "values": { "vplan(p,b)": "600", "omega(2)": "abc", "foo(1)": "3" } }"#;
     let measured = Measured::read_json(form).expect("a form");
-    let found: Vec<(usize, String)> = faults(&measured, &key).into_iter().map(|(at, why)| (at, why.message)).collect();
+    let found: Vec<(usize, String)> =
+        faults(&measured, &key).into_iter().map(|(at, why)| (at, why.message.to_string())).collect();
     let said = ["`abc` is no number", "`foo(1)` is no quantity of this scene"];
     assert_eq!(found, [(1, said[0].to_owned()), (2, said[1].to_owned())]);
 }

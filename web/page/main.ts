@@ -28,6 +28,7 @@ import { PANELS } from "./panels/all.ts";
 import { bubble } from "./picture/bubble.ts";
 import { clicked } from "./picture/clicked.ts";
 import { described } from "./picture/described.ts";
+import { meaning } from "./picture/meaning.ts";
 import { focus } from "./picture/focus.ts";
 import { frames, gestures } from "./picture/gesture.ts";
 import { handles } from "./picture/handles.ts";
@@ -109,6 +110,7 @@ function wire(app: App, store: Store): void {
   looking(app, view, own);
   clicked(app, view);
   described(app);
+  meaning(app);
   parts.drives = drives(app, hands, () => parts.play?.stop());
   parts.play = play(app, hands, () => parts.drives!);
   app.film = filming(app, hands, parts.drives);
@@ -189,7 +191,7 @@ async function start(): Promise<void> {
   solving(app);
   tabs(app, PANELS, store);
   const tours = tour(app, store);
-  help(store, tours.begin);
+  help(app, store, tours.begin);
   splitter(store);
   firstPanel(app, first, store);
   watchAddress(app, store);

@@ -6,6 +6,7 @@ use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
 use kinegon::scene::{LanguageName, SizeLimit};
+use kinegon::words::{Language, Wording};
 use kinegon::{Order, Sheet};
 use kinegon::{Scene, Solution, order_of_figure, posed};
 use std::borrow::Cow;
@@ -57,6 +58,16 @@ impl Desk {
     /// Chooses the language of what is told beside the picture.
     pub fn speak(&mut self, language: &str) {
         self.language = LanguageName::ALL.into_iter().find(|known| known.as_str() == language);
+    }
+
+    /// The language that is chosen; none for the figure's.
+    pub fn spoken(&self) -> Option<LanguageName> {
+        self.language
+    }
+
+    /// The language in which refusals and warnings are told: English where none is chosen.
+    pub fn language(&self) -> &'static Language {
+        self.language.map_or_else(|| Wording::default().language, Language::of)
     }
 
     /// As [`Self::solution`], with the words of the page.

@@ -17,9 +17,10 @@ use serde_json::Value;
 impl Desk {
     /// What is known of a scene.
     pub fn open(&mut self, text: &str) -> Result<Opened, Refused> {
+        let spoken = self.language();
         let (kept, language) = self.kept_with_language(text)?;
         let drives = kept.drives()?;
-        let too_large = kept.check(SizeLimit::STEPS).err().map(|refused| refused.message);
+        let too_large = kept.check(SizeLimit::STEPS).err().map(|refused| refused.message().clone());
         let solution = &*in_words(kept.figure()?, language);
         let words = solution.wording();
         let (steps, passages) = match too_large {
@@ -52,11 +53,10 @@ impl Desk {
             wanted: scene.want.iter().flatten().map(named).collect(),
             structure: format::structure(mechanism, &words),
             panels: scene.figure.panels.iter().copied().filter(|panel| has_panel(solution, *panel)).collect(),
-            warnings: solution
-                .warnings()
-                .chain(FigureSheets::new(solution).overflow_warnings())
-                .chain(too_large)
-                .collect(),
+            warnings: {
+                let of_figure = FigureSheets::new(solution).overflow_warnings().into_iter().chain(too_large);
+                solution.warnings_in(spoken).chain(of_figure.map(|warning| spoken.says(&warning))).collect()
+            },
             is_drawn: scene.given_by == GivenBy::Drawing,
         })
     }

@@ -27,6 +27,8 @@ export function paneOf(width: number, height: number, isLesson = false): Pane {
 export function surface(app: App, view: Viewport, lesson: Signal<boolean>): Signal<View> {
   const sight = signal<View>(app.view.value);
   function look(): void {
+    // While a sheet is read the picture waits.
+    if (document.body.classList.contains("reading")) return;
     const { width, height } = view.room();
     const pane = paneOf(width, height, lesson.value);
     // The words of a step are on the sheet, and the page need not repeat them.

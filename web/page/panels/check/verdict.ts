@@ -4,7 +4,7 @@ import { say } from "./words.ts";
 
 /** A verdict beside a value: a sign, a colour (by its kind) and words. */
 export interface Verdict {
-  kind: "right" | "within-tolerance" | "off" | "sense-missing" | "unjudged" | "fault" | "writing";
+  kind: "right" | "within-tolerance" | "off" | "sense-missing" | "too-coarse" | "unjudged" | "fault" | "writing";
   words: string;
   /** What to try. */
   hint: string | null;
@@ -15,6 +15,7 @@ export const SIGNS: Record<Verdict["kind"], string> = {
   "within-tolerance": "≈",
   off: "✗",
   "sense-missing": "?",
+  "too-coarse": "–",
   unjudged: "–",
   fault: "!",
   writing: "…",
