@@ -70,11 +70,11 @@ fn the_page_speaks_the_browsers_language_and_the_figure_its_own() {
 /// The panels of the page.
 const PANELS: [&str; 9] = ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"];
 
-/// Shows every panel of a scene and undoes and does it again; the longest time without an answer, in ms.
-fn longest_gap(bench: &mut Bench, scene: &str) -> f64 {
+/// Shows panels of a scene and undoes and does it again; the longest time without an answer, in ms.
+fn longest_gap(bench: &mut Bench, scene: &str, panels: &[&str]) -> f64 {
     bench.value("window.gaps.length = 0");
     bench.put(scene);
-    for panel in PANELS {
+    for panel in panels {
         bench.panel(panel);
     }
     bench.panel("mechanism");
@@ -101,7 +101,7 @@ fn many_links_leave_the_page_usable() {
         ("299 links", as_lines(row(149))),
         ("999 links on a line", row(499)),
     ] {
-        let longest = longest_gap(&mut bench, &scene);
+        let longest = longest_gap(&mut bench, &scene, &PANELS);
         println!(
             "{what}: longest gap {longest:.0} ms; {} nodes",
             bench.number("document.querySelectorAll('*').length")
@@ -120,7 +120,7 @@ fn a_hostile_title_leaves_the_page_usable() {
     let mut scene: Value = serde_json::from_str(&bench.scene()).expect("JSON");
     for title in [format!("a{}", "\u{301}".repeat(60_000)), "\u{202e}\u{2066}abc\u{200f}".repeat(5_000)] {
         scene["title"] = title.into();
-        let longest = longest_gap(&mut bench, &scene.to_string());
+        let longest = longest_gap(&mut bench, &scene.to_string(), &["text", "modes", "save"]);
         println!("longest gap {longest:.0} ms");
         // 4.5 s for each layout, when all marks were laid out.
         assert!(longest < 2_000.0, "{longest} ms");
