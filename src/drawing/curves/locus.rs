@@ -192,7 +192,7 @@ fn places(context: &CurveContext<'_>, panels: &[Panel<'_>], [left, below]: [f64;
             area.x0 += left;
             area.y0 += HEADING - 4.0;
             area.y1 -= SCALE - 4.0 + below;
-            Placed::with_area(&panel.needs, frame, area, context.dims.unit)
+            Placed::with_area(&panel.needs, [frame, area], context.dims.unit, series(context))
         };
         panels.iter().enumerate().map(place).collect()
     };
@@ -213,9 +213,13 @@ fn places(context: &CurveContext<'_>, panels: &[Panel<'_>], [left, below]: [f64;
 
 /// The scale of a panel, with its bar.
 fn scale(context: &CurveContext<'_>, sheet: Sheet, mu: f64) -> ScaleBar {
-    // On a screen nobody lays a ruler.
-    let series = if context.dims.has_title() { Series::Hand } else { Series::Any };
-    ScaleBars { words: context.words, units: context.scene.units, unit: context.dims.unit, series }.bar(sheet, mu)
+    let (units, unit, series) = (context.scene.units, context.dims.unit, series(context));
+    ScaleBars { words: context.words, units, unit, series }.bar(sheet, mu)
+}
+
+/// From which the scales are: on a screen nobody lays a ruler.
+fn series(context: &CurveContext<'_>) -> Series {
+    if context.dims.has_title() { Series::Ruler } else { Series::Any }
 }
 
 /// The layer with the scale of a panel.

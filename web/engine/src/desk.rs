@@ -208,7 +208,8 @@ impl Kept {
                     (Some(held), Some(_)) => held.layout.clone(),
                     (_, Some(pane)) => {
                         let positions = self.positions.get_or_insert_with(|| Positions::of(&own));
-                        HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()))
+                        let cycle = HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()));
+                        cycle.at_rest(&own)
                     }
                     (_, None) => HeldLayout::of_figure(&own, steps, modes.as_ref()),
                 };
