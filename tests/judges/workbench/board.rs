@@ -94,7 +94,7 @@ fn several_are_copied_with_their_drives_and_removed() {
     }
     // The copy is chosen: it is dragged as one, and only it. That, and the copy, are an entry of undo each.
     let all = places(&mut bench);
-    let copy = all.iter().find(|(name, _)| name == "F").expect("the copy of B").1;
+    let copy = all.iter().find(|(name, _)| name == "F").expect("the copy of D").1;
     drag(&mut bench, [copy.re, copy.im], [copy.re + 40.0, copy.im - 20.0]);
     let moved = places(&mut bench);
     for ((name, was), (_, is)) in all.iter().zip(&moved) {
@@ -139,6 +139,10 @@ fn a_photograph_lies_behind_to_scale() {
         bench.settle();
     }
     bench.until("document.activeElement.matches('#build .length')");
+    bench.insert("twelve");
+    bench.press("Enter");
+    assert!(bench.text("document.querySelector('#said').textContent").contains("a number of mm"));
+    bench.press("Control+a");
     bench.insert("120");
     bench.press("Enter");
     bench.until("document.querySelector('#build .length').hidden");
