@@ -20,7 +20,7 @@ fn a_finger_that_rests_opens_the_menu_and_two_zoom() {
     four_bar(&mut bench);
     bench.telephone([390, 844]);
     bench.settle();
-    bench.click("#build .seen button:nth-last-of-type(2)");
+    bench.press_named("#build .seen", "Fit");
     tool(&mut bench, "select");
     // Resting on C: the menu, in which it is fixed.
     let [x, y] = on_screen(&mut bench, [140.0, 90.0]);
