@@ -54,12 +54,15 @@ pub mod words;
 
 mod cores;
 mod error;
+#[doc(hidden)] // for tests
+pub mod message;
 mod problem;
 mod sheet;
 mod solve;
 
 pub use construction::Solution;
 pub use error::Error;
+pub use message::Message;
 pub use problem::Problem;
 pub use scene::Scene;
 pub use sheet::{Order, PerSheet, Scales, Sheet, SheetFacts};

@@ -1,3 +1,4 @@
+use crate::message::Message;
 use std::fmt;
 
 /// What is wrong, and what to try: the parts of every error, so that nobody who shows one has to find them in a text.
@@ -6,26 +7,26 @@ use std::fmt;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
     /// What is wrong.
-    pub message: String,
+    pub message: Message,
     /// What to try, where something is known to help.
-    pub hint: Option<String>,
+    pub hint: Option<Message>,
 }
 
 impl Problem {
     /// A problem with this message and no hint.
     #[must_use]
-    pub fn new(message: impl Into<String>) -> Problem {
+    pub fn new(message: impl Into<Message>) -> Problem {
         Problem { message: message.into(), hint: None }
     }
 
     /// The problem with what to try.
     #[must_use]
-    pub fn hint(self, hint: impl Into<String>) -> Problem {
+    pub fn hint(self, hint: impl Into<Message>) -> Problem {
         Problem { hint: Some(hint.into()), ..self }
     }
 }
 
-impl<T: Into<String>> From<T> for Problem {
+impl<T: Into<Message>> From<T> for Problem {
     fn from(message: T) -> Problem {
         Problem::new(message)
     }
@@ -33,7 +34,7 @@ impl<T: Into<String>> From<T> for Problem {
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
+        write!(f, "{}", self.message)?;
         self.hint.iter().try_for_each(|hint| write!(f, "\n  try: {hint}"))
     }
 }

@@ -41,7 +41,7 @@ impl Refused {
     }
 
     fn told(class: &'static str, problem: &Problem) -> Refused {
-        Refused::new(class, problem.message.as_str(), problem.hint.as_deref())
+        Refused::new(class, problem.message.to_string(), problem.hint.as_ref().map(ToString::to_string).as_deref())
     }
 }
 
@@ -49,8 +49,8 @@ impl From<SceneError> for Refused {
     fn from(error: SceneError) -> Refused {
         Refused {
             class: "SceneError",
-            message: error.message,
-            hint: error.hint,
+            message: error.message.to_string(),
+            hint: error.hint.map(|hint| hint.to_string()),
             path: error.path,
             place: error.place.map(|place| (place.line, place.column)),
         }
@@ -59,7 +59,7 @@ impl From<SceneError> for Refused {
 
 impl From<CheckError> for Refused {
     fn from(error: CheckError) -> Refused {
-        Refused::new("CheckError", error.to_string(), error.hint.as_deref())
+        Refused::new("CheckError", error.to_string(), error.hint.as_ref().map(ToString::to_string).as_deref())
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::measured::{AnswerKey, CheckError, Given, Measured, PlacedPoint, Positive};
 use super::names::{Meant, Names};
-use super::written::{Precision, factors, few_digits, number, rounding_to, whole_rounding};
+use super::says;
+use super::written::{Precision, factors, few_digits, number, rounding_to, sheet_told, whole_rounding};
 use crate::quantity::QuantityRequest;
 use crate::text;
 use indexmap::IndexMap;
@@ -72,8 +73,8 @@ pub(super) fn entries_by(
             let apart = (other.value - entry.value).abs();
             if apart > (other.rounding + entry.rounding) * 1.001 {
                 let [one, two] = [&other.text, &entry.text].map(|text| text::shown(text));
-                let says = format!("has two values here: {one} and {two}");
-                faults.push(CheckError::about(&given.name, &says, "keep the one that you mean").at(&given.place));
+                let message = says::two_values(text::shown(&given.name), one, two);
+                faults.push(CheckError::new(message, says::keep_one()).at(&given.place));
             }
             continue;
         }
@@ -84,10 +85,7 @@ pub(super) fn entries_by(
         return Err(error);
     }
     if entries.is_empty() {
-        return Err(CheckError::new(
-            "the form is empty: it has no values to check",
-            "write your values beside the names; `kinegon check SCENE --template` writes the form",
-        ));
+        return Err(CheckError::new(says::form_empty(), says::write_values()));
     }
     find_precisions(&mut entries);
     let place = |e: &Entry| names.order.get_index_of(e.asked.name());
@@ -106,17 +104,11 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
         let at = |name: &str| format!("points: {name} of {}", sheet.facts().segment);
         let Some(mu) = measured.mu[sheet] else {
             let mu = sheet.facts().scale_key;
-            return Err(CheckError::new(
-                format!("places of points are in millimetres of paper, but your scale {mu} is missing"),
-                format!("add {mu}, the scale of your {}", sheet.name()),
-            ));
+            return Err(CheckError::new(says::points_without_scale(mu), says::add_scale_of(mu, sheet_told(sheet))));
         };
         let pole = points.order.pole();
         let Some(own_pole) = points.pole() else {
-            return Err(CheckError::new(
-                format!("the places of the {} do not have its pole {pole}", sheet.name()),
-                format!("add \"{pole}\": [x, y]"),
-            ));
+            return Err(CheckError::new(says::no_pole(sheet_told(sheet), pole), says::add_pole(pole)));
         };
         let construction = &names.solution.construction;
         let named = |name: &str| {
@@ -214,8 +206,8 @@ impl<'a> Reader<'a> {
         let has_length = asked.is_length_on_sheet();
         let on_paper = marked || (self.measured.in_mm && asked.is_distance());
         if marked && !has_length {
-            let hint = format!("write it in {}", kind.unit(self.key.solution.scene.units));
-            return Err(CheckError::about(&name, "is no length on paper, so `/mu` cannot follow it", hint));
+            let hint = says::write_in(kind.unit(self.key.solution.scene.units));
+            return Err(CheckError::new(says::no_length_on_paper(text::shown(&name)), hint));
         }
         let paper = on_paper.then_some((sheet, self.measured.mu[sheet]));
         let (factor, factor_without_unit) = factors(given, &name, kind, paper, self.key.solution.scene.units)?;

@@ -16,7 +16,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 use std::fmt;
 
-const MEASURED: FileKind = FileKind { what: "form of measured values", key: "kinegon_measured", version: 1 };
+const MEASURED: FileKind = FileKind { what: crate::scene::says::form, key: "kinegon_measured", version: 1 };
 
 /// A form as it is read.
 #[derive(Debug, Deserialize)]

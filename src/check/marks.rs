@@ -4,6 +4,7 @@ use super::checked::{Checked, Finding, Judged, Verdict};
 use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Given, Measured};
 use super::names::Names;
+use super::says;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
 use crate::sheet::{PerSheet, QuantityKind};
 use crate::text::shown;
@@ -12,14 +13,15 @@ use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
-const MARKS: FileKind = FileKind { what: "marking scheme", key: "kinegon_marks", version: 1 };
+const MARKS: FileKind = FileKind { what: crate::scene::says::marks, key: "kinegon_marks", version: 1 };
 
 /// Most marks that a quantity may be worth.
 const MOST: f64 = 1e6;
 
 /// How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is
 /// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
-/// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged.
+/// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged. What is too
+/// small on the sheet to be judged does not count.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
 #[schemars(rename = "marks")]
@@ -75,15 +77,13 @@ impl Marks {
     /// # Errors
     /// A quantity that the scene does not have, or that stands there twice; marks or parts that are no such numbers; a scheme without any marks.
     pub fn of(&self, key: &AnswerKey<'_>) -> Result<MarkScheme, CheckError> {
-        let within = |most: f64, key: &str, number: f64, what: &str, hint: &str| match (0.0..=most).contains(&number) {
-            true => Ok(number),
-            false => Err(CheckError::new(format!("{number} is no {what}"), hint).at(key)),
+        let part = |key: &str, part: f64| match (0.0..=1.0).contains(&part) {
+            true => Ok(part),
+            false => Err(CheckError::new(says::no_part(part), says::part_from_0()).at(key)),
         };
-        let part = |key: &str, part: f64| {
-            within(1.0, key, part, "part of marks", "write a number from 0 (no marks) to 1 (all marks of the quantity)")
-        };
-        let marks = |key: &str, marks: f64| {
-            within(MOST, key, marks, "number of marks", &format!("write a number from 0 to {MOST}"))
+        let marks = |key: &str, marks: f64| match (0.0..=MOST).contains(&marks) {
+            true => Ok(marks),
+            false => Err(CheckError::new(says::no_marks(marks), says::marks_from_0(MOST)).at(key)),
         };
         let each = match self.each {
             Some(each) => Some(marks("each", each)?),
@@ -104,17 +104,12 @@ impl Marks {
             let has_both = same_rates.contains_key(asked.name()) && self.values.contains_key(&row);
             let name = if has_both { asked.name().to_owned() } else { row.clone() };
             if let Some(other) = given.insert(name.clone(), written) {
-                let message = format!("`{}` is the same quantity and has its marks already", shown(other));
-                let error = CheckError::new(message, "keep the one that you mean");
-                return Err(error.at(&place));
+                return Err(CheckError::new(says::marks_twice(shown(other)), says::keep_one()).at(&place));
             }
             worth.insert(name, (row, value));
         }
         if worth.values().map(|(_, marks)| marks).sum::<f64>() == 0.0 {
-            return Err(CheckError::new(
-                "the marking scheme gives no marks for anything",
-                r#"add "each": 1, or marks for the quantities that count"#,
-            ));
+            return Err(CheckError::new(says::no_marks_at_all(), says::add_each()));
         }
         Ok(MarkScheme {
             worth,
@@ -173,6 +168,7 @@ impl MarkScheme {
                 && !findings.iter().any(|f| is_made_in(f, value))
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
+        let mut of: f64 = self.worth.values().map(|(_, marks)| marks).sum();
         for (name, (row, worth)) in &self.worth {
             let by_name = checked.values.iter().position(|v| v.entry.asked.name() == name);
             let of_row = || checked.values.iter().position(|v| v.entry.row == *row);
@@ -183,15 +179,13 @@ impl MarkScheme {
             match checked.values[index].verdict {
                 Verdict::Right | Verdict::WithinTolerance | Verdict::SenseMissing => earned += worth,
                 Verdict::Off if follows(index) => follow_through += self.follow_through * worth,
+                // Too small on the sheet to be judged: it does not count.
+                Verdict::Unjudged if checked.values[index].tolerance.is_some() => of -= worth,
                 Verdict::Off | Verdict::TooCoarse | Verdict::Unjudged => {}
             }
         }
         let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;
-        Awarded {
-            earned: tidy(earned + follow_through),
-            of: tidy(self.worth.values().map(|(_, marks)| marks).sum()),
-            follow_through: tidy(follow_through),
-        }
+        Awarded { earned: tidy(earned + follow_through), of: tidy(of), follow_through: tidy(follow_through) }
     }
 }
 

@@ -1,10 +1,12 @@
 //! What a check starts from: the answer key, and the values of a form as they were written down, with what is not
 //! understood of them.
 
+use super::says;
 use crate::construction::{Plan, Solution, Tolerance};
 use crate::geometry::Vector;
+use crate::message::Message;
 use crate::sheet::{Order, Scales};
-use crate::text::{Untrusted, shown};
+use crate::text::Untrusted;
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};
 
@@ -84,18 +86,11 @@ impl Measured {
         let places = self.points.iter().map(|plan| plan.places.len()).sum::<usize>();
         let count = self.values.len() + self.faults.len() + places;
         if count > MOST_VALUES {
-            return Err(CheckError::new(
-                format!("a form has at most {MOST_VALUES} values, and here are {count}"),
-                "is this a form? `kinegon check` without a form prints an empty one",
-            ));
+            return Err(CheckError::new(says::too_many(MOST_VALUES, count), says::is_this_a_form()));
         }
         let bad = self.mu.given().filter(|(_, mu)| !(mu.is_finite() && *mu > 0.0));
-        let bad = bad.map(|(sheet, _)| {
-            CheckError::new(
-                format!("{} is no scale", sheet.facts().scale_key),
-                "a scale is a positive number: units of the scene per millimetre of paper",
-            )
-        });
+        let bad =
+            bad.map(|(sheet, _)| CheckError::new(says::no_scale(sheet.facts().scale_key), says::scale_is_positive()));
         Ok(self.faults.iter().cloned().chain(bad).collect())
     }
 }
@@ -224,20 +219,15 @@ pub struct CheckError {
     /// The place in the file, followed by a colon; may be empty.
     pub place: String,
     /// What is wrong.
-    pub message: String,
+    pub message: Message,
     /// What to try.
-    pub hint: Option<String>,
+    pub hint: Option<Message>,
 }
 
 impl CheckError {
     /// An error about the form as a whole.
-    pub(super) fn new(message: impl Into<String>, hint: impl Into<String>) -> CheckError {
-        CheckError { place: String::new(), message: message.into(), hint: Some(hint.into()) }
-    }
-
-    /// An error about something that somebody wrote, which begins the message.
-    pub(super) fn about(written: &str, says: &str, hint: impl Into<String>) -> CheckError {
-        CheckError::new(format!("`{}` {says}", shown(written)), hint)
+    pub(super) fn new(message: Message, hint: Message) -> CheckError {
+        CheckError { place: String::new(), message, hint: Some(hint) }
     }
 
     /// All errors of a form in one: each with its place, and what to try; `None` where there are none.
@@ -245,11 +235,12 @@ impl CheckError {
         if errors.len() < 2 {
             return errors.pop();
         }
-        let lines = errors.iter().map(|error| match &error.hint {
-            Some(hint) => format!("\n  {error}: {hint}"),
-            None => format!("\n  {error}"),
+        let count = errors.len();
+        let lines = errors.into_iter().map(|CheckError { place, message, hint }| {
+            let told = Message::list([Message::from("\n  "), place.into(), message], "");
+            Message::list(std::iter::once(told).chain(hint), ": ")
         });
-        let message = format!("{} things in this form are not understood:{}", errors.len(), lines.collect::<String>());
+        let message = says::not_understood(count, Message::list(lines, ""));
         Some(CheckError { place: String::new(), message, hint: None })
     }
 

@@ -2,6 +2,8 @@
 
 use super::entry::Entry;
 use super::measured::{AnswerKey, CheckError};
+use super::says;
+use super::written::sheet_told;
 use crate::construction::{
     Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
     Solution, Tolerance, Values,
@@ -78,10 +80,8 @@ impl Model {
         let mut scales = PerSheet::default();
         for (sheet, scale) in scales.iter_mut() {
             *scale = given[sheet].ok_or_else(|| {
-                CheckError::new(
-                    format!("the scene's figure has no {}, so its scale is missing", sheet.name()),
-                    format!("add {} to the values, or the panel to the scene's figure", sheet.facts().scale_key),
-                )
+                let hint = says::add_scale_or_panel(sheet.facts().scale_key);
+                CheckError::new(says::no_sheet(sheet_told(sheet)), hint)
             })?;
         }
         let exact = construction.run(scales, &[]);
@@ -209,6 +209,14 @@ impl Model {
             errors.map(move |(which, e)| (index, which, e.limit(tolerance), group))
         });
         all.collect()
+    }
+
+    /// Whether an entry is measured, and not computed or given.
+    pub fn is_measured(&self, entry: usize) -> bool {
+        self.readings[entry].is_ok_and(|reading| {
+            let maker = self.makers[reading.number.0];
+            maker.is_some_and(|maker| matches!(self.construction.operations[maker].kind, OperationKind::Measure { .. }))
+        })
     }
 
     /// Numbers that are computed and used later, each with its operation: sizes of vectors, rates.

@@ -5,6 +5,7 @@
 //! letters that a program has lost.
 
 use super::measured::{CheckError, UNDER_SLIDER};
+use super::says;
 use crate::construction::{Construction, PlaceId, Plan, Solution, image_name};
 use crate::quantity::{QuantityError, QuantityRequest, What};
 use crate::scene::{Head, QuantityName};
@@ -164,16 +165,15 @@ impl<'a> Names<'a> {
     /// The error of a name that means nothing here, with the nearest name that does.
     fn unknown(&self, name: &str, mut error: QuantityError) -> CheckError {
         let own = match &mut error {
-            QuantityError::Unknown { nearest, .. } => nearest.take().map(|near| format!("did you mean `{near}`?")),
+            QuantityError::Unknown { nearest, .. } => nearest.take().map(says::did_you_mean),
             _ => None,
         };
-        let all = "`kinegon check SCENE --template` lists the names";
         if let QuantityError::Form(_) = error {
             let near = crate::scene::nearest(name, self.order.keys().map(String::as_str));
-            let hint = near.map_or_else(|| all.to_owned(), |near| format!("the nearest name is `{near}`; {all}"));
-            return CheckError::about(name, "is no quantity of this scene", hint);
+            let hint = near.map_or_else(says::template_lists, says::nearest_name);
+            return CheckError::new(says::no_quantity(shown(name)), hint);
         }
-        CheckError::new(error.problem().message, own.unwrap_or_else(|| all.to_owned()))
+        CheckError::new(error.problem().message, own.unwrap_or_else(says::template_lists))
     }
 
     /// The error of a name whose π has become a question mark: an encoding without Greek letters lost it.
@@ -185,10 +185,7 @@ impl<'a> Names<'a> {
         let is_known = |name: &str| self.order.contains_key(&self.usual(name));
         let reversed = || Some(QuantityName::parse(&restored)?.reversed().to_string());
         let was_pole = is_known(&restored) || reversed().is_some_and(|name| is_known(&name));
-        was_pole.then(|| {
-            let message = format!("the letter π was lost in `{}`", shown(name));
-            CheckError::new(message, "save as CSV UTF-8, or write pi")
-        })
+        was_pole.then(|| CheckError::new(says::pi_lost(shown(name)), says::save_as_utf8()))
     }
 
     /// The steps' name of a segment or length whose ends are written in the other order, or called as if every leg had

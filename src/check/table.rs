@@ -1,6 +1,7 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
 use super::measured::{CheckError, Given, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
+use super::says;
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, quoted, shown};
 
@@ -25,12 +26,8 @@ impl Measured {
             .from_reader(text.as_bytes());
         let mut measured = Measured::default();
         for record in reader.records() {
-            let record = record.map_err(|error| {
-                CheckError::new(
-                    format!("this is no table: {error}"),
-                    "write a line `quantity,value` for each value; names with a comma stand in double quotes",
-                )
-            })?;
+            let record =
+                record.map_err(|error| CheckError::new(says::no_table(error.to_string()), says::write_lines()))?;
             let line = record.position().map_or(0, |p| p.line());
             let place = format!("line {line}");
             let cells: Vec<&str> = record.iter().collect();
@@ -83,9 +80,8 @@ impl Measured {
             "name" => self.name = Some(written.into()),
             "exercise" => self.exercise = Some(written.into()),
             "positive" => {
-                let hint = "write `clockwise` or `counter-clockwise`";
                 let sense = [Positive::CounterClockwise, Positive::Clockwise].into_iter().find(|p| p.as_str() == value);
-                let wrong = || CheckError::about(&value, "is no sense of rotation", hint);
+                let wrong = || CheckError::new(says::no_sense(shown(&value)), says::write_sense());
                 self.positive = Some(sense.ok_or_else(wrong)?);
             }
             "in" => {
@@ -93,10 +89,7 @@ impl Measured {
                     "mm" => true,
                     "units" => false,
                     other => {
-                        return Err(CheckError::new(
-                            format!("values in `{}` are not understood", shown(other)),
-                            "write `mm` for millimetres of paper, or `units` for those of the scene",
-                        ));
+                        return Err(CheckError::new(says::values_in(shown(other)), says::mm_or_units()));
                     }
                 };
             }
@@ -156,20 +149,14 @@ pub(super) fn with_point(text: &str) -> String {
 }
 
 fn coordinate(text: &str) -> Result<f64, CheckError> {
-    finite(text).ok_or_else(|| {
-        CheckError::about(text, "is no coordinate", "write x and y in millimetres of paper, as velocity:b,114,-2.7")
-    })
+    finite(text).ok_or_else(|| CheckError::new(says::no_coordinate(shown(text)), says::write_coordinates()))
 }
 
 /// How far a point may be from its place.
 fn radius(text: &str) -> Result<f64, CheckError> {
-    finite(text).filter(|x| (0.0..=WIDEST).contains(x)).ok_or_else(|| {
-        CheckError::about(
-            text,
-            "is no radius",
-            "behind x and y may stand how far the point may be from there, in millimetres of paper, as velocity:b,114,-2.7,0.2",
-        )
-    })
+    finite(text)
+        .filter(|x| (0.0..=WIDEST).contains(x))
+        .ok_or_else(|| CheckError::new(says::no_radius(shown(text)), says::write_radius()))
 }
 
 /// The cells of a line, with names joined that a comma has split: without quotes, `L(B,S3)` comes as `L(B` and `S3)`.
@@ -188,12 +175,7 @@ fn rejoined(cells: &[&str]) -> Vec<String> {
 }
 
 fn scale(name: &str, text: &str) -> Result<f64, CheckError> {
-    finite(text).ok_or_else(|| {
-        CheckError::new(
-            format!("{name} is `{}`, which is no number", shown(text)),
-            "write units of the scene per millimetre of paper, as 2 or 0.5",
-        )
-    })
+    finite(text).ok_or_else(|| CheckError::new(says::scale_no_number(name, shown(text)), says::write_scale()))
 }
 
 fn finite(text: &str) -> Option<f64> {

@@ -1,6 +1,8 @@
 //! Values as they are written in a form's cells: numbers, how finely people write them, and the units beside them.
 
 use super::measured::{CheckError, Given};
+use super::says;
+use crate::message::Message;
 use crate::scene::{LengthUnit, TimeUnit, Units};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::text::shown;
@@ -100,12 +102,9 @@ pub(super) fn number(text: &str) -> Result<(f64, Precision, f64), CheckError> {
     // Rust reads the words NaN and infinity as numbers too.
     let has_digits = text.contains(|c: char| c.is_ascii_digit());
     let number = if has_digits { text.parse::<f64>().ok() } else { None };
-    let number = number.ok_or_else(|| {
-        let hint = "write digits with a decimal point, as 61.5; leave blank what you have not measured";
-        CheckError::about(text, "is no number", hint)
-    })?;
+    let number = number.ok_or_else(|| CheckError::new(says::no_number(shown(text)), says::write_digits()))?;
     if !(number.is_finite() && number.abs() <= 1e100) {
-        return Err(CheckError::about(text, "is too large", "is a digit or an exponent wrong?"));
+        return Err(CheckError::new(says::too_large(shown(text)), says::wrong_digit()));
     }
     Ok((number, precision, rounding))
 }
@@ -125,14 +124,13 @@ pub(super) fn factors(
     };
     let scale = scale.ok_or_else(|| {
         let mu = sheet.facts().scale_key;
-        let hint = format!("add {mu}: how many {} are 1 mm of your {}", kind.unit(units), sheet.name());
-        CheckError::about(name, &format!("is in millimetres of paper, but your scale {mu} is missing"), hint)
+        let hint = says::add_scale(mu, kind.unit(units), sheet_told(sheet));
+        CheckError::new(says::paper_without_scale(shown(name), mu), hint)
     })?;
     match &given.unit {
         // Beside millimetres of paper no unit may stand but mm.
         Some(unit) if unit.trim() != "mm" => {
-            let says = format!("is in millimetres of paper, but `{}` stands beside it", shown(unit));
-            Err(CheckError::about(name, &says, "leave the unit out, or the `/mu`"))
+            Err(CheckError::new(says::unit_on_paper(shown(name), shown(unit)), says::unit_or_mu()))
         }
         _ => Ok((scale, scale)),
     }
@@ -174,10 +172,7 @@ fn factor(text: &str, kind: QuantityKind, units: Units) -> Result<f64, CheckErro
         (QuantityKind::Velocity, _) => length().and_then(per_time),
         (QuantityKind::Acceleration, _) => length().and_then(per_time_squared),
     };
-    found.ok_or_else(|| {
-        let hint = format!("write `{}`, or leave the unit out", kind.unit(units));
-        CheckError::about(text, &format!("is no unit of {}", said(kind)), hint)
-    })
+    found.ok_or_else(|| CheckError::new(says::no_unit_of(shown(text), said(kind)), says::write_unit(kind.unit(units))))
 }
 
 fn seconds(unit: TimeUnit) -> f64 {
@@ -187,14 +182,23 @@ fn seconds(unit: TimeUnit) -> f64 {
     }
 }
 
-fn said(kind: QuantityKind) -> &'static str {
+fn said(kind: QuantityKind) -> Message {
     match kind {
-        QuantityKind::Angle => "an angle",
-        QuantityKind::AngularVelocity => "an angular velocity",
-        QuantityKind::AngularAcceleration => "an angular acceleration",
-        QuantityKind::Position => "a position",
-        QuantityKind::Length => "a length",
-        QuantityKind::Velocity => "a velocity",
-        QuantityKind::Acceleration => "an acceleration",
+        QuantityKind::Angle => says::angle(),
+        QuantityKind::AngularVelocity => says::angular_velocity(),
+        QuantityKind::AngularAcceleration => says::angular_acceleration(),
+        QuantityKind::Position => says::position(),
+        QuantityKind::Length => says::length(),
+        QuantityKind::Velocity => says::velocity(),
+        QuantityKind::Acceleration => says::acceleration(),
+    }
+}
+
+/// A sheet in a message.
+pub(super) fn sheet_told(sheet: Sheet) -> Message {
+    match sheet {
+        Sheet::Scheme => says::scheme(),
+        Sheet::Velocity => says::velocity_plan(),
+        Sheet::Acceleration => says::acceleration_plan(),
     }
 }

@@ -318,7 +318,7 @@ impl GivenMarks {
         self.marks.of(key).map_err(|error| match exercise {
             Some(exercise) => {
                 let message = format!("{}: it does not fit exercise {exercise}: {error}", self.text.name);
-                let hint = error.hint.as_deref().unwrap_or("an exercise may have marks.json in its folder");
+                let hint = error.hint.unwrap_or_else(|| "an exercise may have marks.json in its folder".into());
                 Failure::misuse(message, hint)
             }
             None => self.text.misuse(&error),

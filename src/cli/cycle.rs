@@ -98,7 +98,7 @@ impl Range {
     fn driven_scene(&self) -> Result<DrivenScene, Failure> {
         let source = files::read(&self.scene)?;
         let (scene, mechanism, pose) = read(&source, SizeLimit::NUMBERS, self.mode.number)?;
-        mechanism.warnings.iter().chain(&pose.warnings).for_each(|text| warn(text));
+        mechanism.warnings.iter().chain(&pose.warnings).for_each(|warning| warn(&warning.to_string()));
         let drive = source.checked(Drive::new(&mechanism, self.drive.as_deref()))?;
         let mechanism = if self.alone { alone(&mechanism, &drive.name) } else { mechanism };
         let names = split_names(&self.want);
@@ -131,7 +131,9 @@ impl Range {
                 "only a part of the range from {from} to {to} can be reached, and only it is in the {product}: {stops}"
             );
             return Err(Failure::Outside(match other_way_round(branch, range) {
-                Some(Problem { message: detour, hint }) => Problem { message: format!("{message}; {detour}"), hint },
+                Some(Problem { message: detour, hint }) => {
+                    Problem { message: format!("{message}; {detour}").into(), hint }
+                }
                 None => message.into(),
             }));
         }

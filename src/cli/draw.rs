@@ -275,7 +275,7 @@ impl Draw {
         steps: Option<Steps>,
     ) -> Result<Vec<(String, Vec<Drawing>)>, Failure> {
         let figures = FigureSheets::with_traces(solution, traces.into());
-        figures.overflow_warnings().iter().for_each(|text| warn(text));
+        figures.overflow_warnings().iter().for_each(|warning| warn(&warning.to_string()));
         let sheets = self.sheets_of(name, solution, &figures, steps)?;
         if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
             && (steps.is_none()
@@ -283,7 +283,7 @@ impl Draw {
                 && !solution.scene.figure.worksheet
                 && !self.is_blank())
         {
-            figures.cost_of_list().iter().for_each(|text| note(text));
+            figures.cost_of_list().iter().for_each(|cost| note(&cost.to_string()));
             let missing = figures.values_without_room(sheet).join(", ");
             if !missing.is_empty() {
                 note(&format!("no room for the values of {missing}; they are in a table on the next sheet"));

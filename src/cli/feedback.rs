@@ -214,7 +214,7 @@ impl Correction {
         self.paper.put_into(figure);
         self.scales.put_into(figure);
         let redrawn = check::redrawn(measured, key, checked)?;
-        FigureSheets::new(&solution).overflow_warnings().iter().for_each(|text| warn(text));
+        FigureSheets::new(&solution).overflow_warnings().iter().for_each(|warning| warn(&warning.to_string()));
         let mut sheets = overlay(&solution, &redrawn);
         style.put_on(&mut sheets);
         let name = format!("{}-check", stem(values_file));

@@ -1,3 +1,4 @@
+use crate::Message;
 use crate::check::CheckError;
 use crate::cycle::CycleError;
 use crate::mechanism::StructureError;
@@ -30,7 +31,7 @@ impl Source {
 
     /// The failure of an error in it that has no place there.
     pub(super) fn misuse(&self, error: &CheckError) -> Failure {
-        Failure::Misuse(Problem { message: format!("{}: {error}", self.name), hint: error.hint.clone() })
+        Failure::Misuse(Problem { message: format!("{}: {error}", self.name).into(), hint: error.hint.clone() })
     }
 }
 
@@ -49,13 +50,13 @@ pub enum Failure {
 
 impl From<CheckError> for Failure {
     fn from(error: CheckError) -> Failure {
-        Failure::Misuse(Problem { message: error.to_string(), hint: error.hint })
+        Failure::Misuse(Problem { message: error.to_string().into(), hint: error.hint })
     }
 }
 
 impl Failure {
     /// A command or a file that is not understood: what is wrong, and what to try.
-    pub(super) fn misuse(message: impl Into<String>, hint: impl Into<String>) -> Failure {
+    pub(super) fn misuse(message: impl Into<Message>, hint: impl Into<Message>) -> Failure {
         Failure::Misuse(Problem::new(message).hint(hint))
     }
 
@@ -66,7 +67,7 @@ impl Failure {
 
     /// What is asked for by an option does not fit the scene.
     pub(super) fn of_option(option: &str, SceneError { message, hint, .. }: SceneError) -> Failure {
-        Failure::Misuse(Problem { message: format!("{option}: {message}"), hint })
+        Failure::Misuse(Problem { message: format!("{option}: {message}").into(), hint })
     }
 
     /// A cause outside the program.
@@ -102,7 +103,7 @@ impl Failure {
     pub fn line(&self, place: &str) -> String {
         let (message, hint) = match self {
             Failure::Scene(_, error) => (error.to_string(), None),
-            Failure::Misuse(problem) => (problem.message.clone(), problem.hint.as_deref()),
+            Failure::Misuse(problem) => (problem.message.to_string(), problem.hint.as_ref()),
             Failure::Outside(problem) => (problem.to_string(), None),
             Failure::Reported(_) => return String::new(),
         };
@@ -118,7 +119,7 @@ impl Failure {
 }
 
 /// Refuses a command or a file that is not understood: what is wrong, and what to try.
-pub(super) fn refuse<T>(message: impl Into<String>, hint: impl Into<String>) -> Result<T, Failure> {
+pub(super) fn refuse<T>(message: impl Into<Message>, hint: impl Into<Message>) -> Result<T, Failure> {
     Err(Failure::misuse(message, hint))
 }
 
@@ -168,7 +169,7 @@ fn say(report: &str) {
 pub fn shown(name: &str, text: &str, error: &Error) -> String {
     let problem = error.problem();
     let Some((finding, place)) = error.in_scene().and_then(|finding| Some((finding, finding.place.as_ref()?))) else {
-        let message = format!("{name}: {}", problem.message);
+        let message = format!("{name}: {}", problem.message).into();
         return rendered(Level::ERROR, &Problem { message, ..problem }, None);
     };
     let annotation = AnnotationKind::Primary.span(place.span.clone()).label(text::message(&finding.path));
@@ -178,9 +179,9 @@ pub fn shown(name: &str, text: &str, error: &Error) -> String {
 
 /// A problem as a report, with the lines of a text that it is about.
 fn rendered(level: Level<'_>, problem: &Problem, lines: Option<Snippet<'_, Annotation<'_>>>) -> String {
-    let mut group = Group::with_title(level.primary_title(text::message(&problem.message))).elements(lines);
+    let mut group = Group::with_title(level.primary_title(text::message(&problem.message.to_string()))).elements(lines);
     if let Some(hint) = &problem.hint {
-        group = group.element(Level::HELP.message(text::message(hint)));
+        group = group.element(Level::HELP.message(text::message(&hint.to_string())));
     }
     Renderer::styled().render(&[group])
 }

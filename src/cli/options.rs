@@ -98,7 +98,7 @@ pub(super) struct GivenScales {
 
 fn scale(text: &str) -> Result<f64, String> {
     let scale = text.parse().map_err(|_| "not a number".to_owned())?;
-    Figure::checked_scale(scale)
+    Figure::checked_scale(scale).map_err(|why| why.to_string())
 }
 
 /// An option for the scale of each sheet.

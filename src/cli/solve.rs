@@ -238,7 +238,7 @@ impl Listed {
         let (source, scene) = files::read_scene(&self.scene)?;
         let mechanism = with_nearest_sides(&scene, source.checked(mechanism(&scene))?);
         let listed = source.checked(counted_poses(&mechanism, &scene.near))?;
-        mechanism.warnings.iter().for_each(|text| warn(text));
+        mechanism.warnings.iter().for_each(|warning| warn(&warning.to_string()));
         files::print_text(&format::listed_modes(&scene, &mechanism, &listed))
     }
 }

@@ -11,7 +11,7 @@ use crate::motion::{Motion, MotionError, motion};
 use crate::position::Pose;
 use crate::scene::{ConstructionShown, Scene};
 use crate::sheet::Order;
-use crate::words::Wording;
+use crate::words::{Language, Wording};
 
 /// A solved scene: the mechanism in one position with its motion and its plans. Input of figures, results, steps and
 /// checks.
@@ -57,10 +57,16 @@ impl Solution {
 
     /// The warnings of all stages, in English, in the order in which they were found.
     pub fn warnings(&self) -> impl Iterator<Item = String> {
-        let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
         // Warnings are in English whatever the language of the figure.
-        let without = self.construction.without().map(|far| plain_text(&no_construction(&Wording::default(), far)));
-        found.into_iter().flatten().cloned().chain(without)
+        self.warnings_in(Wording::default().language)
+    }
+
+    /// The same in another language.
+    pub fn warnings_in(&self, language: &'static Language) -> impl Iterator<Item = String> {
+        let found = [&self.mechanism.warnings, &self.pose.warnings, &self.motion.warnings];
+        let words = Wording { language, ..Wording::default() };
+        let without = self.construction.without().map(move |far| plain_text(&no_construction(&words, far)));
+        found.into_iter().flatten().map(|warning| language.says(warning)).chain(without)
     }
 }
 

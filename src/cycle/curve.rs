@@ -131,7 +131,7 @@ impl<'a> Curves<'a> {
         let mut reading = Reading::new(path, asked.clone());
         let samples = samples(&mut reading, grid);
         if samples.iter().all(|s| s.1.is_none()) {
-            let why = "it has none at any position of the range";
+            let why = crate::quantity::says::nowhere_in_range();
             return Err(QuantityError::NoValue(name.to_owned(), why).into());
         }
         let zero = FLAT * typical_size(path, asked.kind());

@@ -29,6 +29,8 @@ mod reading;
 mod running;
 mod sampled;
 #[doc(hidden)] // for tests
+pub mod says;
+#[doc(hidden)] // for tests
 pub mod segment;
 mod sweep;
 mod trace;
@@ -108,30 +110,17 @@ impl CycleError {
     #[must_use]
     pub fn problem(&self) -> Problem {
         match self {
-            CycleError::Drawn => Problem::new("a drawn configuration cannot be moved: it has no lengths")
-                .hint("a scene with `lengths` or `shape` and a drive with its `angle` or `position`"),
-            CycleError::NotOfOneKind(number) => Problem::new(format!(
-                "mechanism {number} is not of the kind of mechanism 0"
-            ))
-            .hint("the same links, joints and drives in the same order; only lengths, places and drives may differ"),
-            CycleError::NoDrive => Problem::new("there is no drive to move").hint(r#"give a link a "drive""#),
-            CycleError::NoSuchDrive { name, known } => {
-                Problem::new(format!("there is no drive `{name}`; the drives are: {known}"))
-            }
-            CycleError::Singular { links, at } => Problem::new(format!(
-                "links {links} are in a singular position at {at}, so which way they go on is not decided"
-            ))
-            .hint("a scene at another position of the drive; the sweep finds its way from there"),
+            CycleError::Drawn => Problem::new(says::drawn()).hint(says::lengths_and_drive()),
+            CycleError::NotOfOneKind(number) => Problem::new(says::other_kind(*number)).hint(says::same_kind()),
+            CycleError::NoDrive => Problem::new(says::no_drive()).hint(says::give_drive()),
+            CycleError::NoSuchDrive { name, known } => says::no_such_drive(name, known).into(),
+            CycleError::Singular { links, at } => Problem::new(says::singular(links, at)).hint(says::other_position()),
             CycleError::OutOfReach { from, to, stop, low, high } => {
-                Problem::new(format!("the range from {from} to {to} cannot be reached: {stop}"))
-                    .hint(format!("a range that holds a part of {low} to {high}"))
+                Problem::new(says::out_of_reach(from, to, stop)).hint(says::within_reach(low, high))
             }
             CycleError::Range(problem) => problem.clone(),
-            CycleError::NoVector(name) => Problem::new(format!("`{name}` is no vector"))
-                .hint("v(D), v(D/G), a(D), a_n(D/G), a_t(D/G), a_c(3/2) with names of this scene"),
-            CycleError::NoPath(name) => {
-                Problem::new(format!("`{name}` is no point of a link that moves, so it has no path"))
-            }
+            CycleError::NoVector(name) => Problem::new(says::no_vector(name)).hint(says::vectors()),
+            CycleError::NoPath(name) => says::no_path(name).into(),
             CycleError::Quantity(error) => error.problem(),
         }
     }

@@ -1,6 +1,6 @@
 //! Which part of a path is followed and shown, at which steps, and what is said of it.
 
-use super::{CycleError, Event, Path};
+use super::{CycleError, Event, Path, says};
 use crate::Problem;
 use crate::words::Wording;
 
@@ -47,19 +47,13 @@ impl Path<'_> {
             (Some(_), None) => return Err(self.no_range()),
         };
         if !range.iter().all(|end| end.is_finite()) {
-            let text = "the ends of the range must be finite numbers";
-            return Err(CycleError::Range(text.into()));
+            return Err(CycleError::Range(says::not_finite().into()));
         }
         let widest = MOST_TURNS * turn;
         if range.iter().any(|v| (v - self.origin).abs() > widest) {
             let [low, high] = [-widest, widest].map(|by| self.drive.amount(self.origin + by));
-            let text = if self.drive.is_angle {
-                "the range reaches further than a hundred turns"
-            } else {
-                "the range reaches further than a hundred times the mechanism's size"
-            };
-            let hint = format!("values between {low} and {high}");
-            return Err(CycleError::Range(Problem::new(text).hint(hint)));
+            let message = if self.drive.is_angle { says::too_many_turns() } else { says::too_far() };
+            return Err(CycleError::Range(Problem::new(message).hint(says::values_between(low, high))));
         }
         range.iter().for_each(|v| self.follow_to(*v));
         let (low, high) = (range[0].min(range[1]), range[0].max(range[1]));
@@ -106,8 +100,7 @@ impl Path<'_> {
 
     fn no_range(&self) -> CycleError {
         let quantity = &self.drive.quantity;
-        let hint = "both --from and --to: this slider has no full turn and no two ends";
-        CycleError::Range(Problem::new(format!("the range of {quantity} is not given")).hint(hint))
+        CycleError::Range(Problem::new(says::no_range(quantity)).hint(says::both_ends()))
     }
 
     /// Follows the branch once around or from end to end, that of a slider without ends a part of the mechanism's size
@@ -240,16 +233,13 @@ impl Steps {
         let refuse = |problem| Err(CycleError::Range(problem));
         let wide = to - from;
         if !wide.is_finite() {
-            return refuse("the ends of the range must be finite numbers".into());
+            return refuse(says::not_finite().into());
         }
         if step == 0.0 || !step.is_finite() {
-            let hint = "the distance from one row to the next, as 1";
-            return refuse(Problem::new(format!("the step cannot be {step}")).hint(hint));
+            return refuse(Problem::new(says::no_step(step)).hint(says::distance_of_rows()));
         }
         if step < 0.0 && wide > 0.0 {
-            let hint = "a positive step; its sign follows from the range";
-            let message = format!("a step of {step} leads away from the end of the range");
-            return refuse(Problem::new(message).hint(hint));
+            return refuse(Problem::new(says::step_leads_away(step)).hint(says::positive_step()));
         }
         let step = step.abs().copysign(wide);
         let farthest = from.abs().max(to.abs());
@@ -261,8 +251,8 @@ impl Steps {
         let rounding = 4.0 * f64::EPSILON * (farthest * scale / by).abs();
         let intervals = ((to * scale - first) / by + rounding).floor();
         if intervals >= MOST_VALUES {
-            let message = format!("there are more than {MOST_VALUES:e} steps of {step} from {from} to {to}");
-            return refuse(Problem::new(message).hint("a larger step"));
+            let message = says::too_many_steps(format!("{MOST_VALUES:e}"), step, from, to);
+            return refuse(Problem::new(message).hint(says::larger_step()));
         }
         Ok(Steps { from: first, step: by, scale, count: intervals as usize + 1 })
     }

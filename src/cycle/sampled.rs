@@ -1,4 +1,4 @@
-use super::{CycleError, Event, Path};
+use super::{CycleError, Event, Path, says};
 use crate::Problem;
 
 /// Step between the angles of the drive at which curves of points are marked, in degrees.
@@ -38,9 +38,7 @@ impl<'a, T> Sampled<'a, T> {
         // There is no curve in a range without width, or of a few roundings' width.
         if high.is_nan() || low.is_nan() || high - low <= SAME * path.unit() {
             let [from, to] = [low, high].map(|v| path.drive.amount(v));
-            let hint = "a range with more room between --from and --to";
-            let problem = Problem::new(format!("from {from} to {to} there is no room for a curve"));
-            return Err(CycleError::Range(problem.hint(hint)));
+            return Err(CycleError::Range(Problem::new(says::no_room(from, to)).hint(says::more_room())));
         }
         // The path stops just before its limits; the range includes them.
         if low == path.low() {

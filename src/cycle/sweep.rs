@@ -46,7 +46,7 @@ impl<'a> Sweep<'a> {
         let columns: Vec<QuantityRequest> = columns.collect::<Result<_, _>>()?;
         if let Some(asked) = columns.iter().find(|asked| asked.written.on_paper) {
             let name = asked.name().to_owned();
-            return Err(QuantityError::NoValue(name, "a table has no scale"));
+            return Err(QuantityError::NoValue(name, crate::quantity::says::no_scale_in_table()));
         }
         let steps = steps.within(path.low(), path.high());
         // A plan point that does not exist is found in the first row with plans, before anything is written.

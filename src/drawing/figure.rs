@@ -8,6 +8,7 @@ use super::laid_out::{Contents, LaidOut, composed};
 use super::layout::{Layout, Placed};
 use super::panel::{Extents, cycles_of, extents, extents_in};
 use super::parts::sheets_of_parts;
+use super::says;
 use super::scale_bar::SCALE;
 use super::shape::Shape;
 use super::sheet::{Drawing, Mark};
@@ -16,6 +17,7 @@ use super::view::{Series, next_scale};
 use super::worksheet::{TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text};
 use crate::cycle::Traces;
+use crate::message::Message;
 use crate::scene::{ScalesFor, ValuesShown};
 use crate::sheet::{Scales, Sheet};
 use crate::words::Wording;
@@ -27,9 +29,6 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
-
-/// How much coarser a scale may be for a list of results: less than what is seen at a glance.
-const COST: f64 = 1.2;
 
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
@@ -134,7 +133,7 @@ impl<'a> FigureSheets<'a> {
     /// A warning for each panel of the figure whose content is cut off at a scale that the scene gives, with a scale that
     /// fits, if there is one. Special points far away count as fitting: their cut lines are shown.
     #[must_use]
-    pub fn overflow_warnings(&self) -> Vec<String> {
+    pub fn overflow_warnings(&self) -> Vec<Message> {
         let figure = self.base.figure();
         if !figure.panels.iter().any(|&panel| figure.mu[panel].is_some()) {
             return Vec::new();
@@ -193,24 +192,26 @@ impl<'a> FigureSheets<'a> {
             };
             drawing.marks.iter().any(is_its)
         };
-        let LaidOut { context, contents, .. } = self.laid_out();
+        let LaidOut { context, contents, .. } = self.settled();
         let list = contents.list.and_then(|listed| value_list(context, listed, None));
         let is_shown = move |value: &&Value| has(value) || list.as_ref().is_some_and(|list| list.has(value));
         self.base.values.iter().filter(move |value| !is_shown(value))
     }
 
-    /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.
+    /// What the list of results, or one of names without room, costs where scales on paper are coarser for it; none where it
+    /// costs nothing.
     #[must_use]
-    pub fn cost_of_list(&self) -> Option<String> {
-        let (without, with) = (self.scaled(None).surface, &self.settled().layout);
-        let coarser = with.panels.iter().filter_map(|placed| {
+    pub fn cost_of_list(&self) -> Option<Message> {
+        let (without, LaidOut { layout, contents, .. }) = (self.scaled(None).surface, self.settled());
+        let coarser = layout.panels.iter().filter_map(|placed| {
             let (symbol, before) = (placed.needs.sheet.facts().scale_symbol, without.mu[placed.needs.sheet]?);
             let [now, before] = [placed.mu, before].map(|mu| Wording::default().write(mu, SCALE));
-            (now != before).then(|| format!("{symbol} = {now} in place of {before}"))
+            (now != before).then(|| says::in_place_of(symbol, now, before))
         });
-        let coarser: Vec<String> = coarser.collect();
+        let coarser: Vec<Message> = coarser.collect();
         let is_told = without.series != Series::Any && !coarser.is_empty();
-        is_told.then(|| format!("scales leave room for the list of results: {}", coarser.join(", ")))
+        let cost = if contents.list.is_some() { says::cost_of_list } else { says::cost_of_names };
+        is_told.then(|| cost(Message::list(coarser, ", ")))
     }
 
     /// The context of the finished figure, or of the sheets with steps, at their scales. They do not depend on values, which
@@ -270,7 +271,6 @@ impl<'a> FigureSheets<'a> {
     /// costs none of them much.
     fn listed(&self, without: LaidOut<'a>) -> LaidOut<'a> {
         let LaidOut { context, extents, layout, .. } = &without;
-        let is_near = |with: &Layout| layout.mu().given().all(|(panel, mu)| with.mu_of(panel) <= Some(COST * mu));
         let tried = [layout.mu(), context.figure().mu].into_iter().flat_map(|scales| {
             Listed::BOTH.into_iter().filter_map(move |listed| {
                 value_list(context, listed, None)?;
@@ -278,7 +278,7 @@ impl<'a> FigureSheets<'a> {
                 Some((composed(context, extents, contents).layout_at(&scales), contents))
             })
         });
-        let found = { tried }.find(|(with, _)| with.shows_all() && is_near(with));
+        let found = { tried }.find(|(with, _)| with.shows_all() && with.is_nearly_at(&layout.mu()));
         match found {
             Some((layout, contents)) => LaidOut { layout, contents, ..without },
             None => without,
@@ -389,13 +389,13 @@ pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
 }
 
 /// The warning for a panel whose content is larger than its frame, with a scale that fits, if there is one.
-fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> String {
-    let (key, words) = (panel.facts().scale_key, Wording::default());
-    let panel = words.language.sheet(panel).to_lowercase();
-    let written = |mu| words.write(mu, SCALE);
-    let fitting = fitting.map_or_else(|| "none".to_owned(), written);
-    let given = written(given);
-    format!(
-        "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet"
-    )
+fn overflow_warning(panel: Sheet, given: f64, fitting: Option<f64>) -> Message {
+    let name = match panel {
+        Sheet::Scheme => says::scheme(),
+        Sheet::Velocity => says::velocity_plan(),
+        Sheet::Acceleration => says::acceleration_plan(),
+    };
+    let written = |mu| Wording::default().write(mu, SCALE);
+    let fitting = fitting.map_or_else(says::no_scale, |mu| written(mu).into());
+    says::overflow(name, panel.facts().scale_key, written(given), fitting)
 }

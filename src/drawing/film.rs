@@ -1,12 +1,14 @@
 //! The figure while its drive runs: one picture after another, at equal times.
 
 use super::held_layout::HeldLayout;
+use super::says;
 use super::sheet::Drawing;
 use super::steady::Steady;
 use super::style::Style;
 use crate::Problem;
 use crate::construction::Solution;
 use crate::cycle::{CycleError, Running};
+use crate::message::Message;
 
 /// How long a film lasts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,21 +38,17 @@ impl Timing {
     /// The time or the rate is out of bounds, or there would be no motion.
     fn pictures(self) -> Result<usize, CycleError> {
         let Timing { seconds, per_second } = self;
-        let refuse = |message: String, hint: String| Err(CycleError::Range(Problem::new(message).hint(hint)));
+        let refuse = |message: Message, hint: Message| Err(CycleError::Range(Problem::new(message).hint(hint)));
         if !(seconds > 0.0 && seconds <= Timing::LONGEST) {
-            let hint = format!("more than 0 and at most {} seconds", Timing::LONGEST);
-            return refuse(format!("a turn of a film cannot last {seconds} seconds"), hint);
+            return refuse(says::no_film_of(seconds), says::at_most_seconds(Timing::LONGEST));
         }
         if !(1..=Timing::MOST_PER_SECOND).contains(&per_second) {
-            let hint = format!("1 to {} pictures a second", Timing::MOST_PER_SECOND);
-            return refuse(format!("a film cannot have {per_second} pictures a second"), hint);
+            let hint = says::pictures_a_second(usize::from(Timing::MOST_PER_SECOND));
+            return refuse(says::no_film_at(usize::from(per_second)), hint);
         }
         match (seconds * f64::from(per_second)).round() as usize {
             count @ 2.. => Ok(count),
-            _ => {
-                let message = format!("{seconds} seconds at {per_second} pictures a second show no motion");
-                refuse(message, "a longer time, or more pictures a second".to_owned())
-            }
+            _ => refuse(says::no_motion(seconds, usize::from(per_second)), says::longer_or_more()),
         }
     }
 }
@@ -97,16 +95,14 @@ impl Film {
         let running = Running::new(own, drive, timing.pictures()?)?;
         let count = running.poses.len();
         if count > MOST {
-            let turns = running.turns.filter(|turns| *turns > 1);
-            let turns = turns.map_or_else(String::new, |turns| format!(" in {turns} turns of the drive"));
-            let message = format!("the film would have {count} pictures{turns}; it may have {MOST}");
-            return Err(CycleError::Range(
-                Problem::new(message).hint("less time for a turn, or fewer pictures a second"),
-            ));
+            let message = match running.turns.filter(|turns| *turns > 1) {
+                Some(turns) => says::film_of_turns_too_long(count, turns, MOST),
+                None => says::film_too_long(count, MOST),
+            };
+            return Err(CycleError::Range(Problem::new(message).hint(says::less_or_fewer())));
         }
         if count < 2 {
-            let message = format!("the drive `{}` cannot move", running.drive.name);
-            return Err(CycleError::Range(message.into()));
+            return Err(CycleError::Range(says::drive_stands(&running.drive.name).into()));
         }
         let mut own = own.clone();
         own.scene.figure.usual_values = Some(false);

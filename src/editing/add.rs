@@ -6,9 +6,11 @@ use serde_json::{Value as Json, json};
 
 use super::document::Document;
 use super::measure::{self, Decimals, Placed, measured, shape_place};
-use super::names::{Names, check_name, no_such};
+use super::names::{Named, Names, check_name, no_such};
 use super::present::Present;
+use super::says;
 use crate::geometry::Point;
+use crate::message::Message;
 use crate::scene::{LengthUnit, SceneError, Units, pair};
 
 /// A new link.
@@ -91,13 +93,13 @@ pub(super) fn link(document: &mut Document<'_>, new: &NewLink) -> Result<(), Sce
     let present = Present::of(document);
     let points: Vec<Placed<'_>> = new.points.iter().map(|point| (point.name.as_str(), Point::from(point.at))).collect();
     for (index, (name, _)) in points.iter().enumerate() {
-        check_name(document, "a point", name)?;
+        check_name(document, Named::Point, name)?;
         if points[..index].iter().any(|(other, _)| other == name) {
-            return Err(document.error(&[], format!("point {name} stands twice in the new link"), None));
+            return Err(document.error(&[], says::point_twice(*name), None));
         }
     }
     if points.is_empty() {
-        return Err(document.error(&[], "a new link has no points", Some("name at least one")));
+        return Err(document.error(&[], says::no_points(), Some(says::name_one())));
     }
     let decimals = Decimals::of_size(present.size(points.iter().map(|(_, place)| *place)));
     let link = free_name(&names);
@@ -126,9 +128,9 @@ pub(super) fn point(document: &mut Document<'_>, new: &NewPoint) -> Result<(), S
     let NewPoint { link, name, at } = new;
     let place = Point::from(*at);
     let names = Names::of(&document.json());
-    check_name(document, "a point", name)?;
+    check_name(document, Named::Point, name)?;
     if names.of_carrier(link).contains(name) {
-        return Err(document.error(&["links", link], format!("link {link} has a point {name} already"), None));
+        return Err(document.error(&["links", link], says::point_on_link(link, name), None));
     }
     let present = Present::of(document);
     let decimals = Decimals::of_size(present.size([place]));
@@ -141,7 +143,7 @@ pub(super) fn point(document: &mut Document<'_>, new: &NewPoint) -> Result<(), S
         return document.set(&[table, name], &decimals.place_json(place));
     }
     let Some(points) = names.links.get(link) else {
-        return Err(no_such(document, "link", link, &names.links.keys().cloned().collect::<Vec<_>>()));
+        return Err(no_such(document, Named::Link, link, &names.links.keys().cloned().collect::<Vec<_>>()));
     };
     if names.drawn.is_none() {
         let entry = with_point(document, &present, link, points, (name, place), decimals)?;
@@ -173,21 +175,18 @@ fn with_point(
     if !entry.is_object() {
         entry = json!({ "points": points });
     }
-    let unknown = |whose: &str| {
-        let message = format!("it is not known where {whose} is in the present position");
-        document.error(&["links", link], message, Some("give rough places in `near`"))
-    };
+    let unknown = |message: Message| document.error(&["links", link], message, Some(says::rough_places()));
     if let Some(list) = entry.get_mut("points").and_then(Json::as_array_mut) {
         list.push(name.into());
     }
     if let Some(shape) = entry.get_mut("shape").and_then(Json::as_object_mut) {
-        let placement = present.placement(link, shape).ok_or_else(|| unknown(&format!("link {link}")))?;
+        let placement = present.placement(link, shape).ok_or_else(|| unknown(says::link_unknown(link)))?;
         shape.insert(name.to_owned(), shape_place(decimals.place(placement.inverse() * place)));
         return Ok(entry);
     }
     let mut placed: Vec<Placed<'_>> = Vec::with_capacity(points.len() + 1);
     for point in points {
-        let place = present.places.get(point).ok_or_else(|| unknown(&format!("point {point}")))?;
+        let place = present.places.get(point).ok_or_else(|| unknown(says::point_unknown(point)))?;
         placed.push((point, *place));
     }
     placed.push((name, place));
@@ -233,15 +232,14 @@ pub(super) fn slider(document: &mut Document<'_>, new: &NewSlider) -> Result<(),
     let names = Names::of(&document.json());
     let is_known = |name: &str| ["", "ground"].contains(&name) || names.links.contains_key(name);
     if let Some(unknown) = [link, on].into_iter().find(|name| !is_known(name)) {
-        return Err(no_such(document, "link", unknown, &names.links.keys().cloned().collect::<Vec<_>>()));
+        return Err(no_such(document, Named::Link, unknown, &names.links.keys().cloned().collect::<Vec<_>>()));
     }
     let sliding = if link.is_empty() { names.points() } else { names.of_carrier(link).to_vec() };
     if !sliding.contains(at) {
-        return Err(no_such(document, "point", at, &sliding));
+        return Err(no_such(document, Named::Point, at, &sliding));
     }
     if names.of_carrier(on).contains(at) {
-        let message = format!("point {at} is a point of {on}, so it cannot slide on it");
-        return Err(document.error(&[], message, Some("choose another point, or another carrier of the guide")));
+        return Err(document.error(&[], says::slides_on_own(at, on), Some(says::other_point())));
     }
     let mut entry = match link.is_empty() {
         true => json!({ "pin": at, "on": on }),

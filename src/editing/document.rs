@@ -4,6 +4,8 @@ use jsonc_parser::ast::{Object, Value};
 use serde_json::Value as Json;
 use std::ops::Range;
 
+use super::says;
+use crate::message::Message;
 use crate::scene::{JointKind, SceneError, SceneTree, key_order, quoted, range_of};
 
 /// A text in the course of changes. Paths are JSON paths; an index of a list is written in digits.
@@ -24,7 +26,7 @@ impl<'a> Document<'a> {
         let tree = SceneTree::read(given)?;
         match tree.root {
             Value::Object(_) => Ok(Document { given, body: tree.body.to_owned() }),
-            _ => Err(SceneTree::error(given, &[], "a scene is an object { … }", None)),
+            _ => Err(SceneTree::error(given, &[], says::no_object(), None)),
         }
     }
 
@@ -40,7 +42,7 @@ impl<'a> Document<'a> {
     }
 
     /// An error at a path of the text that was handed over.
-    pub fn error(&self, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
+    pub fn error(&self, path: &[&str], message: Message, hint: Option<Message>) -> SceneError {
         SceneTree::error(self.given, path, message, hint)
     }
 
@@ -89,7 +91,7 @@ impl<'a> Document<'a> {
                 let mut elements = elements.iter().enumerate();
                 elements.try_for_each(|(index, value)| self.set(&[path, &[&index.to_string()]].concat(), value))
             }
-            _ if path.is_empty() => Err(self.error(&[], "a scene is an object { … }", None)),
+            _ if path.is_empty() => Err(self.error(&[], says::no_object(), None)),
             _ if same(node, value) => Ok(()),
             _ => {
                 let splice = (range_of(node), Layout::of(tree.body).one_line(value));
@@ -117,10 +119,9 @@ impl<'a> Document<'a> {
                 (layout.one_line(&nested), array.elements.len())
             }
             Some(Value::Array(array)) => {
-                let message = format!("this list has {} entries, and no {}", array.elements.len(), shown(key));
-                return Err(self.error(around, message, None));
+                return Err(self.error(around, says::no_entry(array.elements.len(), shown(key)), None));
             }
-            _ => return Err(self.error(around, format!("there is no place for {} here", shown(key)), None)),
+            _ => return Err(self.error(around, says::no_room(shown(key)), None)),
         };
         let splice = node.map(|node| added(&tree, layout, node, index, &text, around));
         splice.into_iter().for_each(|splice| self.splice(splice));
@@ -130,7 +131,7 @@ impl<'a> Document<'a> {
     /// Removes what is at a path, if something is.
     pub fn remove(&mut self, path: &[&str]) -> Result<(), SceneError> {
         let Some((last, around)) = path.split_last() else {
-            return Err(self.error(&[], "a scene cannot be removed from its text", None));
+            return Err(self.error(&[], says::not_all(), None));
         };
         let tree = self.tree()?;
         let cut = find(&tree.root, around).and_then(|node| {

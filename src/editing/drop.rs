@@ -11,7 +11,7 @@ use crate::scene::{JOINTS, JointKind, Meaning, SceneError, pair};
 pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
     let names = Names::of(&document.json());
     let Some(points) = names.links.get(name) else {
-        return Err(no_such(document, "link", name, &names.links.keys().cloned().collect::<Vec<_>>()));
+        return Err(no_such(document, Named::Link, name, &names.links.keys().cloned().collect::<Vec<_>>()));
     };
     document.remove(&["links", name])?;
     remove_joints(document, Meaning::Link, name)?;
@@ -30,7 +30,7 @@ pub(super) fn link(document: &mut Document<'_>, name: &str) -> Result<(), SceneE
 pub(super) fn point(document: &mut Document<'_>, name: &str) -> Result<(), SceneError> {
     let names = Names::of(&document.json());
     if !names.has_point(name) {
-        return Err(no_such(document, "point", name, &names.points()));
+        return Err(no_such(document, Named::Point, name, &names.points()));
     }
     remove_joints(document, Meaning::Point, name)?;
     remove_guides(document, &names, name)?;

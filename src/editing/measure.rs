@@ -3,6 +3,7 @@
 use serde_json::{Map, Number, Value as Json};
 
 use super::document::Document;
+use super::says;
 use crate::geometry::{Point, cross, unit};
 use crate::scene::{SceneError, joined};
 
@@ -85,8 +86,8 @@ pub(super) fn measured(
     for (index, (second, place)) in points.iter().enumerate() {
         let is_there = |(_, other): &&Placed<'_>| (place - other).norm() < decimals.step();
         if let Some((first, _)) = points[..index].iter().find(is_there) {
-            let message = format!("link {link} would have {first} and {second} in one place");
-            return Err(document.error(&["links", link], message, Some("use one name for both, or move one")));
+            let message = says::in_one_place(link, *first, *second);
+            return Err(document.error(&["links", link], message, Some(says::one_name_or_move())));
         }
     }
     Ok(match points {

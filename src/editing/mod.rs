@@ -27,6 +27,8 @@ mod position;
 mod present;
 #[doc(hidden)] // for tests
 pub mod reshape;
+#[doc(hidden)] // for tests
+pub mod says;
 
 pub use add::{Along, NewLink, NewPoint, NewSlider, PlacedPoint, blank};
 pub use draft::{Draft, DraftGuide, DraftLink, DraftPoint, DraftSlider};

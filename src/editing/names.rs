@@ -7,8 +7,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value as Json;
 
 use super::document::{Document, Word};
+use super::says;
 use crate::construction::image_name;
-use crate::scene::{Argument, Meaning, QuantityName, Scene, SceneError, close, meaning, pair, why_not};
+use crate::scene::{Argument, Bearer, Meaning, QuantityName, Scene, SceneError, close, meaning, pair, why_not};
 
 /// What has a name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -122,33 +123,40 @@ pub(super) fn rename(document: &mut Document<'_>, what: Named, from: &str, to: &
 }
 
 fn check(document: &Document<'_>, names: &Names, what: Named, from: &str, to: &str) -> Result<(), SceneError> {
-    let (noun, all) = match what {
-        Named::Point => ("point", names.points()),
-        Named::Link => ("link", names.links.keys().cloned().collect()),
+    let (there, all) = match what {
+        Named::Point => (says::point_there(to), names.points()),
+        Named::Link => (says::link_there(to), names.links.keys().cloned().collect()),
     };
     if !all.iter().any(|name| name == from) {
-        return Err(no_such(document, noun, from, &all));
+        return Err(no_such(document, what, from, &all));
     }
-    check_name(document, &format!("a {noun}"), to)?;
+    check_name(document, what, to)?;
     if from != to && all.iter().any(|name| name == to) {
-        let message = format!("there is a {noun} {to} already");
-        return Err(document.error(&[], message, Some("choose another name")));
+        return Err(document.error(&[], there, Some(says::other_name())));
     }
     Ok(())
 }
 
-/// Refuses what is no name of a point or a link; `what` is "a point" or "a link".
-pub(super) fn check_name(document: &Document<'_>, what: &str, name: &str) -> Result<(), SceneError> {
-    match why_not(what, name) {
-        Some((message, hint)) => Err(document.error(&[], message, hint.as_deref())),
+/// Refuses what is no name of a point or a link.
+pub(super) fn check_name(document: &Document<'_>, what: Named, name: &str) -> Result<(), SceneError> {
+    let bearer = match what {
+        Named::Point => Bearer::Point,
+        Named::Link => Bearer::Link,
+    };
+    match why_not(bearer, name) {
+        Some((message, hint)) => Err(document.error(&[], message, hint)),
         None => Ok(()),
     }
 }
 
 /// There is no point or link of that name.
-pub(super) fn no_such(document: &Document<'_>, noun: &str, name: &str, all: &[String]) -> SceneError {
-    let hint = close(name, all.iter().map(String::as_str));
-    document.error(&[], format!("there is no {noun} {}", crate::text::shown(name)), hint.as_deref())
+pub(super) fn no_such(document: &Document<'_>, what: Named, name: &str, all: &[String]) -> SceneError {
+    let (hint, name) = (close(name, all.iter().map(String::as_str)), crate::text::shown(name));
+    let message = match what {
+        Named::Point => says::no_point(name),
+        Named::Link => says::no_link(name),
+    };
+    document.error(&[], message, hint)
 }
 
 /// Where names mean one point or one link, and the new name of it.

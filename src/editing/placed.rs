@@ -85,7 +85,7 @@ fn put_down(text: &str, places: &[PlacedPoint]) -> Result<String, SceneError> {
     let mut moved = before.clone().told_roughly();
     for PlacedPoint { name, at } in places {
         if !names.has_point(name) {
-            return Err(super::names::no_such(&document, "point", name, &names.points()));
+            return Err(super::names::no_such(&document, super::Named::Point, name, &names.points()));
         }
         let table = match &names.drawn {
             Some(_) => "points",

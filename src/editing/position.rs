@@ -6,6 +6,7 @@ use serde_json::{Map, Value as Json};
 use super::document::Document;
 use super::measure::Decimals;
 use super::present::{Solved, of_scene, refused};
+use super::says;
 use crate::geometry::{degrees_of, span, with_turns};
 use crate::mechanism::{BodyId, Mechanism, Role};
 use crate::position::{Pose, numbered_pose};
@@ -25,8 +26,7 @@ pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
     let before = Solved::of(text)?;
     let document = Document::new(text)?;
     if before.scene.given_by == GivenBy::Drawing || now.points.len() != before.mechanism.points.len() {
-        let message = "a drawn configuration cannot be moved";
-        return Err(document.error(&["points"], message, Some("give the mechanism by lengths, with a drive")));
+        return Err(document.error(&["points"], says::drawn(), Some(says::give_lengths())));
     }
     let values = Stand::all(&document.json(), &before.mechanism, now);
     let mut failure = None;
@@ -40,8 +40,7 @@ pub fn with_position(text: &str, now: &Pose) -> Result<String, SceneError> {
             Err(error) => failure = Some(error),
         }
     }
-    let message = "the position cannot be written as values of the drives";
-    Err(failure.unwrap_or_else(|| document.error(&[], message, Some("take another position"))))
+    Err(failure.unwrap_or_else(|| document.error(&[], says::no_position(), Some(says::other_position()))))
 }
 
 /// The text with the assembly mode of that number, as `kinegon modes` counts them from 1, chosen by `near`.
@@ -59,7 +58,7 @@ pub fn with_mode(text: &str, number: usize) -> Result<String, SceneError> {
     let solved = settle(&mut document, &wanted)?;
     match distance(&wanted, &solved.pose) <= MOVED {
         true => Ok(document.text()),
-        false => Err(document.error(&["near"], format!("rough places cannot choose mode {number}"), None)),
+        false => Err(document.error(&["near"], says::near_cannot_choose(number), None)),
     }
 }
 

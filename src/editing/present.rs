@@ -9,7 +9,6 @@ use crate::geometry::{Placement, Point, Vector, span, unit};
 use crate::mechanism::{BodyId, Mechanism, StructureError, mechanism};
 use crate::position::{Pose, pose, with_nearest_sides};
 use crate::scene::{Scene, SceneError};
-use crate::words::{Language, Wording};
 
 /// A scene with its position.
 #[derive(Clone, Debug)]
@@ -34,11 +33,6 @@ impl Solved {
     /// The places of all points, in their order.
     pub fn places(&self) -> IndexMap<String, Point> {
         self.mechanism.points.iter().cloned().zip(self.pose.points.iter().copied()).collect()
-    }
-
-    /// The language of the scene's figure.
-    pub fn language(&self) -> &'static Language {
-        Wording::of(&self.scene.figure).language
     }
 
     /// Where a link is: from its own frame to the fixed one. `None` for a drawn scene.

@@ -1,10 +1,12 @@
 //! Tries random variants of a scene until one is an exercise.
 
 use super::judge::{Exercise, Refusal, key_page};
+use super::says;
 use super::vary::{OnGuide, length_step, varied};
 use crate::construction::Solution;
 use crate::editing::measure::json as json_number;
 use crate::geometry::Random;
+use crate::message::Message;
 use crate::quantity::Quantity;
 use crate::scene::{ConstructionShown, Figure, Page, PageSize, figure_keys};
 use crate::sheet::Sheet;
@@ -22,21 +24,29 @@ const FEW: usize = 6;
 
 /// Why there is no exercise, or no further one.
 #[derive(Clone, Debug, thiserror::Error)]
+#[error("{}", self.message())]
 #[non_exhaustive]
 pub enum ExerciseError {
     /// The scene's plans cannot be constructed.
-    #[error(
-        "its plans have no construction to be drawn by hand: a special point lies at infinity, or a group is of higher class than IV"
-    )]
     NoConstruction,
     /// No variant was an exercise.
-    #[error("none of {TRIES} variants can be drawn well by hand; most often ({percent} %) {most}")]
     GaveUp {
         /// The commonest reason of refusal.
         most: Refusal,
         /// Its share of the variants, in per cent.
         percent: usize,
     },
+}
+
+impl ExerciseError {
+    /// What it says.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            ExerciseError::NoConstruction => says::no_construction(),
+            ExerciseError::GaveUp { most, percent } => says::gave_up(TRIES, *percent, most.message()),
+        }
+    }
 }
 
 /// The exercises of a scene, one after another; they do not depend on how many are asked for.

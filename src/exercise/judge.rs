@@ -1,5 +1,6 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
+use super::says;
 use super::sheets::{key_rows, sentences};
 use crate::check::{BANDS, form_names};
 use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
@@ -8,6 +9,7 @@ use crate::drawing::{
     shows_special_points,
 };
 use crate::mechanism::mechanism;
+use crate::message::Message;
 use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Pencil, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
@@ -51,38 +53,48 @@ pub struct Exercise {
 
 /// Why a variant is no exercise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
+#[error("{}", self.message())]
 #[non_exhaustive]
 pub enum Refusal {
     /// The scene is not understood.
-    #[error("the numbers do not fit together")]
     Numbers,
     /// The mechanism cannot be assembled.
-    #[error("the links do not reach each other")]
     Assembly,
     /// A singular position, or nearly one.
-    #[error("the position is too near a singular one")]
     Singular,
     /// The plans have no construction.
-    #[error("there is no construction of the plans")]
     NoConstruction,
     /// The construction and the loop equations differ by more than rounding allows.
-    #[error("the construction is not exact enough")]
     Routes,
     /// Lines cross under small angles.
-    #[error("lines cross at less than 20°")]
     Crossing,
     /// A special point or a plan has no room on the sheet.
-    #[error("a special point or a plan does not fit on the sheet")]
     Sheet,
     /// Segments are too short to be measured or laid off.
-    #[error("a segment is too short: one to be measured shorter than 5 mm, or one to be laid off shorter than 4 mm")]
     Short,
     /// The band of a rate is too wide.
-    #[error("a rate cannot be found to 15 % by hand")]
     Unsure,
     /// An earlier exercise has the same numbers.
-    #[error("its numbers came before")]
     Same,
+}
+
+impl Refusal {
+    /// What it says.
+    #[must_use]
+    pub fn message(self) -> Message {
+        match self {
+            Refusal::Numbers => says::numbers(),
+            Refusal::Assembly => says::assembly(),
+            Refusal::Singular => says::singular(),
+            Refusal::NoConstruction => says::no_plans(),
+            Refusal::Routes => says::routes(),
+            Refusal::Crossing => says::crossing(),
+            Refusal::Sheet => says::sheet(),
+            Refusal::Short => says::short(),
+            Refusal::Unsure => says::unsure(),
+            Refusal::Same => says::same(),
+        }
+    }
 }
 
 impl Exercise {

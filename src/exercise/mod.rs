@@ -16,6 +16,8 @@
 mod find;
 mod judge;
 mod key;
+#[doc(hidden)] // for tests
+pub mod says;
 mod sheets;
 mod vary;
 

@@ -100,7 +100,7 @@ pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, Listed { poses, count 
         numbered.map(|(pose, number)| format!("{number:3}. {}", mode(mechanism, pose, &words).join("\n     "))),
     );
     if scene.given_by == GivenBy::Lengths {
-        lines.extend(search_warnings(mechanism.for_positions(), language));
+        lines.extend(search_warnings(mechanism.for_positions()).map(|warning| language.says(&warning)));
     }
     lines.join("\n") + "\n"
 }

@@ -1,6 +1,7 @@
 use super::drives::{link_angle_for_drive, places_from_drives, role};
 use super::group::group;
 use super::joint::{add_given, add_pins};
+use super::says;
 use super::shape::{Side, local_points};
 use super::structure::{Edge, Structure, structure};
 use super::{
@@ -8,6 +9,7 @@ use super::{
     StructureError,
 };
 use crate::geometry::{Point, Vector};
+use crate::message::Message;
 use crate::scene::{Along, GivenBy, Scene};
 use indexmap::IndexSet;
 use std::f64::consts::{PI, TAU};
@@ -81,9 +83,7 @@ fn groups(scene: &Scene, mechanism: &Mechanism) -> Result<Vec<Group>, StructureE
         return Err(StructureError::misfit(scene, mechanism, &under, missing, &over, surplus));
     }
     if members.is_empty() {
-        let message = "nothing to solve: every link's motion is given";
-        let hint = "add links between the driven links, the known points and the ground";
-        return Err(scene.error_at(&["links"], message, Some(hint.into())).into());
+        return Err(scene.error_at(&["links"], says::nothing_to_solve(), Some(says::add_links())).into());
     }
     let mut found = Vec::new();
     for component in components {
@@ -125,12 +125,8 @@ fn placing(scene: &Scene, mut mechanism: Mechanism, link: &str, angle: f64) -> R
     add_carriage(&mut mechanism, held, angle);
     add_pins(&mut mechanism);
     mechanism.groups = groups(scene, &mechanism).map_err(|_| {
-        let message = format!(
-            "the angle of link {link} cannot stand in place of the drive's: it does not change with that drive"
-        );
-        let hint = "say in the drive where it stands, or give the angle of a link that turns with it";
         let path = ["links", link, "angle"];
-        StructureError::from(scene.error_at(&path, message, Some(hint.into())))
+        StructureError::from(scene.error_at(&path, says::angle_of_another(link), Some(says::angle_in_drive())))
     })?;
     Ok(Placing { link: held, angle, mechanism })
 }
@@ -195,11 +191,7 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
                 local.iter_mut().for_each(|point| point.y = -point.y);
             }
             if side == Side::Unknown {
-                mechanism.warnings.push(format!(
-                    "link {name}: its lengths fit a triangle and its mirror image; the counter-clockwise one {} is taken. \
-                     Give rough places of its points in `near` to choose",
-                    link.points.join("-"),
-                ));
+                mechanism.warnings.push(says::mirror_image(name, link.points.join("-")));
             }
         }
         mechanism.bodies.push(body(name, &link.points, role, local));
@@ -223,31 +215,30 @@ impl StructureError {
     ) -> Self {
         let names = |links: &[BodyId]| {
             let names = links.iter().map(|&b| mechanism.body(b).name.as_str());
-            let noun = if links.len() == 1 { "link" } else { "links" };
-            format!("{noun} {}", names.collect::<Vec<_>>().join(", "))
+            let names = names.collect::<Vec<_>>().join(", ");
+            if links.len() == 1 { says::one_link(names) } else { says::several_links(names) }
         };
-        let many = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
         let mut parts = Vec::new();
         let mut hints = Vec::new();
         if !under.is_empty() {
-            let free = many(missing, "free motion");
-            parts.push(format!("{} can still move ({free} left)", names(under)));
-            hints.push(format!("add {} or a joint there", many(missing, "drive")));
+            let free = if missing == 1 { says::one_free_motion() } else { says::free_motions(missing) };
+            parts.push(says::can_still_move(names(under), free));
+            hints.push(if missing == 1 { says::add_a_drive() } else { says::add_drives(missing) });
         }
         if !over.is_empty() {
-            let surplus = many(surplus, "constraint");
-            parts.push(format!("{} cannot move as driven ({surplus} too many)", names(over)));
-            hints.push("take a drive or a joint away there".to_owned());
+            let surplus = if surplus == 1 { says::one_constraint() } else { says::constraints(surplus) };
+            parts.push(says::cannot_move(names(over), surplus));
+            hints.push(says::take_away());
         }
         parts.extend(mobility(scene, missing, surplus));
-        let hint = Some(hints.join("; "));
-        scene.error_at(&["links"], parts.join("; "), hint).into()
+        let hint = Some(Message::list(hints, "; "));
+        scene.error_at(&["links"], Message::list(parts, "; "), hint).into()
     }
 }
 
 /// The mobility of the joined links without drives, by the count of Grübler, beside the number of drives; `None` where motions are given otherwise than by
 /// drives.
-fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<String> {
+fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<Message> {
     if !scene.known.is_empty() || scene.links.values().any(|link| link.motion.is_some()) {
         return None;
     }
@@ -257,34 +248,29 @@ fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<String> {
     // The freedoms of the links that are joined but not driven: as many as drives, and those missing, less surplus constraints.
     let mobility = (drives + missing) as i64 - surplus as i64;
     let constraints = 3 * links as i64 - mobility;
-    let drives = if drives == 1 { "1 drive".to_owned() } else { format!("{drives} drives") };
-    Some(format!("mobility 3·{links} − {constraints} = {mobility} with {drives}"))
+    let drives = if drives == 1 { says::one_drive() } else { says::drives(drives) };
+    Some(says::mobility(links, constraints, mobility, drives))
 }
 
 /// Most by which a rounded angle may differ from a multiple of 15° in radians.
 const ROUNDED: f64 = 1e-3;
 
 /// Warnings of angles that are near multiples of π/12, less than a turn in radians, and no round number of degrees.
-fn radians_warnings(scene: &Scene) -> Vec<String> {
+fn radians_warnings(scene: &Scene) -> Vec<Message> {
     let links = scene.links.iter().filter_map(|(name, link)| {
         let angle = link.angle_deg.or(link.drive.and_then(|drive| drive.angle_deg))?;
-        Some((format!("the angle of link {name}"), angle))
+        Some((says::angle_of_link(name), angle))
     });
     let sliders = scene.sliders.iter().filter_map(|slider| match slider.along {
         Along::Degrees(angle) => {
             let slides = slider.link.as_ref().or(slider.pin.as_ref())?;
-            Some((format!("the guide of {slides}"), angle))
+            Some((says::guide_of(slides), angle))
         }
         _ => None,
     });
-    let near = scene.near.angles_deg.iter().map(|(name, &angle)| (format!("`near` for angle({name})"), angle));
+    let near = scene.near.angles_deg.iter().map(|(name, &angle)| (says::near_angle_of(name), angle));
     let all = links.chain(sliders).chain(near);
-    let warning = |(what, angle): (String, f64)| {
-        let degrees = degrees_meant(angle)?;
-        Some(format!(
-            "{what} is taken as {angle}°, which looks like radians: angles are in degrees, so {degrees} if that is meant"
-        ))
-    };
+    let warning = |(what, angle): (Message, f64)| Some(says::radians(what, angle, degrees_meant(angle)?));
     all.filter_map(warning).collect()
 }
 

@@ -1,7 +1,9 @@
 use super::joint::guide_line;
+use super::says;
 use super::shape::{Side, local_points};
 use super::{Mechanism, Role, StructureError};
 use crate::geometry::{Point, Vector, direction_of_degrees};
+use crate::message::Message;
 use crate::scene::{self, At, GivenBy, On, Scene};
 use indexmap::IndexMap;
 
@@ -33,10 +35,8 @@ pub(super) fn role(
     };
     let pivots: Vec<&String> = link.points.iter().filter(|p| scene.ground.contains(p)).collect();
     let [pivot] = pivots.as_slice() else {
-        let message =
-            format!("link {name} is driven, so it must have one point on the ground; it has {}", pivots.len());
-        let hint = "list the point about which it turns in `ground` and among the link's points";
-        return Err(scene.error_at(&["links", name, "drive"], message, Some(hint.into())).into());
+        let message = says::one_ground_point(name, pivots.len());
+        return Err(scene.error_at(&["links", name, "drive"], message, Some(says::list_pivot())).into());
     };
     let pivot = mechanism.point(pivot).expect("the ground's points were added first");
     Ok(Role::Driver { pivot, angle: drive.angle_deg, omega: drive.omega, alpha: drive.alpha })
@@ -46,8 +46,8 @@ pub(super) fn role(
 struct Drive {
     /// Its path in the scene.
     path: [String; 3],
-    /// What it drives, in words: `link 1`, `slider 3`.
-    driven: String,
+    /// What it drives.
+    driven: Message,
     /// The key of its position: `angle` or `position`.
     key: &'static str,
     /// Whether the scene gives its position.
@@ -60,7 +60,7 @@ fn drives(scene: &Scene) -> Vec<Drive> {
         let drive = link.drive.as_ref()?;
         Some(Drive {
             path: ["links".to_owned(), name.clone(), "drive".to_owned()],
-            driven: format!("link {name}"),
+            driven: says::driven_link(name),
             key: "angle",
             has_position: drive.angle_deg.is_some(),
         })
@@ -70,7 +70,7 @@ fn drives(scene: &Scene) -> Vec<Drive> {
         let sliding = s.link.as_ref().or(s.pin.as_ref());
         Some(Drive {
             path: ["sliders".to_owned(), index.to_string(), "drive".to_owned()],
-            driven: format!("slider {}", sliding.map_or("", String::as_str)),
+            driven: says::driven_slider(sliding.map_or("", String::as_str)),
             key: "position",
             has_position: drive.position.is_some(),
         })
@@ -88,17 +88,13 @@ pub(super) fn link_angle_for_drive(scene: &Scene) -> Result<Option<(&str, f64)>,
     if scene.given_by == GivenBy::Drawing {
         return Ok(None);
     }
-    let refuse =
-        |path: &[&str], message: String, hint: &str| Err(scene.error_at(path, message, Some(hint.into())).into());
+    let refuse = |path: &[&str], message: Message, hint: Message| Err(scene.error_at(path, message, Some(hint)).into());
     let drives = drives(scene);
     let mut open = drives.iter().filter(|d| !d.has_position);
     let mut angles = scene.links.iter().filter_map(|(name, link)| Some((name.as_str(), link.angle_deg?)));
     let (given, second) = (angles.next(), angles.next());
     if let (Some((first, _)), Some((second, _))) = (given, second) {
-        let message =
-            format!("links {first} and {second} both give an angle; that of one link can stand in place of a drive's");
-        let hint = "remove one of them; approximate angles stand in `near`";
-        return refuse(&["links", second, "angle"], message, hint);
+        return refuse(&["links", second, "angle"], says::two_angles(first, second), says::remove_one());
     }
     match (given, open.next(), open.next()) {
         (None, None, _) => Ok(None),
@@ -106,42 +102,19 @@ pub(super) fn link_angle_for_drive(scene: &Scene) -> Result<Option<(&str, f64)>,
         (Some((link, _)), None, _) => {
             let path = ["links", link, "angle"];
             let (message, hint) = match drives.as_slice() {
-                [] => (
-                    format!("link {link} gives an angle, but no link has a drive"),
-                    "add a drive with `omega` to the link that turns about a ground point",
-                ),
-                [only] => (
-                    format!(
-                        "link {link} gives an angle, but the drive of {} gives its {} already",
-                        only.driven, only.key
-                    ),
-                    "keep one of them; an approximate angle stands in `near`",
-                ),
-                _ => (
-                    format!("link {link} gives an angle, but every drive says already where it stands"),
-                    "keep one of them; an approximate angle stands in `near`",
-                ),
+                [] => (says::angle_without_drive(link), says::add_drive()),
+                [only] => (says::angle_beside(link, only.driven.clone(), only.key), says::keep_one()),
+                _ => (says::angle_beside_all(link), says::keep_one()),
             };
             refuse(&path, message, hint)
         }
         (Some((link, _)), Some(first), Some(second)) => {
-            let message = format!(
-                "the drives of {} and {} do not say where they stand; the angle of link {link} stands in place of one only",
-                first.driven, second.driven
-            );
-            let hint = format!("add \"{}\" to one of them", second.key);
-            refuse(&second.path.each_ref().map(String::as_str), message, &hint)
+            let message = says::two_open_drives(first.driven.clone(), second.driven.clone(), link);
+            refuse(&second.path.each_ref().map(String::as_str), message, says::add_to_one(second.key))
         }
         (None, Some(drive), _) => {
-            let message = format!("the drive of {} gives no `{}`", drive.driven, drive.key);
-            let hint = match drive.key {
-                "angle" => {
-                    "add \"angle\": degrees from +x to the link's axis; or give another link's `angle` in its place"
-                }
-                _ => {
-                    "add \"position\": its distance along the guide from `through`; or give a link's `angle` in its place"
-                }
-            };
+            let message = says::open_drive(drive.driven.clone(), drive.key);
+            let hint = if drive.key == "angle" { says::add_angle() } else { says::add_position() };
             refuse(&drive.path.each_ref().map(String::as_str), message, hint)
         }
     }

@@ -16,6 +16,8 @@ mod drives;
 mod group;
 mod joint;
 mod loops;
+#[doc(hidden)] // for tests
+pub mod says;
 mod shape;
 #[doc(hidden)] // for tests
 pub mod structure;
@@ -30,6 +32,7 @@ pub use loops::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduct
 
 use crate::Problem;
 use crate::geometry::{Point, Vector};
+use crate::message::Message;
 use crate::scene::{GivenBy, SceneError};
 
 /// Index of a named point in [`Mechanism::points`].
@@ -74,7 +77,7 @@ pub struct Mechanism {
     /// the side that they are on was taken.
     pub doubtful_sides: Vec<BodyId>,
     /// Remarks for the author of the scene that do not stop the computation.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// The mechanism with the given angle of a link in place of a drive. It has the same positions, but is solved from that
@@ -296,11 +299,9 @@ impl StructureError {
     pub fn problem(&self) -> Problem {
         match self {
             StructureError::Scene(error) => error.problem(),
-            StructureError::Singular { links, class, pattern } => Problem::new(format!(
-                "links {links} have no definite motion in any position: a group of class {class} with its prismatic joints as in {pattern} \
-                 is singular by its structure"
-            ))
-            .hint("make one of the prismatic joints revolute"),
+            StructureError::Singular { links, class, pattern } => {
+                Problem::new(says::singular(links, *class, pattern)).hint(says::make_revolute())
+            }
         }
     }
 }

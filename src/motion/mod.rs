@@ -35,6 +35,8 @@
 
 mod moving;
 mod refine;
+#[doc(hidden)] // for tests
+pub mod says;
 mod solve;
 
 pub use moving::Places;
@@ -48,6 +50,7 @@ pub(crate) use solve::bounded_motion;
 use crate::Problem;
 use crate::geometry::{Point, Vector, quarter_turn};
 use crate::mechanism::{BodyId, SliderId};
+use crate::message::Message;
 use crate::position::Pose;
 use crate::sheet::Order;
 
@@ -139,7 +142,7 @@ pub struct Motion {
     /// By group: the condition number of its scaled loop equations, at least 1.
     pub conditions: Vec<f64>,
     /// Warnings on groups near a singular position.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Motion {
@@ -178,8 +181,8 @@ pub enum MotionError {
     Singular {
         /// The group's links.
         links: String,
-        /// The concurrent or parallel lines, in words.
-        reason: String,
+        /// The concurrent or parallel lines.
+        reason: Message,
         /// Condition number of the loop equations; infinite where a pivot vanishes.
         condition: f64,
     },
@@ -193,15 +196,13 @@ impl MotionError {
     pub fn problem(&self) -> Problem {
         match self {
             MotionError::Singular { links, reason, condition } => {
-                let how =
-                    if condition.is_finite() { format!("condition {condition:.1e}") } else { "exactly".to_owned() };
-                Problem::new(format!("links {links} are in a singular position: {reason} ({how})"))
-                    .hint("another crank angle, or move one of these joints off the common line or point")
+                let message = match condition.is_finite() {
+                    true => says::singular(links, reason.clone(), format!("{condition:.1e}")),
+                    false => says::singular_exactly(links, reason.clone()),
+                };
+                Problem::new(message).hint(says::move_a_joint())
             }
-            MotionError::Overflow(links) => Problem::new(format!(
-                "links {links}: a distance, a velocity or an acceleration is too large to be represented"
-            ))
-            .hint("larger units of length, or slower drives"),
+            MotionError::Overflow(links) => Problem::new(says::overflow(links)).hint(says::larger_units()),
         }
     }
 }

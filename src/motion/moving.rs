@@ -1,6 +1,7 @@
 use super::{BodyMotion, Motion, MotionErrors, SlideMotion};
 use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::message::Message;
 use crate::position::Pose;
 use crate::sheet::Order;
 
@@ -97,7 +98,7 @@ impl State {
     }
 
     /// All motions rounded to f64; with [`Order::Velocity`] accelerations are zero.
-    pub fn rounded(mut self, order: Order, conditions: Vec<f64>, warnings: Vec<String>) -> Motion {
+    pub fn rounded(mut self, order: Order, conditions: Vec<f64>, warnings: Vec<Message>) -> Motion {
         if order == Order::Velocity {
             for body in &mut self.bodies {
                 (body.acceleration, body.alpha) = Default::default();

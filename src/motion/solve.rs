@@ -1,10 +1,11 @@
 use super::moving::{BoundedMotion, BoundedSlide, Places, State};
 use super::refine::{Solver, acceleration_sides, velocity_sides};
-use super::{Motion, MotionError};
+use super::{Motion, MotionError, says};
 use crate::geometry::{Ball, Line, UNIT_ROUNDOFF, Vector, cross, quarter_turn};
 use crate::mechanism::{
     AngularRate, BodyId, Class, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
 };
+use crate::message::Message;
 use crate::position::Pose;
 use crate::sheet::Order;
 use smallvec::smallvec;
@@ -35,10 +36,8 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
         })?;
         if condition > NEARLY_SINGULAR_CONDITION {
             let digits = -libm::log10(condition * UNIT_ROUNDOFF);
-            warnings.push(format!(
-                "links {} are near a singular position (condition {condition:.1e}): coordinates of 16 digits determine about {digits:.0} digits of their rates",
-                group.link_names(mechanism),
-            ));
+            let (links, condition) = (group.link_names(mechanism), format!("{condition:.1e}"));
+            warnings.push(says::near_singular(links, condition, format!("{digits:.0}")));
         }
         conditions.push(condition);
     }
@@ -274,12 +273,12 @@ pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condit
     let directions: Vec<Vector> =
         pairs.iter().filter_map(|&[a, b]| joint_line(mechanism, pose, a, b)?.direction()).collect();
     let parallel = directions.len() == pairs.len() && directions.windows(2).all(|d| cross(d[0], d[1]).abs() < 1e-6);
-    let names: Vec<String> = pairs.iter().map(|&[a, b]| line_name(mechanism, a, b)).collect();
-    let reason = match (group.class, parallel) {
-        (Class::Higher, _) => "its loops have no definite motion".to_owned(),
-        (Class::Second, _) => format!("{} lie in one line", names.join(" and ")),
-        (_, true) => format!("the lines {} are parallel", names.join(", ")),
-        (_, false) => format!("the lines {} meet in one point", names.join(", ")),
+    let names: Vec<Message> = pairs.iter().map(|&[a, b]| line_name(mechanism, a, b)).collect();
+    let reason = match (group.class, names.as_slice()) {
+        (Class::Higher, _) => says::no_definite_motion(),
+        (Class::Second, [first, second]) => says::in_one_line(first.clone(), second.clone()),
+        _ if parallel => says::parallel(Message::list(names, ", ")),
+        _ => says::in_one_point(Message::list(names, ", ")),
     };
     MotionError::Singular { links: group.link_names(mechanism), reason, condition }
 }
@@ -308,14 +307,14 @@ fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Opt
     }
 }
 
-/// The line through two joints, in words.
-fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> String {
+/// The line through two joints.
+fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> Message {
     let name = |j: JointId| mechanism.point_name(mechanism.joint_point(j)).to_owned();
     let slides = |j: JointId| mechanism.joint(j).slider.is_some();
     match (slides(a), slides(b)) {
-        (false, false) => format!("{}{}", name(a), name(b)),
-        (true, false) => format!("through {} normal to the guide at {}", name(b), name(a)),
-        (false, true) => format!("through {} normal to the guide at {}", name(a), name(b)),
-        (true, true) => format!("at infinity (guides at {} and {})", name(a), name(b)),
+        (false, false) => format!("{}{}", name(a), name(b)).into(),
+        (true, false) => says::normal_to_guide(name(b), name(a)),
+        (false, true) => says::normal_to_guide(name(a), name(b)),
+        (true, true) => says::at_infinity(name(a), name(b)),
     }
 }

@@ -1,10 +1,12 @@
 use super::closing::places;
 use super::modes::NoMode;
 use super::nearest::nearest;
+use super::says;
 use super::tree::{Count, Listing, Tree, WholeAssembly, counted};
 use super::{Assembly, AssemblyError, Pose};
 use crate::geometry::{Point, Vector, span, unit};
 use crate::mechanism::{Guide, Mechanism, PointId, Role, mirrored_mechanism};
+use crate::message::Message;
 use crate::scene::{GivenBy, Near, Scene};
 
 /// Most assemblies of a whole mechanism that are listed.
@@ -21,9 +23,6 @@ const FAR: f64 = 0.22;
 
 /// Number of assemblies that a warning lists.
 const LISTED: usize = 8;
-
-/// The warning that not all assemblies have been compared.
-const UNPROVEN: &str = "`near` leaves too many assemblies open to compare them all, and the one taken may not be the nearest: give rough places of more points in it";
 
 /// Lengths must lie between the inverse of this and this: closing a loop takes their fourth powers.
 const LARGEST: f64 = 1e70;
@@ -142,15 +141,14 @@ fn tree<'a>(mechanism: &'a Mechanism, near: &Near) -> Result<Tree<'a>, AssemblyE
     let bodies = mechanism.bodies.iter();
     let spans = bodies.map(|b| span(b.local.iter().copied()));
     let size = spans.fold(0.0, f64::max);
-    let how = if size > LARGEST { "large" } else { "small" };
     match size == 0.0 || (1.0 / LARGEST..=LARGEST).contains(&size) {
         true => Ok(Tree::new(mechanism.for_positions(), near)),
-        false => Err(AssemblyError::Size { size, how }),
+        false => Err(AssemblyError::Size { size, is_large: size > LARGEST }),
     }
 }
 
 /// The first assembly, with a warning if it is not the only one.
-fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, Vec<String>), AssemblyError> {
+fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, Vec<Message>), AssemblyError> {
     let (found, is_all) = listed(mechanism, tree, LISTED + 1)?;
     let warning = (found.len() > 1).then(|| {
         let number = found.len() as u64;
@@ -163,15 +161,15 @@ fn first(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, V
 }
 
 /// The assembly nearest to the rough places, with warnings about the choice.
-fn closest(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, Vec<String>), AssemblyError> {
+fn closest(mechanism: &Mechanism, tree: &mut Tree<'_>) -> Result<(WholeAssembly, Vec<Message>), AssemblyError> {
     let Some(nearest) = nearest(tree) else {
         return match listed(mechanism, tree, 1)?.0.pop() {
-            Some(whole) => Ok((whole, vec![UNPROVEN.to_owned()])),
+            Some(whole) => Ok((whole, vec![says::unproven()])),
             None => Err(AssemblyError::TooMuchWork),
         };
     };
     let remark = far_remark(tree, &nearest.whole);
-    let unproven = (!nearest.is_proven).then(|| UNPROVEN.to_owned());
+    let unproven = (!nearest.is_proven).then(says::unproven);
     Ok((nearest.whole, unproven.into_iter().chain(remark).collect()))
 }
 
@@ -215,52 +213,47 @@ fn number(tree: &mut Tree<'_>, whole: &WholeAssembly) -> Option<Assembly> {
     (!listing.is_stopped).then_some(Assembly { mode, modes: mode + rest })
 }
 
-/// The given drive angles and positions in words, as in ` at angle(1) = 70°`.
-fn given_angles(mechanism: &Mechanism) -> String {
+/// The given drive angles and positions, as ` at angle(1) = 70°`.
+fn given_angles(mechanism: &Mechanism) -> Message {
     let turned = mechanism.bodies.iter().filter_map(|b| match b.role {
-        Role::Driver { angle: Some(angle), .. } => Some(format!(" at angle({}) = {angle}°", b.name)),
+        Role::Driver { angle: Some(angle), .. } => {
+            Some(says::at_value(format!("angle({})", b.name), format!("{angle}°")))
+        }
         _ => None,
     });
     let pushed = mechanism.slider_ids().filter_map(|id| {
         let position = mechanism.slider(id).drive?.position?;
         let name = mechanism.push_name(id);
-        Some(format!(" at position({name}) = {position}"))
+        Some(says::at_value(format!("position({name})"), position))
     });
     let placed = mechanism.placing.iter().map(|placing| {
         let name = &mechanism.body(placing.link).name;
-        format!(" at angle({name}) = {}°", placing.angle)
+        says::at_value(format!("angle({name})"), format!("{}°", placing.angle))
     });
-    turned.chain(pushed).chain(placed).collect::<Vec<_>>().join(",")
+    Message::list(turned.chain(pushed).chain(placed), ",")
 }
 
 /// The warning that the nearest assembly is far from `near`: as a whole, or else in one of its places.
-fn far_remark(tree: &mut Tree<'_>, nearest: &WholeAssembly) -> Option<String> {
+fn far_remark(tree: &mut Tree<'_>, nearest: &WholeAssembly) -> Option<Message> {
     let mechanism = tree.mechanism;
     let (points, _) = places(mechanism, &nearest.frames);
     let size = span(points.iter().copied());
     let distance = tree.distance(nearest);
     if distance > 0.5 * size {
-        return Some(format!(
-            "`near` is {distance:.4} away (root mean square) from the closest of {} assembly modes, more than half the mechanism's size {size:.4}: \
-             check its coordinates",
-            counted(tree, LITTLE_WORK),
-        ));
+        let count = counted(tree, LITTLE_WORK).told();
+        return Some(says::far_off(format!("{distance:.4}"), count, format!("{size:.4}")));
     }
     let off = |&(p, rough): &(PointId, Point)| (p, (points[p.0] - rough).norm());
     let (point, off) = tree.assembler.rough.points.iter().map(off).max_by(|a, b| a.1.total_cmp(&b.1))?;
     (off > FAR * size).then(|| {
         let (name, place) = (mechanism.point_name(point), points[point.0]);
-        format!(
-            "point {name} is at [{:.4}, {:.4}], {off:.4} away from its place in `near`, in the closest of {} assembly modes: check its coordinates",
-            place.x,
-            place.y,
-            counted(tree, LITTLE_WORK),
-        )
+        let [x, y, off] = [place.x, place.y, off].map(|number| format!("{number:.4}"));
+        says::point_far_off(name, x, y, off, counted(tree, LITTLE_WORK).told())
     })
 }
 
 /// The warning that `near` does not choose, with the first assemblies listed.
-fn not_chosen(mechanism: &Mechanism, first: &[WholeAssembly], count: Count) -> String {
+fn not_chosen(mechanism: &Mechanism, first: &[WholeAssembly], count: Count) -> Message {
     let listed = first.iter().take(LISTED).enumerate().map(|(index, whole)| {
         let (points, _) = places(mechanism, &whole.frames);
         let places = mechanism.inner_points().into_iter().map(|p| {
@@ -272,10 +265,7 @@ fn not_chosen(mechanism: &Mechanism, first: &[WholeAssembly], count: Count) -> S
     let listed = listed.collect::<Vec<_>>().join("; ");
     let more = if first.len() > LISTED { "; …" } else { "" };
     let links: Vec<String> = mechanism.groups.iter().map(|g| g.link_names(mechanism)).collect();
-    format!(
-        "links {} can be assembled in {count} ways and `near` is not given, so mode 1 is taken: {listed}{more}",
-        links.join(", "),
-    )
+    says::not_chosen(links.join(", "), count.told(), listed + more)
 }
 
 /// The pose of a drawn configuration: the scene's coordinates, unchanged.
@@ -343,10 +333,7 @@ pub fn with_nearest_sides(scene: &Scene, mechanism: Mechanism) -> Mechanism {
     for (link, name) in names.iter().enumerate() {
         let others = trials.iter().filter(|(turned, _)| turned[link] != best[link]).map(|(_, distance)| *distance);
         if others.fold(f64::INFINITY, f64::min) < CLEAR * least {
-            chosen.warnings.push(format!(
-                "link {name}: its points lie nearly on a line, and `near` fits its triangle and the mirror image almost equally well; \
-                 the nearer one is taken. Give its `shape`, or places in `near` with more digits, to choose"
-            ));
+            chosen.warnings.push(says::nearly_flat(name));
         }
     }
     chosen

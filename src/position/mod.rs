@@ -25,6 +25,8 @@ pub mod legs;
 mod modes;
 mod nearest;
 mod platform;
+#[doc(hidden)] // for tests
+pub mod says;
 mod search;
 mod tree;
 
@@ -36,6 +38,7 @@ pub(crate) use tree::search_warnings;
 use crate::Problem;
 use crate::geometry::{Point, Vector, span};
 use crate::mechanism::{PointId, SliderId};
+use crate::message::Message;
 
 /// Distance of points that counts as none, in sizes of the mechanism.
 const SAME: f64 = 1e-6;
@@ -55,7 +58,7 @@ pub struct Pose {
     /// By group: its assembly mode; none in a drawn configuration.
     pub assemblies: Vec<Option<Assembly>>,
     /// Warnings on the choice of the mode.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// An assembly mode of a group.
@@ -106,10 +109,10 @@ pub enum AssemblyError {
     NoMode {
         /// The group's links.
         links: String,
-        /// The drive angles, in words, as in ` at angle(1) = 150°`.
-        at: String,
-        /// The distance by which its links fail to meet, in words.
-        miss: String,
+        /// The drive angles, as ` at angle(1) = 150°`.
+        at: Message,
+        /// The distance by which its links fail to meet.
+        miss: Message,
     },
     /// The guides of a link's two sliders are parallel: nothing holds it along them.
     ParallelGuides {
@@ -122,8 +125,8 @@ pub enum AssemblyError {
     Size {
         /// The largest length, in the scene's unit.
         size: f64,
-        /// `large` or `small`.
-        how: &'static str,
+        /// Whether it is too large, not too small.
+        is_large: bool,
     },
     /// There is no assembly mode of this number.
     NoSuchMode {
@@ -145,10 +148,10 @@ pub enum AssemblyError {
     NotFound {
         /// The group's links.
         links: String,
-        /// The drive angles, in words, as in ` at angle(1) = 150°`.
-        at: String,
-        /// The number of starts and the smallest gap, in words.
-        tried: String,
+        /// The drive angles, as ` at angle(1) = 150°`.
+        at: Message,
+        /// The number of starts and the smallest gap.
+        tried: Message,
     },
 }
 
@@ -158,34 +161,21 @@ impl AssemblyError {
     pub fn problem(&self) -> Problem {
         let (message, hint) = match self {
             AssemblyError::NoMode { links, at, miss } => {
-                (format!("links {links} cannot be assembled{at}: {miss}"), "another drive angle, or other lengths")
+                (says::no_mode(links, at.clone(), miss.clone()), says::other_angle_or_lengths())
             }
-            AssemblyError::ParallelGuides { links, link } => (
-                format!("links {links} cannot be assembled: the two guides that meet at link {link} are parallel"),
-                "`turned` of one of its sliders, the degrees from the guide to the link's axis, sets them at an angle",
-            ),
-            AssemblyError::Size { size, how } => (
-                format!(
-                    "lengths of about {size:e} are too {how} to assemble from: their fourth powers leave the range of numbers"
-                ),
-                "another unit of length",
-            ),
-            AssemblyError::NoSuchMode { mode, count } => {
-                (format!("there is no assembly mode {mode}: there are {count}"), "`kinegon modes` lists them")
+            AssemblyError::ParallelGuides { links, link } => (says::parallel_guides(links, link), says::turn_one()),
+            AssemblyError::Size { size, is_large } => {
+                let size = format!("{size:e}");
+                (if *is_large { says::too_large(size) } else { says::too_small(size) }, says::other_unit())
             }
-            AssemblyError::TooManyModes { mode, count } => (
-                format!("assembly mode {mode} is too far on: counting was stopped after {count}"),
-                "rough places in `near`, which choose without counting",
-            ),
-            AssemblyError::TooMuchWork => (
-                "no way to assemble all links was found: the first ones can be put together in too many ways"
-                    .to_owned(),
-                "rough places of their points in `near`",
-            ),
-            AssemblyError::NotFound { links, at, tried } => (
-                format!("no way to assemble links {links}{at} was found: {tried}"),
-                "rough places of their points in `near`, another drive angle, or other lengths",
-            ),
+            AssemblyError::NoSuchMode { mode, count } => (says::no_such_mode(*mode, *count), says::modes_listed()),
+            AssemblyError::TooManyModes { mode, count } => {
+                (says::too_many_modes(*mode, *count), says::rough_places_choose())
+            }
+            AssemblyError::TooMuchWork => (says::too_much_work(), says::rough_places()),
+            AssemblyError::NotFound { links, at, tried } => {
+                (says::not_found(links, at.clone(), tried.clone()), says::rough_places_or_other())
+            }
         };
         Problem::new(message).hint(hint)
     }

@@ -1,9 +1,11 @@
 use super::closing::{Assembled, Closer, places};
 use super::frames::{Frames, pinned};
 use super::platform::Platform;
+use super::says;
 use super::search::{Rough, Search};
 use crate::geometry::{BoundingBox, Point, Turn, Vector, cross, degrees_of};
 use crate::mechanism::{BodyId, Class, Group, LoopEquations, Mechanism, SliderId};
+use crate::message::Message;
 use std::cmp::Ordering;
 
 /// Largest gap of a closed loop, relative to the mechanism's size: far more than the rounding that Newton's method
@@ -41,12 +43,12 @@ const MOVABLE: f64 = 1e10;
 
 /// Reasons why a group has no assembly mode.
 pub(super) enum NoMode {
-    /// There is none: the distance by which its links fail to meet, in words.
-    Apart(String),
+    /// There is none: the distance by which its links fail to meet.
+    Apart(Message),
     /// The guides of a link's two sliders are parallel: its name.
     Parallel(String),
-    /// The search found none: number of starts and smallest gap, in words.
-    NotFound(String),
+    /// The search found none: number of starts and smallest gap.
+    NotFound(Message),
 }
 
 /// Finds the assembly modes of one group after another, over and over, for all assemblies of the groups before.
@@ -119,11 +121,11 @@ impl<'a> Assembler<'a> {
                 }
             }
             if modes.found.is_empty() {
-                let mut tried = format!("none of {} starts closes", search.starts);
-                if modes.smallest_gap.is_finite() {
-                    let gap = modes.smallest_gap;
-                    tried += &format!(", the nearest leaves a gap of {gap:.1e} of the mechanism's size");
-                }
+                let (starts, gap) = (search.starts, modes.smallest_gap);
+                let tried = match gap.is_finite() {
+                    true => says::none_closes_but(starts, format!("{gap:.1e}")),
+                    false => says::none_closes(starts),
+                };
                 return Err(NoMode::NotFound(tried));
             }
         }

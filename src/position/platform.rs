@@ -1,8 +1,10 @@
 use super::closing::Assembled;
 use super::frames::{Frames, LegJoint, pinned, placement_in_compound, placement_towards};
 use super::legs::{LegCondition, joined_placements, placements, smallest_deviation};
+use super::says;
 use crate::geometry::{Placement, Vector, cross};
 use crate::mechanism::{BodyId, Class, Group, JointId, Mechanism, SliderId};
+use crate::message::Message;
 
 /// Sine of the angle between guides below which they are parallel: degrees in files are rounded.
 const PARALLEL: f64 = 1e-9;
@@ -162,15 +164,13 @@ impl<'a> Platform<'a> {
     }
 
     /// The smallest distance by which the legs fail to meet, in words.
-    pub(super) fn miss(&self) -> String {
+    pub(super) fn miss(&self) -> Message {
         match smallest_deviation(self.direct.as_ref(), &self.conditions()) {
-            Some((leg, miss)) => format!(
-                "with everything else closed, {} would have to be {:.4} {}",
-                self.names[leg],
-                miss.abs(),
-                if miss > 0.0 { "longer" } else { "shorter" }
-            ),
-            None => "its guides and lengths never meet".to_owned(),
+            Some((leg, miss)) => {
+                let (leg, by) = (&self.names[leg], format!("{:.4}", miss.abs()));
+                if miss > 0.0 { says::longer(leg, by) } else { says::shorter(leg, by) }
+            }
+            None => says::never_meet(),
         }
     }
 }

@@ -1,13 +1,13 @@
 use super::closing::places;
 use super::frames::{Frames, driven_position};
 use super::modes::{Assembler, NoMode};
+use super::says;
 use super::search::{Rough, chord};
 use super::{Assembly, Pose};
 use crate::geometry::{Placement, Vector, span};
 use crate::mechanism::{BodyId, Class, Joint, Mechanism, PointId, Role};
+use crate::message::Message;
 use crate::scene::Near;
-use crate::words::{Language, Wording};
-use std::fmt;
 
 /// The assemblies of a mechanism as a tree: each mode of a group leaves the groups after it modes of their own.
 ///
@@ -191,17 +191,17 @@ impl WholeAssembly {
             guides,
             slides: self.slides[..mechanism.sliders.len()].iter().copied().map(Some).collect(),
             assemblies: self.assemblies,
-            warnings: search_warnings(mechanism.for_positions(), Wording::default().language).collect(),
+            warnings: search_warnings(mechanism.for_positions()).collect(),
         }
     }
 }
 
 /// Warnings for groups whose assembly modes come from a search, not from a polynomial. A group without a loop has one
 /// mode.
-pub(crate) fn search_warnings(mechanism: &Mechanism, language: &Language) -> impl Iterator<Item = String> {
+pub(crate) fn search_warnings(mechanism: &Mechanism) -> impl Iterator<Item = Message> {
     let groups = mechanism.groups.iter();
     let higher = groups.filter(|group| group.class == Class::Higher && !group.loops.is_empty());
-    higher.map(|group| language.modes_searched(&group.link_names(mechanism)))
+    higher.map(|group| says::searched(group.link_names(mechanism)))
 }
 
 /// All assemblies of a mechanism, one after another in the order of their numbers: that of the first group's modes,
@@ -279,10 +279,10 @@ pub struct Count {
     pub is_exact: bool,
 }
 
-impl fmt::Display for Count {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let least = if self.is_exact { "" } else { "at least " };
-        write!(f, "{least}{}", self.number)
+impl Count {
+    /// It in a message.
+    pub(super) fn told(self) -> Message {
+        if self.is_exact { self.number.into() } else { says::at_least(self.number) }
     }
 }
 

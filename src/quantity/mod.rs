@@ -13,6 +13,8 @@
 mod band;
 mod name;
 mod reading;
+#[doc(hidden)] // for tests
+pub mod says;
 mod unit;
 mod value;
 

@@ -1,41 +1,50 @@
 //! Names of quantities, and the quantities they name.
 
+use super::says;
 use crate::Problem;
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::message::Message;
 use crate::scene::{Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
 
 /// Why a quantity has no value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{}", self.problem().message)]
 #[non_exhaustive]
 pub enum QuantityError {
     /// The name has none of the known forms.
-    #[error(
-        "`{0}` is no quantity; known forms: omega(2) alpha(2) angle(2) x(D) y(D) v(D) a(D) v(D/G) a(D/G) a_n(D/G) a_t(D/G) \
-         a_c(3/2) position(3/2) v_r(3/2) a_r(3/2) L(B,S3) vplan(b,s3) aplan(n_b3,s3); vectors also with .x .y .size .angle, \
-         plan segments with /mu"
-    )]
     Form(String),
     /// The name contains a link, slider or point that this scene does not have.
-    #[error("`{quantity}`: there is no {what} `{name}` here{}", nearest.iter().map(|k| format!("; did you mean `{k}`?")).collect::<String>())]
     Unknown {
         /// The whole name.
         quantity: String,
-        /// The kind of what is missing, as `link`.
-        what: &'static str,
+        /// The kind of what is missing.
+        what: Part,
         /// Its name.
         name: String,
         /// A similar name, if there is one.
         nearest: Option<String>,
     },
     /// The quantity lies at infinity, has no zero to count from, or needs what was not computed.
-    #[error("`{0}` has no value here: {1}")]
-    NoValue(String, &'static str),
+    NoValue(String, Message),
     /// A length on paper has no curve.
-    #[error("{}", self.problem())]
     OnPaper(String),
+}
+
+/// What the name of a quantity has in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Part {
+    /// A link.
+    Link,
+    /// A slider.
+    Slider,
+    /// A point.
+    Point,
+    /// A point of a plan.
+    PlanPoint,
 }
 
 impl QuantityError {
@@ -43,11 +52,23 @@ impl QuantityError {
     #[must_use]
     pub fn problem(&self) -> Problem {
         match self {
-            QuantityError::OnPaper(name) => Problem::new(format!(
-                "`{name}` has no value here: a length on paper belongs to the figure of one position"
-            ))
-            .hint("the name without `/mu`"),
-            other => Problem::new(other.to_string()),
+            QuantityError::Form(name) => says::no_quantity(name).into(),
+            QuantityError::Unknown { quantity, what, name, nearest } => {
+                let message = match what {
+                    Part::Link => says::no_link(quantity, name),
+                    Part::Slider => says::no_slider(quantity, name),
+                    Part::Point => says::no_point(quantity, name),
+                    Part::PlanPoint => says::no_plan_point(quantity, name),
+                };
+                match nearest {
+                    Some(near) => says::did_you_mean(message, near).into(),
+                    None => message.into(),
+                }
+            }
+            QuantityError::NoValue(name, why) => says::no_value(name, why.clone()).into(),
+            QuantityError::OnPaper(name) => {
+                Problem::new(says::no_value(name, says::on_paper())).hint(says::without_mu())
+            }
         }
     }
 }
@@ -148,7 +169,7 @@ impl QuantityRequest {
 
 pub(super) fn unknown<'n>(
     quantity: &str,
-    what: &'static str,
+    what: Part,
     name: &str,
     known: impl Iterator<Item = &'n str>,
 ) -> QuantityError {
@@ -211,14 +232,14 @@ impl Finder<'_> {
     fn link(&self, name: &str) -> Result<BodyId, QuantityError> {
         let links = || self.mechanism.links().map(|(_, b)| b.name.as_str());
         let found = self.mechanism.link(name);
-        found.ok_or_else(|| unknown(self.name, "link", name, links()))
+        found.ok_or_else(|| unknown(self.name, Part::Link, name, links()))
     }
 
     fn slider(&self, name: &str) -> Result<SliderId, QuantityError> {
         let names: Vec<String> = self.mechanism.slider_ids().map(|id| self.mechanism.slider_name(id)).collect();
         let found = names.iter().position(|n| n == name).map(SliderId);
         let known = || names.iter().map(String::as_str);
-        found.ok_or_else(|| unknown(self.name, "slider", name, known()))
+        found.ok_or_else(|| unknown(self.name, Part::Slider, name, known()))
     }
 
     /// The names of special points, each with the link to which it belongs.
@@ -246,7 +267,7 @@ impl Finder<'_> {
         }
         let points = self.mechanism.points.iter().map(String::as_str);
         let known = points.chain(self.special().map(|(name, _)| name));
-        Err(unknown(self.name, "point", name, known))
+        Err(unknown(self.name, Part::Point, name, known))
     }
 
     /// The link to which both places belong; else a link of the first place that driven sliders join to one of the

@@ -1,9 +1,11 @@
 //! Values of quantities in a position.
 
-use super::name::{AccelerationPart, QuantityError, QuantityRequest, Spot, What, unknown};
+use super::name::{AccelerationPart, Part, QuantityError, QuantityRequest, Spot, What, unknown};
+use super::says;
 use crate::construction::{Construction, Rate, Solution, image_name, normal_name};
 use crate::geometry::{Point, Vector, degrees_of, quarter_turn};
 use crate::mechanism::{BodyId, PointId, SliderId};
+use crate::message::Message;
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::scene::Component;
@@ -61,7 +63,7 @@ impl QuantityRequest {
     ) -> Result<Quantity, QuantityError> {
         use Quantity::{Number, Vector};
         if self.written.needs_accelerations() && !state.has_accelerations() {
-            return Err(self.none("accelerations were not asked for"));
+            return Err(self.none(says::no_accelerations()));
         }
         let reader = Reader { asked: self, state, construction };
         let value = match &self.what {
@@ -69,12 +71,11 @@ impl QuantityRequest {
             What::Rate(Rate::Slide(order, id)) => Number(state.slide_rates(*id)[*order]),
             What::Angle(link) => {
                 let axis = state.axis(*link);
-                Number(degrees_of(axis.ok_or_else(|| self.none("the link has no axis"))?))
+                Number(degrees_of(axis.ok_or_else(|| self.none(says::no_axis()))?))
             }
             What::SlidePosition(id) => {
                 let position = state.slide_position(*id);
-                let why = "the guide has no point to count from";
-                Number(position.ok_or_else(|| self.none(why))?)
+                Number(position.ok_or_else(|| self.none(says::no_zero()))?)
             }
             What::Coriolis(id, on) => {
                 let twice = 2.0 * state.angular_rates(*on)[0] * state.slide_rates(*id)[0];
@@ -94,8 +95,8 @@ impl QuantityRequest {
             What::Segment(order, ends) => {
                 let length = reader.segment(*order, ends)?;
                 let mu = scales.and_then(|scales| scales[order.sheet()]);
-                let mm = length / mu.ok_or_else(|| self.none("the figure has no such plan, so no scale"))?;
-                Number(if mm.is_finite() { mm } else { return Err(self.none("the scale is too small for it")) })
+                let mm = length / mu.ok_or_else(|| self.none(says::no_plan_no_scale()))?;
+                Number(if mm.is_finite() { mm } else { return Err(self.none(says::scale_too_small())) })
             }
         };
         Ok(match (value, self.written.component) {
@@ -109,7 +110,7 @@ impl QuantityRequest {
         })
     }
 
-    pub(super) fn none(&self, why: &'static str) -> QuantityError {
+    pub(super) fn none(&self, why: Message) -> QuantityError {
         QuantityError::NoValue(self.name.clone(), why)
     }
 }
@@ -128,9 +129,9 @@ impl<S: State> Reader<'_, S> {
             Spot::Point(body, point, _) => Ok((*body, self.state.place(*point))),
             Spot::Special(name) => {
                 let special = self.construction.and_then(|c| c.special_point(name));
-                let special = special.ok_or_else(|| self.asked.none("there is no construction"))?;
+                let special = special.ok_or_else(|| self.asked.none(says::no_construction()))?;
                 let place = special.place.finite();
-                let place = place.ok_or_else(|| self.asked.none("the special point lies at infinity"))?;
+                let place = place.ok_or_else(|| self.asked.none(says::at_infinity()))?;
                 Ok((special.link, place))
             }
         }
@@ -159,20 +160,20 @@ impl<S: State> Reader<'_, S> {
             }
         }
         let arm = self.place(a)?.1 - self.place(b)?.1;
-        let link = link.ok_or_else(|| self.asked.none("the two points are not on one link"))?;
+        let link = link.ok_or_else(|| self.asked.none(says::not_on_one_link()))?;
         let [omega, alpha] = self.state.angular_rates(link);
         Ok([arm * -(omega * omega), quarter_turn(arm) * alpha])
     }
 
     /// The length of a plan segment, in the plan's units.
     fn segment(&self, order: Order, ends: &[String; 2]) -> Result<f64, QuantityError> {
-        let construction = self.construction.ok_or_else(|| self.asked.none("there is no construction"))?;
-        let plan = construction.plan(order).ok_or_else(|| self.asked.none("there is no such plan"))?;
+        let construction = self.construction.ok_or_else(|| self.asked.none(says::no_construction()))?;
+        let plan = construction.plan(order).ok_or_else(|| self.asked.none(says::no_plan()))?;
         let [from, to] = ends.each_ref().map(|name| construction.plan_name(order, name));
         for name in [from, to] {
             if !plan.points.contains_key(name) {
                 let known = plan.points.keys().map(String::as_str);
-                return Err(unknown(&self.asked.name, "plan point", name, known));
+                return Err(unknown(&self.asked.name, Part::PlanPoint, name, known));
             }
         }
         Ok(plan.segment(from, to).map_or(0.0, |v| v.norm()))

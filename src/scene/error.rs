@@ -3,7 +3,9 @@
 
 pub(super) use crate::text::shown as shortened;
 
+use super::says;
 use crate::Problem;
+use crate::message::Message;
 use jsonc_parser::ast::Value;
 use jsonc_parser::common::Ranged;
 use jsonc_parser::{CollectOptions, ParseOptions, ParseResult, errors::ParseError, parse_to_ast};
@@ -20,9 +22,9 @@ pub struct SceneError {
     /// The place in the text; `None` for the text as a whole.
     pub place: Option<Place>,
     /// What is wrong.
-    pub message: String,
+    pub message: Message,
     /// What to try.
-    pub hint: Option<String>,
+    pub hint: Option<Message>,
 }
 
 /// A place in the scene's text.
@@ -52,7 +54,7 @@ impl fmt::Display for SceneError {
         if !self.path.is_empty() {
             write!(f, "{}: ", self.path)?;
         }
-        f.write_str(&self.message)?;
+        write!(f, "{}", self.message)?;
         match &self.hint {
             Some(hint) => write!(f, "; hint: {hint}"),
             None => Ok(()),
@@ -71,24 +73,24 @@ pub(super) struct Wrong {
     /// The range of bytes, if it is known.
     pub bytes: Option<Range<usize>>,
     /// The message.
-    pub message: String,
+    pub message: Message,
     /// What to try.
-    pub hint: Option<String>,
+    pub hint: Option<Message>,
 }
 
 impl Wrong {
     /// An error about the text as a whole.
-    pub fn whole(message: impl Into<String>) -> Wrong {
+    pub fn whole(message: impl Into<Message>) -> Wrong {
         Wrong { paths: Vec::new(), is_key: false, bytes: None, message: message.into(), hint: None }
     }
 
     /// An error at the value at `path`.
-    pub fn value(path: &[&str], message: impl Into<String>) -> Wrong {
+    pub fn value(path: &[&str], message: impl Into<Message>) -> Wrong {
         Wrong { paths: vec![owned(path)], ..Wrong::whole(message) }
     }
 
     /// An error at the key at the end of `path`.
-    pub fn key(path: &[&str], message: impl Into<String>) -> Wrong {
+    pub fn key(path: &[&str], message: impl Into<Message>) -> Wrong {
         Wrong { is_key: true, ..Wrong::value(path, message) }
     }
 
@@ -97,11 +99,11 @@ impl Wrong {
         Wrong { bytes: Some(bytes), ..self }
     }
 
-    pub fn hint(self, hint: impl Into<String>) -> Wrong {
+    pub fn hint(self, hint: impl Into<Message>) -> Wrong {
         self.maybe_hint(Some(hint.into()))
     }
 
-    pub fn maybe_hint(self, hint: Option<String>) -> Wrong {
+    pub fn maybe_hint(self, hint: Option<Message>) -> Wrong {
         Wrong { hint, ..self }
     }
 
@@ -264,18 +266,18 @@ pub(crate) fn nearest_within<'a>(
 }
 
 /// `did you mean …?` for the nearest name.
-pub(crate) fn close<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<String> {
-    nearest(word, names).map(|name| format!("did you mean `{name}`?"))
+pub(crate) fn close<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<Message> {
+    nearest(word, names).map(says::did_you_mean)
 }
 
-/// `did you mean …?` for the nearest name, or else the list of all after `otherwise`.
+/// `did you mean …?` for the nearest name, or else `otherwise` with the list of all.
 pub(super) fn suggestion<'a>(
     word: &str,
     names: impl IntoIterator<Item = &'a str> + Clone,
-    otherwise: &str,
-) -> Option<String> {
+    otherwise: impl Fn(String) -> Message,
+) -> Option<Message> {
     close(word, names.clone()).or_else(|| {
         let all = list(names);
-        (!all.is_empty()).then(|| format!("{otherwise} {all}"))
+        (!all.is_empty()).then(|| otherwise(all))
     })
 }

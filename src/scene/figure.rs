@@ -15,9 +15,11 @@ use super::error::{Wrong, list, number, shortened};
 use super::given::GivenBy;
 use super::joint::Slider;
 use super::names::Names;
+use super::says;
 use super::schema::without_defaults;
 use super::text::LARGEST;
 use super::write::{Write, Written, text_of, write_forms, write_keys};
+use crate::message::Message;
 use crate::text::Untrusted;
 
 /// What the figure shows, and how large. The scale `mu` of a panel is in units per millimetre of paper; `None` stands
@@ -168,36 +170,31 @@ impl Figure {
     ///
     /// # Errors
     /// The message without its subject.
-    pub fn checked_scale(scale: f64) -> Result<f64, String> {
+    pub fn checked_scale(scale: f64) -> Result<f64, Message> {
         if scale > LARGEST {
-            return Err(format!("{}; numbers are at most {LARGEST:e}", number(scale)));
+            return Err(says::scale_too_large(number(scale), format!("{LARGEST:e}")));
         }
-        if scale > 0.0 {
-            return Ok(scale);
-        }
-        Err(format!("{}; a scale, in units per millimetre of paper, is positive", number(scale)))
+        if scale > 0.0 { Ok(scale) } else { Err(says::scale_not_positive(number(scale))) }
     }
 
     /// Refuses scales, panels and steps that cannot be drawn.
     pub(super) fn check(&self) -> Result<(), Wrong> {
         for (sheet, scale) in self.mu.given() {
+            let key = sheet.facts().scale_key;
             if let Err(why) = Figure::checked_scale(scale) {
-                let (key, hint) = (sheet.facts().scale_key, "leave it out for the next scale that fits");
-                return Err(Wrong::value(&[key], format!("`{key}` is {why}")).hint(hint));
+                return Err(Wrong::value(&[key], says::scale_is(key, why)).hint(says::next_scale()));
             }
         }
         if self.panels.is_empty() {
             let words = Sheet::ALL.map(|sheet| format!("\"{}\"", sheet.as_str()));
-            let hint = format!("name some of {}, or leave `panels` out", words.join(", "));
-            return Err(Wrong::value(&["panels"], "a figure without panels shows nothing").hint(hint));
+            return Err(Wrong::value(&["panels"], says::no_panels()).hint(says::name_panels(words.join(", "))));
         }
         let is_doubled = |&index: &usize| self.panels[..index].contains(&self.panels[index]);
         if let Some(index) = (1..self.panels.len()).find(is_doubled) {
-            return Err(Wrong::value(&["panels", &index.to_string()], "this panel stands twice"));
+            return Err(Wrong::value(&["panels", &index.to_string()], says::panel_twice()));
         }
         if self.step == Some(0) {
-            let hint = "`kinegon steps` lists them; leave `step` out for the finished figure";
-            return Err(Wrong::value(&["step"], "steps of the construction are numbered from 1").hint(hint));
+            return Err(Wrong::value(&["step"], says::step_from_one()).hint(says::steps_listed()));
         }
         Ok(())
     }
@@ -225,28 +222,25 @@ pub(super) fn check_traced(
         let path = ["trace", &index.to_string()];
         check_point(&path, names, point)?;
         if figure.trace[..index].contains(point) {
-            return Err(Wrong::value(&path, format!("point {point} stands twice")));
+            return Err(Wrong::value(&path, says::point_twice(point)));
         }
     }
     if let Some(count) = figure.ghosts.filter(|count| !GHOSTS.contains(count)) {
         let (least, most) = (GHOSTS.start(), GHOSTS.end());
-        let message = format!("the number of ghosts is from {least} to {most}, not {count}");
+        let message = says::ghosts_between(*least, *most, count);
         return Err(Wrong::value(&["ghosts"], message));
     }
-    let (key, what) = match (figure.trace.first(), figure.ghosts) {
-        (Some(point), _) => ("trace", format!("point {point} has no path")),
-        (None, Some(_)) => ("ghosts", "there are no other positions to draw".to_owned()),
+    let (key, drawn, undriven) = match (figure.trace.first(), figure.ghosts) {
+        (Some(point), _) => ("trace", says::drawn_has_no_path(point), says::no_drive_no_path(point)),
+        (None, Some(_)) => ("ghosts", says::drawn_has_no_ghosts(), says::no_drive_no_ghosts()),
         (None, None) => return Ok(()),
     };
     if given_by == GivenBy::Drawing {
-        let hint = "a scene with `lengths` or `shape` and a drive with its `angle` or `position`";
-        let message = format!("a drawn configuration cannot be moved, so {what}");
-        return Err(Wrong::value(&[key], message).hint(hint));
+        return Err(Wrong::value(&[key], drawn).hint(says::lengths_and_drive()));
     }
     let is_driven = names.links.values().any(|link| link.drive.is_some()) || sliders.iter().any(|s| s.drive.is_some());
     if !is_driven {
-        let message = format!("there is no drive to move the mechanism, so {what}");
-        return Err(Wrong::value(&[key], message).hint(r#"give a link a "drive""#));
+        return Err(Wrong::value(&[key], undriven).hint(says::give_drive()));
     }
     Ok(())
 }
@@ -256,17 +250,16 @@ fn check_point(path: &[&str], names: &Names<'_>, point: &str) -> Result<(), Wron
     let moving = || {
         let of_links = names.links.values().flat_map(|link| &link.points).map(String::as_str);
         let moving: IndexSet<&str> = of_links.filter(|name| !names.on_ground(name)).collect();
-        format!("points that move are {}", list(moving))
+        says::moving_points(list(moving))
     };
     if names.on_ground(point) {
-        return Err(Wrong::value(path, format!("point {point} is on the ground and has no path")).hint(moving()));
+        return Err(Wrong::value(path, says::ground_has_no_path(point)).hint(moving()));
     }
     if names.is_point(point) {
         return Ok(());
     }
     if names.check_reserved(point).is_err() {
-        let message = format!("{} is a name of the construction, and no point of a link", shortened(point));
-        return Err(Wrong::value(path, message).hint(moving()));
+        return Err(Wrong::value(path, says::name_of_construction(shortened(point))).hint(moving()));
     }
     names.point(path, point)
 }

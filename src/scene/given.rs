@@ -2,6 +2,7 @@
 
 use super::choices::TimeUnit;
 use super::error::Wrong;
+use super::says;
 use super::schema::without_defaults;
 use super::value::{At, Vector, vector};
 use super::write::write_keys;
@@ -18,9 +19,6 @@ pub enum GivenBy {
     /// By the coordinates of every point, as drawn.
     Drawing,
 }
-
-/// End of hints: why a drawn configuration refuses a key.
-pub(super) const DRAWN: &str = "the drawing, `points`, gives it already";
 
 /// A drive: it turns the link (angle, omega or rpm, alpha), or pushes a sliding link (position, speed, acceleration).
 #[derive(Debug, Clone, Default, PartialEq, Deserialize, JsonSchema)]
@@ -79,8 +77,7 @@ impl LinkDriveFile {
     pub fn check_given_by(&self, given_by: GivenBy, link: &str) -> Result<(), Wrong> {
         match first_given(&[("angle", self.angle.is_some()), ("position", self.position.is_some())]) {
             Some(key) if given_by == GivenBy::Drawing => {
-                let message = format!("the drive of link {link} has `{key}`, but this scene is a drawn configuration");
-                Err(Wrong::key(&[key], message).hint(format!("remove `{key}`: {DRAWN}")))
+                Err(Wrong::key(&[key], says::drive_is_drawn(link, key)).hint(says::remove_drawn(key)))
             }
             _ => Ok(()),
         }
@@ -100,12 +97,10 @@ impl LinkDriveFile {
                 TimeUnit::Min => rpm * TAU,
             },
             (Some(_), Some(_)) => {
-                let message = format!("the drive of link {link} has both `omega` and `rpm`");
-                return Err(Wrong::key(&["rpm"], message).hint("keep one of them"));
+                return Err(Wrong::key(&["rpm"], says::omega_and_rpm(link)).hint(says::keep_one()));
             }
             (None, None) => {
-                let hint = r#"add "omega" (radians per unit of time) or "rpm"; for a sliding link "speed""#;
-                return Err(Wrong::value(&[], format!("the drive of link {link} has no speed")).hint(hint));
+                return Err(Wrong::value(&[], says::drive_without_speed(link)).hint(says::add_omega()));
             }
         };
         Ok(Drive { angle_deg: self.angle, omega, rpm: self.rpm, alpha: self.alpha.unwrap_or(0.0) })
@@ -119,12 +114,10 @@ impl LinkDriveFile {
             ("alpha", self.alpha.is_some()),
         ];
         if let Some(key) = first_given(&turns) {
-            let hint = "a drive has `position`, `speed`, `acceleration`, or `angle`, `omega`, `alpha`";
-            return Err(Wrong::key(&[key], format!("the drive of link {link} both pushes and turns")).hint(hint));
+            return Err(Wrong::key(&[key], says::pushes_and_turns(link)).hint(says::push_or_turn()));
         }
         let Some(speed) = self.speed else {
-            let message = format!("the drive of link {link} has no `speed`");
-            return Err(Wrong::value(&[], message).hint(r#"add "speed", along the guide"#));
+            return Err(Wrong::value(&[], says::push_without_speed(link)).hint(says::add_speed()));
         };
         Ok(SliderDrive { position: self.position, speed, acceleration: self.acceleration.unwrap_or(0.0) })
     }

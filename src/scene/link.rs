@@ -9,8 +9,9 @@ use serde::Deserialize;
 
 use super::choices::TimeUnit;
 use super::error::{Wrong, number};
-use super::given::{DRAWN, Drive, GivenBy, LinkDriveFile, LinkMotion, SliderDrive, first_given};
-use super::name::{check_list, check_name, checked_pair, joined, no_point};
+use super::given::{Drive, GivenBy, LinkDriveFile, LinkMotion, SliderDrive, first_given};
+use super::name::{Bearer, check_list, check_name, checked_pair, joined, no_point};
+use super::says;
 use super::value::{NamesOr, ShapePoint, several_forms};
 use super::write::{write_forms, write_keys};
 
@@ -79,12 +80,12 @@ pub(super) fn links(
     file: IndexMap<String, LinkFile>,
 ) -> Result<(IndexMap<String, Link>, Pushes), Wrong> {
     if file.is_empty() {
-        return Err(Wrong::value(&["links"], "a mechanism has at least one link"));
+        return Err(Wrong::value(&["links"], says::no_links()));
     }
     let mut links = IndexMap::with_capacity(file.len());
     let mut pushes = Pushes::new();
     for (name, LinkFile(fields)) in file {
-        let read = check_name("a link", &name).and_then(|()| link(given_by, time, &name, fields));
+        let read = check_name(Bearer::Link, &name).and_then(|()| link(given_by, time, &name, fields));
         let (link, push) = read.map_err(|wrong| wrong.inside(&["links", &name]))?;
         if let Some(push) = push {
             pushes.insert(name.clone(), push);
@@ -105,24 +106,21 @@ fn link(
     let points = points(name, &fields)?;
     let shape = match (fields.shape, fields.lengths) {
         (Some(_), Some(_)) => {
-            let message = format!("link {name} has both `lengths` and `shape`");
-            return Err(Wrong::key(&["lengths"], message).hint("keep one of them"));
+            return Err(Wrong::key(&["lengths"], says::lengths_and_shape(name)).hint(says::keep_one()));
         }
         (Some(shape), None) => local(name, &points, shape)?,
         (None, given) if given_by == GivenBy::Lengths => lengths(name, &points, given.unwrap_or_default())?,
         (None, _) => Shape::Bare,
     };
     if fields.drive.is_some() && fields.motion.is_some() {
-        let message = format!("link {name} has both a drive and a known motion");
-        return Err(Wrong::key(&["drive"], message).hint("keep one of them"));
+        return Err(Wrong::key(&["drive"], says::drive_and_motion(name)).hint(says::keep_one()));
     }
     let read = fields.drive.map(|drive| drive.read(time, name)).transpose();
     let (mut drive, push) = read.map_err(|wrong| wrong.inside(&["drive"]))?.unwrap_or_default();
     let mut angle_deg = fields.angle;
     if let Some(drive) = &mut drive {
         if angle_deg.is_some() && drive.angle_deg.is_some() {
-            let message = format!("link {name} has an angle and its drive has one too");
-            return Err(Wrong::value(&["angle"], message).hint("keep one of them"));
+            return Err(Wrong::value(&["angle"], says::two_angles(name)).hint(says::keep_one()));
         }
         drive.angle_deg = drive.angle_deg.or(angle_deg.take());
     }
@@ -133,18 +131,15 @@ fn link(
 fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<(), Wrong> {
     if given_by == GivenBy::Lengths {
         if fields.motion.is_some() {
-            let message = format!("link {name}: a known `motion` belongs to a drawn configuration");
-            let hint = r#"give the coordinates of every point in "points": { … }, or drive the link"#;
-            return Err(Wrong::key(&["motion"], message).hint(hint));
+            let message = says::link_motion_is_drawn(name);
+            return Err(Wrong::key(&["motion"], message).hint(says::points_or_drive_link()));
         }
         return Ok(());
     }
     let given =
         [("lengths", fields.lengths.is_some()), ("shape", fields.shape.is_some()), ("angle", fields.angle.is_some())];
     if let Some(key) = first_given(&given) {
-        let message = format!("link {name} has `{key}`, but this scene is a drawn configuration");
-        let hint = format!("remove `{key}`: {DRAWN}; or remove `points` and give `ground` its coordinates");
-        return Err(Wrong::key(&[key], message).hint(hint));
+        return Err(Wrong::key(&[key], says::link_is_drawn(name, key)).hint(says::remove_or_lengths(key)));
     }
     let check = |drive: &LinkDriveFile| drive.check_given_by(given_by, name);
     fields.drive.as_ref().map_or(Ok(()), check).map_err(|wrong| wrong.inside(&["drive"]))
@@ -154,18 +149,16 @@ fn check_given_by(given_by: GivenBy, name: &str, fields: &LinkFields) -> Result<
 fn points(name: &str, fields: &LinkFields) -> Result<Vec<String>, Wrong> {
     let shape = fields.shape.as_ref().map(IndexMap::keys);
     for point in shape.clone().into_iter().flatten() {
-        check_name("a point", point).map_err(|wrong| wrong.inside(&["shape", point]))?;
+        check_name(Bearer::Point, point).map_err(|wrong| wrong.inside(&["shape", point]))?;
     }
     let Some(points) = &fields.points else {
         return match (shape, &fields.motion) {
             (Some(shape), _) => Ok(shape.cloned().collect()),
             (None, Some(_)) => Ok(Vec::new()),
-            (None, None) => {
-                Err(Wrong::value(&[], format!("link {name} has no `points`")).hint(r#"add "points": ["A", "B"]"#))
-            }
+            (None, None) => Err(Wrong::value(&[], says::no_points(name)).hint(says::add(r#""points": ["A", "B"]"#))),
         };
     };
-    check_list(points, &format!(" in link {name}")).map_err(|wrong| wrong.inside(&["points"]))?;
+    check_list(points, Some(name)).map_err(|wrong| wrong.inside(&["points"]))?;
     Ok(points.clone())
 }
 
@@ -207,12 +200,8 @@ impl Length {
 /// The lengths of a link: none for up to one point, one for two, three for three.
 pub(super) fn lengths(link: &str, points: &[String], given: IndexMap<String, f64>) -> Result<Shape, Wrong> {
     if points.len() > 3 {
-        let message = format!("link {link} has {} points, which lengths do not fix", points.len());
-        let hint = format!(
-            "give coordinates in the link's own frame: \"shape\": {{ \"{}\": [x, y], \"{}\": [x, y], … }}",
-            points[0], points[1]
-        );
-        return Err(Wrong::value(&[], message).hint(hint));
+        let hint = says::give_shape(&points[0], &points[1]);
+        return Err(Wrong::value(&[], says::too_many_points(link, points.len())).hint(hint));
     }
     let mut lengths: Vec<Length> = Vec::with_capacity(given.len());
     for (key, value) in given {
@@ -222,12 +211,12 @@ pub(super) fn lengths(link: &str, points: &[String], given: IndexMap<String, f64
     if let Some((from, to)) = missing(points, &lengths) {
         let key = joined(from, to);
         let message = match points.len() {
-            2 => format!("link {link} has the points {from} and {to}, but not their distance"),
-            _ => format!("link {link} has three points, which need three lengths; that of {from} and {to} is missing"),
+            2 => says::no_distance(link, from, to),
+            _ => says::three_lengths(link, from, to),
         };
         let hint = match lengths.is_empty() {
-            true => format!("add \"lengths\": {{ \"{key}\": … }}, or give a `shape`"),
-            false => format!("add \"{key}\": … to its lengths"),
+            true => says::add_lengths(key),
+            false => says::add_to_lengths(key),
         };
         return Err(Wrong::value(&[], message).hint(hint));
     }
@@ -240,17 +229,16 @@ pub(super) fn lengths(link: &str, points: &[String], given: IndexMap<String, f64
 /// One length of a link; `before` are those before it.
 fn length(link: &str, points: &[String], before: &[Length], key: String, value: f64) -> Result<Length, Wrong> {
     let is_point = |point: &str| points.iter().any(|other| other == point);
-    let (from, to) = checked_pair("lengths key", &key, &format!("link {link}"), points, is_point)?;
+    let (from, to) = checked_pair(says::lengths_key, &key, &says::link_named(link), points, is_point)?;
     if let Some(first) = before.iter().find(|other| other.joins(&from, &to)) {
-        let message = format!("the length {key} of link {link} is given already, as {}", first.key);
-        return Err(Wrong::key(&[], message).hint("keep one of them"));
+        let message = says::length_twice(&key, link, &first.key);
+        return Err(Wrong::key(&[], message).hint(says::keep_one()));
     }
     if value == 0.0 {
-        let message = format!("length {key} is 0: {from} and {to} would be one point");
-        return Err(Wrong::value(&[], message).hint("use one name for both, or give a positive length"));
+        return Err(Wrong::value(&[], says::length_zero(&key, &from, &to)).hint(says::one_name_or_length()));
     }
     if value < 0.0 {
-        return Err(Wrong::value(&[], format!("length {key} is {}; a length is positive", number(value))));
+        return Err(Wrong::value(&[], says::length_negative(&key, number(value))));
     }
     Ok(Length { from, to, value, key })
 }
@@ -279,24 +267,22 @@ fn check_triangle(link: &str, sides: [&Length; 3]) -> Result<(), Wrong> {
     }
     let shown = sides.map(|side| format!("{} {}", side.key, number(side.value))).join(", ");
     let [long, one, other] = [long, one, other].map(number);
-    let message = format!("link {link}: lengths {shown} cannot form a triangle: {one} + {other} < {long}");
-    Err(Wrong::value(&["lengths"], message))
+    Err(Wrong::value(&["lengths"], says::no_triangle(link, shown, one, other, long)))
 }
 
 /// The shape of a link: coordinates of each of its points, no two the same.
 pub(super) fn local(link: &str, points: &[String], given: IndexMap<String, ShapePoint>) -> Result<Shape, Wrong> {
     if given.is_empty() {
-        return Err(Wrong::value(&["shape"], format!("the shape of link {link} has no points")));
+        return Err(Wrong::value(&["shape"], says::shape_empty(link)));
     }
     let listed: HashSet<&String> = points.iter().collect();
     if let Some(point) = given.keys().find(|point| !listed.contains(point)) {
-        let message = no_point(&format!("link {link}"), point, points);
-        return Err(Wrong::key(&["shape", point], message).hint("add it to `points`, or leave `points` out"));
+        let message = no_point(says::link_named(link), point, points);
+        return Err(Wrong::key(&["shape", point], message).hint(says::add_or_without_points()));
     }
     let places: IndexMap<String, [f64; 2]> = given.into_iter().map(|(point, place)| (point, place.0)).collect();
     if let Some(point) = points.iter().find(|point| !places.contains_key(*point)) {
-        let message = format!("the shape of link {link} does not say where {point} is");
-        return Err(Wrong::value(&["shape"], message).hint(format!("add \"{point}\": [x, y]")));
+        return Err(Wrong::value(&["shape"], says::shape_lacks(link, point)).hint(says::add_place(point)));
     }
     check_apart(link, places.iter().map(|(point, place)| (point.as_str(), *place)))
         .map_err(|(second, wrong)| wrong.inside(&["shape", second]))?;
@@ -313,8 +299,8 @@ pub(super) fn check_apart<'a>(
         // Adding zero turns a negative zero into a positive one, which has other bits.
         let key = place.map(|coordinate| (coordinate + 0.0).to_bits());
         if let Some(first) = seen.insert(key, second) {
-            let message = format!("link {link} has {first} and {second} in one place: a zero-length link");
-            return Err((second, Wrong::value(&[], message).hint("use one name for both, or move one")));
+            let message = says::zero_length(link, first, second);
+            return Err((second, Wrong::value(&[], message).hint(says::one_name_or_move())));
         }
     }
     Ok(())

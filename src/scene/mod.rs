@@ -3,7 +3,7 @@
 //! refers to something. Positions, degrees of freedom and groups are found in later stages, which also read the files.
 //!
 //! In reading order: `text` makes JSON of the text, `reader` typed values of the JSON, and `typed` says in plain words what is
-//! wrong, for any file that is read strictly; `error` finds its place. Then come the parts of a scene, a file each, with the
+//! wrong, for any file that is read strictly; `error` finds its place, and `says` has the sentences. Then come the parts of a scene, a file each, with the
 //! types of the scene file, the types of a `Scene`, and the checks. `read` lists the parts key by key, and joins all stages.
 //! `build` fills the same types in Rust, and `write` makes their text.
 //!
@@ -24,6 +24,8 @@ mod points;
 mod quantity_name;
 mod read;
 mod reader;
+#[doc(hidden)] // for tests
+pub mod says;
 mod schema;
 mod text;
 mod typed;
@@ -52,7 +54,7 @@ pub use value::{At, Direction, polar};
 pub(crate) use error::{close, list, nearest, nearest_within, range_of};
 pub(crate) use figure::figure_keys;
 pub(crate) use link::STRAIGHT;
-pub(crate) use name::{joined, pair, why_not};
+pub(crate) use name::{Bearer, joined, pair, why_not};
 pub(crate) use schema::{schema_of, version};
 pub(crate) use text::{FileKind, SceneTree};
 pub(crate) use typed::read_as;

@@ -3,72 +3,97 @@
 use std::collections::HashSet;
 
 use super::error::{Wrong, close, list, shortened};
+use super::says;
+use crate::message::Message;
 
 /// Longest name, in characters.
 const LONGEST: usize = 64;
 
-/// Refuses a name with other characters than allowed; `what` is "a point" or "a link".
-pub(super) fn check_name(what: &str, name: &str) -> Result<(), Wrong> {
+/// What has a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Bearer {
+    /// A point.
+    Point,
+    /// A link.
+    Link,
+}
+
+impl Bearer {
+    /// It in a sentence.
+    fn told(self) -> Message {
+        match self {
+            Bearer::Point => says::a_point(),
+            Bearer::Link => says::a_link(),
+        }
+    }
+}
+
+/// Refuses a name with other characters than allowed.
+pub(super) fn check_name(what: Bearer, name: &str) -> Result<(), Wrong> {
     if name.is_empty() {
-        let hint = "write a letter or a number between the quotes";
-        return Err(Wrong::key(&[], format!("{what} has no name")).hint(hint));
+        return Err(Wrong::key(&[], says::no_name(what.told())).hint(says::write_a_name()));
     }
     if name.chars().count() > LONGEST {
-        return Err(Wrong::key(&[], format!("the name of {what} has more than {LONGEST} characters")));
+        return Err(Wrong::key(&[], says::name_too_long(what.told(), LONGEST)));
     }
     if let Some(bad) = name.chars().find(|c| !(c.is_alphanumeric() || *c == '\'' || *c == '_')) {
         let hint = match bad {
-            '′' | '’' | '`' | '´' => "write ' for a prime",
-            '-' => "write _ in place of -, which joins two points",
-            _ => "names have letters, digits, ' and _",
+            '′' | '’' | '`' | '´' => says::write_prime(),
+            '-' => says::write_underscore(),
+            _ => says::signs_of_names(),
         };
-        let message = format!("the name `{}` of {what} contains `{}`", shortened(name), bad.escape_debug());
+        let message = says::sign_in_name(shortened(name), what.told(), bad.escape_debug().to_string());
         return Err(Wrong::key(&[], message).hint(hint));
     }
     if name == "note" {
-        return Err(Wrong::key(&[], format!("{what} cannot be called `note`: that key is for notes")));
+        return Err(Wrong::key(&[], says::called_note(what.told())));
     }
-    if what == "a link" && name == "ground" {
-        return Err(Wrong::key(&[], "a link cannot be called `ground`: that is the frame"));
+    if what == Bearer::Link && name == "ground" {
+        return Err(Wrong::key(&[], says::called_ground()));
     }
     Ok(())
 }
 
-/// Refuses a list of points with an invalid name or with a name twice; `place` is empty or as ` in link 4`.
-pub(super) fn check_list(points: &[String], place: &str) -> Result<(), Wrong> {
+/// Refuses a list of points with an invalid name or with a name twice: those of a link, or of the ground.
+pub(super) fn check_list(points: &[String], link: Option<&str>) -> Result<(), Wrong> {
     let mut seen = HashSet::new();
     for (index, point) in points.iter().enumerate() {
         let inside = |wrong: Wrong| wrong.inside(&[&index.to_string()]);
-        check_name("a point", point).map_err(inside)?;
+        check_name(Bearer::Point, point).map_err(inside)?;
         if !seen.insert(point) {
-            return Err(inside(Wrong::value(&[], format!("point {point} stands twice{place}"))));
+            let message = match link {
+                Some(link) => says::point_twice_in_link(point, link),
+                None => says::point_twice(point),
+            };
+            return Err(inside(Wrong::value(&[], message)));
         }
     }
     Ok(())
 }
 
 /// "link 4 has no point X; its points are G, D, F".
-pub(super) fn no_point(carrier: &str, point: &str, points: &[String]) -> String {
+pub(super) fn no_point(carrier: Message, point: &str, points: &[String]) -> Message {
     let point = shortened(point);
     match points {
-        [] => format!("{carrier} has no point {point}; it has no points"),
-        [only] => format!("{carrier} has no point {point}; its only point is {only}"),
-        _ => format!("{carrier} has no point {point}; its points are {}", list(points.iter().map(String::as_str))),
+        [] => says::lacks_point(carrier, point),
+        [only] => says::lacks_point_but(carrier, point, only),
+        _ => says::lacks_point_of(carrier, point, list(points.iter().map(String::as_str))),
     }
 }
 
-/// The two points of a carrier that a key like `AB` or `A-B` names; `what` is the name of the key in messages.
+/// The two points of a carrier that a key like `AB` or `A-B` names; `what` is the key in messages, `carrier` the carrier.
 pub(super) fn checked_pair(
-    what: &str,
+    what: fn(String) -> Message,
     key: &str,
-    carrier: &str,
+    carrier: &Message,
     points: &[String],
     is_point: impl Fn(&str) -> bool,
 ) -> Result<(String, String), Wrong> {
-    let wrong = |why: String| Wrong::key(&[], format!("{what} `{}`{why}", shortened(key)));
+    let shown = || what(shortened(key));
     let unknown = |name: &str| {
         let hint = close(name, points.iter().map(String::as_str));
-        Err(wrong(format!(": {}", no_point(carrier, name, points))).maybe_hint(hint))
+        let why = no_point(carrier.clone(), name, points);
+        Err(Wrong::key(&[], says::pair_unknown(shown(), why)).maybe_hint(hint))
     };
     let (from, to) = if let Some((from, to)) = key.split_once('-') {
         if let Some(name) = [from, to].into_iter().find(|name| !is_point(name)) {
@@ -83,8 +108,8 @@ pub(super) fn checked_pair(
         match (pairs.next(), pairs.next()) {
             (Some(pair), None) => pair,
             (Some((a, b)), Some((c, d))) => {
-                let hint = format!("write \"{a}-{b}\" or \"{c}-{d}\"");
-                return Err(wrong(format!(" can mean {a} and {b}, or {c} and {d}")).hint(hint));
+                let message = says::pair_ambiguous(shown(), a, b, c, d);
+                return Err(Wrong::key(&[], message).hint(says::write_pair(a, b, c, d)));
             }
             (None, _) => {
                 // The unknown point is the rest of the key beside its longest part that is a point.
@@ -94,7 +119,7 @@ pub(super) fn checked_pair(
         }
     };
     if from == to {
-        return Err(wrong(format!(" names the point {from} twice")));
+        return Err(Wrong::key(&[], says::pair_same(shown(), from)));
     }
     Ok((from.to_owned(), to.to_owned()))
 }
@@ -105,12 +130,12 @@ pub(crate) fn joined(from: &str, to: &str) -> String {
     if is_short { format!("{from}{to}") } else { format!("{from}-{to}") }
 }
 
-/// Why a point or a link cannot have this name; `what` is "a point" or "a link".
-pub(crate) fn why_not(what: &str, name: &str) -> Option<(String, Option<String>)> {
+/// Why a point or a link cannot have this name.
+pub(crate) fn why_not(what: Bearer, name: &str) -> Option<(Message, Option<Message>)> {
     check_name(what, name).err().map(|wrong| (wrong.message, wrong.hint))
 }
 
 /// The two points of a link or of the ground that a key like `AB` or `A-B` names, if it names two of them.
 pub(crate) fn pair(key: &str, points: &[String]) -> Option<(String, String)> {
-    checked_pair("", key, "", points, |name| points.iter().any(|point| point == name)).ok()
+    checked_pair(Message::from, key, &"".into(), points, |name| points.iter().any(|point| point == name)).ok()
 }

@@ -7,6 +7,8 @@ use indexmap::{IndexMap, IndexSet};
 use super::error::{Wrong, shortened, suggestion};
 use super::link::Link;
 use super::name::no_point;
+use super::says;
+use crate::message::Message;
 
 /// Coordinates in the fixed frame, by the name of the point.
 pub(super) type Coordinates = IndexMap<String, [f64; 2]>;
@@ -63,8 +65,8 @@ impl<'a> Names<'a> {
     /// The link of this name, or an error at `path` that suggests the nearest name.
     pub fn link(&self, path: &[&str], name: &str) -> Result<&'a Link, Wrong> {
         self.links.get(name).ok_or_else(|| {
-            let hint = suggestion(name, self.links.keys().map(String::as_str), "the links are");
-            Wrong::value(path, format!("there is no link {}", shortened(name))).maybe_hint(hint)
+            let hint = suggestion(name, self.links.keys().map(String::as_str), says::the_links_are);
+            Wrong::value(path, says::no_link(shortened(name))).maybe_hint(hint)
         })
     }
 
@@ -74,8 +76,8 @@ impl<'a> Names<'a> {
             return Ok(());
         }
         let all = self.ground.iter().chain(self.links.values().flat_map(|link| &link.points)).map(String::as_str);
-        let hint = suggestion(name, all.collect::<IndexSet<_>>(), "the points are");
-        Err(Wrong::value(path, format!("there is no point {}", shortened(name))).maybe_hint(hint))
+        let hint = suggestion(name, all.collect::<IndexSet<_>>(), says::the_points_are);
+        Err(Wrong::value(path, says::no_point(shortened(name))).maybe_hint(hint))
     }
 
     /// An error at `path` if the point is not on the link; it lists the link's points.
@@ -84,25 +86,22 @@ impl<'a> Names<'a> {
             return Ok(());
         }
         let points = self.links.get(link).map_or(&[][..], |link| &link.points);
-        Err(Wrong::value(path, no_point(&format!("link {link}"), point, points)))
+        Err(Wrong::value(path, no_point(says::link_named(link), point, points)))
     }
 
     /// Refuses a name that results need: `S3` beside link 3, `D_2` beside link 2, `d` beside D.
     pub fn check_reserved(&self, point: &str) -> Result<(), Wrong> {
-        let reserved = |what: String| {
-            Err(Wrong::key(&[], format!("the name `{point}` is kept for {what}"))
-                .hint("choose another name for the point"))
-        };
+        let reserved = |what: Message| Err(Wrong::key(&[], says::name_kept(point, what)).hint(says::other_name()));
         if let Some(first) = self.images.get(&point.to_lowercase()).filter(|first| **first != point) {
-            return reserved(format!("the image of {first} in the plans"));
+            return reserved(says::image_of(*first));
         }
         if let Some(link) = point.strip_prefix('S').filter(|link| self.links.contains_key(*link)) {
-            return reserved(format!("the special point of link {link}"));
+            return reserved(says::special_point_of(link));
         }
         for (at, _) in point.match_indices('_') {
             let (before, link) = (&point[..at], &point[at + 1..]);
             if !before.is_empty() && self.links.contains_key(link) {
-                return reserved(format!("the point of link {link} under {before}"));
+                return reserved(says::point_under(link, before));
             }
         }
         Ok(())

@@ -4,14 +4,16 @@
 use indexmap::IndexMap;
 
 use super::error::{Wrong, close};
-use super::given::{DRAWN, GivenBy, PointMotion};
+use super::given::{GivenBy, PointMotion};
 use super::joint::{On, Slider};
 use super::link::{Link, check_apart};
-use super::name::{check_list, check_name};
+use super::name::{Bearer, check_list, check_name};
 use super::names::{Coordinates, Names};
 use super::quantity_name::QuantityName;
+use super::says;
 use super::value::{At, NamesOr, NearValue, Vector, several_forms};
 use super::write::write_forms;
+use crate::message::Message;
 
 /// The frame's points: names, or names with coordinates.
 #[derive(Debug, Clone)]
@@ -41,27 +43,25 @@ pub(super) fn ground(
 ) -> Result<(Vec<String>, Coordinates), Wrong> {
     let mut coordinates = Coordinates::new();
     for (name, Vector(place)) in points.unwrap_or_default() {
-        check_name("a point", &name).map_err(|wrong| wrong.inside(&["points", &name]))?;
+        check_name(Bearer::Point, &name).map_err(|wrong| wrong.inside(&["points", &name]))?;
         coordinates.insert(name, place);
     }
     let names = match ground {
         None => Vec::new(),
         Some(Ground::Names(_)) if given_by == GivenBy::Lengths => {
-            let hint = r#"write { "A": [x, y], … }; or give the coordinates of every point in "points": { … }"#;
-            return Err(Wrong::value(&["ground"], "the frame's points have no coordinates").hint(hint));
+            return Err(Wrong::value(&["ground"], says::no_coordinates()).hint(says::write_coordinates()));
         }
         Some(Ground::Names(names)) => {
-            check_list(&names, "").map_err(|wrong| wrong.inside(&["ground"]))?;
+            check_list(&names, None).map_err(|wrong| wrong.inside(&["ground"]))?;
             names
         }
         Some(Ground::Places(places)) => {
             let mut names = Vec::with_capacity(places.len());
             for (name, Vector(place)) in places {
-                check_name("a point", &name).map_err(|wrong| wrong.inside(&["ground", &name]))?;
+                check_name(Bearer::Point, &name).map_err(|wrong| wrong.inside(&["ground", &name]))?;
                 if coordinates.get(&name).is_some_and(|other| *other != place) {
-                    let message = format!("point {name} has other coordinates in `points`");
-                    let hint = "name it only in a list: \"ground\": [\"A\", …]";
-                    return Err(Wrong::value(&["ground", &name], message).hint(hint));
+                    let message = says::other_coordinates(&name);
+                    return Err(Wrong::value(&["ground", &name], message).hint(says::name_only()));
                 }
                 coordinates.insert(name.clone(), place);
                 names.push(name);
@@ -78,8 +78,8 @@ pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &C
     let place_of = |point: &str| {
         coordinates.get(point).copied().ok_or_else(|| {
             let near = close(point, coordinates.keys().map(String::as_str));
-            let hint = near.unwrap_or_else(|| format!("add \"{point}\": [x, y] to `points`"));
-            Wrong::key(&[], format!("point {point} has no coordinates in `points`")).hint(hint)
+            let hint = near.unwrap_or_else(|| says::add_to_points(point));
+            Wrong::key(&[], says::not_in_points(point)).hint(hint)
         })
     };
     for (index, point) in names.ground.iter().enumerate() {
@@ -103,9 +103,8 @@ pub(super) fn check_points(given_by: GivenBy, names: &Names<'_>, coordinates: &C
     }
     if let Some(point) = coordinates.keys().find(|point| !names.is_point(point)) {
         let all = names.links.values().flat_map(|link| &link.points).map(String::as_str);
-        let hint = close(point, all).unwrap_or_else(|| "name it in the `points` of a link, or remove it".into());
-        let message = format!("point {point} is on no link and not on the ground");
-        return Err(Wrong::key(&["points", point], message).hint(hint));
+        let hint = close(point, all).unwrap_or_else(says::name_in_link);
+        return Err(Wrong::key(&["points", point], says::on_no_link(point)).hint(hint));
     }
     Ok(())
 }
@@ -126,15 +125,13 @@ pub(super) fn known(
     file: Option<IndexMap<String, PointMotion>>,
 ) -> Result<IndexMap<String, PointMotion>, Wrong> {
     if file.is_some() && given_by == GivenBy::Lengths {
-        let hint = r#"give the coordinates of every point in "points": { … }, or drive a link"#;
-        return Err(Wrong::key(&["known"], "known motions belong to a drawn configuration").hint(hint));
+        return Err(Wrong::key(&["known"], says::known_is_drawn()).hint(says::points_or_drive()));
     }
     let known = file.unwrap_or_default();
     for name in known.keys() {
         names.point(&["known", name], name)?;
         if names.on_ground(name) {
-            let message = format!("point {name} is on the ground, which does not move");
-            return Err(Wrong::key(&["known", name], message).hint("remove it here or from `ground`"));
+            return Err(Wrong::key(&["known", name], says::ground_moves_not(name)).hint(says::remove_from_ground()));
         }
     }
     Ok(known)
@@ -148,12 +145,12 @@ pub(super) fn check_given_once(
     sliders: &[Slider],
 ) -> Result<(), Wrong> {
     // For each point the source of its motion, in words.
-    let mut given: IndexMap<&str, String> = IndexMap::new();
-    let mut give = |point, whose: &str, path: &[&str]| match given.insert(point, whose.to_owned()) {
+    let mut given: IndexMap<&str, Message> = IndexMap::new();
+    let mut give = |point, whose: &Message, path: &[&str]| match given.insert(point, whose.clone()) {
         None => Ok(()),
         Some(first) => {
-            let message = format!("the motion of point {point} is given twice: by {first} and by {whose}");
-            Err(Wrong::value(path, message).hint("keep one of them"))
+            let message = says::motion_twice(point, first, whose.clone());
+            Err(Wrong::value(path, message).hint(says::keep_one()))
         }
     };
     // A slider driven on a moving link gives a relative motion only, which is that of no point.
@@ -161,9 +158,9 @@ pub(super) fn check_given_once(
     for (name, link) in names.links {
         let pushes = |s: &Slider| driven(s) && s.link.as_ref() == Some(name);
         let whose = match link {
-            Link { motion: Some(_), .. } => format!("the `motion` of link {name}"),
-            Link { drive: Some(_), .. } => format!("the drive of link {name}"),
-            _ if sliders.iter().any(pushes) => format!("the drive of slider {name}"),
+            Link { motion: Some(_), .. } => says::motion_of_link(name),
+            Link { drive: Some(_), .. } => says::drive_of_link(name),
+            _ if sliders.iter().any(pushes) => says::drive_of_slider(name),
             _ => continue,
         };
         for point in link.points.iter().filter(|point| !names.on_ground(point)) {
@@ -172,13 +169,13 @@ pub(super) fn check_given_once(
     }
     for (index, slider) in sliders.iter().enumerate().filter(|(_, slider)| driven(slider)) {
         if let Some(pin) = &slider.pin {
-            give(pin, "the drive of its slider", &["sliders", &index.to_string()])?;
+            give(pin, &says::drive_of_its_slider(), &["sliders", &index.to_string()])?;
         }
     }
     for point in known.keys() {
         if let Some(whose) = given.get(point.as_str()) {
-            let message = format!("the motion of point {point} is given already, by {whose}");
-            return Err(Wrong::key(&["known", point], message).hint("keep one of them"));
+            let message = says::motion_already(point, whose.clone());
+            return Err(Wrong::key(&["known", point], message).hint(says::keep_one()));
         }
     }
     Ok(())
@@ -201,8 +198,7 @@ pub(super) fn near(
     file: Option<IndexMap<String, NearValue>>,
 ) -> Result<Near, Wrong> {
     if file.is_some() && given_by == GivenBy::Drawing {
-        let message = "a drawn configuration needs no `near`";
-        return Err(Wrong::key(&["near"], message).hint(format!("remove it: {DRAWN}")));
+        return Err(Wrong::key(&["near"], says::drawn_needs_no_near()).hint(says::remove_it_drawn()));
     }
     let mut near = Near::default();
     for (key, value) in file.unwrap_or_default() {
@@ -214,12 +210,12 @@ pub(super) fn near(
                 near.angles_deg.insert(link.to_owned(), degrees);
             }
             (Some(_), NearValue::Vector(_)) => {
-                return Err(Wrong::value(&path, format!("{key} is one number, in degrees, not two")));
+                return Err(Wrong::value(&path, says::near_one_number(&key)));
             }
             (None, value) => {
                 names.point(&path, &key)?;
                 let NearValue::Vector(place) = value else {
-                    return Err(Wrong::value(&path, format!("point {key} needs two numbers [x, y], found one")));
+                    return Err(Wrong::value(&path, says::near_two_numbers(&key)));
                 };
                 near.points.insert(key, place);
             }

@@ -12,11 +12,13 @@ use super::joint::{Slider, SliderFile, sliders};
 use super::link::{Link, LinkFile, links};
 use super::names::Names;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
+use super::says;
 use super::schema::schema_of;
 use super::text::FileKind;
 use super::typed::read_as;
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
+use crate::message::Message;
 use crate::text::Untrusted;
 
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
@@ -108,7 +110,7 @@ impl Scene {
     /// An error of a later stage at a JSON path of this scene; an index of a list is written in digits.
     ///
     /// If the scene has nothing at the path, the place is that of the nearest part around it.
-    pub fn error_at(&self, path: &[&str], message: impl Into<String>, hint: Option<String>) -> SceneError {
+    pub fn error_at(&self, path: &[&str], message: impl Into<Message>, hint: Option<Message>) -> SceneError {
         Source(&self.text).error(Wrong::value(path, message).maybe_hint(hint))
     }
 
@@ -128,19 +130,28 @@ impl Scene {
 pub struct SizeLimit {
     links: usize,
     points: usize,
-    /// What has the limits, as `a figure`.
-    what: &'static str,
+    /// What has the limits.
+    what: Limited,
+}
+
+/// What may only be so large.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Limited {
+    Scene,
+    Figure,
+    Steps,
+    Hand,
 }
 
 impl SizeLimit {
     /// For numbers, which take seconds then; no scene may be larger.
-    pub const NUMBERS: SizeLimit = SizeLimit { links: 10_000, points: 100_000, what: "a scene" };
+    pub const NUMBERS: SizeLimit = SizeLimit { links: 10_000, points: 100_000, what: Limited::Scene };
     /// For a figure, which takes three seconds then.
-    pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, what: "a figure" };
+    pub const FIGURE: SizeLimit = SizeLimit { links: 3_000, points: 10_000, what: Limited::Figure };
     /// For steps, whose sheets grow as the square of the links.
-    pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, what: "a figure with steps" };
+    pub const STEPS: SizeLimit = SizeLimit { links: 150, points: 1_000, what: Limited::Steps };
     /// For what is drawn by hand: errors of all lines go through to all later ones.
-    pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, what: "a construction by hand" };
+    pub const HAND: SizeLimit = SizeLimit { links: 1_000, points: 2_000, what: Limited::Hand };
 
     /// Refuses a scene that is larger; a point counts in every link that has it.
     ///
@@ -148,13 +159,20 @@ impl SizeLimit {
     /// What there is too much of, and how much there may be.
     pub fn check(self, scene: &Scene) -> Result<(), SceneError> {
         let points = scene.ground.len() + scene.links.values().map(|link| link.points.len()).sum::<usize>();
-        let counted = [("links", scene.links.len(), self.links), ("points", points, self.points)];
-        let Some((kind, count, most)) = counted.into_iter().find(|(_, count, most)| count > most) else {
+        let what = match self.what {
+            Limited::Scene => says::a_scene(),
+            Limited::Figure => says::a_figure(),
+            Limited::Steps => says::a_figure_with_steps(),
+            Limited::Hand => says::by_hand(),
+        };
+        let message = if scene.links.len() > self.links {
+            says::too_many_links(what, self.links, scene.links.len())
+        } else if points > self.points {
+            says::too_many_points_in(what, self.points, points)
+        } else {
             return Ok(());
         };
-        let message = format!("{} has at most {most} {kind}, and here are {count}", self.what);
-        let hint = "divide the mechanism: what hangs on the drives alone can be a scene of its own";
-        Err(scene.error_at(&["links"], message, Some(hint.to_owned())))
+        Err(scene.error_at(&["links"], message, Some(says::divide_mechanism())))
     }
 }
 

@@ -8,6 +8,9 @@ use serde::de::value::{MapAccessDeserializer, StrDeserializer};
 use serde::de::{self, DeserializeSeed, Deserializer, Expected, IntoDeserializer, Unexpected, Visitor};
 use serde_json::{Map, Value as Json};
 
+/// What a place or a direction expects of a list.
+pub(super) const TWO_NUMBERS: &str = "two numbers [x, y]";
+
 /// Why a tree is not of a type.
 #[derive(Debug, thiserror::Error)]
 #[error("{why:?}")]
@@ -28,6 +31,8 @@ pub(super) enum Why {
     Missing(&'static str),
     /// The value is something else than this, which stands after "expected" in a sentence.
     Type(String),
+    /// The value is a list of so many in place of two numbers.
+    Length(usize),
     /// What the type itself says.
     Said(String),
 }
@@ -48,6 +53,13 @@ impl From<Why> for Refusal {
 impl de::Error for Refusal {
     fn custom<T: Display>(message: T) -> Refusal {
         Why::Said(message.to_string()).into()
+    }
+
+    fn invalid_length(found: usize, expected: &dyn Expected) -> Refusal {
+        match expected.to_string() {
+            expected if expected == TWO_NUMBERS => Why::Length(found).into(),
+            expected => Refusal::custom(format!("invalid length {found}, expected {expected}")),
+        }
     }
 
     fn invalid_type(_: Unexpected<'_>, expected: &dyn Expected) -> Refusal {

@@ -6,12 +6,14 @@ use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
 use serde_json::{Map, Number, Value as Json};
 
 use super::error::{SceneError, Source, Wrong, parse_tree, range_of, shortened};
+use super::says;
+use crate::message::Message;
 
 /// A kind of file: its name in messages and the key with the version of its format.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FileKind {
-    /// Its name, as `scene`.
-    pub what: &'static str,
+    /// Its name, as "scene".
+    pub what: fn() -> Message,
     /// The key of the version.
     pub key: &'static str,
     /// The version that is read.
@@ -20,11 +22,11 @@ pub(crate) struct FileKind {
 
 impl FileKind {
     /// A scene.
-    pub(super) const SCENE: FileKind = FileKind { what: "scene", key: "kinegon", version: 1 };
+    pub(super) const SCENE: FileKind = FileKind { what: says::scene, key: "kinegon", version: 1 };
 
     /// How such a file begins, in a sentence for a hint.
-    pub(super) fn beginning(&self) -> String {
-        format!("a {} begins with {}", self.what, self.start())
+    pub(super) fn beginning(&self) -> Message {
+        says::begins_with((self.what)(), self.start())
     }
 
     /// How such a file begins, as JSON.
@@ -51,11 +53,10 @@ pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, Wrong> 
 pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>, Wrong> {
     let (what, body, bytes) = (kind.what, source.body(), source.0.len());
     if bytes > MAX_BYTES {
-        let most = format!("at most {MAX_BYTES} ({} MiB) are read", MAX_BYTES >> 20);
-        return Err(Wrong::whole(format!("the {what} has {bytes} bytes; {most}")));
+        return Err(Wrong::whole(says::too_many_bytes(what(), bytes, MAX_BYTES, MAX_BYTES >> 20)));
     }
     if body.trim().is_empty() {
-        return Err(Wrong::whole(format!("the {what} is empty")).hint(kind.beginning()));
+        return Err(Wrong::whole(says::is_empty(what())).hint(kind.beginning()));
     }
     scan(body)?;
     let tree = parse_tree(body).map_err(|error| not_json(body, &error, kind))?.value;
@@ -65,7 +66,7 @@ pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>,
         let whole = error.to_string();
         let place = format!(" at line {} column {}", error.line(), error.column());
         let what = whole.strip_suffix(&place).unwrap_or(&whole);
-        Wrong::whole(format!("this is not JSON: {what}")).at_bytes(start..start)
+        Wrong::whole(says::not_json(what)).at_bytes(start..start)
     })?;
     Ok(tree.expect("a text that is not blank has a value"))
 }
@@ -74,14 +75,13 @@ pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>,
 fn scan(body: &str) -> Result<(), Wrong> {
     let (mut depth, mut in_text, mut escaped) = (0_usize, false, false);
     for (at, byte) in body.bytes().enumerate() {
-        let wrong = |message: &str| Wrong::whole(message).at_bytes(at..at + 1);
+        let wrong = |message: Message| Wrong::whole(message).at_bytes(at..at + 1);
         match (in_text, byte) {
             (true, b'\n' | b'\r') => {
-                let hint = r#"add the missing ", or write \n for a line break"#;
-                return Err(wrong("a text ends on the line it begins on").hint(hint));
+                return Err(wrong(says::text_over_lines()).hint(says::add_quote_or_n()));
             }
             (true, 0..0x20) => {
-                return Err(wrong("a text holds a tab or another control character").hint(r"write \t for a tab"));
+                return Err(wrong(says::control_in_text()).hint(says::write_t()));
             }
             (true, _) if escaped => escaped = false,
             (true, b'\\') => escaped = true,
@@ -91,7 +91,7 @@ fn scan(body: &str) -> Result<(), Wrong> {
             _ => {}
         }
         if depth > MAX_DEPTH {
-            return Err(wrong(&format!("brackets are nested deeper than {MAX_DEPTH} levels")));
+            return Err(wrong(says::too_deep(MAX_DEPTH)));
         }
     }
     Ok(())
@@ -111,68 +111,56 @@ fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> Wrong {
     let letters = |c: &char| c.is_alphanumeric() || "_+-.".contains(*c);
     let word: String = body[span.start..].chars().take_while(letters).take(40).collect();
     let shown = span.start..span.end.max(span.start + word.len()).min(body.len());
-    let not_a_number = format!("every number of a {what} is finite; leave the key out where a value is not known");
-    let beginning = kind.beginning();
-    let one = format!("a file holds one {what}, in one pair of {{ }}");
-    let (message, hint): (String, Option<&str>) = match error.kind() {
-        Kind::CommentsNotAllowed | Kind::UnterminatedCommentBlock => {
-            ("JSON has no comments".into(), Some(r#"write "note": "…", which is allowed anywhere"#))
-        }
-        Kind::TrailingCommasNotAllowed => {
-            ("a comma stands before the closing bracket".into(), Some("remove the comma"))
-        }
+    let not_a_number = |word: String| (says::no_number(word), Some(says::every_number_finite(what())));
+    let (message, hint) = match error.kind() {
+        Kind::CommentsNotAllowed | Kind::UnterminatedCommentBlock => (says::no_comments(), Some(says::write_note())),
+        Kind::TrailingCommasNotAllowed => (says::trailing_comma(), Some(says::remove_comma())),
         _ if body[..span.start].trim().is_empty() && !body[span.start..].starts_with(['{', '[']) => {
-            ("this is not JSON".into(), Some(&beginning))
+            (says::not_json_at_all(), Some(kind.beginning()))
         }
         Kind::ExpectedComma
             if body[..span.start].ends_with('0') && body[span.start..].starts_with(|c: char| c.is_ascii_digit()) =>
         {
-            ("a number does not begin with 0".into(), Some("remove the leading 0"))
+            (says::leading_zero(), Some(says::remove_zero()))
         }
-        Kind::ExpectedComma => ("a comma is missing here".into(), None),
-        Kind::UnterminatedObject => ("this { is never closed".into(), Some("add the missing }")),
-        Kind::UnterminatedArray => ("this [ is never closed".into(), Some("add the missing ]")),
-        Kind::UnexpectedCloseBrace => ("a } stands where a value should be".into(), None),
-        Kind::UnexpectedCloseBracket => ("a ] stands where a value should be".into(), None),
-        Kind::UnexpectedComma => ("a comma stands where a value should be".into(), None),
-        Kind::UnexpectedColon => ("a colon stands where a value should be".into(), None),
-        Kind::ExpectedColonAfterObjectKey => ("a colon is missing after this key".into(), None),
-        Kind::ExpectedObjectValue => ("the value of this key is missing".into(), None),
-        Kind::MultipleRootJsonValues => (format!("something stands after the end of the {what}"), Some(&one)),
-        Kind::SingleQuotedStringsNotAllowed => {
-            ("texts stand in double quotes".into(), Some(r#"write "A" in place of 'A'"#))
-        }
-        Kind::ExpectedStringObjectProperty => {
-            (format!("the key {word} needs double quotes"), Some(r#"write "key": value"#))
-        }
-        Kind::NonFiniteNumbersNotAllowed => (format!("{word} is not a number"), Some(&not_a_number)),
+        Kind::ExpectedComma => (says::comma_missing(), None),
+        Kind::UnterminatedObject => (says::brace_open(), Some(says::add_brace())),
+        Kind::UnterminatedArray => (says::bracket_open(), Some(says::add_bracket())),
+        Kind::UnexpectedCloseBrace => (says::brace_for_value(), None),
+        Kind::UnexpectedCloseBracket => (says::bracket_for_value(), None),
+        Kind::UnexpectedComma => (says::comma_for_value(), None),
+        Kind::UnexpectedColon => (says::colon_for_value(), None),
+        Kind::ExpectedColonAfterObjectKey => (says::colon_missing(), None),
+        Kind::ExpectedObjectValue => (says::value_missing(), None),
+        Kind::MultipleRootJsonValues => (says::after_end(what()), Some(says::one_in_a_file(what()))),
+        Kind::SingleQuotedStringsNotAllowed => (says::single_quotes(), Some(says::write_double())),
+        Kind::ExpectedStringObjectProperty => (says::key_needs_quotes(word), Some(says::write_key_value())),
+        Kind::NonFiniteNumbersNotAllowed => not_a_number(word),
         Kind::UnexpectedWord | Kind::ExpectedDigitFollowingNegativeSign
             if ["nan", "inf", "infinity"].contains(&word.to_lowercase().as_str()) =>
         {
-            (format!("{word} is not a number"), Some(&not_a_number))
+            not_a_number(word)
         }
         Kind::UnexpectedWord | Kind::UnexpectedToken | Kind::UnexpectedTokenInObject => match word.as_str() {
-            "" => (format!("{:?} does not belong here", body[span.start..].chars().next().unwrap_or(' ')), None),
-            "None" => ("None is not a value".into(), Some("leave the key out")),
-            "True" => ("True is not a value".into(), Some("write true")),
-            "False" => ("False is not a value".into(), Some("write false")),
-            _ => (format!("{word} is not a value"), Some("texts and names stand in double quotes")),
+            "" => (says::not_here(format!("{:?}", body[span.start..].chars().next().unwrap_or(' '))), None),
+            "None" => (says::no_value(word), Some(says::leave_key_out())),
+            "True" => (says::no_value(word), Some(says::write_true())),
+            "False" => (says::no_value(word), Some(says::write_false())),
+            _ => (says::no_value(word), Some(says::names_in_quotes())),
         },
-        Kind::UnaryPlusNumbersNotAllowed => ("a number has no plus sign before it".into(), Some("remove the +")),
-        Kind::HexadecimalNumbersNotAllowed => ("numbers are decimal".into(), None),
-        Kind::BareDecimalPointNumbersNotAllowed => {
-            ("a decimal point needs digits on both sides".into(), Some("write 0.5 for .5, and 5.0 for 5."))
-        }
+        Kind::UnaryPlusNumbersNotAllowed => (says::plus_sign(), Some(says::remove_plus())),
+        Kind::HexadecimalNumbersNotAllowed => (says::decimal_only(), None),
+        Kind::BareDecimalPointNumbersNotAllowed => (says::digits_both_sides(), Some(says::write_half())),
         Kind::ExpectedDigit
         | Kind::ExpectedDigitFollowingNegativeSign
-        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral => ("this number is not complete".into(), None),
+        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral => (says::number_incomplete(), None),
         Kind::String(_) if body[span.clone()].trim_start_matches('"').contains('\\') => {
-            (r"a \ in a text begins an escape, and this is none".into(), Some(r"write \\ for the character \"))
+            (says::no_escape(), Some(says::write_backslash()))
         }
-        Kind::String(_) => ("this text is never closed".into(), Some("add the missing \"")),
-        other => (format!("this is not JSON: {}", other.to_string().to_lowercase()), None),
+        Kind::String(_) => (says::text_open(), Some(says::add_quote())),
+        other => (says::not_json(other.to_string().to_lowercase()), None),
     };
-    Wrong::whole(message).at_bytes(shown).maybe_hint(hint.map(str::to_owned))
+    Wrong::whole(message).at_bytes(shown).maybe_hint(hint)
 }
 
 /// A part of the tree as JSON, without notes; at the top without `$schema`, which is for editors.
@@ -180,7 +168,7 @@ fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong>
     Ok(match value {
         Value::StringLit(text) => Json::String(text.value.clone().into_owned()),
         Value::BooleanLit(truth) => Json::Bool(truth.value),
-        Value::NullKeyword(_) => return Err(Wrong::value(&[], "null is not a value here").hint("leave the key out")),
+        Value::NullKeyword(_) => return Err(Wrong::value(&[], says::null()).hint(says::leave_key_out())),
         Value::NumberLit(number) => Json::Number(json_number(number.value)?),
         Value::Array(array) => {
             let elements = array.elements.iter().enumerate().map(|(index, element)| {
@@ -197,9 +185,9 @@ fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong>
                 }
                 if map.contains_key(name) {
                     let line = object.get(name).map_or(0, |first| source.place(range_of(&first.name)).line);
-                    let message = format!("key `{}` stands twice: first at line {line}", shortened(name));
+                    let message = says::key_twice(shortened(name), line);
                     let second = range_of(&property.name);
-                    return Err(Wrong::key(&[name], message).at_bytes(second).hint("keep one of them"));
+                    return Err(Wrong::key(&[name], message).at_bytes(second).hint(says::keep_one()));
                 }
                 let value = json(source, &property.value, false).map_err(|wrong| wrong.inside(&[name]))?;
                 map.insert(name.to_owned(), value);
@@ -214,10 +202,9 @@ fn json_number(text: &str) -> Result<Number, Wrong> {
         return Ok(Number::from(integer));
     }
     let number = text.parse::<f64>().ok().filter(|x| x.abs() <= LARGEST);
-    number.and_then(Number::from_f64).ok_or_else(|| {
-        Wrong::value(&[], format!("{} is too large to compute with", shortened(text)))
-            .hint("choose units that make it less than 1e100")
-    })
+    number
+        .and_then(Number::from_f64)
+        .ok_or_else(|| Wrong::value(&[], says::number_too_large(shortened(text))).hint(says::choose_units()))
 }
 
 /// The text of a scene as JSON.
@@ -238,8 +225,7 @@ impl<'a> SceneTree<'a> {
     }
 
     /// An error at a JSON path of a text; an index of a list is written in digits.
-    pub fn error(text: &str, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
-        let wrong = Wrong::value(path, message).maybe_hint(hint.map(str::to_owned));
-        Source(text).error(wrong)
+    pub fn error(text: &str, path: &[&str], message: Message, hint: Option<Message>) -> SceneError {
+        Source(text).error(Wrong::value(path, message).maybe_hint(hint))
     }
 }

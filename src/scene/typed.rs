@@ -1,11 +1,13 @@
 //! In: the text of a file. Out: its typed values, or its first error in plain words, with what to try.
 
 use super::choices::{LengthUnit, Page};
-use super::error::{SceneError, Source, Wrong, nearest, shortened, suggestion};
+use super::error::{SceneError, Source, Wrong, nearest, number, shortened, suggestion};
 use super::joint::out_of_scope;
 use super::reader::{Reader, Refusal, Why};
+use super::says;
 use super::text;
 use super::text::FileKind;
+use crate::message::Message;
 use crate::sheet::{Scales, Sheet};
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
@@ -30,26 +32,22 @@ fn check_version(json: &Json, kind: &FileKind) -> Result<(), Wrong> {
     let FileKind { what, key, version } = *kind;
     let Some(object) = json.as_object() else {
         let start = kind.start();
-        return Err(Wrong::value(&[], format!("expected a {what} as {start}, found {}", describe(json))));
+        return Err(Wrong::value(&[], says::expected_object(what(), start, describe(json))));
     };
     match object.get(key) {
         None => {
             // A key with nearly this name is probably a misspelling of it.
             let hint = match object.keys().find(|other| nearest(other, [key]).is_some()) {
-                Some(other) => format!("did you mean `{key}` by `{}`?", shortened(other)),
-                None => format!(r#"add "{key}": {version}, the version of the {what} format"#),
+                Some(other) => says::meant_key(key, shortened(other)),
+                None => says::add_version(key, version, what()),
             };
-            let message = format!("`{key}` is missing, so this may be something other than a {what}");
-            Err(Wrong::value(&[], message).hint(hint))
+            Err(Wrong::value(&[], says::no_version(key, what())).hint(hint))
         }
         Some(Json::Number(said)) if said.as_f64() == Some(version as f64) => Ok(()),
-        Some(Json::Number(said)) => {
-            Err(Wrong::value(&[key], format!("this program reads version {version}, the {what} says {said}")))
-        }
+        Some(Json::Number(said)) => Err(Wrong::value(&[key], says::other_version(version, what(), said.to_string()))),
         Some(other) => {
-            let found = describe(other);
-            let message = format!("expected the number {version}, the version of the format, found {found}");
-            Err(Wrong::value(&[key], message).hint(format!(r#"write "{key}": {version}"#)))
+            let message = says::version_is_number(version, describe(other));
+            Err(Wrong::value(&[key], message).hint(says::write_version(key, version)))
         }
     }
 }
@@ -64,15 +62,15 @@ fn at<'a>(json: &'a Json, path: &[&str]) -> Option<&'a Json> {
 }
 
 /// A JSON value as part of a sentence.
-fn describe(value: &Json) -> String {
+fn describe(value: &Json) -> Message {
     match value {
-        Json::Null => "nothing".into(),
-        Json::Bool(truth) => truth.to_string(),
-        Json::Number(number) => format!("the number {number}"),
-        Json::String(text) => format!("the text \"{}\"", shortened(text)),
-        Json::Array(elements) if elements.is_empty() => "an empty list".into(),
-        Json::Array(elements) => format!("a list of {}", elements.len()),
-        Json::Object(_) => "an object { … }".into(),
+        Json::Null => says::nothing(),
+        Json::Bool(truth) => truth.to_string().into(),
+        Json::Number(number) => says::a_number(number.to_string()),
+        Json::String(text) => says::a_text(shortened(text)),
+        Json::Array(elements) if elements.is_empty() => says::empty_list(),
+        Json::Array(elements) => says::list_of(elements.len()),
+        Json::Object(_) => says::an_object(),
     }
 }
 
@@ -87,91 +85,95 @@ impl Why {
                     Scales::FIELD => Sheet::ALL.map(|sheet| sheet.facts().scale_key).to_vec(),
                     name => vec![name],
                 });
-                let hint = out_of_scope(word).or_else(|| suggestion(word, names, "the keys here are"));
-                Wrong::key(path, format!("unknown key `{}`", shortened(word))).maybe_hint(hint)
+                let hint = out_of_scope(word).or_else(|| suggestion(word, names, says::the_keys_are));
+                Wrong::key(path, says::unknown_key(shortened(word))).maybe_hint(hint)
             }
             Why::UnknownWord(word, names) => {
-                let hint = suggestion(&word, names.iter().copied(), "write one of");
-                Wrong::value(path, format!("unknown word \"{}\"", shortened(&word))).maybe_hint(hint)
+                let hint = suggestion(&word, names.iter().copied(), says::write_one_of);
+                Wrong::value(path, says::unknown_word(shortened(&word))).maybe_hint(hint)
             }
-            Why::Missing(key) => Wrong::value(path, format!("`{key}` is missing")).maybe_hint(missing_hint(path, key)),
+            Why::Missing(key) => Wrong::value(path, says::missing(key)).maybe_hint(missing_hint(path, key)),
             Why::Type(expected) => {
                 let hint = match found {
                     Some(Json::String(text)) if expected.contains("number") => {
                         number_hint(path, &expected, text.trim())
                     }
                     Some(Json::Number(number)) if expected.contains("text") || expected.contains("name") => {
-                        Some(format!("write \"{number}\" in double quotes"))
+                        Some(says::in_double_quotes(number.to_string()))
                     }
                     _ => None,
                 };
-                let found = found.map_or_else(String::new, describe);
-                Wrong::value(path, format!("expected {expected}, found {found}")).maybe_hint(hint)
+                let found = found.map_or_else(|| "".into(), describe);
+                Wrong::value(path, says::expected_found(says::expected(&expected), found)).maybe_hint(hint)
             }
+            Why::Length(found) => Wrong::value(path, says::two_numbers(found)),
             Why::Said(message) => {
-                let hint = match (path.last(), found.and_then(Json::as_str)) {
-                    (Some(&"page"), Some(word)) => suggestion(word, Page::NAMES.into_iter().flatten(), "write one of"),
-                    (Some(&"values"), Some(word)) => {
-                        suggestion(word, LengthUnit::ALL.map(LengthUnit::as_str), "write true, false or one of")
+                let size = found.and_then(|found| found.get("size")?.as_f64()).filter(|size| *size < 0.0);
+                match (path.last(), found.and_then(Json::as_str), size) {
+                    (Some(&"page"), Some(word), _) => {
+                        let hint = suggestion(word, Page::NAMES.into_iter().flatten(), says::write_one_of);
+                        Wrong::value(path, says::no_page(shortened(word))).maybe_hint(hint)
                     }
-                    _ => None,
-                };
-                Wrong::value(path, message).maybe_hint(hint)
+                    (Some(&"values"), Some(word), _) => {
+                        let units = LengthUnit::ALL.map(LengthUnit::as_str);
+                        let hint = suggestion(word, units, says::write_truth_or_one_of);
+                        Wrong::value(path, says::no_unit(shortened(word))).maybe_hint(hint)
+                    }
+                    (_, _, Some(size)) => Wrong::value(path, says::negative_size(number(size))),
+                    _ => Wrong::value(path, message),
+                }
             }
         }
     }
 }
 
-fn missing_hint(path: &[&str], key: &str) -> Option<String> {
-    let example = match (path.last().copied(), key) {
-        (None, "units") => r#"add "units": { "length": "mm", "time": "s" }"#,
-        (None, "links") => r#"add "links": { "1": { "points": ["A", "B"], … }, … }"#,
-        (Some("units"), "length") => r#"add "length": "m", "mm", "cm", "in" or "ft""#,
-        (Some("units"), "time") => r#"add "time": "s" or "min""#,
-        (_, "on") => r#"add "on", the link that carries the guide, or "ground""#,
-        (_, "speed") => r#"add "speed", along the guide"#,
-        (_, "velocity") => r#"add "velocity": [x, y]"#,
+fn missing_hint(path: &[&str], key: &str) -> Option<Message> {
+    Some(match (path.last().copied(), key) {
+        (None, "units") => says::add(r#""units": { "length": "mm", "time": "s" }"#),
+        (None, "links") => says::add(r#""links": { "1": { "points": ["A", "B"], … }, … }"#),
+        (Some("units"), "length") => says::add_length_unit(),
+        (Some("units"), "time") => says::add_time_unit(),
+        (_, "on") => says::add_on(),
+        (_, "speed") => says::add_speed(),
+        (_, "velocity") => says::add(r#""velocity": [x, y]"#),
         _ => return None,
-    };
-    Some(example.to_owned())
+    })
 }
 
 /// The hint for a text where a number is expected.
-fn number_hint(path: &[&str], expected: &str, text: &str) -> Option<String> {
+fn number_hint(path: &[&str], expected: &str, text: &str) -> Option<Message> {
     let key = path.last().copied().unwrap_or_default();
     let number = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim_end();
     let pointed = text.replacen(',', ".", 1);
     let is_number = |text: &str| text.parse::<f64>().is_ok_and(f64::is_finite);
     let unit = text[number.len()..].trim().to_lowercase();
     if is_number(text) {
-        return Some(format!("write {text} without quotes"));
+        return Some(says::without_quotes(text));
     }
     if is_number(&pointed) {
-        return Some(format!("write {pointed} without quotes and with a point"));
+        return Some(says::with_a_point(pointed));
     }
     if let Some(value) = multiple_of_pi(text) {
         let digits = rounded(value);
         return Some(match key {
-            "omega" => format!("write {digits} without quotes, or the speed as \"rpm\""),
-            "angle" | "along" => {
-                format!("angles are in degrees: write {} without quotes", rounded(value.to_degrees()))
-            }
-            _ => format!("write {digits} without quotes"),
+            "omega" => says::or_as_rpm(digits),
+            "angle" | "along" => says::in_degrees(rounded(value.to_degrees())),
+            _ => says::without_quotes(digits),
         });
     }
     if !is_number(number) {
         return None;
     }
     if key == "omega" && ["rpm", "r/min", "1/min", "min-1", "u/min"].contains(&unit.as_str()) {
-        return Some(format!("write \"rpm\": {number} in place of \"omega\""));
+        return Some(says::rpm_for_omega(number));
     }
     if key == "angle" && unit.starts_with("rad") {
         let degrees = number.parse::<f64>().unwrap_or_default().to_degrees();
-        return Some(format!("angles are in degrees: write {} without quotes", rounded(degrees)));
+        return Some(says::in_degrees(rounded(degrees)));
     }
     Some(match expected.contains(" mm") {
-        true => format!("write {number} without quotes"),
-        false => format!("write {number} without quotes; units stand in `units`, angles are in degrees"),
+        true => says::without_quotes(number),
+        false => says::units_in_units(number),
     })
 }
 

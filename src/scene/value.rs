@@ -10,6 +10,7 @@ use serde::de::{Error, IgnoredAny, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::error::number;
+use super::reader::TWO_NUMBERS;
 use super::write::write_forms;
 use crate::geometry::{Ball, Pair};
 
@@ -142,7 +143,7 @@ impl<'de, T> Visitor<'de> for OneOf<T> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<T, A::Error> {
-        let wrong = |count: usize| A::Error::custom(format!("expected two numbers [x, y], found a list of {count}"));
+        let wrong = |count: usize| A::Error::invalid_length(count, &TWO_NUMBERS);
         let x = seq.next_element::<f64>()?.ok_or_else(|| wrong(0))?;
         let y = seq.next_element::<f64>()?.ok_or_else(|| wrong(1))?;
         let mut more = 0;

@@ -1,6 +1,7 @@
 //! The study file, version 1, key by key.
 
 use super::task::Figure;
+use crate::message::Message;
 use crate::scene::{FileKind, SceneError, SceneTree, range_of, read_as, schema_of};
 use crate::text::Untrusted;
 use indexmap::IndexMap;
@@ -9,7 +10,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde_json::Value as Json;
 
-const STUDY: FileKind = FileKind { what: "study", key: "kinegon_study", version: 1 };
+const STUDY: FileKind = FileKind { what: crate::scene::says::study, key: "kinegon_study", version: 1 };
 
 /// Many mechanisms that differ from one scene in some numbers, each moved through a cycle.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -155,18 +156,18 @@ impl StudyFile {
     }
 
     /// An error at a place of the study.
-    pub(super) fn error(&self, path: &[&str], message: impl Into<String>, hint: Option<&str>) -> SceneError {
-        SceneTree::error(&self.text, path, message, hint)
+    pub(super) fn error(&self, path: &[&str], message: impl Into<Message>, hint: Option<Message>) -> SceneError {
+        SceneTree::error(&self.text, path, message.into(), hint)
     }
 
     /// Refuses what stands at a place of the study.
     pub(super) fn refuse<T, E: From<SceneError>>(
         &self,
         path: &[&str],
-        message: impl Into<String>,
+        message: impl Into<Message>,
         hint: Option<&str>,
     ) -> Result<T, E> {
-        Err(self.error(path, message, hint).into())
+        Err(self.error(path, message, hint.map(Message::from)).into())
     }
 
     /// The JSON Schema (draft 2020-12) of studies, with descriptions, for editors.

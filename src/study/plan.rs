@@ -196,7 +196,7 @@ impl Study {
 
 /// A problem at a place of the study.
 fn refused(file: &StudyFile, path: &[&str], problem: &Problem) -> StudyError {
-    file.error(path, problem.message.as_str(), problem.hint.as_deref()).into()
+    file.error(path, problem.message.clone(), problem.hint.clone()).into()
 }
 
 /// The motion that the study asks for.
@@ -236,9 +236,9 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
         let Some(found) = known.iter().find(|k| k.name == *name || k.path == *name) else {
             let names = known.iter().flat_map(|k| [k.name.as_str(), k.path.as_str()]);
             let hint = close(name, names)
-                .unwrap_or_else(|| format!("what may vary: {}", list(known.iter().map(|k| k.name.as_str()))));
+                .unwrap_or_else(|| format!("what may vary: {}", list(known.iter().map(|k| k.name.as_str()))).into());
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
-            return file.refuse(&path, message, Some(&hint));
+            return Err(file.error(&path, message, Some(hint.into())).into());
         };
         let moved = if driven.drive.is_angle { "angle" } else { "position" };
         if found.name == format!("{}.{moved}", driven.drive.name) {
@@ -252,7 +252,7 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
         let own = found.number.of(&mut scene.clone()).copied().unwrap_or_default();
         let values = Values::of(range, own).map_err(|message| {
             let hint = r#"write { "from": 80, "to": 120, "count": 9 }, { "from": 80, "to": 120 }, { "plus_minus": 0.5 } or { "sigma": 0.2 }"#;
-            file.error(&path, message, Some(hint))
+            file.error(&path, message, Some(hint.into()))
         })?;
         all.push(Varied { name: name.clone(), number: found.number, values });
     }

@@ -1,6 +1,9 @@
 //! Catalogues: the sentences of one language, read once into a list in the order of their declarations.
 
+use crate::message::{Message, filled};
 use std::collections::{BTreeMap, BTreeSet};
+
+pub use crate::message::Declared;
 
 /// All sentences of a language, with a method for each, which [`sentences`](super::sentences) declares.
 #[derive(Clone, Debug)]
@@ -15,30 +18,6 @@ pub struct Language {
 
 /// Sentences by keys with a dot, as `turned_ray.done`: a table elsewhere, as that of mistakes, declares them.
 pub type Tables = BTreeMap<&'static str, &'static str>;
-
-/// The declaration of a sentence.
-#[derive(Clone, Copy, Debug)]
-pub struct Declared {
-    /// Its key in the catalogues.
-    pub key: &'static str,
-    /// The names of its blanks, in the order of the arguments that fill them.
-    pub blanks: &'static [&'static str],
-    /// What it says in English.
-    pub english: &'static str,
-}
-
-/// A sentence with what stands for each of its blanks.
-#[must_use]
-pub fn filled(sentence: &str, blanks: &[&str], by: &[&str]) -> String {
-    let mut parts = sentence.split('{');
-    let mut text = parts.next().unwrap_or_default().to_owned();
-    for (name, words) in parts.filter_map(|part| part.split_once('}')) {
-        let blank = blanks.iter().position(|blank| *blank == name);
-        text.push_str(blank.map_or("", |blank| by[blank]));
-        text.push_str(words);
-    }
-    text
-}
 
 /// The names of a sentence's blanks, which are among `known`.
 ///
@@ -62,6 +41,12 @@ pub fn blanks_of<'s>(sentence: &'s str, known: &[&str]) -> Result<BTreeSet<&'s s
 }
 
 impl Language {
+    /// What an error or a warning says in this language; in English what this language lacks.
+    #[must_use]
+    pub fn says(&self, message: &Message) -> String {
+        message.told(&|declared| self.tables.get(declared.key).copied().unwrap_or(declared.english))
+    }
+
     /// A sentence of a table by its key, with the blanks filled; the key where no language has it.
     #[must_use]
     pub(crate) fn of_table(&self, key: &str, blanks: &[(&str, String)]) -> String {

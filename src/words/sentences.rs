@@ -2,7 +2,8 @@
 //! Other languages are text files with the same keys. A declaration gives a method of [`Language`], so the compiler
 //! checks that every blank is filled.
 
-use super::catalogue::{Declared, Language, filled};
+use super::catalogue::{Declared, Language};
+use crate::message::filled;
 use crate::sheet::Sheet;
 
 /// Declares the sentences and a method for each: `title = "…";` gives `title(&self) -> &str`, and
@@ -259,18 +260,6 @@ sentences! {
     modes_at_least(count) = "at least {count}";
     modes_listed(modes, listed) = "{modes}, listed are the first {listed}";
     modes_heading(modes, unit) = "{modes}; coordinates in {unit}, angles in degrees";
-    modes_searched(links) =
-        "links {links} form a group of higher class: its assembly modes were found by a search, and there may be more";
-
-    // Why a joint that is pulled does not follow the hand.
-    held_point(point) = "{point} is pinned";
-    held_length(point, length) = "{point} moves on a circle: {length} is pinned";
-    held_angle(point, link) = "{point} moves on a line: the angle of link {link} is pinned";
-    held_guide(point, slider) = "{point} moves on a line: the guide of {slider}";
-    held_nowhere = "the joint cannot go there";
-    held_in_one_place(link, point, other) = "link {link} would have {point} and {other} in one place";
-    held_rounded = "with the joint there, rounded lengths leave the other joints no place near their own";
-    held_try = "pull the joint to another place";
 
     // The report on a student's values.
     check_counts(right, within, off) = "{right} right, {within} within the tolerance of a pencil, {off} off";
@@ -289,6 +278,14 @@ sentences! {
     check_coarse_digits(values) = "Too few digits to tell anything: {values}. Write at least two that are not zero.";
     check_too_small(values) =
         "Too small on the sheet to be judged: {values}. An honest hand could as well find nothing there.";
+    check_all_larger(percent) =
+        "All lengths are {percent} % too large: was the sheet printed to fit the page? They are judged without that.";
+    check_all_smaller(percent) =
+        "All lengths are {percent} % too small: was the sheet printed to fit the page? They are judged without that.";
+    check_all_longer(mm) =
+        "All lengths are {mm} mm too long: did you read the ruler from its end, or from {mm}? They are judged without that.";
+    check_all_shorter(mm) =
+        "All lengths are {mm} mm too short: did you lay the end of the ruler on the point? They are judged without that.";
     check_other_scale(scale, stated, asked) =
         "{scale}: your form states {stated}, the exercise {asked}; your values are judged at yours.";
     check_no_such_scale(scale, stated, sheet, used) =

@@ -100,7 +100,7 @@ fn what_does_not_move_has_no_film() {
         (120.0, 50, "would have 6000 pictures; it may have 2000"),
     ] {
         let problem = refused(Timing { seconds, per_second });
-        assert!(problem.message.contains(told) && problem.hint.is_some(), "{problem}");
+        assert!(problem.message.to_string().contains(told) && problem.hint.is_some(), "{problem}");
     }
     assert!(matches!(Film::new(&own, Some("9"), Timing::default()), Err(CycleError::NoSuchDrive { .. })));
     let drawn = scene("examples/figure-1.json");

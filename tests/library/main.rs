@@ -34,7 +34,7 @@
 //!   JPEG), knows where each point of the page is in them, and draws the plans of the students above on sheets with a
 //!   pencil; it shares nothing with what reads photographs. `camera` holds it to mathematics: edges to 0.02 pixels,
 //!   lengths of bent paper, cross ratios, Exif.
-//! - Input: `scene_read`, `scene_build`, `bad_scenes`; `editing` changes the texts of all scenes and back, to the
+//! - Input: `scene_read`, `scene_build`, `bad_scenes`; `messages` asks for every error in every language; `editing` changes the texts of all scenes and back, to the
 //!   byte, pulls every joint and holds all others to their places; `fuzzed` takes what `fuzz/` has found the whole
 //!   way.
 //! - The repository: `committed_files` keeps `out/`, `templates/` and `docs/gallery` current; `architecture` holds
@@ -45,6 +45,7 @@ mod architecture;
 mod assemblies;
 mod bad_scenes;
 mod camera;
+mod cheats;
 mod committed_files;
 mod complete_plans;
 mod coriolis;
@@ -71,6 +72,7 @@ mod lectured;
 mod legible;
 mod levers;
 mod markers;
+mod messages;
 mod paper_facts;
 mod pencil;
 mod photographs;

@@ -95,7 +95,7 @@ fn find(planted: &Planted, class: &str) -> Result<(f64, usize), String> {
     }
     let pose = pose(&mechanism, &scene.near).map_err(|e| e.to_string())?;
     if !pose.warnings.is_empty() {
-        return Err(pose.warnings.join("; "));
+        return Err(pose.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "));
     }
     let count = pose.assemblies.iter().flatten().map(|a| a.modes).product();
     if count == 0 {

@@ -222,7 +222,7 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
     let empty = Measured::read_json(&exercise.form("one-1-1").json(&exercise.solution)).expect("a form");
     assert_eq!(empty.exercise, Some("one-1-1".into()), "{kind}");
     let error = check(&empty, &answers).expect_err("nothing is filled in");
-    assert!(error.message.contains("empty"), "{kind}: {error}");
+    assert!(error.message.to_string().contains("empty"), "{kind}: {error}");
     let empty = Measured::read_csv(&exercise.form("one-1-1").csv(&exercise.solution)).expect("a form");
     assert_eq!(empty.exercise, Some("one-1-1".into()), "{kind}");
     assert!(check(&empty, &answers).is_err(), "{kind}");

@@ -38,8 +38,9 @@ pub fn form(text: &str) {
     let measured = if text.trim_start().starts_with(['{', '[']) {
         Measured::read_json(text).map_err(|error| refused(text, &error))
     } else {
-        Measured::read_csv(text)
-            .map_err(|error| said(&format!("{error}\n{}", error.hint.as_deref().unwrap_or_default())))
+        Measured::read_csv(text).map_err(|error| {
+            said(&format!("{error}\n{}", error.hint.as_ref().map_or_else(String::new, ToString::to_string)))
+        })
     };
     let Ok(measured) = measured else { return };
     for subject in SUBJECTS.iter() {
@@ -56,7 +57,7 @@ fn checked(subject: &Subject, measured: &Measured, given: &str) {
     let found = match subject.prepared.check(measured) {
         Ok(found) => found,
         Err(error) => {
-            said(&format!("{error}\n{}", error.hint.as_deref().unwrap_or_default()));
+            said(&format!("{error}\n{}", error.hint.as_ref().map_or_else(String::new, ToString::to_string)));
             table(&ClassRow::broken(file.clone(), &error.to_string()).csv(columns), columns);
             let page = Feedback::refused(Some(&subject.solution.scene), &file, &error.to_string(), &words);
             return outputs::html(&page.html());
@@ -90,7 +91,9 @@ pub fn marks(text: &str) {
     for subject in SUBJECTS.iter() {
         let key: &AnswerKey<'_> = subject.prepared.key();
         match marks.of(key) {
-            Err(error) => said(&format!("{error}\n{}", error.hint.as_deref().unwrap_or_default())),
+            Err(error) => {
+                said(&format!("{error}\n{}", error.hint.as_ref().map_or_else(String::new, ToString::to_string)))
+            }
             Ok(scheme) => {
                 let form = r#"{ "kinegon_measured": 1, "values": { "omega(3)": 1, "omega(4)": -3 } }"#;
                 let measured = Measured::read_json(form).expect("it is a form");

@@ -6,6 +6,7 @@ use crate::drawing::compose::{TITLE_LINE, TITLE_SIZE, titled};
 use crate::drawing::dims::Dims;
 use crate::drawing::held_layout::Pane;
 use crate::drawing::lines::Line;
+use crate::drawing::says;
 use crate::drawing::sheet::{Drawing, Pen};
 use crate::drawing::text::{CAPTION, RichText};
 use crate::drawing::view::next_of;
@@ -43,14 +44,12 @@ impl CurvesError {
     #[must_use]
     pub fn problem(&self) -> Problem {
         match self {
-            CurvesError::Panels { wanted, room } => Problem::new(format!(
-                "{wanted} kinds of quantities need {wanted} panels, and the sheet has room for {room}"
-            ))
-            .hint(r#"fewer quantities at a time, or another `page` in the scene's figure, as "a4-portrait""#),
-            CurvesError::Crowd { wanted } => Problem::new(format!(
-                "{wanted} curves in one panel are more than can be told apart, which is {MOST_CURVES}"
-            ))
-            .hint("fewer quantities at a time"),
+            CurvesError::Panels { wanted, room } => {
+                Problem::new(says::too_many_panels(*wanted, *room)).hint(says::fewer_or_page())
+            }
+            CurvesError::Crowd { wanted } => {
+                Problem::new(says::too_many_curves(*wanted, MOST_CURVES)).hint(says::fewer_quantities())
+            }
         }
     }
 }

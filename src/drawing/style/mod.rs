@@ -20,7 +20,7 @@ const CALM: f64 = 0.45;
 /// Share of the background's colour in a tint of the accent colour.
 const TINT: f64 = 0.8;
 
-const STYLE: FileKind = FileKind { what: "style", key: "kinegon_style", version: 1 };
+const STYLE: FileKind = FileKind { what: crate::scene::says::style, key: "kinegon_style", version: 1 };
 
 /// The looks of a drawing's marks. Copies share one set of values.
 #[derive(Clone, Debug, PartialEq)]

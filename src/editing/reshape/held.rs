@@ -3,8 +3,10 @@
 
 use super::Pins;
 use crate::editing::present::Solved;
+use crate::editing::says;
 use crate::geometry::{Point, Turn, Vector, cross, quarter_turn, unit};
 use crate::mechanism::{BodyId, PointId, Role, SliderId};
+use crate::message::Message;
 use crate::position::Pose;
 use crate::scene::{Along, At, GivenBy, On, Shape, Slider, joined, pair};
 
@@ -18,8 +20,8 @@ pub(super) struct Held {
     is_pinned: bool,
     /// Slotted levers that turn when the joint moves.
     pub levers: Vec<Lever>,
-    /// What holds the joint, in words.
-    pub note: Option<String>,
+    /// What holds the joint.
+    pub note: Option<Message>,
 }
 
 impl Held {
@@ -27,7 +29,7 @@ impl Held {
     pub fn new(solved: &Solved, point: PointId, pins: &Pins) -> Held {
         let name = solved.mechanism.point_name(point);
         if pins.points.iter().any(|pinned| pinned == name) {
-            let note = solved.language().held_point(name);
+            let note = says::held_point(name);
             return Held { is_pinned: true, note: Some(note), ..Held::default() };
         }
         let mut held = Held::default();
@@ -44,7 +46,7 @@ impl Held {
                 notes.push(note);
             }
         }
-        held.note = (!notes.is_empty()).then(|| notes.join("; "));
+        held.note = (!notes.is_empty()).then(|| Message::list(notes, "; "));
         held
     }
 
@@ -56,7 +58,7 @@ impl Held {
 }
 
 /// The rule of a pinned length or angle of one of the point's links.
-fn pinned(solved: &Solved, point: PointId, pin: &str) -> Option<(Rule, String)> {
+fn pinned(solved: &Solved, point: PointId, pin: &str) -> Option<(Rule, Message)> {
     let (link, key) = pin.split_once('.')?;
     let points = &solved.scene.links.get(link)?.points;
     let name = solved.mechanism.point_name(point);
@@ -64,10 +66,10 @@ fn pinned(solved: &Solved, point: PointId, pin: &str) -> Option<(Rule, String)> 
     if key == "angle" {
         let axis = points.get(..2).filter(|axis| axis.iter().any(|end| end == name))?;
         let along = unit(place(&axis[1])? - place(&axis[0])?)?;
-        return Some((Rule::Line(along), solved.language().held_angle(name, link)));
+        return Some((Rule::Line(along), says::held_angle(name, link)));
     }
     let (from, to) = pair(key, points)?;
-    let note = solved.language().held_length(name, &joined(&from, &to));
+    let note = says::held_length(name, joined(&from, &to));
     let other = match (from == name, to == name) {
         (true, _) => to,
         (_, true) => from,
@@ -77,7 +79,7 @@ fn pinned(solved: &Solved, point: PointId, pin: &str) -> Option<(Rule, String)> 
 }
 
 /// The rule of a guide that cannot be put elsewhere for the point.
-fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Option<(Rule, String)> {
+fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Option<(Rule, Message)> {
     let name = solved.mechanism.point_name(point);
     let slides = slides(slider, name);
     let is_end = matches!(&slider.along, Along::Points(a, b) if a == name || b == name);
@@ -90,7 +92,7 @@ fn guided(solved: &Solved, point: PointId, id: SliderId, slider: &Slider) -> Opt
         }
     };
     let along: Vector = *solved.pose.guides.get(id.0)?;
-    is_held.then(|| (Rule::Line(along), solved.language().held_guide(name, &solved.mechanism.slider_name(id))))
+    is_held.then(|| (Rule::Line(along), says::held_guide(name, solved.mechanism.slider_name(id))))
 }
 
 /// Whether this point slides along the guide.

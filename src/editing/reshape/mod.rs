@@ -12,8 +12,10 @@ use super::document::Document;
 use super::measure::Decimals;
 use super::position::{MOVED, distance, settle};
 use super::present::Solved;
+use super::says;
 use crate::geometry::{Point, span};
 use crate::mechanism::{BodyId, Mechanism, PointId};
+use crate::message::Message;
 use crate::position::Pose;
 use crate::scene::{Scene, SceneError};
 use change::Change;
@@ -60,8 +62,8 @@ pub struct Reshaped {
     pub mechanism: Mechanism,
     /// Its position.
     pub pose: Pose,
-    /// Why the joint may not be where it was pulled to, in the scene's language; `None` where nothing holds it.
-    pub note: Option<String>,
+    /// Why the joint may not be where it was pulled to; `None` where nothing holds it.
+    pub note: Option<Message>,
 }
 
 /// Numbers of further decimals of lengths that are tried, where rounded ones do not go together.
@@ -78,8 +80,7 @@ impl Reshape {
     pub fn new(text: &str, point: &str, pins: &Pins) -> Result<Reshape, SceneError> {
         let before = Solved::of(text)?;
         let Some(id) = before.mechanism.point(point) else {
-            let message = format!("there is no point {}", crate::text::shown(point));
-            return Err(before.scene.error_at(&[], message, None));
+            return Err(before.scene.error_at(&[], says::no_point(crate::text::shown(point)), None));
         };
         let decimals = Decimals::of_size(span(before.pose.points.iter().copied()));
         let held = Held::new(&before, id, pins);
@@ -96,7 +97,7 @@ impl Reshape {
         let wanted = Point::from(place);
         let now = self.before.pose.point(self.point);
         if !wanted.coords.iter().all(|x| x.is_finite()) {
-            return Err(self.before.scene.error_at(&[], "this is no place", None));
+            return Err(self.before.scene.error_at(&[], says::no_place(), None));
         }
         if self.held.is_fast() {
             return Ok(self.unchanged());
@@ -114,7 +115,7 @@ impl Reshape {
                 Err(error) => failure = Some(error),
             }
         }
-        Err(failure.unwrap_or_else(|| self.error(self.before.language().held_nowhere())))
+        Err(failure.unwrap_or_else(|| self.error(says::held_nowhere())))
     }
 
     fn unchanged(&self) -> Reshaped {
@@ -125,9 +126,9 @@ impl Reshape {
         Reshaped { text, scene, mechanism, pose, note: self.held.note.clone() }
     }
 
-    /// Why the joint cannot go where it is pulled, in the figure's language as the notes are.
-    fn error(&self, message: &str) -> SceneError {
-        self.before.scene.error_at(&["links"], message, Some(self.before.language().held_try().to_owned()))
+    /// Why the joint cannot go where it is pulled.
+    fn error(&self, message: Message) -> SceneError {
+        self.before.scene.error_at(&["links"], message, Some(says::held_try()))
     }
 
     /// Refuses a place at another point of one of the joint's links.
@@ -139,7 +140,7 @@ impl Reshape {
             let near = |point: &&PointId| (pose.point(**point) - place).norm() < self.decimals.step();
             if let Some(other) = others.into_iter().find(near) {
                 let [point, other] = [self.point, *other].map(|point| mechanism.point_name(point));
-                return Err(self.error(&self.before.language().held_in_one_place(&body.name, point, other)));
+                return Err(self.error(says::in_one_place(&body.name, point, other)));
             }
         }
         Ok(())
@@ -173,7 +174,7 @@ impl Reshape {
         let solved = settle(&mut document, &wanted)?;
         match distance(&wanted, &solved.pose) <= MOVED {
             true => Ok((document.text(), solved)),
-            false => Err(self.error(self.before.language().held_rounded())),
+            false => Err(self.error(says::held_rounded())),
         }
     }
 }

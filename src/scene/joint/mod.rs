@@ -7,6 +7,8 @@ pub use slider::{Along, On, Slider};
 pub(super) use slider::{SliderFile, sliders};
 
 use super::error::nearest;
+use super::says;
+use crate::message::Message;
 use serde_json::Value as Json;
 
 /// The kinds of joints that a scene lists.
@@ -103,17 +105,12 @@ const FORCES: [&str; 14] = [
 ];
 
 /// The hint for a key of something that scenes do not have.
-pub(super) fn out_of_scope(word: &str) -> Option<String> {
+pub(super) fn out_of_scope(word: &str) -> Option<Message> {
     let word = word.to_lowercase();
     let is_joint = || nearest(&word, JOINTS.map(|kind| kind.list)).is_some();
-    let hint = match word.as_str() {
-        other if OTHER_JOINTS.contains(&other) && !is_joint() => {
-            "links are joined by pins and straight sliders: gears, belts, chains, racks and cams are out of scope"
-        }
-        other if FORCES.contains(&other) => {
-            "motions follow from the drives: forces, masses, springs and friction are out of scope"
-        }
-        _ => return None,
-    };
-    Some(hint.to_owned())
+    match word.as_str() {
+        other if OTHER_JOINTS.contains(&other) && !is_joint() => Some(says::joints_out_of_scope()),
+        other if FORCES.contains(&other) => Some(says::forces_out_of_scope()),
+        _ => None,
+    }
 }

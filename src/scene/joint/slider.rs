@@ -6,11 +6,13 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::{JointKind, Meaning};
+use crate::message::Message;
 use crate::scene::error::Wrong;
-use crate::scene::given::{DRAWN, GivenBy, SliderDrive};
+use crate::scene::given::{GivenBy, SliderDrive};
 use crate::scene::link::{Link, Pushes, Shape};
 use crate::scene::name::{checked_pair, no_point};
 use crate::scene::names::{Coordinates, Names};
+use crate::scene::says;
 use crate::scene::value::{At, Direction};
 use crate::scene::write::write_keys;
 use crate::text::shown;
@@ -122,10 +124,10 @@ struct Carrier<'a> {
 
 impl Carrier<'_> {
     /// "link 2" or "the ground".
-    fn name(&self) -> String {
+    fn name(&self) -> Message {
         match self.on {
-            On::Ground => "the ground".into(),
-            On::Link(link) => format!("link {link}"),
+            On::Ground => says::the_ground(),
+            On::Link(link) => says::link_named(link),
         }
     }
 
@@ -151,8 +153,8 @@ impl Carrier<'_> {
     /// An error if the sliding point is a point of the carrier.
     fn check_free(&self, key: &str, point: &str) -> Result<(), Wrong> {
         if self.has(point) {
-            let message = format!("point {point} is a point of {}, so it cannot slide on it", self.name());
-            return Err(Wrong::value(&[key], message).hint("use another name for the point that slides"));
+            let message = says::slides_on_own(point, self.name());
+            return Err(Wrong::value(&[key], message).hint(says::other_sliding_name()));
         }
         Ok(())
     }
@@ -160,16 +162,14 @@ impl Carrier<'_> {
     fn through(&self, given: At) -> Result<At, Wrong> {
         match (&given, self.link()) {
             (At::Point(point), _) if !self.has(point) => {
-                Err(Wrong::value(&["through"], no_point(&self.name(), point, self.points())))
+                Err(Wrong::value(&["through"], no_point(self.name(), point, self.points())))
             }
             (At::Place(_), Some(link)) if !matches!(link.shape, Shape::Local(_)) => {
-                let name = self.name();
-                let message = format!("coordinates need a frame, and {name} has no `shape`");
-                let or = match self.given_by {
-                    GivenBy::Lengths => "give the link a `shape`",
-                    GivenBy::Drawing => "leave `through` out: the guide passes through the slider's point",
+                let hint = match self.given_by {
+                    GivenBy::Lengths => says::point_or_shape(self.name()),
+                    GivenBy::Drawing => says::point_or_without(self.name()),
                 };
-                Err(Wrong::value(&["through"], message).hint(format!("name a point of {name}, or {or}")))
+                Err(Wrong::value(&["through"], says::no_frame(self.name())).hint(hint))
             }
             _ => Ok(given),
         }
@@ -180,32 +180,26 @@ impl Carrier<'_> {
         let path: &[&str] = if given.is_some() { &["along"] } else { &[] };
         match given.unwrap_or(Direction::Degrees(0.0)) {
             Direction::Points(key) => self.along_points(coordinates, &key),
-            Direction::Vector([0.0, 0.0]) => {
-                Err(Wrong::value(path, "a direction of size zero points nowhere").hint("give [dx, dy] or degrees"))
-            }
+            Direction::Vector([0.0, 0.0]) => Err(Wrong::value(path, says::no_direction()).hint(says::give_direction())),
             Direction::Vector(direction) => Ok(Along::Direction(direction)),
             Direction::Degrees(_)
                 if self.given_by == GivenBy::Drawing && self.link().is_some_and(|link| link.points.is_empty()) =>
             {
-                let message = format!("{} has no points and so no axis to count degrees from", self.name());
-                Err(Wrong::value(path, message).hint(r#"give the direction as drawn: "along": [dx, dy]"#))
+                Err(Wrong::value(path, says::no_axis(self.name())).hint(says::give_drawn_direction()))
             }
             Direction::Degrees(degrees) => Ok(Along::Degrees(degrees)),
         }
     }
 
     fn along_points(&self, coordinates: &Coordinates, key: &str) -> Result<Along, Wrong> {
-        let points = checked_pair("along", key, &self.name(), self.points(), |point| self.has(point));
+        let points = checked_pair(says::along_key, key, &self.name(), self.points(), |point| self.has(point));
         let (from, to) = points.map_err(|Wrong { message, hint, .. }| {
             let number = key.trim().parse::<f64>().is_ok();
-            let degrees = number.then(|| format!("write {} without quotes for degrees", key.trim()));
+            let degrees = number.then(|| says::degrees_unquoted(key.trim()));
             Wrong::value(&["along"], message).maybe_hint(degrees.or(hint))
         })?;
         match (coordinates.get(&from), coordinates.get(&to)) {
-            (Some(a), Some(b)) if a == b => {
-                let message = format!("{from} and {to} are in one place, so they give no direction");
-                Err(Wrong::value(&["along"], message))
-            }
+            (Some(a), Some(b)) if a == b => Err(Wrong::value(&["along"], says::one_place(&from, &to))),
             _ => Ok(Along::Points(from, to)),
         }
     }
@@ -226,29 +220,25 @@ pub(in crate::scene) fn sliders(
         let mut slider = slider(given_by, names, coordinates, given).map_err(inside)?;
         if let Some((link, push)) = slider.link.as_ref().and_then(|link| pushes.swap_remove_entry(link)) {
             if slider.drive.is_some() {
-                let message = format!("link {link} has a drive, and so has its slider");
-                return Err(inside(Wrong::key(&["drive"], message).hint("keep one of them")));
+                return Err(inside(Wrong::key(&["drive"], says::two_drives(&link)).hint(says::keep_one())));
             }
             slider.drive = Some(push);
             pushed.insert(link);
         } else if let Some(link) = slider.link.as_ref().filter(|link| pushed.contains(*link)) {
-            let message = format!("link {link} has two sliders, and its drive does not say which one it pushes");
-            let hint = "move the drive into one of the entries of `sliders`";
-            return Err(Wrong::key(&["links", link, "drive"], message).hint(hint));
+            let message = says::which_slider(link);
+            return Err(Wrong::key(&["links", link, "drive"], message).hint(says::drive_into_sliders()));
         }
         sliders.push(slider);
     }
     if let Some(link) = pushes.keys().next() {
-        let message = format!("link {link} is pushed by its drive, but it has no slider");
-        let hint = "add an entry to `sliders` with this `link`, or turn the link with `omega`";
-        return Err(Wrong::key(&["links", link, "drive"], message).hint(hint));
+        let message = says::pushed_without_slider(link);
+        return Err(Wrong::key(&["links", link, "drive"], message).hint(says::add_slider()));
     }
     let carriers: HashSet<&On> = sliders.iter().map(|slider| &slider.on).collect();
     for (name, link) in names.links {
         let is_idle = link.points.is_empty() && link.motion.is_none();
         if is_idle && !carriers.contains(&On::Link(name.clone())) {
-            let message = format!("link {name} has no points, and nothing slides on it");
-            return Err(Wrong::value(&["links", name], message).hint("remove it, or name its points"));
+            return Err(Wrong::value(&["links", name], says::idle_link(name)).hint(says::remove_or_name()));
         }
     }
     Ok(sliders)
@@ -268,20 +258,19 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
     let along = carrier.along(coordinates, given.along)?;
     let placed = through.is_some() || matches!(along, Along::Points(..)) || !carrier.points().is_empty();
     if given_by == GivenBy::Lengths && !placed {
-        let message = format!("nothing says where the guide is: {} has no points", carrier.name());
+        let message = says::guide_nowhere(carrier.name());
         let hint = match on {
-            On::Ground => r#"add "through": [x, y], a place on the guide"#.into(),
-            On::Link(link) => format!("name a point of link {link} that is on the guide"),
+            On::Ground => says::add_through(),
+            On::Link(link) => says::name_on_guide(link),
         };
         return Err(Wrong::value(&[], message).hint(hint));
     }
     if given_by == GivenBy::Drawing && given.turned.is_some() {
-        let message = "`turned` has no place in a drawn configuration";
-        return Err(Wrong::key(&["turned"], message).hint(format!("remove it: {DRAWN}")));
+        return Err(Wrong::key(&["turned"], says::turned_is_drawn()).hint(says::remove_it_drawn()));
     }
     if given_by == GivenBy::Drawing && given.drive.is_some_and(|drive| drive.position.is_some()) {
-        let message = "this drive has `position`, but this scene is a drawn configuration";
-        return Err(Wrong::key(&["drive", "position"], message).hint(format!("remove `position`: {DRAWN}")));
+        let hint = says::remove_drawn("position");
+        return Err(Wrong::key(&["drive", "position"], says::position_is_drawn()).hint(hint));
     }
     let SliderFile { link, at, pin, turned, drive, .. } = given;
     Ok(Slider { link, at, pin, on, through, along, turned_deg: turned.unwrap_or(0.0), drive })
@@ -290,26 +279,16 @@ fn slider(given_by: GivenBy, names: &Names<'_>, coordinates: &Coordinates, given
 /// Refuses a link, point or pin that cannot slide on the carrier.
 fn check_sliding(carrier: &Carrier<'_>, link: Option<&str>, at: Option<&str>, pin: Option<&str>) -> Result<(), Wrong> {
     match (link, at, pin) {
-        (None, None, None) => {
-            let hint = r#"give "link" and "at", the link and its point on the guide; or "pin""#;
-            Err(Wrong::value(&[], "this slider does not say what slides").hint(hint))
-        }
+        (None, None, None) => Err(Wrong::value(&[], says::nothing_slides()).hint(says::give_link_or_pin())),
         (Some(_), _, Some(_)) | (_, Some(_), Some(_)) => {
-            let message = "`pin` stands in place of `link` and `at`, not beside them";
-            Err(Wrong::key(&["pin"], message).hint("keep `link` and `at` for a block, `pin` for a bare pin"))
+            Err(Wrong::key(&["pin"], says::pin_and_link()).hint(says::block_or_pin()))
         }
-        (Some(link), None, None) => {
-            let hint = format!(r#"add "at", the point of link {} that is on the guide"#, shown(link));
-            Err(Wrong::value(&[], "`at` is missing").hint(hint))
-        }
-        (None, Some(at), None) => {
-            let hint = format!(r#"add "link", the sliding link; or write "pin": "{at}" for a pin in a slot"#);
-            Err(Wrong::value(&[], "`link` is missing").hint(hint))
-        }
+        (Some(link), None, None) => Err(Wrong::value(&[], says::missing("at")).hint(says::add_at(shown(link)))),
+        (None, Some(at), None) => Err(Wrong::value(&[], says::missing("link")).hint(says::add_link_or_pin(at))),
         (Some(link), Some(at), None) => {
             carrier.names.link(&["link"], link)?;
             if matches!(carrier.on, On::Link(on) if on == link) {
-                return Err(Wrong::value(&["on"], format!("link {link} cannot slide on itself")));
+                return Err(Wrong::value(&["on"], says::slides_on_itself(link)));
             }
             carrier.names.point_of_link(&["at"], link, at)?;
             carrier.check_free("at", at)

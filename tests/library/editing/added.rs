@@ -134,6 +134,6 @@ fn what_cannot_be_added_is_refused() {
     ];
     for (edit, message) in refused {
         let error = apply(four_bar, &[edit]).expect_err(message);
-        assert!(error.message.starts_with(message), "{error}");
+        assert!(error.message.to_string().starts_with(message), "{error}");
     }
 }

@@ -25,7 +25,8 @@ fn a_mode_that_is_chosen_is_taken() {
         }
         let error = with_mode(&text, 4097).expect_err("there are not so many");
         assert!(
-            error.message.starts_with("there is no assembly mode 4097") || error.message.contains("too far"),
+            error.message.to_string().starts_with("there is no assembly mode 4097")
+                || error.message.to_string().contains("too far"),
             "{error}"
         );
     }

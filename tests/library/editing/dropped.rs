@@ -14,7 +14,7 @@ fn what_is_dropped_is_named_nowhere() {
                 Err(error) => assert!(
                     ["a mechanism has at least one link", "a drive to move", "there is no drive to move"]
                         .iter()
-                        .any(|message| error.message.starts_with(message)),
+                        .any(|message| error.message.to_string().starts_with(message)),
                     "{name} {edit:?}: {error}\n{left}"
                 ),
                 Ok(left) => {

@@ -13,7 +13,8 @@ fn change(text: &str) {
     let can_be_shown = |error: SceneError| {
         let span = error.place.as_ref().map(|place| place.span.clone());
         assert!(span.is_none_or(|span| text.get(span).is_some()), "the span of {error} is not in the text");
-        assert!(!error.message.is_empty() && !error.message.contains('\n'), "{:?}", error.message);
+        let message = error.message.to_string();
+        assert!(!message.is_empty() && !message.contains('\n'), "{message:?}");
     };
     for edit in edits() {
         match apply(text, std::slice::from_ref(&edit)) {

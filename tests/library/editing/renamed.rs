@@ -101,7 +101,7 @@ fn names_that_cannot_be_are_refused() {
         (Named::Point, "B", "d", "the name `D` is kept for the image of d in the plans"),
     ] {
         let error = rename(text, what, from, to).expect_err(to);
-        assert!(error.message.starts_with(message), "{error}");
+        assert!(error.message.to_string().starts_with(message), "{error}");
     }
     assert_eq!(rename(text, Named::Point, "B", "B").expect("nothing to do"), text);
     assert!(Scene::read(text).is_ok());

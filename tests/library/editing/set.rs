@@ -153,7 +153,7 @@ fn texts_that_are_no_scenes_are_edited_or_refused() {
         ("{ \"a\": ", ["a", "2"], ""),
     ] {
         let error = edit(text, &path).expect_err(text);
-        assert!(error.message.starts_with(message), "{text}: {error}");
+        assert!(error.message.to_string().starts_with(message), "{text}: {error}");
     }
 }
 

@@ -40,7 +40,7 @@ fn radians_are_told_from_degrees() {
     let warnings = |angle: &str| {
         let scene = scene(r#""AB": 4, "AC": 3, "BC": 5"#, angle);
         let warnings = mechanism(&scene).expect("a mechanism").warnings;
-        warnings.into_iter().filter(|warning| warning.contains("radians")).collect::<Vec<_>>()
+        warnings.iter().map(ToString::to_string).filter(|warning| warning.contains("radians")).collect::<Vec<_>>()
     };
     // π/3, π/2, −π/6, π and 3π/2 as people round them.
     for (angle, meant) in [("1.0472", 60), ("1.5708", 90), ("-0.5236", -30), ("3.14159", 180), ("4.712", 270)] {

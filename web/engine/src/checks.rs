@@ -1,6 +1,7 @@
 use crate::desk::Desk;
 use crate::forms::measured;
 use crate::refused::Refused;
+use kinegon::check::says;
 use kinegon::check::{
     AnswerKey, CheckError, CheckResult, Feedback, Marks, Measured, ReportParts, check, check_result, faults, redrawn,
     report, report_parts,
@@ -8,6 +9,8 @@ use kinegon::check::{
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Overlay, overlay};
 use kinegon::format::html_text;
+use kinegon::words::Language;
+use kinegon::{Message, Problem};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -68,7 +71,8 @@ pub struct OverlaySheet {
 
 impl From<CheckError> for Refused {
     fn from(error: CheckError) -> Refused {
-        Refused { hint: error.hint.clone(), ..Refused::whole(error.to_string()) }
+        let message = Message::list([Message::from(error.place), error.message], "");
+        Refused::whole(Problem { message, hint: error.hint })
     }
 }
 
@@ -88,9 +92,9 @@ impl Desk {
         let mut measured = measured(form)?;
         let given = [options.pencil_mm, options.pencil_degrees];
         if given.into_iter().flatten().any(|limit| !(0.0..=Tolerance::LARGEST).contains(&limit)) {
-            let message = format!("the tolerance of a pencil is from 0 to {}", Tolerance::LARGEST);
-            return Err(Refused::whole(message));
+            return Err(Refused::whole(says::tolerance(Tolerance::LARGEST)));
         }
+        let language = self.language();
         let solution = &*self.told(text)?;
         let key = AnswerKey::new(solution, options.hand());
         let words = solution.wording();
@@ -99,7 +103,7 @@ impl Desk {
             read.of(&key).map_err(Refused::from)
         });
         let scheme = scheme.transpose()?;
-        let found = set_faults_apart(&mut measured, &key);
+        let found = set_faults_apart(&mut measured, &key, language);
         if measured.values.is_empty() && measured.points.is_empty() && !found.is_empty() {
             return Ok(Checked { faults: found, ..Checked::default() });
         }
@@ -127,12 +131,12 @@ impl Desk {
 }
 
 /// Takes the values that are not understood out of a form.
-fn set_faults_apart(measured: &mut Measured, key: &AnswerKey<'_>) -> Vec<Fault> {
+fn set_faults_apart(measured: &mut Measured, key: &AnswerKey<'_>, language: &Language) -> Vec<Fault> {
     let found = faults(measured, key);
     let fault = |(place, error): &(usize, CheckError)| Fault {
         name: measured.values[*place].name.clone(),
-        message: error.message.clone(),
-        hint: error.hint.clone(),
+        message: language.says(&error.message),
+        hint: error.hint.as_ref().map(|hint| language.says(hint)),
     };
     let told = found.iter().map(fault).collect();
     for (place, _) in found.iter().rev() {

@@ -6,6 +6,7 @@ use kinegon::mechanism::Mechanism;
 use kinegon::position::Pose;
 use kinegon::quantity::{Quantity, QuantityRequest};
 use kinegon::scene::{LanguageName, SizeLimit};
+use kinegon::words::{Language, Wording};
 use kinegon::{Order, Sheet};
 use kinegon::{Scene, Solution, order_of_figure, posed};
 use std::borrow::Cow;
@@ -57,6 +58,16 @@ impl Desk {
     /// Chooses the language of what is told beside the picture.
     pub fn speak(&mut self, language: &str) {
         self.language = LanguageName::ALL.into_iter().find(|known| known.as_str() == language);
+    }
+
+    /// The language that is chosen; none for the figure's.
+    pub fn spoken(&self) -> Option<LanguageName> {
+        self.language
+    }
+
+    /// The language in which refusals and warnings are told: English where none is chosen.
+    pub fn language(&self) -> &'static Language {
+        self.language.map_or_else(|| Wording::default().language, Language::of)
     }
 
     /// As [`Self::solution`], with the words of the page.
@@ -185,6 +196,11 @@ impl Kept {
                 } else if view.pane.is_some() && view.focus.is_some() {
                     own.scene.figure.focus = view.focus;
                 }
+                let further = view.trace.iter().filter(|point| !own.scene.figure.trace.contains(point));
+                let further =
+                    further.filter(|point| own.scene.check_traced(std::slice::from_ref(*point), None).is_ok());
+                let further: Vec<String> = further.cloned().collect();
+                own.scene.figure.trace.extend(further);
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
                 let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
                 let held = self.held.as_ref().filter(|held| view.is_laid_out_as(&held.view));
@@ -192,7 +208,8 @@ impl Kept {
                     (Some(held), Some(_)) => held.layout.clone(),
                     (_, Some(pane)) => {
                         let positions = self.positions.get_or_insert_with(|| Positions::of(&own));
-                        HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()))
+                        let cycle = HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()));
+                        cycle.at_rest(&own)
                     }
                     (_, None) => HeldLayout::of_figure(&own, steps, modes.as_ref()),
                 };

@@ -1,7 +1,7 @@
 use crate::refused::Refused;
 use kinegon::Scene;
 use kinegon::drawing::Drawing;
-use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises};
+use kinegon::exercise::{Exercise as Found, ExerciseError, Exercises, says};
 use kinegon::format::{self, Text, html_text, svg_with};
 use kinegon::scene::{DecimalMark, Figure, LanguageName, NotationName, Page, SizeLimit};
 use schemars::JsonSchema;
@@ -81,13 +81,13 @@ impl Series {
     /// The exercise of a number, counted from 1.
     pub fn exercise(&mut self, number: usize) -> Result<&Found, Refused> {
         if !(1..=MOST).contains(&number) {
-            return Err(Refused::whole(format!("exercises are numbered from 1 to {MOST}")));
+            return Err(Refused::whole(says::numbered(MOST)));
         }
         while self.found.len() < number {
             let next = self.more.next().map_err(refused)?;
             self.found.push(next);
         }
-        self.found.get(number - 1).ok_or_else(|| Refused::whole("there is no such exercise"))
+        self.found.get(number - 1).ok_or_else(|| Refused::whole(says::no_such()))
     }
 }
 
@@ -108,15 +108,18 @@ impl ExerciseOptions {
 }
 
 impl Exercise {
-    /// The files of an exercise with that name.
-    pub fn of(found: &Found, name: String) -> Exercise {
+    /// The files of an exercise with that name; what is given is told in a language, if one is chosen.
+    pub fn of(found: &Found, name: String, language: Option<LanguageName>) -> Exercise {
         let letters = |drawing: &Drawing| svg_with(drawing, Text::Letters);
         let (sheets, key) = (found.sheets(&name), found.key_sheet());
         let sheet = sheets.first().unwrap_or(&found.sheet);
         let form = found.form(&name);
+        let mut told = found.clone();
+        told.solution.scene.figure.language = language.unwrap_or(found.solution.scene.figure.language);
+        let given = told.given();
         Exercise {
             text: found.text.clone(),
-            given: found.given().iter().map(html_text).collect(),
+            given: given.iter().map(html_text).collect(),
             sheet: letters(sheet),
             width: sheet.width,
             height: sheet.height,
@@ -132,5 +135,5 @@ impl Exercise {
 }
 
 fn refused(error: ExerciseError) -> Refused {
-    Refused { hint: None, ..Refused::whole(error.to_string()) }
+    Refused::whole(error.message())
 }

@@ -1,16 +1,15 @@
 use crate::answers::{Drawn, DriveAxis, Pane};
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
-use kinegon::Error;
-use kinegon::Order;
 use kinegon::construction::Tolerance;
-use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep};
-use kinegon::drawing::{self, Drawing, curves, drive_ends, hodographs, paths};
+use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep, says};
+use kinegon::drawing::{self, Drawing, Point, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 use kinegon::format;
 use kinegon::order_of_result;
 use kinegon::quantity::step_pencil;
-use kinegon::scene::SizeLimit;
-use kinegon::words::Wording;
+use kinegon::scene::{LanguageName, SizeLimit};
+use kinegon::words::{Language, Wording};
+use kinegon::{Error, Order, Problem};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -104,6 +103,24 @@ struct Course {
     events: Vec<String>,
     /// The values of the drive at the edges of graphs over it.
     ends: Option<[f64; 2]>,
+    /// Where on the sheet points and tips go with the drive.
+    ways: Vec<Vec<(f64, Point)>>,
+}
+
+/// Places of a way closer than this are left out, in mm: between the others they are on a straight line.
+const APART: f64 = 0.2;
+
+/// The places of a way as a page has them.
+fn thinned(way: &[(f64, Point)]) -> Vec<[f64; 3]> {
+    let mut kept: Vec<&(f64, Point)> = Vec::new();
+    for (index, place) in way.iter().enumerate() {
+        let is_far = kept.last().is_none_or(|last| last.1.distance(place.1) >= APART);
+        if is_far || index + 1 == way.len() {
+            kept.push(place);
+        }
+    }
+    let hundredths = |mm: f64| (100.0 * mm).round() / 100.0;
+    kept.into_iter().map(|(value, at)| [*value, hundredths(at.x), hundredths(at.y)]).collect()
 }
 
 impl Desk {
@@ -127,7 +144,7 @@ impl Desk {
                 let sheets = kept.sheets(of)?;
                 let number = if let Subject::Worksheet { worksheet } = of { *worksheet } else { 1 };
                 let sheet = number.checked_sub(1).and_then(|index| sheets.get(index));
-                let none = || Refused::whole(format!("there is no sheet {number}; there are {}", sheets.len()));
+                let none = || Refused::whole(drawing::says::no_sheet(number, sheets.len()));
                 bytes(sheet.ok_or_else(none)?, *format)
             }
         }
@@ -140,12 +157,13 @@ impl Desk {
 
     /// What is drawn over the cycle, on the scene's page or on a part of the screen.
     pub fn curves(&mut self, text: &str, of: &OverCycle, pane: Option<Pane>) -> Result<Drawn, Refused> {
-        let kept = self.kept(text)?;
-        let Course { sheet, events, ends } =
-            kept.over_cycle(of, pane.map(Into::into)).map_err(|error| kept.refused(error))?;
+        let (kept, language) = self.kept_with_language(text)?;
+        let Course { sheet, events, ends, ways } =
+            kept.over_cycle(of, pane.map(Into::into), language).map_err(|error| kept.refused(error))?;
         let areas = sheet.panels.iter().map(|(_, area)| [area.x0, area.y0, area.width(), area.height()]);
         let axis = ends.map(|[low, high]| DriveAxis { low, high, areas: areas.collect() });
-        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis })
+        let ways = ways.iter().map(|way| thinned(way)).collect();
+        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis, ways })
     }
 }
 
@@ -164,7 +182,7 @@ impl Kept {
         let own_step = self.scene.figure.step;
         match of {
             Subject::Cycle(of) => {
-                let course = self.over_cycle(of, None).map_err(|error| self.refused(error))?;
+                let course = self.over_cycle(of, None, None).map_err(|error| self.refused(error))?;
                 Ok(vec![course.sheet])
             }
             Subject::Sheet(SheetName::Figure) => match own_step {
@@ -188,7 +206,7 @@ impl Kept {
         let all = if is_coarse { solution.coarse_figure() } else { solution.stepwise_figure() };
         let count = all.steps.len();
         if !(1..=count).contains(&step) {
-            return Err(Refused::whole(format!("there is no step {step}; there are steps 1 to {count}")));
+            return Err(Refused::whole(drawing::says::no_step(step, count)));
         }
         Ok(vec![all.after_step(step)])
     }
@@ -213,20 +231,25 @@ impl Kept {
         let sweep = Sweep::new(&path, steps, names).map_err(|error| refused(error.into()))?;
         let count = sweep.steps.count();
         if count.saturating_mul(sweep.header().len()) > MOST_NUMBERS {
-            let message = format!("the table would have {count} rows of {} numbers", sweep.header().len());
-            let hint = "write it with `kinegon sweep`, or name fewer quantities in the scene's `want`";
-            return Err(Refused { hint: Some(hint.to_owned()), ..Refused::whole(message) });
+            let message = says::table_too_long(count, sweep.header().len());
+            return Err(Refused::whole(Problem::new(message).hint(says::sweep_or_fewer())));
         }
         let columns = format::columns_of(&sweep);
         Ok(format::csv_header(&columns) + &format::csv_rows(&columns, &sweep.rows(0..count)))
     }
 
-    /// What is drawn over the cycle, on the scene's page or on a part of a screen.
-    fn over_cycle(&self, of: &OverCycle, pane: Option<drawing::Pane>) -> Result<Course, Error> {
+    /// What is drawn over the cycle, on the scene's page or on a part of a screen; what is told beside it in a language, if one is
+    /// given.
+    fn over_cycle(
+        &self,
+        of: &OverCycle,
+        pane: Option<drawing::Pane>,
+        language: Option<LanguageName>,
+    ) -> Result<Course, Error> {
         let scene = &self.scene;
         let (mut path, range) = self.path()?;
         let range = path.shown_range(range);
-        let mut ends = None;
+        let (mut ends, mut ways) = (None, Vec::new());
         let sheet = match of {
             OverCycle::Curves { curves: names } => {
                 let names = if names.is_empty() { scene.want.as_deref() } else { Some(names.as_slice()) };
@@ -237,12 +260,19 @@ impl Kept {
             OverCycle::Path { path: points, beyond_limits } => {
                 scene.check_traced(points, None)?;
                 let sampled = PointPaths::new(&path, range, points)?;
-                paths(scene, &if *beyond_limits { sampled.beyond_limits()? } else { sampled }, pane)
+                let sampled = if *beyond_limits { sampled.beyond_limits()? } else { sampled };
+                ways = path_ways(scene, &sampled, pane);
+                paths(scene, &sampled, pane)
             }
-            OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?, pane),
+            OverCycle::Hodograph { hodograph } => {
+                let sampled = Hodographs::new(&path, range, hodograph)?;
+                ways = hodograph_ways(scene, &sampled, pane);
+                hodographs(scene, &sampled, pane)
+            }
         };
-        let words = Wording::of(&scene.figure);
+        let mut words = Wording::of(&scene.figure);
+        words.language = language.map_or(words.language, Language::of);
         let events = path.happenings(range, &words).into_iter().chain(path.limits(None, &words)).collect();
-        Ok(Course { sheet: sheet?, events, ends })
+        Ok(Course { sheet: sheet?, events, ends, ways })
     }
 }

@@ -3,10 +3,12 @@ use crate::desk::{Desk, Staged};
 use crate::refused::Refused;
 use kinegon::cycle::{self, OtherModes, Pull};
 use kinegon::drawing::Point;
-use kinegon::editing::{Pins, Reshape, with_position};
+use kinegon::editing::{Pins, Reshape, says, with_position};
 use kinegon::mechanism::PointId;
 use kinegon::position::Pose;
+use kinegon::scene::LanguageName;
 use kinegon::text::Untrusted;
+use kinegon::words::Language;
 use kinegon::{Solution, geometry};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -88,7 +90,7 @@ impl Desk {
         let drives = kept.drives()?;
         let own = kept.figure()?;
         let point_of = |name: &str| {
-            let message = || Refused::whole(format!("there is no point {}", Untrusted::from(name).for_message()));
+            let message = || Refused::whole(says::no_point(Untrusted::from(name).for_message()));
             own.mechanism.point(name).ok_or_else(message)
         };
         let refused = |error: cycle::CycleError| Refused::of(text, error);
@@ -144,7 +146,9 @@ impl Gesture {
     }
 
     /// Pulls what is held.
-    pub fn pull(&mut self, to: To) -> Result<Picture, Refused> {
+    pub fn pull(&mut self, to: To, language: Option<LanguageName>) -> Result<Picture, Refused> {
+        let mut words = self.now.wording();
+        words.language = language.map_or(words.language, Language::of);
         let place = match to {
             To::Place { to: [x, y] } => self.staged.stage.place(Point::new(x, y)),
             To::Value { .. } => None,
@@ -156,7 +160,6 @@ impl Gesture {
                     (_, Some(point), Some(place)) => pull.to_place(point, place),
                     _ => return Err(Refused::whole("a drive goes to a value, a joint to a place")),
                 };
-                let words = self.now.wording();
                 let place = |at| format!("{} = {}", pull.drive().quantity, pull.drive().shown(at, &words));
                 let limit = pulled.limit.map(|end| end.text(&place(end.at), &words));
                 let moved = self.staged.own.moved(pulled.pose.clone());
@@ -166,7 +169,14 @@ impl Gesture {
                     }
                 }
                 *pose = pulled.pose;
-                let singular = moved.map(|moved| self.now = moved).err().map(|error| error.to_string());
+                let singular = moved
+                    .map(|moved| self.now = moved)
+                    .err()
+                    .map(|error| words.language.says(&error.problem().message));
+                // On paper a layout is that of the file, and stays.
+                if self.view.pane.is_some() {
+                    self.staged.stage.in_motion(&self.now);
+                }
                 limit.into_iter().chain(singular).collect()
             }
             Hold::Shape { reshape, text } => {
@@ -178,12 +188,12 @@ impl Gesture {
                         match Solution::new(scene, shape.mechanism, shape.pose, self.now.motion.order) {
                             Ok(now) => {
                                 (self.now, *text) = (now, shape.text);
-                                shape.note.into_iter().collect()
+                                shape.note.iter().map(|note| words.language.says(note)).collect()
                             }
-                            Err(error) => vec![error.to_string()],
+                            Err(error) => vec![words.language.says(&error.problem().message)],
                         }
                     }
-                    Err(error) => vec![error.message],
+                    Err(error) => vec![words.language.says(&error.message)],
                 }
             }
         };

@@ -26,12 +26,13 @@ pub use schema::schema;
 use desk::Desk;
 use exercises::Series;
 use gesture::{Gesture, nothing_held};
-use kinegon::Sheet;
 use kinegon::drawing::{ITALIC, REGULAR};
 use kinegon::editing::{self, Edit};
-use kinegon::exercise::Exercise;
+use kinegon::exercise::{self, Exercise};
 use kinegon::format::pdf_pages;
 use kinegon::scene::SceneError;
+use kinegon::words::Language;
+use kinegon::{Sheet, check};
 use photo::Photograph;
 use refused::Refused;
 use serde::Serialize;
@@ -74,7 +75,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn open(&mut self, text: &str) -> Result<String, String> {
-        answer(self.desk.open(text))
+        answer(self.desk.language(), self.desk.open(text))
     }
 
     /// The picture of a scene.
@@ -82,7 +83,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn picture(&mut self, text: &str, view: &str) -> Result<String, String> {
-        answer(asked(view).and_then(|view| self.desk.picture(text, &view)))
+        answer(self.desk.language(), asked(view).and_then(|view| self.desk.picture(text, &view)))
     }
 
     /// How a scene runs; null where no drive has a speed.
@@ -90,7 +91,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn running(&mut self, text: &str) -> Result<String, String> {
-        answer(self.desk.kept(text).and_then(desk::Kept::running))
+        answer(self.desk.language(), self.desk.kept(text).and_then(desk::Kept::running))
     }
 
     /// Takes hold of something: the picture, whose layout stays until it is let go.
@@ -100,10 +101,13 @@ impl Engine {
     pub fn grab(&mut self, text: &str, view: &str, what: &str) -> Result<String, String> {
         self.gesture = None;
         let held = asked(view).and_then(|view| self.desk.grab(text, &view, &asked(what)?));
-        answer(held.map(|(gesture, picture)| {
-            self.gesture = Some(gesture);
-            picture
-        }))
+        answer(
+            self.desk.language(),
+            held.map(|(gesture, picture)| {
+                self.gesture = Some(gesture);
+                picture
+            }),
+        )
     }
 
     /// Pulls what is held: the picture of the new position.
@@ -111,8 +115,8 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn drag(&mut self, to: &str) -> Result<String, String> {
-        let gesture = self.gesture.as_mut().ok_or_else(nothing_held);
-        answer(gesture.and_then(|gesture| gesture.pull(asked(to)?)))
+        let (gesture, language) = (self.gesture.as_mut().ok_or_else(nothing_held), self.desk.spoken());
+        answer(self.desk.language(), gesture.and_then(|gesture| gesture.pull(asked(to)?, language)))
     }
 
     /// Lets go: the scene's text after the gesture.
@@ -122,7 +126,7 @@ impl Engine {
     #[wasm_bindgen(js_name = drop)]
     pub fn let_go(&mut self) -> Result<String, String> {
         let gesture = self.gesture.take().ok_or_else(nothing_held);
-        plain(gesture.and_then(|gesture| gesture.let_go(&mut self.desk)))
+        plain(self.desk.language(), gesture.and_then(|gesture| gesture.let_go(&mut self.desk)))
     }
 
     /// The scene's text after some changes.
@@ -130,7 +134,10 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn edit(&self, text: &str, edits: &str) -> Result<String, String> {
-        plain(asked::<Vec<Edit>>(edits).and_then(|edits| editing::apply(text, &edits).map_err(refused(text))))
+        plain(
+            self.desk.language(),
+            asked::<Vec<Edit>>(edits).and_then(|edits| editing::apply(text, &edits).map_err(refused(text))),
+        )
     }
 
     /// Where the points are: as solved; of a scene that cannot be solved, those that its text says.
@@ -138,7 +145,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn places(&self, text: &str) -> Result<String, String> {
-        answer(opened::places(text))
+        answer(self.desk.language(), opened::places(text))
     }
 
     /// Every way to assemble the scene.
@@ -146,7 +153,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn modes(&mut self, text: &str) -> Result<String, String> {
-        answer(self.desk.modes(text))
+        answer(self.desk.language(), self.desk.modes(text))
     }
 
     /// The scene's text with another assembly mode chosen.
@@ -154,7 +161,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn choose_mode(&self, text: &str, number: f64) -> Result<String, String> {
-        plain(editing::with_mode(text, number.max(0.0) as usize).map_err(refused(text)))
+        plain(self.desk.language(), editing::with_mode(text, number.max(0.0) as usize).map_err(refused(text)))
     }
 
     /// What is drawn over the cycle, for the scene's page or for a part of the screen.
@@ -162,7 +169,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn curves(&mut self, text: &str, of: &str, pane: &str) -> Result<String, String> {
-        answer(asked(of).and_then(|of| self.desk.curves(text, &of, asked(pane)?)))
+        answer(self.desk.language(), asked(of).and_then(|of| self.desk.curves(text, &of, asked(pane)?)))
     }
 
     /// All values of the scene's position with their certain digits.
@@ -170,7 +177,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn values(&mut self, text: &str) -> Result<String, String> {
-        answer(self.desk.values(text))
+        answer(self.desk.language(), self.desk.values(text))
     }
 
     /// A file as the program writes it.
@@ -178,7 +185,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn file(&mut self, text: &str, request: &str) -> Result<Vec<u8>, String> {
-        plain(asked(request).and_then(|request| self.desk.file(text, &request)))
+        plain(self.desk.language(), asked(request).and_then(|request| self.desk.file(text, &request)))
     }
 
     /// How many sheets of paper a drawing takes.
@@ -186,7 +193,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn pages(&mut self, text: &str, of: &str) -> Result<String, String> {
-        answer(asked(of).and_then(|of| self.desk.pages(text, &of)))
+        answer(self.desk.language(), asked(of).and_then(|of| self.desk.pages(text, &of)))
     }
 
     /// A face of the letters that drawings are set with, as OpenType.
@@ -204,7 +211,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn board(&self, text: &str, view: &str) -> Result<String, String> {
-        answer(asked(view).and_then(|view| building::board(text, &view)))
+        answer(self.desk.language(), asked(view).and_then(|view| building::board(text, &view)))
     }
 
     /// The scene's text after some changes, with all points where they were, also where it is not complete.
@@ -212,7 +219,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn edit_in_place(&self, text: &str, edits: &str) -> Result<String, String> {
-        plain(asked::<Vec<Edit>>(edits).and_then(|edits| building::edited(text, &edits)))
+        plain(self.desk.language(), asked::<Vec<Edit>>(edits).and_then(|edits| building::edited(text, &edits)))
     }
 
     /// The scene's text with points at other places.
@@ -220,7 +227,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn move_points(&self, text: &str, moves: &str) -> Result<String, String> {
-        plain(asked(moves).and_then(|moves| building::moved(text, &moves)))
+        plain(self.desk.language(), asked(moves).and_then(|moves| building::moved(text, &moves)))
     }
 }
 
@@ -232,7 +239,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn form(&mut self, text: &str, filled: &str) -> Result<String, String> {
-        answer(self.desk.form(text, filled))
+        answer(self.desk.language(), self.desk.form(text, filled))
     }
 
     /// A form, JSON or a table, as JSON with the scene's own names.
@@ -240,7 +247,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn read_form(&mut self, text: &str, form: &str) -> Result<String, String> {
-        plain(self.desk.read_form(text, form))
+        plain(self.desk.language(), self.desk.read_form(text, form))
     }
 
     /// A form as a table.
@@ -248,7 +255,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn write_form(&mut self, text: &str, form: &str) -> Result<String, String> {
-        plain(self.desk.write_form(text, form))
+        plain(self.desk.language(), self.desk.write_form(text, form))
     }
 
     /// The verdict on a form.
@@ -256,7 +263,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn check(&mut self, text: &str, form: &str, options: &str) -> Result<String, String> {
-        answer(asked(options).and_then(|options| self.desk.check(text, form, &options)))
+        answer(self.desk.language(), asked(options).and_then(|options| self.desk.check(text, form, &options)))
     }
 
     /// The exercise of a number, counted from 1, of the scene's variants.
@@ -272,7 +279,9 @@ impl Engine {
         options: &str,
     ) -> Result<String, String> {
         let name = format!("{name}-{seed}-{number}");
-        answer(self.found(text, [seed, number], options).map(|found| exercises::Exercise::of(found, name)))
+        let (language, spoken) = (self.desk.language(), self.desk.spoken());
+        let found = self.found(text, [seed, number], options);
+        answer(language, found.map(|found| exercises::Exercise::of(found, name, spoken)))
     }
 
     /// The student's sheets of an exercise as one PDF, `sheet`, or its key, `key`; the name is that of
@@ -289,10 +298,11 @@ impl Engine {
         options: &str,
         what: &str,
     ) -> Result<Vec<u8>, String> {
-        let found = self.found(text, [seed, number], options).map_err(|refused| json(&refused))?;
+        let language = self.desk.language();
+        let found = self.found(text, [seed, number], options).map_err(told(language))?;
         let sheets =
             if what == "key" { vec![found.key_sheet()] } else { found.sheets(&format!("{name}-{seed}-{number}")) };
-        pdf_pages(&sheets, None).map_err(|error| json(&Refused::whole(error.to_string())))
+        pdf_pages(&sheets, None).map_err(|error| told(language)(Refused::whole(error.to_string())))
     }
 }
 
@@ -307,7 +317,7 @@ impl Engine {
     pub fn photo(&mut self, text: &str, name: &str, width: f64, height: f64, grey: Vec<u8>) -> Result<String, String> {
         self.photo = None;
         let read = photo::read(&mut self.desk, text, name, [width, height].map(|side| side as usize), grey);
-        let (read, kept) = read.map_err(|refused| json(&refused))?;
+        let (read, kept) = read.map_err(told(self.desk.language()))?;
         self.photo = kept;
         Ok(json(&read))
     }
@@ -317,7 +327,7 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn photo_proposed(&mut self) -> Result<String, String> {
-        answer(self.photograph().and_then(|(photo, desk)| photo.proposed(desk)))
+        answer(self.desk.language(), self.photograph().and_then(|(photo, desk)| photo.proposed(desk)))
     }
 
     /// The place in a plan, `velocity` or `acceleration`, that is tapped in the picture: where pencil lines cross at most
@@ -331,7 +341,7 @@ impl Engine {
             Some(plan) => photo.tapped(desk, plan, [x, y], reach),
             None => Ok(None),
         };
-        answer(self.photograph().and_then(tapped))
+        answer(self.desk.language(), self.photograph().and_then(tapped))
     }
 
     /// How points of the student's plans stand in the photograph.
@@ -339,20 +349,23 @@ impl Engine {
     /// # Errors
     /// A [`Refused`] as JSON.
     pub fn photo_points(&mut self, placed: &str) -> Result<String, String> {
-        answer(self.photograph().and_then(|(photo, desk)| photo.judged(desk, &asked::<Vec<_>>(placed)?)))
+        answer(
+            self.desk.language(),
+            self.photograph().and_then(|(photo, desk)| photo.judged(desk, &asked::<Vec<_>>(placed)?)),
+        )
     }
 }
 
 impl Engine {
     fn photograph(&mut self) -> Result<(&mut Photograph, &mut Desk), Refused> {
-        let photo = self.photo.as_mut().ok_or_else(|| Refused::whole("there is no photograph"))?;
+        let photo = self.photo.as_mut().ok_or_else(|| Refused::whole(check::says::no_photograph()))?;
         Ok((photo, &mut self.desk))
     }
 
     /// An exercise; those before it are kept, as the next one is looked for from the last.
     fn found(&mut self, text: &str, [seed, number]: [f64; 2], options: &str) -> Result<&Exercise, Refused> {
         if seed < 0.0 || seed.fract() != 0.0 || seed > 9e15 {
-            return Err(Refused::whole("a seed is a whole number"));
+            return Err(Refused::whole(exercise::says::whole_seed()));
         }
         let (seed, options) = (seed as u64, asked(options)?);
         if !self.series.as_ref().is_some_and(|series| series.is_of(text, seed, &options)) {
@@ -384,13 +397,18 @@ fn asked<T: DeserializeOwned>(json: &str) -> Result<T, Refused> {
 }
 
 /// An answer or a refusal as JSON.
-fn answer<T: Serialize>(answer: Result<T, Refused>) -> Result<String, String> {
-    answer.map(|answer| json(&answer)).map_err(|refused| json(&refused))
+fn answer<T: Serialize>(language: &Language, answer: Result<T, Refused>) -> Result<String, String> {
+    answer.map(|answer| json(&answer)).map_err(told(language))
 }
 
 /// A text or the bytes of a file, or a refusal as JSON.
-fn plain<T>(answer: Result<T, Refused>) -> Result<T, String> {
-    answer.map_err(|refused| json(&refused))
+fn plain<T>(language: &Language, answer: Result<T, Refused>) -> Result<T, String> {
+    answer.map_err(told(language))
+}
+
+/// A refusal as JSON, in the words of a language.
+fn told(language: &Language) -> impl Fn(Refused) -> String {
+    move |refused| json(&refused.told(language))
 }
 
 fn json<T: Serialize>(value: &T) -> String {

@@ -17,9 +17,10 @@ use serde_json::Value;
 impl Desk {
     /// What is known of a scene.
     pub fn open(&mut self, text: &str) -> Result<Opened, Refused> {
+        let spoken = self.language();
         let (kept, language) = self.kept_with_language(text)?;
         let drives = kept.drives()?;
-        let too_large = kept.check(SizeLimit::STEPS).err().map(|refused| refused.message);
+        let too_large = kept.check(SizeLimit::STEPS).err().map(|refused| refused.message().clone());
         let solution = &*in_words(kept.figure()?, language);
         let words = solution.wording();
         let (steps, passages) = match too_large {
@@ -52,11 +53,10 @@ impl Desk {
             wanted: scene.want.iter().flatten().map(named).collect(),
             structure: format::structure(mechanism, &words),
             panels: scene.figure.panels.iter().copied().filter(|panel| has_panel(solution, *panel)).collect(),
-            warnings: solution
-                .warnings()
-                .chain(FigureSheets::new(solution).overflow_warnings())
-                .chain(too_large)
-                .collect(),
+            warnings: {
+                let of_figure = FigureSheets::new(solution).overflow_warnings().into_iter().chain(too_large);
+                solution.warnings_in(spoken).chain(of_figure.map(|warning| spoken.says(&warning))).collect()
+            },
             is_drawn: scene.given_by == GivenBy::Drawing,
         })
     }
@@ -70,9 +70,10 @@ impl Desk {
         if let Some(language) = language {
             words.language = Language::of(language);
         }
+        let standing = format::mode(mechanism, own, &words);
         let modes = listed.poses.iter().zip(1..).map(|(pose, number)| Mode {
             number,
-            shown: format::mode(mechanism, pose, &words).join("\n"),
+            shown: apart(&format::mode(mechanism, pose, &words), &standing),
             is_own: own.is_same_as(pose),
         });
         Ok(modes.collect())
@@ -97,6 +98,25 @@ impl Desk {
         });
         Ok(rows.collect())
     }
+}
+
+/// Most places and angles that are told of a mode: of hundreds of links all modes would fill tens of megabytes.
+const MOST_TOLD: usize = 24;
+
+/// The lines of a mode: whole where they are short, else what differs from those of the scene's own.
+fn apart(lines: &[String], own: &[String]) -> String {
+    let told = |(line, own): (&String, &String)| {
+        let all: Vec<&str> = line.split("  ").collect();
+        if all.len() <= MOST_TOLD {
+            return line.clone();
+        }
+        let others = all.iter().zip(own.split("  ")).filter(|(part, own)| *part != own).map(|(part, _)| *part);
+        let others: Vec<&str> = others.collect();
+        let parts = if others.is_empty() { &all } else { &others };
+        let more = if parts.len() > MOST_TOLD { "  …" } else { "" };
+        parts[..parts.len().min(MOST_TOLD)].join("  ") + more
+    };
+    lines.iter().zip(own).map(told).collect::<Vec<_>>().join("\n")
 }
 
 /// Whether a panel has something to show.

@@ -7,7 +7,7 @@ use crate::forms::Form;
 use crate::gesture::{Grab, To};
 use crate::kinds::Kind;
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
-use crate::refused::Refused;
+use crate::refused::Told;
 use kinegon::editing::Edit;
 use kinegon::{Order, Scene, Sheet};
 use schemars::generate::SchemaSettings;
@@ -21,7 +21,7 @@ pub fn schema() -> Value {
         ($($type:ty),*) => { $(types.subschema_for::<$type>();)* };
     }
     add!(
-        Refused,
+        Told,
         Kind,
         Opened,
         View,

@@ -1,7 +1,7 @@
+import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Store } from "../state/storage.ts";
-import { language } from "../words.ts";
 import { say, type Saying } from "./words.ts";
 
 const KEYS: [string, Saying][] = [
@@ -29,8 +29,15 @@ const LETTERS: [string, Saying][] = [
   ["μ", "letter_scale"],
 ];
 
-/** What the letters of a plan stand for, the list of keys, and whether letters are keys at all: people who speak to their computer may not want that. */
-export function help(store: Store, begin: () => void): void {
+/** What people come for: a heading, what to do, and the panel where they do it. */
+const WAYS: [Saying, Saying, string][] = [
+  ["way_new", "way_new_how", "values"],
+  ["way_lecture", "way_lecture_how", "mechanism"],
+  ["way_student", "way_student_how", "check"],
+];
+
+/** What is seen and what to do next, what the letters of a plan stand for, the list of keys, and whether letters are keys at all: people who speak to their computer may not want that. */
+export function help(app: App, store: Store, begin: () => void): void {
   const dialog = byId<HTMLDialogElement>("help");
   function build(): void {
     const rows = KEYS.map(([keys, what]) =>
@@ -44,8 +51,14 @@ export function help(store: Store, begin: () => void): void {
     const letters = LETTERS.map(([letter, what]) => element("tr", {}, element("th", { scope: "row" }, element("i", {}, letter)), element("td", {}, say(what))));
     const again = element("button", { type: "button", id: "help-tour" }, say("tour"));
     again.onclick = () => (dialog.close(), begin());
+    const ways = WAYS.map(([title, how, panel]) => {
+      const go = element("button", { type: "button" }, say("way_go", { panel: byId(`tab-${panel}`).textContent ?? "" }));
+      go.onclick = () => (dialog.close(), app.show(panel));
+      return element("section", {}, element("h3", {}, say(title)), element("p", {}, say(how)), go);
+    });
     dialog.replaceChildren(
       element("h2", { id: "help-title" }, say("help_title")),
+      element("div", { class: "ways" }, ...ways),
       element(
         "div",
         { class: "columns" },
@@ -55,10 +68,10 @@ export function help(store: Store, begin: () => void): void {
       element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), again, close),
     );
   }
-  language.on(build);
   dialog.onclick = (event) => event.target === dialog && dialog.close();
   byId("help-button").onclick = () => {
     byId("more").hidePopover?.();
+    build();
     dialog.showModal();
     dialog.scrollTop = 0;
   };

@@ -3,7 +3,7 @@ import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { SHEETS, type Opened } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
-import { at, entries, groundOf, linksOf, names, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { at, entries, groundOf, linksOf, names, pointsOn, unitsOf, type Draft } from "../panels/parts/scene.ts";
 import { called } from "../sheets.ts";
 import { marked } from "../steps/bar.ts";
 import { language } from "../words.ts";
@@ -20,7 +20,8 @@ export function described(app: App): void {
       if (isPlanless && key !== "scheme") return [];
       const drawn = opened.steps.filter((step) => step.panel === key && step.number <= last);
       const told = isPlanless ? [] : drawn.map(({ caption, equation, values }) => [caption, [equation, ...values].filter((part) => part !== "").join("; ")].join(" ").trim());
-      const lines = [...(key === "scheme" ? mechanism(opened) : []), ...told];
+      const begin = key === "scheme" ? mechanism(opened) : key === "velocity" && told.length > 0 ? [say("letter_poles"), say("letter_images")] : [];
+      const lines = [...begin, ...told];
       return lines.length === 0 ? [] : [element("h3", {}, called(key, "title")), element("ul", {}, ...lines.map((line) => element("li", {}, ...marked(line))))];
     });
     place.replaceChildren(element("h2", {}, say("described")), ...parts);
@@ -31,21 +32,30 @@ export function described(app: App): void {
   language.on(show);
 }
 
-/** The mechanism as a list: fixed points, links with their joints, sliders, drives. */
+/** The mechanism as a list: fixed points, links with their joints and lengths, sliders, drives. */
 function mechanism({ scene, drives }: Opened): string[] {
   const draft: Draft = scene;
+  const { length, omega } = unitsOf(draft);
   const listed = (all: string[]): string => all.join(", ");
+  const placed = (name: string, place: unknown): string => (Array.isArray(place) ? `${name} (${place.join("; ")}) ${length}` : name);
   const driven = new Map(drives.map(({ name, shown }) => [name, shown]));
   const links = linksOf(draft).map((name) => {
-    const words = say("is_link", { name, points: listed(pointsOn(draft, name)) });
+    const link = at(draft, ["links", name]);
+    const lengths = entries(at(link, ["lengths"])).map(([key, value]) => `${key} = ${String(value)} ${length}`);
     const place = driven.get(name);
-    return place === undefined ? words : `${words}; ${say("is_driven", { place })}`;
+    const speed = [["omega", "ω", omega], ["rpm", "n", "1/min"], ["speed", "v", unitsOf(draft).velocity]].flatMap(([key, symbol, unit]) => {
+      const value = at(link, ["drive", key!]);
+      return value === undefined ? [] : [`${symbol} = ${String(value)} ${unit}`];
+    });
+    return [say("is_link", { name, points: listed(pointsOn(draft, name)) }), ...lengths, ...(place === undefined ? [] : [say("is_driven", { place })]), ...speed].join("; ");
   });
   const sliders = (Array.isArray(draft.sliders) ? draft.sliders : []).map((slider: unknown) => {
     const on = String(at(slider, ["on"]) ?? "ground");
     const what = String(at(slider, ["link"]) ?? at(slider, ["pin"]) ?? "");
-    return say(at(slider, ["pin"]) === undefined ? "is_slider" : "is_pin", { name: what, on: on === "ground" ? say("is_ground") : on });
+    const through = at(slider, ["through"]);
+    const words = say(at(slider, ["pin"]) === undefined ? "is_slider" : "is_pin", { name: what, on: on === "ground" ? say("is_ground") : on });
+    return Array.isArray(through) ? `${words} ${say("is_through", { place: placed("", through).trim() })}` : words;
   });
   const known = entries(draft.known).map(([name]) => name);
-  return [say("is_fixed", { points: listed(groundOf(draft)) }), ...links, ...sliders, ...(known.length === 0 ? [] : [say("is_known", { points: listed(names(known)) })])];
+  return [say("is_fixed", { points: listed(groundOf(draft).map((name) => placed(name, at(draft, ["ground", name])))) }), ...links, ...sliders, ...(known.length === 0 ? [] : [say("is_known", { points: listed(names(known)) })])];
 }

@@ -18,6 +18,7 @@ export interface Focus {
 export function focus(app: App, view: Viewport): Focus {
   const bar = byId("focus");
   let boxes = "";
+  let wasSheet = false;
 
   const shown = (): Picture["panels"] => app.picture.value?.panels ?? [];
   /** The panels that there are to choose from; by a student's link there is one. */
@@ -61,7 +62,10 @@ export function focus(app: App, view: Viewport): Focus {
     const next = JSON.stringify([picture.width, picture.height, picture.panels.map(({ box }) => box)]);
     if (next === boxes) return;
     boxes = next;
-    if (!view.isZoomed()) fit();
+    // A sheet that takes the place of the picture is shown whole, and so is the picture after it.
+    const isSheet = picture.panels.length === 0;
+    if (!view.isZoomed() || isSheet !== wasSheet) fit();
+    wasSheet = isSheet;
   });
   app.solved.on(build);
   app.focus.on(mark);

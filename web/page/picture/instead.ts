@@ -1,4 +1,7 @@
 import type { App } from "../app.ts";
+import { byId } from "../dom/find.ts";
+import { button } from "../dom/worded.ts";
+import { say } from "../layout/words.ts";
 import { signal, type Signal } from "../state/signal.ts";
 
 /** A sheet in place of the picture, until somebody wants the picture back. */
@@ -8,9 +11,21 @@ export interface Instead {
   hide(): void;
 }
 
+/** The one that is shown: a sheet takes the place of another. */
+let present: Signal<boolean> | null = null;
+
 /** For a panel: its sheet goes with it. */
 export function instead(app: App, panel: string): Instead {
   const isShown = signal(false);
+  const back = button(() => say("back_to_picture"), hide, { class: "floating back", hidden: true });
+  byId("pane").append(back);
+  // On a telephone the sheet has the whole screen.
+  isShown.on((is) => {
+    const had = document.activeElement;
+    document.body.classList.toggle("reading", is);
+    back.hidden = !is;
+    if (is && had instanceof HTMLElement && had.offsetParent === null) back.focus();
+  });
   function hide(): void {
     if (!isShown.value) return;
     isShown.set(false);
@@ -23,6 +38,8 @@ export function instead(app: App, panel: string): Instead {
     isShown,
     hide,
     show(sheet) {
+      if (present !== isShown) present?.set(false);
+      present = isShown;
       app.picture.set({ ...sheet, panels: [], handles: [], drives: app.picture.value?.drives ?? [], notes: [] });
       isShown.set(true);
     },

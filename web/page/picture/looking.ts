@@ -8,6 +8,8 @@ import type { Viewport } from "./viewport.ts";
 const DOUBLE = { time: 320, way: 24 };
 /** A finger that goes farther than this swipes. */
 const SWIPE = 48;
+/** A pane narrower than this is that of a telephone, and letters smaller than that are not read there; in pixels. */
+const [NARROW, LETTERS] = [600, 11.5];
 
 /** Zooms and pans: wheel, pinch, dragging the ground, double taps, buttons. */
 export function looking(app: App, view: Viewport, focus: Focus): void {
@@ -21,6 +23,21 @@ export function looking(app: App, view: Viewport, focus: Focus): void {
   byId("zoom-in").onclick = () => view.zoom(1.25, middle());
   byId("zoom-out").onclick = () => view.zoom(0.8, middle());
   byId("fit").onclick = () => view.refit();
+
+  // A sheet in place of the picture is there to be read: on a telephone it begins at its upper left corner.
+  const read = (): void => {
+    const picture = app.picture.value;
+    if (picture === null || picture.panels.length > 0 || view.size.width >= NARROW) return;
+    view.refit();
+    const letters = Math.min(...[...picture.svg.matchAll(/<text[^>]* font-size="([\d.]+)"/g)].map(([, size]) => Number(size)));
+    const factor = LETTERS / (letters * view.now.value.scale);
+    if (factor <= 1 || !Number.isFinite(factor)) return;
+    const corner = view.toPane([0, 0]);
+    view.zoom(factor, corner);
+    view.pan(0, view.size.height - view.room().height - corner[1]);
+  };
+  app.picture.on(read);
+  view.resized.on(read);
 
   pane.addEventListener("pointerdown", (event) => {
     if ((event.target as Element).closest(".floating, .handle") !== null || event.button > 1 || down.press(event) > 1) return;

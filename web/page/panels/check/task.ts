@@ -4,7 +4,8 @@ import type { Exercise } from "../../engine/types.ts";
 import { saveFile } from "../../files/save.ts";
 import { isDark } from "../../layout/theme.ts";
 import { instead } from "../../picture/instead.ts";
-import { forDark, sheetElement } from "../../picture/sheet.ts";
+import { forDark } from "../../picture/dark.ts";
+import { sheetElement } from "../../picture/sheet.ts";
 import { said } from "../../refused.ts";
 import type { Task } from "../../state/address.ts";
 import { newest } from "../../state/newest.ts";
@@ -39,14 +40,17 @@ export function taskPart(app: App): HTMLElement {
     const title = element("h3", { id: "task-title" }, say("task", { name: sheet?.name ?? `${task.name}-${task.seed}-${task.number}` }));
     if (sheet === null) return root.replaceChildren(title, element("p", { class: why === "" ? "quiet" : "bad", role: "status" }, why === "" ? say("task_making") : why));
     const picture = sheetElement(isDark.value ? forDark(sheet.sheet) : sheet.sheet, "task-sheet", say("task_sheet"));
-    const reading = press(say(large.isShown.value ? "task_small" : "task_large"), () => (large.isShown.value ? large.hide() : large.show({ svg: sheet.sheet, width: sheet.width, height: sheet.height })));
+    const read = (): void => (large.isShown.value ? large.hide() : large.show({ svg: sheet.sheet, width: sheet.width, height: sheet.height }));
+    const reading = press(say(large.isShown.value ? "task_small" : "task_large"), read);
+    const stamp = element("div", { class: "sheet" }, picture);
+    stamp.onclick = read;
     const buttons = [
       press(say("task_print"), () => app.print(sheet.sheet, sheet.width, sheet.height), "main"),
       press("PDF", () => void saved(app, task, sheet.name)),
       reading,
       ...(task.more ? [press(say("task_next"), () => void next(task))] : []),
     ];
-    root.replaceChildren(title, element("p", { class: "quiet" }, say("task_intro")), ...givenIn(sheet), element("div", { class: "sheet" }, picture), element("p", { class: "buttons" }, ...buttons), ...(task.steps ? [stepsOf(app)] : []));
+    root.replaceChildren(title, element("p", { class: "quiet" }, say("task_intro")), ...givenIn(sheet), stamp, element("p", { class: "buttons" }, ...buttons), ...(task.steps ? [stepsOf(app)] : []));
   }
 
   /** Goes on with the next exercise; undo brings this one back. */

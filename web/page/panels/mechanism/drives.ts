@@ -8,35 +8,42 @@ export function isSlidingDrive(drive: unknown): boolean {
   return ["position", "speed", "acceleration"].some((key) => at(drive, [key]) !== undefined);
 }
 
-/** The rows of a drive that turns a link. */
-export function driveRows(scene: Draft, path: Path, remove: Button): Row[] {
-  const { omega, alpha } = unitsOf(scene);
+/** Where a drive stands and how fast it is, in the line of what it drives; nothing where there is none. */
+export function lineOfDrive(scene: Draft, path: Path): Row[] {
+  const drive = at(scene, path);
+  if (drive === undefined) return [];
+  return [{ label: say("drive"), quiet: true, path, fields: isSlidingDrive(drive) ? pushing(scene, path) : turning(scene, path) }];
+}
+
+/** Its acceleration, and what takes it away; `name` is that of what it drives. */
+export function restOfDrive(scene: Draft, path: Path, name: string): Row {
+  const { acceleration, alpha } = unitsOf(scene);
+  const own = isSlidingDrive(at(scene, path)) ? { path: [...path, "acceleration"], unit: acceleration, step: stepFor(sizeOf(scene)) } : { path: [...path, "alpha"], unit: alpha, step: 1 };
+  const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: path }] };
+  return { label: say("drive"), path, fields: [{ kind: "number", ...own, label: say("acceleration"), usual: "0" }], buttons: [remove] };
+}
+
+function turning(scene: Draft, path: Path): Field[] {
   const inTurns = at(scene, [...path, "rpm"]) !== undefined;
-  const angle: Field = { kind: "number", path: [...path, "angle"], label: say("angle"), unit: "°", step: 1, usual: "–" };
-  const speed: Field = { kind: "number", path: [...path, inTurns ? "rpm" : "omega"], label: say("speed"), unit: "", step: inTurns ? 5 : 0.5, needed: true };
+  const angle: Field = { kind: "number", path: [...path, "angle"], label: say("angle"), symbol: "∠", unit: "°", step: 1, usual: "–" };
+  const speed: Field = { kind: "number", path: [...path, inTurns ? "rpm" : "omega"], label: say("speed"), symbol: inTurns ? "n" : "ω", unit: "", step: inTurns ? 5 : 0.5, needed: true };
   const unit: Field = {
     kind: "choice",
     path: [...path, "rpm"],
     label: say("turns"),
     quiet: true,
     options: [
-      { text: omega, ask: { do: "omega", with: path.map(String) } },
+      { text: unitsOf(scene).omega, ask: { do: "omega", with: path.map(String) } },
       { text: "1/min", any: "number", ask: { do: "rpm", with: path.map(String) } },
     ],
   };
-  const acceleration: Field = { kind: "number", path: [...path, "alpha"], label: say("acceleration"), unit: alpha, step: 1, usual: "0" };
-  const fields = [speed, unit, acceleration];
-  return [{ label: say("drive"), titled: true, path, fields: isDrawn(scene) ? fields : [angle, ...fields], buttons: [remove] }];
+  return isDrawn(scene) ? [speed, unit] : [angle, speed, unit];
 }
 
-/** The fields of a drive that pushes along a guide. */
-export function slidingDriveFields(scene: Draft, path: Path): Field[] {
-  const { length, velocity, acceleration } = unitsOf(scene);
+function pushing(scene: Draft, path: Path): Field[] {
+  const { length, velocity } = unitsOf(scene);
   const step = stepFor(sizeOf(scene));
   const position: Field = { kind: "number", path: [...path, "position"], label: say("position"), unit: length, step, usual: "–" };
-  const rates: Field[] = [
-    { kind: "number", path: [...path, "speed"], label: say("speed"), unit: velocity, step, needed: true },
-    { kind: "number", path: [...path, "acceleration"], label: say("acceleration"), unit: acceleration, step, usual: "0" },
-  ];
-  return isDrawn(scene) ? rates : [position, ...rates];
+  const speed: Field = { kind: "number", path: [...path, "speed"], label: say("speed"), symbol: "v", unit: velocity, step, needed: true };
+  return isDrawn(scene) ? [speed] : [position, speed];
 }

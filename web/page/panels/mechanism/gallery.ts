@@ -35,8 +35,6 @@ export function gallery(app: App): HTMLElement {
   });
   const browse = element("button", { type: "button", class: "small" });
   browse.addEventListener("click", () => void askedFor(READABLE).then((file) => openFile(app, file)));
-  const paper = element("button", { type: "button", class: "small" });
-  paper.addEventListener("click", () => void app.engine.kinds().then((kinds) => open(kinds.find(({ name }) => name === "paper-figure-2")?.text ?? EMPTY)));
   let drawn = false;
   root.addEventListener("toggle", () => {
     if (!root.open || drawn) return;
@@ -47,9 +45,8 @@ export function gallery(app: App): HTMLElement {
     summary.textContent = say("change_kind");
     empty.replaceChildren(icon("plus"), say("empty"));
     browse.textContent = say("open_file");
-    paper.textContent = say("figure_2");
   });
-  return element("div", { class: "start" }, root, element("div", { class: "buttons" }, empty, browse, paper));
+  return element("div", { class: "start" }, root, element("div", { class: "buttons" }, empty, browse));
 }
 
 function grouped(app: App, kinds: Kind[], open: (text: string) => void): HTMLElement[] {

@@ -1,5 +1,5 @@
 import { stepFor } from "../../number.ts";
-import type { Field, Group } from "../parts/form.ts";
+import type { Adder, Field, Group } from "../parts/form.ts";
 import { allPoints, entries, groundOf, isDrawn, sizeOf, unitsOf, type Draft } from "../parts/scene.ts";
 import { freePoint } from "./free_name.ts";
 import { vectorFields } from "./vector.ts";
@@ -7,18 +7,12 @@ import { say } from "./words.ts";
 
 /** Title and units. */
 export function about(): Group {
-  const units = (key: string, label: string, names: string[]): Group["rows"] => [
-    { fields: [{ kind: "choice", path: ["units", key], label, options: names.map((value) => ({ value, text: value })) }] },
-  ];
-  const [length] = units("length", say("length_unit"), ["mm", "cm", "m", "in", "ft"])!;
-  const [time] = units("time", say("time_unit"), ["s", "min"])!;
+  const unit = (key: string, label: string, names: string[]): Field => ({ kind: "choice", path: ["units", key], label, quiet: true, options: names.map((value) => ({ value, text: value })) });
+  const units = [unit("length", say("length_unit"), ["mm", "cm", "m", "in", "ft"]), unit("time", say("time_unit"), ["s", "min"])];
   return {
     id: "about",
     title: say("about"),
-    rows: [
-      { fields: [{ kind: "text", path: ["title"], label: say("title"), usual: say("untitled") }] },
-      { fields: [...length!.fields, ...time!.fields] },
-    ],
+    rows: [{ fields: [{ kind: "text", path: ["title"], label: say("title"), quiet: true, usual: say("untitled") }, ...units] }],
   };
 }
 
@@ -30,19 +24,17 @@ export function ground(scene: Draft): Group {
     title: say("ground"),
     help: say("ground_help"),
     path: ["ground"],
-    rows: [
-      ...entries(scene["ground"]).map(([name]) => ({
-        path: ["ground", name],
-        name: { of: "point" as const, name, label: say("point_name", { name }) },
-        fields: vectorFields(scene, ["ground", name], unitsOf(scene).length, step),
-        buttons: [{ text: say("no_longer_there", { name }), icon: "remove" as const, edits: [{ drop_point: name }] }],
-      })),
-      { fields: [addGround()] },
-    ],
+    adder: addGround(),
+    rows: entries(scene["ground"]).map(([name]) => ({
+      path: ["ground", name],
+      name: { of: "point" as const, name, label: say("point_name", { name }) },
+      fields: vectorFields(scene, ["ground", name], unitsOf(scene).length, step),
+      buttons: [{ text: say("no_longer_there", { name }), icon: "remove" as const, edits: [{ drop_point: name }] }],
+    })),
   };
 }
 
-function addGround(): Field {
+function addGround(): Adder {
   function* options(scene: Draft): Iterable<{ value: string; text: string }> {
     const free = freePoint(scene);
     const fixed = new Set(groundOf(scene));

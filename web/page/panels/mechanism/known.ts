@@ -1,7 +1,7 @@
 import { stepFor } from "../../number.ts";
-import type { Button, Field, Group, Row } from "../parts/form.ts";
+import type { Adder, Button, Field, Group, Row } from "../parts/form.ts";
 import { allPoints, at, entries, groundOf, pointsOf, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
-import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
+import { restOfDrive } from "./drives.ts";
 import { placeFields, vectorFields, vectorForm } from "./vector.ts";
 import { say } from "./words.ts";
 
@@ -41,7 +41,7 @@ export function known(scene: Draft): Group {
     const has = new Set([...entries(now["known"]).map(([name]) => name), ...groundOf(now)]);
     return allPoints(now).filter((name) => !has.has(name));
   };
-  const add: Field = {
+  const adder: Adder = {
     kind: "adder",
     path: ["known", "+"],
     label: say("add_known"),
@@ -57,10 +57,11 @@ export function known(scene: Draft): Group {
     cards: given.map((name) => ({
       path: ["known", name],
       title: name,
-      rows: () => rates(scene, ["known", name]),
+      line: () => rates(scene, ["known", name]).slice(0, 1),
+      rows: () => rates(scene, ["known", name]).slice(1),
       buttons: [{ text: say("drop_known", { name }), icon: "remove", edits: [{ remove: ["known", name] }] }],
     })),
-    rows: others(scene).length === 0 ? [] : [{ fields: [add] }],
+    ...(others(scene).length === 0 ? {} : { adder }),
   };
 }
 
@@ -84,11 +85,7 @@ export function motionRows(scene: Draft, name: string): Row[] {
   const path: Path = ["links", name];
   const drive = at(scene, [...path, "drive"]);
   const points = pointsOf(at(scene, path));
-  if (drive !== undefined) {
-    const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: [...path, "drive"] }] };
-    const own: Path = [...path, "drive"];
-    return isSlidingDrive(drive) ? [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }] : driveRows(scene, own, remove);
-  }
+  if (drive !== undefined) return [restOfDrive(scene, [...path, "drive"], name)];
   const motion: Path = [...path, "motion"];
   if (at(scene, motion) !== undefined) return motionFields(scene, motion, points, name);
   const buttons: Button[] = [];

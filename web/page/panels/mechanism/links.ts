@@ -1,7 +1,7 @@
 import { stepFor } from "../../number.ts";
-import type { Button, Card, Field, Group, Row } from "../parts/form.ts";
+import type { Adder, Button, Card, Field, Group, Row } from "../parts/form.ts";
 import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
-import { driveRows, isSlidingDrive, slidingDriveFields } from "./drives.ts";
+import { lineOfDrive, restOfDrive } from "./drives.ts";
 import { freePoint } from "./free_name.ts";
 import { motionRows } from "./known.ts";
 import { placeFields } from "./vector.ts";
@@ -9,21 +9,20 @@ import { say } from "./words.ts";
 
 /** The links, a card each. */
 export function links(scene: Draft): Group {
-  const drawn = isDrawn(scene);
   const slides = scene["sliders"];
   const blocks = new Set((Array.isArray(slides) ? slides : []).map((slider: unknown) => at(slider, ["link"])));
   const lists = [
     { label: say("from"), options: (now: Draft) => [...plain(allPoints(now).toReversed()), fresh(now)[0]!] },
     { label: say("to"), options: (now: Draft) => [...fresh(now).slice(allPoints(now).length === 0 ? 1 : 0), ...plain(allPoints(now))] },
   ];
-  const add: Field = { kind: "adder", path: ["links", "+"], label: say("add_link"), text: say("add_link"), ask: { do: "link", with: [] }, lists };
+  const adder: Adder = { kind: "adder", path: ["links", "+"], label: say("add_link"), text: say("add_link"), ask: { do: "link", with: [] }, lists };
   return {
     id: "links",
     title: say("links"),
-    help: drawn ? say("links_help") : `${say("links_help")} ${say("shape_help")}`,
+    help: say("links_help"),
     path: ["links"],
     cards: linksOf(scene).map((name) => card(scene, name, blocks)),
-    rows: [{ fields: [add] }],
+    adder,
   };
 }
 
@@ -41,20 +40,21 @@ function card(scene: Draft, name: string, blocks: Set<unknown>): Card {
   const path: Path = ["links", name];
   const link = at(scene, path);
   const points = pointsOf(link);
-  const measures = (): Row[] => (isDrawn(scene) ? motionRows(scene, name) : [...measureRows(scene, path, points), ...motionOf(scene, name, points)]);
+  const drawn = isDrawn(scene);
+  const rest = (): Row[] => (drawn ? motionRows(scene, name) : [...shapeRows(scene, path, points), ...motionOf(scene, name, points)]);
   return {
     path,
     title: say("link"),
     name: { of: "link", name, label: say("link_name", { name }) },
     ...roleOf(scene, link, points, blocks.has(name)),
-    rows: () => [{ fields: [pointChips(name, points), addPoint(name)] }, ...measures()],
+    line: () => [...(drawn ? [] : lengthRow(scene, path, points)), ...lineOfDrive(scene, [...path, "drive"])],
+    rows: () => [{ fields: [pointChips(name, points), addPoint(name)] }, ...rest()],
     buttons: [{ text: say("drop_link", { name }), icon: "remove", edits: [{ drop_link: name }] }],
   };
 }
 
 /** What a link is, in a word. */
 function roleOf(scene: Draft, link: unknown, points: string[], isBlock: boolean): { role?: string } {
-  if (at(link, ["drive"]) !== undefined) return { role: say("driven") };
   if (at(link, ["motion"]) !== undefined) return { role: say("moves_as_known") };
   if (points.length > 1) return {};
   return isBlock ? { role: say("block") } : isDrawn(scene) ? { role: say("stub") } : {};
@@ -84,13 +84,11 @@ function addPoint(link: string): Field {
   return { kind: "adder", path: ["links", link, "points", "+"], label: say("add_point"), text: say("add_point"), ask: { do: "point", with: [link] }, lists: [{ label: say("add_point"), options }] };
 }
 
-/** The shape of a link, or its lengths. */
-function measureRows(scene: Draft, path: Path, points: string[]): Row[] {
+/** The lengths of a link. */
+function lengthRow(scene: Draft, path: Path, points: string[]): Row[] {
+  if (at(scene, [...path, "shape"]) !== undefined || points.length > 3) return [];
   const step = stepFor(sizeOf(scene));
   const unit = unitsOf(scene).length;
-  const shape = at(scene, [...path, "shape"]);
-  if (shape !== undefined) return shapeRows(shape, [...path, "shape"], unit, step);
-  if (points.length > 3) return [{ label: say("unsized"), titled: true, path: [...path, "shape"], fields: [] }];
   const table = [...path, "lengths"];
   const fields = pairs(points).map(([a, b]): Field => {
     const key = lengthKey(at(scene, table), a, b);
@@ -99,7 +97,13 @@ function measureRows(scene: Draft, path: Path, points: string[]): Row[] {
   return fields.length === 0 ? [] : [{ path: table, fields }];
 }
 
-function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[] {
+/** The shape of a link, or that it has none. */
+function shapeRows(scene: Draft, link: Path, points: string[]): Row[] {
+  const path: Path = [...link, "shape"];
+  const shape = at(scene, path);
+  if (shape === undefined) return points.length > 3 ? [{ label: say("unsized"), titled: true, path, fields: [] }] : [];
+  const step = stepFor(sizeOf(scene));
+  const unit = unitsOf(scene).length;
   const rows = entries(shape).map(([name, place]): Row => {
     const own: Path = [...path, name];
     const beside: Button[] = typeof place === "number" ? [{ text: say("give_place"), icon: "plus", ask: { do: "beside", with: own.map(String) } }] : [];
@@ -109,15 +113,10 @@ function shapeRows(shape: unknown, path: Path, unit: string, step: number): Row[
   return [{ label: say("places_on_link"), titled: true, fields: [] }, ...rows];
 }
 
-/** Drive or given angle of a link. */
+/** Drive or given angle of a link, but for what its line has. */
 function motionOf(scene: Draft, name: string, points: string[]): Row[] {
   const path: Path = ["links", name];
-  const drive = at(scene, [...path, "drive"]);
-  if (drive !== undefined) {
-    const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: [...path, "drive"] }] };
-    if (isSlidingDrive(drive)) return [{ label: say("drive"), titled: true, path: [...path, "drive"], fields: slidingDriveFields(scene, [...path, "drive"]), buttons: [remove] }];
-    return driveRows(scene, [...path, "drive"], remove);
-  }
+  if (at(scene, [...path, "drive"]) !== undefined) return [restOfDrive(scene, [...path, "drive"], name)];
   const rows: Row[] = [];
   if (points.length > 1 && givesAngle(scene, path)) {
     rows.push({ fields: [{ kind: "number", path: [...path, "angle"], label: say("axis_angle"), unit: "°", step: 1, usual: "–" }] });

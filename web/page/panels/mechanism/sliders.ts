@@ -1,14 +1,14 @@
 import { stepFor } from "../../number.ts";
-import type { Button, Card, Field, Group, Option, Row } from "../parts/form.ts";
+import type { Adder, Card, Field, Group, Option, Row } from "../parts/form.ts";
 import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
-import { slidingDriveFields } from "./drives.ts";
+import { lineOfDrive, restOfDrive } from "./drives.ts";
 import { placeFields } from "./vector.ts";
 import { say } from "./words.ts";
 
 /** The sliders, a card each. */
 export function sliders(scene: Draft): Group {
   const list: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
-  const add: Field = {
+  const adder: Adder = {
     kind: "adder",
     path: ["sliders", "+"],
     label: say("add_slider"),
@@ -22,7 +22,7 @@ export function sliders(scene: Draft): Group {
     help: say("sliders_help"),
     path: ["sliders"],
     cards: list.map((slider, index) => card(scene, slider, index)),
-    rows: movingPoints(scene).length === 0 ? [] : [{ fields: [add] }],
+    ...(movingPoints(scene).length === 0 ? {} : { adder }),
   };
 }
 
@@ -54,19 +54,32 @@ function card(scene: Draft, slider: unknown, index: number): Card {
   const on: Field = { kind: "choice", path: [...path, "on"], label: say("on"), options: carriers };
   return {
     path,
-    title: say("slider"),
-    role: isPin ? say("pin_in_slot") : say("block"),
+    title: say("slides_on", { point: String(at(slider, ["at"]) ?? at(slider, ["pin"]) ?? "?"), on: carrierOf(slider) }),
+    ...(isPin ? { role: say("pin_in_slot") } : {}),
+    line: () => [...placeOf(scene, slider, path), ...lineOfDrive(scene, [...path, "drive"])],
     rows: () => [{ fields: [...what, on] }, ...guide(scene, slider, path), ...turnedRow(scene, path, isPin), ...driveOf(scene, slider, path, String(index + 1))],
     buttons: [{ text: say("drop_slider", { name: index + 1 }), icon: "remove", ask: { do: "drop_slider", with: [String(index)] } }],
   };
+}
+
+/** What carries the guide, as people say it. */
+function carrierOf(slider: unknown): string {
+  const on = String(at(slider, ["on"]) ?? "ground");
+  return on === "ground" ? say("ground_word") : on;
+}
+
+/** A place of the guide that is given by its coordinates. */
+function placeOf(scene: Draft, slider: unknown, path: Path): Row[] {
+  const through = at(slider, ["through"]);
+  if (!Array.isArray(through)) return [];
+  const isLevel = (at(slider, ["on"]) ?? "ground") === "ground" && (at(slider, ["along"]) ?? 0) === 0;
+  return [{ fields: withOffset(placeFields([...path, "through"], unitsOf(scene).length, stepFor(sizeOf(scene))), isLevel) }];
 }
 
 /** Place and direction of the guide. */
 function guide(scene: Draft, slider: unknown, path: Path): Row[] {
   const on = String(at(slider, ["on"]) ?? "ground");
   const points = pointsOn(scene, on);
-  const unit = unitsOf(scene).length;
-  const step = stepFor(sizeOf(scene));
   const through = at(slider, ["through"]);
   const along = at(slider, ["along"]);
   const canPlace = on === "ground" || at(scene, ["links", on, "shape"]) !== undefined;
@@ -76,7 +89,6 @@ function guide(scene: Draft, slider: unknown, path: Path): Row[] {
     ...(canPlace || Array.isArray(through) ? [{ any: "list" as const, text: say("through_place"), ask: { do: "place", with: path.map(String) } }] : []),
   ];
   const where: Field[] = [{ kind: "choice", path: [...path, "through"], label: say("through"), options: places }];
-  if (Array.isArray(through)) where.push(...withOffset(placeFields([...path, "through"], unit, step), on === "ground" && (along ?? 0) === 0));
   const direction: Field[] = [{ kind: "choice", path: [...path, "along"], label: say("along"), options: directions(points, along) }];
   if (typeof along === "number") direction.push({ kind: "number", path: [...path, "along"], label: say("degrees"), unit: "°", step: 1, needed: true });
   if (Array.isArray(along)) direction.push(...placeFields([...path, "along"], "", 0.1));
@@ -110,8 +122,7 @@ function turnedRow(scene: Draft, path: Path, isPin: boolean): Row[] {
 /** The drive in the slider's own entry; one in the link stands in the link's card. */
 function driveOf(scene: Draft, slider: unknown, path: Path, name: string): Row[] {
   const own: Path = [...path, "drive"];
-  const remove: Button = { text: say("drop_drive", { name }), icon: "remove", edits: [{ remove: own }] };
-  if (at(slider, ["drive"]) !== undefined) return [{ label: say("drive"), titled: true, path: own, fields: slidingDriveFields(scene, own), buttons: [remove] }];
+  if (at(slider, ["drive"]) !== undefined) return [restOfDrive(scene, own, name)];
   if (at(scene, ["links", String(at(slider, ["link"])), "drive"]) !== undefined) return [];
   return [{ fields: [], buttons: [{ text: say("drive"), icon: "plus", ask: { do: "push", with: path.map(String) } }] }];
 }

@@ -5,14 +5,13 @@ type Key =
   | "ground" | "ground_help" | "fixed_point" | "add_fixed" | "no_longer_there"
   | "links" | "links_help" | "link" | "link_name" | "add_link" | "from" | "to" | "new_point" | "points" | "point_name" | "drop_link" | "take_off"
   | "add_point" | "places_on_link" | "give_place" | "drive_it" | "drop_drive" | "drive" | "angle" | "speed"
-  | "turns" | "acceleration" | "position" | "axis_angle" | "block" | "driven" | "unsized" | "moves_as_known"
-  | "sliders" | "sliders_help" | "slider" | "pin_in_slot" | "what_slides" | "sliding_link" | "at" | "pin" | "on" | "ground_word" | "through" | "through_usual" | "through_place" | "along"
+  | "turns" | "acceleration" | "position" | "axis_angle" | "block" | "unsized" | "moves_as_known"
+  | "sliders" | "sliders_help" | "slides_on" | "pin_in_slot" | "what_slides" | "sliding_link" | "at" | "pin" | "on" | "ground_word" | "through" | "through_usual" | "through_place" | "along"
   | "offset" | "along_usual" | "along_degrees" | "along_direction" | "degrees" | "turned" | "drop_slider" | "add_slider" | "new_block" | "link_at" | "pin_at"
   | "near" | "near_help" | "add_near" | "angle_of" | "drop_near"
   | "drawn_points" | "drawn_help" | "fixed" | "known" | "known_help" | "add_known" | "drop_known" | "velocity" | "by_parts" | "by_size" | "size" | "known_motion"
   | "drop_motion" | "add_acceleration" | "drop_acceleration" | "stub" | "moving"
-  | "change_kind" | "empty" | "open_file" | "figure_2" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper"
-  | "shape_help";
+  | "change_kind" | "empty" | "open_file" | "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper";
 
 const WORDS: Words<Key> = {
   en: {
@@ -51,12 +50,11 @@ const WORDS: Words<Key> = {
     position: "Position",
     axis_angle: "Angle of its axis",
     block: "block",
-    driven: "driven",
     unsized: "Four points or more need a shape: take points off and add them again.",
     moves_as_known: "known motion",
     sliders: "Sliders",
     sliders_help: "Blocks on straight guides, and pins in slots.",
-    slider: "Slider",
+    slides_on: "{point} on {on}",
     pin_in_slot: "pin in a slot",
     what_slides: "What slides",
     sliding_link: "Block",
@@ -101,17 +99,15 @@ const WORDS: Words<Key> = {
     drop_acceleration: "Remove the acceleration",
     stub: "stub",
     moving: "moving",
-    change_kind: "Start from another mechanism",
+    change_kind: "Other mechanisms",
     empty: "New, empty",
-    open_file: "Open file…",
-    figure_2: "The paper’s Figure 2",
+    open_file: "Open…",
     groups_bars: "One loop",
     groups_more: "Six links",
     groups_drives: "Several drives",
     groups_class: "Third and fourth class",
     groups_drawn: "Groups as a textbook draws them",
     groups_paper: "From the paper",
-    shape_help: "Pins hold points and lengths while you pull joints in shape.",
   },
   es: {
     about: "General",
@@ -125,7 +121,7 @@ const WORDS: Words<Key> = {
     add_fixed: "Punto fijo",
     no_longer_there: "Quitar el punto {name}",
     links: "Eslabones",
-    links_help: "Un punto en dos eslabones es una articulación entre ellos.",
+    links_help: "Un punto en dos eslabones los articula.",
     link: "Eslabón",
     link_name: "Nombre del eslabón {name}",
     add_link: "Eslabón",
@@ -149,12 +145,11 @@ const WORDS: Words<Key> = {
     position: "Posición",
     axis_angle: "Ángulo de su eje",
     block: "corredera",
-    driven: "conductor",
     unsized: "Cuatro puntos o más necesitan una forma: quite puntos y añádalos de nuevo.",
     moves_as_known: "movimiento conocido",
     sliders: "Correderas",
     sliders_help: "Correderas en guías rectas y pernos en ranuras.",
-    slider: "Corredera",
+    slides_on: "{point} sobre {on}",
     pin_in_slot: "perno en ranura",
     what_slides: "Lo que desliza",
     sliding_link: "Eslabón",
@@ -199,17 +194,15 @@ const WORDS: Words<Key> = {
     drop_acceleration: "Quitar la aceleración",
     stub: "tocón",
     moving: "móvil",
-    change_kind: "Partir de otro mecanismo",
+    change_kind: "Otros mecanismos",
     empty: "Nuevo, vacío",
-    open_file: "Abrir archivo…",
-    figure_2: "Figura 2 del artículo",
+    open_file: "Abrir…",
     groups_bars: "Un lazo",
     groups_more: "Seis eslabones",
     groups_drives: "Varios accionamientos",
     groups_class: "Tercera y cuarta clase",
     groups_drawn: "Grupos como en un libro",
     groups_paper: "Del artículo",
-    shape_help: "Los alfileres sujetan puntos y longitudes al dar forma.",
   },
 };
 

@@ -1,6 +1,7 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { icon } from "../../dom/icon.ts";
+import { calmed } from "../../dom/piles.ts";
 import type { Edit } from "../../engine/types.ts";
 import { evaluated, shownNumber, stepped } from "../../number.ts";
 import { edit } from "./edits.ts";
@@ -57,9 +58,11 @@ export function fieldOf(desk: Desk, field: Field): Live {
 }
 
 /** A label with its input. */
-function labelled(field: { path: Path; label: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
+function labelled(field: { path: Path; label: string; symbol?: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
   input.id = newId();
-  const label = element("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, field.label);
+  const { symbol } = field;
+  const words = symbol === undefined ? [field.label] : [element("span", { "aria-hidden": "true", title: field.label }, symbol), element("span", { class: "unseen" }, field.label)];
+  const label = element("label", { for: input.id, class: field.quiet === true ? "unseen" : null }, ...words);
   return element("div", { class: "field", "data-path": dotted(field.path) }, label, element("div", { class: "value" }, input, ...more));
 }
 
@@ -76,7 +79,7 @@ function textInput(app: App, field: TextField): Live {
     root,
     show(scene) {
       const value = at(scene, field.path);
-      const text = typeof value === "string" ? value : "";
+      const text = calmed(typeof value === "string" ? value : "");
       if (input.value !== text) input.value = text;
     },
   };
@@ -220,7 +223,7 @@ function pointNames({ app, owner }: Desk, field: PointsField): Live {
 function adder({ owner }: Desk, field: Adder): Live {
   const lists = field.lists.map(({ label }) => element("select", { "aria-label": label, title: label }));
   const names = field.lists.map(({ options }, index) => namesIn(lists[index]!, options));
-  const button = element("button", { type: "button", class: "small" }, icon("plus"), field.text);
+  const button = element("button", { type: "button", class: "small", "aria-label": `+ ${field.text}` }, icon("plus"), field.text);
   button.addEventListener("click", () => owner.asked?.({ do: field.ask.do, with: [...field.ask.with, ...lists.map(({ value }) => value)] }));
   const root = element("div", { class: "field adder", role: "group", "aria-label": field.label, "data-path": dotted(field.path) }, ...lists, button);
   return { root, show: (scene) => names.forEach((each) => each.show(scene)) };

@@ -19,17 +19,21 @@ export interface Group {
   folded?: boolean;
   rows?: Row[];
   cards?: Card[];
+  /** What adds to it, beside its title. */
+  adder?: Adder;
   buttons?: Button[];
 }
 
-/** A thing with several rows: a link, a slider. */
+/** A thing with a line of its own, which opens for the rest: a link, a slider. */
 export interface Card {
   path: Path;
   title: string;
   name?: NameField;
   /** What it is, in a word or two. */
   role?: string;
-  /** Asked for when the card is seen: of a thousand links nobody sees more than some. */
+  /** What stands in its line, with the numbers that people come for; asked for when it is seen: of a thousand links nobody sees more than some. */
+  line(): Row[];
+  /** What it opens for; asked for when it is open. */
   rows(): Row[];
   buttons?: Button[];
 }
@@ -38,6 +42,8 @@ export interface Row {
   label?: string;
   /** Whether the label stands above its fields, as a title. */
   titled?: boolean;
+  /** Whether its label is for screen readers alone. */
+  quiet?: boolean;
   /** Whether its fields begin where those of the rows above and below begin. */
   aligned?: boolean;
   name?: NameField;
@@ -57,6 +63,8 @@ export interface Ask {
 interface Named {
   path: Path;
   label: string;
+  /** What stands in place of its label, which is then for screen readers alone: ω for the speed of a drive. */
+  symbol?: string;
   /** Whether its label is for screen readers alone, because the row says it. */
   quiet?: boolean;
 }

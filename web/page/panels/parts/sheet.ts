@@ -7,7 +7,7 @@ import type { Refused } from "../../engine/types.ts";
 import { language } from "../../words.ts";
 import { edit } from "./edits.ts";
 import { fieldOf, nameInput, newId, type Live } from "./fields.ts";
-import type { Ask, Button, Card, Form, Group, Row } from "./form.ts";
+import type { Adder, Ask, Button, Card, Form, Group, Row } from "./form.ts";
 import { pieces, settled, type Pieces } from "./pieces.ts";
 import { dotted, parsed, type Draft } from "./scene.ts";
 import { say } from "./words.ts";
@@ -39,7 +39,7 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
     state.pieces.show(scene);
     if (!body.contains(document.activeElement)) focusAgain(body, focus);
   };
-  const state: State = { app, owner, pieces: pieces(body, current), open: new Map() };
+  const state: State = { app, owner, pieces: pieces(body, current), open: new Map(), again: current };
   app.history.now.on(current);
   language.on(() => {
     state.pieces.clear();
@@ -73,8 +73,9 @@ interface State {
   app: App;
   owner: Owner;
   pieces: Pieces;
-  /** Groups that somebody opened or closed. */
+  /** Groups and cards that somebody opened or closed. */
   open: Map<string, boolean>;
+  again(): void;
 }
 
 /** Puts the focus where it was in a form of which parts were built anew. */
@@ -122,6 +123,8 @@ function groupOf(state: State, group: Group): HTMLElement {
   });
   const buttons = group.buttons === undefined ? [] : [pieces.of(`${group.id} buttons`, group.buttons, () => buttonsOf(state, group.buttons)!)];
   settled(inner, [...help, ...cards, ...rows, ...buttons]);
+  const { adder } = group;
+  if (adder !== undefined) settled(root.querySelector<HTMLElement>(":scope > header > .adding")!, [pieces.of(`${group.id} adder`, adder, (live) => alone(state, adder, live))]);
   return root;
 }
 
@@ -129,27 +132,41 @@ function groupOf(state: State, group: Group): HTMLElement {
 function frame(state: State, group: Group): HTMLElement {
   const inner = element("div", { class: "inner" });
   const given = { class: "group", "data-path": group.path === undefined ? null : dotted(group.path) };
-  if (group.folded === undefined) return element("section", given, element("h3", {}, group.title), inner);
+  if (group.folded === undefined) return element("section", given, element("header", {}, element("h3", {}, group.title), element("div", { class: "adding" })), inner);
   const details = element("details", { ...given, open: state.open.get(group.id) ?? !group.folded }, element("summary", {}, element("h3", {}, group.title)), inner);
   details.addEventListener("toggle", () => state.open.set(group.id, details.open));
   return details;
 }
 
 function built(state: State, key: string, card: Card): HTMLElement {
-  const rows = card.rows();
-  return state.pieces.of(key, [card, rows], (live) => cardOf(state, card, rows, live));
+  const line = card.line();
+  const rows = state.open.get(key) === true ? card.rows() : null;
+  return state.pieces.of(key, [card, line, rows], (live) => cardOf(state, key, card, { line, rows, live }));
 }
 
-function cardOf(state: State, card: Card, rows: Row[], live: Live[]): HTMLElement {
+function cardOf(state: State, key: string, card: Card, { line, rows, live }: { line: Row[]; rows: Row[] | null; live: Live[] }): HTMLElement {
+  const title = `${card.title} ${card.name?.name ?? ""}`.trim();
+  const more = element("button", { type: "button", class: "bare more", "aria-label": say("more", { title }), title: say("more", { title }), "aria-expanded": String(rows !== null) }, icon("forward"));
+  more.addEventListener("click", () => {
+    state.open.set(key, rows === null);
+    state.again();
+  });
   const heading = element(
     "header",
     {},
-    element("h4", {}, card.title),
+    more,
+    element("h4", { class: card.name === undefined ? null : "unseen" }, title),
     card.name !== undefined && nameInput(state.app, card.name),
-    card.role !== undefined && element("span", { class: "role" }, card.role),
+    element("div", { class: "line" }, card.role !== undefined && element("span", { class: "role" }, card.role), ...line.map((row) => rowOf(state, row, live))),
     buttonsOf(state, card.buttons),
   );
-  return element("article", { class: "card", "data-path": dotted(card.path), "aria-label": `${card.title} ${card.name?.name ?? ""}` }, heading, ...rows.map((row) => rowOf(state, row, live)));
+  return element("article", { class: "card", "data-path": key, "aria-label": title }, heading, ...(rows ?? []).map((row) => rowOf(state, row, live)));
+}
+
+function alone(state: State, field: Adder, live: Live[]): HTMLElement {
+  const made = fieldOf(state, field);
+  live.push(made);
+  return made.root;
 }
 
 function rowOf(state: State, row: Row, live: Live[]): HTMLElement {
@@ -158,7 +175,7 @@ function rowOf(state: State, row: Row, live: Live[]): HTMLElement {
   return element(
     "div",
     { class: row.titled === true ? "row titled" : row.aligned === true ? "row aligned" : "row", role: "group", "aria-label": row.label ?? row.name?.name, "data-path": row.path === undefined ? null : dotted(row.path) },
-    row.label !== undefined && element("span", { class: "of" }, row.label),
+    row.label !== undefined && row.quiet !== true && element("span", { class: "of" }, row.label),
     row.name !== undefined && nameInput(state.app, row.name),
     ...fields.map(({ root }) => root),
     buttonsOf(state, row.buttons),

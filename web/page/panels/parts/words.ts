@@ -1,6 +1,6 @@
 import { speaker, type Words } from "../../words.ts";
 
-type Key = "needed" | "unread" | "least" | "nameless" | "pin_point" | "pin_length" | "unreadable" | "mend";
+type Key = "needed" | "unread" | "least" | "nameless" | "pin_point" | "pin_length" | "unreadable" | "mend" | "more";
 
 const WORDS: Words<Key> = {
   en: {
@@ -12,6 +12,7 @@ const WORDS: Words<Key> = {
     pin_length: "Hold length {name} while shaping",
     unreadable: "The scene’s text has a mistake, so the form waits. Mend it in the text, or undo.",
     mend: "Show in the text",
+    more: "{title}: all of it",
   },
   es: {
     needed: "Aquí hace falta un número.",
@@ -22,6 +23,7 @@ const WORDS: Words<Key> = {
     pin_length: "Sujetar la longitud {name} al dar forma",
     unreadable: "El texto de la escena tiene un error y el formulario espera. Corríjalo en el texto o deshaga.",
     mend: "Mostrar en el texto",
+    more: "{title}: todo",
   },
 };
 

@@ -1,0 +1,157 @@
+//! What errors and warnings say, as data: which sentence, and what stands in its blanks. Each folder declares its sentences in a
+//! file `says.rs`, with their English words; `words/*.txt` have those of other languages under the same keys, and
+//! [`Language::says`](crate::words::Language::says) puts them together. So nobody has to know a message by its words.
+
+use std::fmt;
+
+/// The declaration of a sentence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Declared {
+    /// Its key in the catalogues.
+    pub key: &'static str,
+    /// The names of its blanks, in the order of what fills them.
+    pub blanks: &'static [&'static str],
+    /// What it says in English.
+    pub english: &'static str,
+}
+
+/// What an error or a warning says. Displayed in English.
+///
+/// ```
+/// use kinegon::scene::LanguageName;
+/// use kinegon::words::Language;
+///
+/// let error = kinegon::Scene::read(r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "links": {} }"#).unwrap_err();
+/// assert_eq!(error.message.to_string(), "a mechanism has at least one link");
+/// assert_eq!(Language::of(LanguageName::Spanish).says(&error.message), "un mecanismo tiene al menos un eslabón");
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message(Said);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Said {
+    /// A declared sentence, with what fills its blanks.
+    Sentence(&'static Declared, Vec<Message>),
+    /// Several, one after the other, with this between them.
+    List(Vec<Message>, &'static str),
+    /// A name, a number, a piece of JSON: the same in all languages.
+    Text(String),
+}
+
+impl Message {
+    /// A declared sentence; `says.rs` of each folder calls this.
+    #[must_use]
+    pub fn of(declared: &'static Declared, by: Vec<Message>) -> Message {
+        Message(Said::Sentence(declared, by))
+    }
+
+    /// Several messages one after the other, with `between` between them.
+    #[must_use]
+    pub fn list(messages: impl IntoIterator<Item = Message>, between: &'static str) -> Message {
+        Message(Said::List(messages.into_iter().collect(), between))
+    }
+
+    /// The words, where `words` has those of a sentence.
+    pub(crate) fn told(&self, words: &dyn Fn(&'static Declared) -> &'static str) -> String {
+        match &self.0 {
+            Said::Text(text) => text.clone(),
+            Said::List(all, between) => all.iter().map(|message| message.told(words)).collect::<Vec<_>>().join(between),
+            Said::Sentence(declared, by) => {
+                let by: Vec<String> = by.iter().map(|message| message.told(words)).collect();
+                filled(words(declared), declared.blanks, &by.iter().map(String::as_str).collect::<Vec<_>>())
+            }
+        }
+    }
+
+    /// The declaration of its sentence; `None` for a name, a number or several sentences.
+    #[must_use]
+    pub fn declared(&self) -> Option<&'static Declared> {
+        match self.0 {
+            Said::Sentence(declared, _) => Some(declared),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Message {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.told(&|declared| declared.english))
+    }
+}
+
+impl PartialEq<str> for Message {
+    fn eq(&self, other: &str) -> bool {
+        self.to_string() == other
+    }
+}
+
+impl PartialEq<&str> for Message {
+    fn eq(&self, other: &&str) -> bool {
+        self.to_string() == *other
+    }
+}
+
+impl From<String> for Message {
+    fn from(text: String) -> Message {
+        Message(Said::Text(text))
+    }
+}
+
+/// From what is written the same in all languages.
+macro_rules! from_written {
+    ($($written:ty),+) => { $(
+        impl From<$written> for Message {
+            fn from(written: $written) -> Message {
+                Message(Said::Text(written.to_string()))
+            }
+        }
+    )+ };
+}
+from_written!(&str, &String, usize, u64, i64, f64);
+
+/// A sentence with what stands for each of its blanks.
+#[must_use]
+pub fn filled(sentence: &str, blanks: &[&str], by: &[&str]) -> String {
+    let mut parts = sentence.split("{");
+    let mut text = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let named = part.split_once('}').and_then(|(name, words)| {
+            let blank = blanks.iter().position(|blank| *blank == name)?;
+            Some((by[blank], words))
+        });
+        match named {
+            Some((by, words)) => text.extend([by, words]),
+            // A brace that is meant as one, as in JSON.
+            None => text.extend(["{", part]),
+        }
+    }
+    text
+}
+
+/// Declares the sentences of a folder's errors and warnings, and a function for each: `no_link(name) = "there is no link {name}";`
+/// gives `no_link(name) -> Message`. The word before them begins their keys in the catalogues, as `scene.no_link`.
+macro_rules! messages {
+    ($group:literal: $($(#[$about:meta])* $key:ident $(($($blank:ident),+))? = $english:literal;)+) => {
+        /// Index of each sentence in [`DECLARED`].
+        #[expect(non_camel_case_types, reason = "they are the keys of the catalogues")]
+        #[derive(Clone, Copy)]
+        enum Key { $($key),+ }
+
+        /// All sentences.
+        pub static DECLARED: &[$crate::message::Declared] = &[$($crate::message::Declared {
+            key: concat!($group, ".", stringify!($key)),
+            blanks: &[$($(stringify!($blank)),+)?],
+            english: $english,
+        }),+];
+
+        $(
+            $(#[$about])*
+            #[doc = $english]
+            #[must_use]
+            pub fn $key($($($blank: impl Into<$crate::message::Message>),+)?) -> $crate::message::Message {
+                $crate::message::Message::of(&DECLARED[Key::$key as usize], vec![$($($blank.into()),+)?])
+            }
+        )+
+    };
+}
+pub(crate) use messages;

@@ -1,0 +1,23 @@
+//! What errors and warnings of the motion say.
+
+use crate::message::messages;
+
+messages! { "motion":
+    singular(links, reason, condition) =
+        "links {links} are in a singular position: {reason} (condition {condition})";
+    singular_exactly(links, reason) = "links {links} are in a singular position: {reason} (exactly)";
+    move_a_joint = "another crank angle, or move one of these joints off the common line or point";
+    overflow(links) = "links {links}: a distance, a velocity or an acceleration is too large to be represented";
+    larger_units = "larger units of length, or slower drives";
+    near_singular(links, condition, digits) =
+        "links {links} are near a singular position (condition {condition}): coordinates of 16 digits determine about \
+         {digits} digits of their rates";
+
+    // Why a position is singular.
+    no_definite_motion = "its loops have no definite motion";
+    in_one_line(first, second) = "{first} and {second} lie in one line";
+    parallel(lines) = "the lines {lines} are parallel";
+    in_one_point(lines) = "the lines {lines} meet in one point";
+    normal_to_guide(through, at) = "through {through} normal to the guide at {at}";
+    at_infinity(first, second) = "at infinity (guides at {first} and {second})";
+}
