@@ -60,6 +60,7 @@ test("tools say what they need, or what follows", () => {
   assert.deepEqual(pressed("drive", present, press([15, 26], null, "1")), [{ remove: ["links", "1", "drive"] }]);
   assert.equal(drawn("link", present, press([0, 0]), press([0, 0]), choices), "needs_way");
   assert.equal(drawn("third", present, press([500, 0]), press([0, 9]), choices), "needs_link");
+  assert.equal(drawn("link", present, press([30, 52], "B"), press([157, 110], "C"), choices), "joined_already");
   // A link from joint to joint takes the points that are there.
   const edits = drawn("link", present, press([30, 52], "B"), press([160, 0], "D"), choices);
   assert.deepEqual(edits, [{ add_link: { points: [{ name: "B", at: [30, 52] }, { name: "D", at: [160, 0] }] } }]);

@@ -38,7 +38,7 @@ function missing(scene: Draft, { path }: Refused): string | null {
   const { links, taken, free, drives } = mobility(scene);
   if (links === 0) return say("begin");
   if (isDrawn(scene) || free === drives) return null;
-  const count = say("mobility", { links, taken, free, drives });
+  const count = say("mobility", { links, taken, free: String(free).replace("-", "−"), drives });
   if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
   const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
   return `${say(wants, { count: free - drives })} ${count}`;
