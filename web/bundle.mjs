@@ -3,7 +3,6 @@ import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
-import { gzipSync } from "node:zlib";
 import { build } from "esbuild";
 import { sources } from "./sources.mjs";
 
@@ -27,9 +26,6 @@ async function bundled(entry) {
   return made.outputFiles[0].text;
 }
 
-/** The engine, packed by the program `zstd` as small as it can. */
-const engineBytes = execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", join(engine, "kinegon_web_bg.wasm")], { maxBuffer: 1 << 26 });
-
 /** Bytes as letters that HTML and templates leave alone: five of 85 letters for four bytes, a sixteenth shorter than Base64. `bytesOf` of page/unpack.ts reads them. */
 function base85(bytes) {
   const letters = [...Array(94).keys()].map((code) => String.fromCharCode(33 + code)).filter((letter) => !"<>&\"'\\`{}".includes(letter));
@@ -48,11 +44,14 @@ function base85(bytes) {
   return text;
 }
 
-/** Bytes as the browser unpacks them by itself. */
-const packed = (bytes) => base85(gzipSync(bytes, { level: 9 }));
+/** A text or bytes, packed by the program `zstd` as small as it can. */
+function packed(contents) {
+  const input = Buffer.from(contents);
+  return base85(execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", `--stream-size=${input.length}`], { input, maxBuffer: 1 << 26 }));
+}
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
-if (/<\/script|<!--/i.test(boot) || /<\/style/i.test(style)) throw new Error("the script or the style would end its element");
+if (/<\/script|<!--/i.test(boot)) throw new Error("the script would end its element");
 const policy = [
   "default-src 'none'",
   `script-src 'sha256-${createHash("sha256").update(boot).digest("base64")}' 'wasm-unsafe-eval' blob:`,
@@ -68,11 +67,11 @@ const policy = [
 const contents = {
   policy,
   sources: sources(),
-  style,
   boot,
+  style: packed(style),
   script: packed(script),
   worker: packed(worker),
-  engine: base85(engineBytes),
+  engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
 };
 const filled = (_, name) => {
   if (!(name in contents)) throw new Error(`index.html asks for ${name}`);
@@ -84,4 +83,4 @@ const template = readFileSync(join(here, "page/index.html"), "utf8").replace(bar
 const page = template.replace(/\{\{(\w+)\}\}/g, filled);
 writeFileSync(output, page);
 const kB = (text) => `${Math.round(Buffer.byteLength(text) / 1000)} kB`;
-console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(contents.script)}, style ${kB(style)}`);
+console.log(`${output}: ${kB(page)}, of it engine ${kB(contents.engine)}, script ${kB(contents.script)}, style ${kB(contents.style)}`);

@@ -2,6 +2,7 @@
 
 use super::entry::Entry;
 use super::mistakes::Candidate;
+use super::sensible::StatedScale;
 use crate::sheet::Sheet;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -18,12 +19,27 @@ pub struct Checked {
     pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
     pub mirrored: Vec<Sheet>,
+    /// The rows of what the form asks for and has no value of: boxes left blank, points that a photograph does not show, and all that an
+    /// exercise asks for.
+    pub missing: Vec<String>,
+    /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
+    pub scales: Vec<StatedScale>,
 }
 
 impl Checked {
-    /// Whether no value is off, and no plan mirrored.
+    /// Whether all that is asked for is there and right: no value is missing, off or without information, and no plan
+    /// mirrored.
     #[must_use]
     pub fn is_passed(&self) -> bool {
+        self.is_nothing_off()
+            && self.missing.is_empty()
+            && self.count(Verdict::TooCoarse) == 0
+            && self.count(Verdict::Unjudged) < self.values.len()
+    }
+
+    /// Whether no value is off, and no plan mirrored.
+    #[must_use]
+    pub fn is_nothing_off(&self) -> bool {
         self.mirrored.is_empty() && self.count(Verdict::Off) == 0
     }
 
@@ -68,7 +84,10 @@ pub enum Verdict {
     SenseMissing,
     /// It differs by more.
     Off,
-    /// It has no tolerance: there is no construction from which it could be read.
+    /// It is not wrong, but its digits tell nothing: as `0e4`, or `2` for 1.3.
+    TooCoarse,
+    /// It has no tolerance, as there is no construction from which it could be read; or it is so small on its sheet that
+    /// an honest hand could as well find nothing there.
     Unjudged,
 }
 
@@ -95,6 +114,8 @@ pub struct Diagnosis {
     pub others: Vec<Explanation>,
     /// Indices of the values that remain without an explanation.
     pub unexplained: Vec<usize>,
+    /// How many values were looked at, the first ones: of large forms not all.
+    pub looked_at: usize,
 }
 
 /// Mistakes that together explain the values.
@@ -133,6 +154,7 @@ impl Diagnosis {
             best: Explanation { findings: Vec::new(), probability: 1.0, is_alike: false },
             others: Vec::new(),
             unexplained: (0..values.len()).filter(|&i| values[i].verdict == Verdict::Off).collect(),
+            looked_at: values.len(),
         }
     }
 }

@@ -36,7 +36,7 @@ pub struct ClassRow {
     /// Whose drawing it is, as the form says.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Untrusted>,
-    /// Whether the file was understood and no value is off.
+    /// Whether the file was understood, and all that it asks for is there and right.
     pub passed: bool,
     /// What was found; not there where the file was not understood.
     #[serde(flatten)]
@@ -60,6 +60,10 @@ pub struct ClassFound {
     pub off: usize,
     /// How many are rates of the right size whose sense is not told.
     pub sense_missing: usize,
+    /// How many are not wrong but tell nothing: too few digits, or too small on the sheet.
+    pub cannot_tell: usize,
+    /// How many are asked for and not there.
+    pub missing: usize,
     /// The first mistake that was probably made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<ClassMistake>,
@@ -138,6 +142,8 @@ impl ClassRow {
                 within: checked.count(Verdict::WithinTolerance),
                 off: checked.count(Verdict::Off),
                 sense_missing: checked.count(Verdict::SenseMissing),
+                cannot_tell: checked.count(Verdict::TooCoarse) + checked.count(Verdict::Unjudged),
+                missing: checked.missing.len(),
                 first: findings.first().map(mistake),
                 told: told.unwrap_or_default(),
                 done,
@@ -204,6 +210,10 @@ impl ClassRow {
             cells.extend([("marks", marks(|m| m.earned)), ("marks_of", marks(|m| m.of))]);
         }
         cells.extend([("message", text(&self.message)), ("sense_missing", found(|f| f.sense_missing.to_string()))]);
+        cells.extend([
+            ("cannot_tell", found(|f| f.cannot_tell.to_string())),
+            ("missing", found(|f| f.missing.to_string())),
+        ]);
         cells
     }
 }
@@ -222,10 +232,12 @@ fn csv_line<'c>(cells: impl Iterator<Item = &'c str>) -> String {
 pub struct ClassSummary {
     /// All files.
     pub files: usize,
-    /// Those without a value that is off.
+    /// Those in which all is there and right.
     pub passed: usize,
     /// Those with values that are off.
     pub off: usize,
+    /// Those without a value that is off in which something is missing or tells nothing.
+    pub incomplete: usize,
     /// Those that were not understood.
     pub broken: usize,
     /// First mistakes that were made more than once, the commonest first; only such as are probable enough to be told.
@@ -269,6 +281,10 @@ impl ClassSummary {
             self.passed += 1;
             return;
         }
+        if found.off == 0 {
+            self.incomplete += 1;
+            return;
+        }
         self.off += 1;
         match (&found.first, &found.done) {
             // A diagnosis has only mistakes that are probable enough to be told.
@@ -304,6 +320,7 @@ impl ClassSummary {
         } else {
             language.class_counts(&files, &passed, &off, &broken)
         };
+        let incomplete = (self.incomplete > 0).then(|| language.class_incomplete(&self.incomplete.to_string()));
         let understood = (self.files - self.broken).to_string();
         let common = self.commonest.iter().map(|common| {
             let count = common.count.to_string();
@@ -313,7 +330,7 @@ impl ClassSummary {
             }
         });
         let unknown = (self.unknown > 0).then(|| language.class_unknown(&self.unknown.to_string(), &understood));
-        [counts].into_iter().chain(common).chain(unknown).collect()
+        [counts].into_iter().chain(incomplete).chain(common).chain(unknown).collect()
     }
 }
 

@@ -91,7 +91,12 @@ impl Search<'_> {
         let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
         let unexplained = off.filter(|&entry| !explained(entry) || self.is_outside(&first.best.fit, entry)).collect();
         let probability = if told.is_empty() { none_told(&groups) } else { probability(&told) };
-        Diagnosis { best: Explanation { findings: told, probability, is_alike: false }, others, unexplained }
+        Diagnosis {
+            best: Explanation { findings: told, probability, is_alike: false },
+            others,
+            unexplained,
+            looked_at: values.len(),
+        }
     }
 
     /// The explanations grouped by their words, those left out that a written value refutes; the likeliest first.

@@ -3,7 +3,7 @@
 use super::measured::{AnswerKey, CheckError, Given, Measured, PlacedPoint, Positive};
 use super::names::{Meant, Names};
 use super::says;
-use super::written::{Precision, factors, number, sheet_told, whole_rounding};
+use super::written::{Precision, factors, few_digits, number, rounding_to, sheet_told, whole_rounding};
 use crate::quantity::QuantityRequest;
 use crate::text;
 use indexmap::IndexMap;
@@ -166,6 +166,7 @@ pub fn faults(measured: &Measured, key: &AnswerKey<'_>) -> Vec<(usize, CheckErro
 /// Sets the precision and rounding of each entry from all values of its kind.
 fn find_precisions(entries: &mut [Entry]) {
     let Precision { digits, .. } = Precision::of(entries.iter().map(|entry| entry.text.as_str()));
+    let few = few_digits(entries.iter().map(|entry| entry.text.as_str()));
     for index in 0..entries.len() {
         let entry = &entries[index];
         if entry.text.is_empty() {
@@ -176,7 +177,10 @@ fn find_precisions(entries: &mut [Entry]) {
         let precision = Precision::of(same.map(|e| e.text.as_str()));
         let entry = &mut entries[index];
         entry.precision = precision;
-        let rounding = precision.rounding(&entry.text).min(whole_rounding(&entry.text, digits));
+        let rounding = match few {
+            Some(few) => precision.rounding(&entry.text).max(rounding_to(&entry.text, few)),
+            None => precision.rounding(&entry.text).min(whole_rounding(&entry.text, digits)),
+        };
         entry.rounding = rounding * entry.factor.abs();
     }
 }

@@ -134,14 +134,15 @@ impl Measured {
         text.trim_start_matches(['\u{feff}', ' ', '\n', '\r', '\t']).starts_with(['{', '['])
     }
 
-    /// The values of a form as JSON; blanks are left out.
+    /// The values of a form as JSON; of blanks the names.
     ///
     /// # Errors
     /// The first thing that is wrong with the text, with its place.
     pub fn read_json(text: &str) -> Result<Measured, SceneError> {
         let file: FormFile = read_as(text, &MEASURED)?;
-        let filled = file.values.into_iter().filter(|(_, value)| !value.text.trim().is_empty());
-        let given = filled.map(|(name, value)| Given {
+        let (filled, blank): (Vec<_>, Vec<_>) =
+            file.values.into_iter().partition(|(_, value)| !value.text.trim().is_empty());
+        let given = filled.into_iter().map(|(name, value)| Given {
             place: format!("values.{}", shown(&name)),
             text: table::with_point(value.text.trim()),
             unit: value.unit,
@@ -160,6 +161,7 @@ impl Measured {
             faults: Vec::new(),
             in_mm: file.written_in == Some(Paper::Mm),
             values: given.collect(),
+            blank: blank.into_iter().map(|(name, _)| name).collect(),
             points: points.collect(),
         })
     }

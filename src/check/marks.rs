@@ -1,12 +1,12 @@
 //! A marking scheme: the marks that each quantity is worth, and those that checked values earn.
 
-use super::checked::{Checked, Verdict};
+use super::checked::{Checked, Finding, Judged, Verdict};
 use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Given, Measured};
 use super::names::Names;
 use super::says;
 use crate::scene::{FileKind, SceneError, read_as, schema_of};
-use crate::sheet::PerSheet;
+use crate::sheet::{PerSheet, QuantityKind};
 use crate::text::shown;
 use crate::words::Wording;
 use indexmap::IndexMap;
@@ -154,10 +154,17 @@ impl MarkScheme {
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
         let findings = &checked.diagnosis.best.findings;
+        // The value in which a mistake was made; where no value is, as with a wrong ω of the drive, the first that shows it.
+        let is_made_in = |f: &Finding, value: usize| match f.written.is_empty() {
+            true => f.first() == Some(value),
+            false => f.written.contains(&value),
+        };
         let follows = |value: usize| {
-            let later = checked.values[value].entry.step;
-            let mut from = findings.iter().filter(|f| f.candidate.step < later);
-            from.any(|f| f.follows.contains(&value)) && !findings.iter().any(|f| f.written.contains(&value))
+            // Beside a prediction of nearly nothing any small number would follow.
+            let Judged { entry, tolerance, .. } = &checked.values[value];
+            tolerance.is_none_or(|tolerance| entry.value.abs() > tolerance || entry.asked.kind() == QuantityKind::Angle)
+                && findings.iter().any(|f| f.follows.contains(&value))
+                && !findings.iter().any(|f| is_made_in(f, value))
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
         for (name, (row, worth)) in &self.worth {
@@ -170,7 +177,7 @@ impl MarkScheme {
             match checked.values[index].verdict {
                 Verdict::Right | Verdict::WithinTolerance | Verdict::SenseMissing => earned += worth,
                 Verdict::Off if follows(index) => follow_through += self.follow_through * worth,
-                Verdict::Off | Verdict::Unjudged => {}
+                Verdict::Off | Verdict::TooCoarse | Verdict::Unjudged => {}
             }
         }
         let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;

@@ -64,6 +64,8 @@ pub struct Measured {
     pub in_mm: bool,
     /// The values, in the order of the file.
     pub values: Vec<Given>,
+    /// The names of boxes that are there but not filled in, and of what a photograph was looked through for and did not show.
+    pub blank: Vec<String>,
     /// Places of plan points on paper.
     pub points: Vec<PointsOf>,
     /// Lines of the file that are not understood; a check tells them together with its own.

@@ -6,7 +6,7 @@
 //! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
 //! has the names of a form's boxes, those on the sheets, and what a written name means; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
-//! what `written` knows of digits and units. `checked` is what a check finds; `prepared` carries it out and keeps what many
+//! what `written` knows of digits and units; `sensible` has the scales at which a sheet can be drawn. `checked` is what a check finds; `prepared` carries it out and keeps what many
 //! forms of one scene have in common.
 //!
 //! `model` predicts all values together with their common errors, those of a drawing program among them;
@@ -81,6 +81,7 @@ mod result;
 pub mod says;
 mod score;
 mod search;
+mod sensible;
 mod settle;
 mod student;
 mod table;
@@ -106,5 +107,6 @@ pub use redrawn::redrawn;
 pub(crate) use report::aligned;
 pub use report::{Cause, ReportParts, ReportRow, report, report_parts};
 pub use result::{CheckResult, check_result, check_schema};
+pub use sensible::StatedScale;
 pub use student::Student;
 pub use written::Precision;

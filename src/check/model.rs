@@ -105,6 +105,21 @@ impl Model {
         Ok(model)
     }
 
+    /// The construction as far as the first entries need it, which alone are read.
+    pub fn first(&self, entries: usize) -> Model {
+        let mut model = self.clone();
+        model.readings.truncate(entries);
+        let read = model.readings.iter().flatten().filter_map(|reading| model.makers[reading.number.0]);
+        let last = read.max().map_or(0, |last| last + 1);
+        model.construction.operations.truncate(last);
+        model.steps.truncate(last);
+        for maker in model.makers.iter_mut().chain(&mut model.place_makers) {
+            *maker = maker.filter(|maker| *maker < last);
+        }
+        model.sizes.retain(|(size, _)| model.makers[size.0].is_some());
+        model
+    }
+
     /// The bands of the entries that are read.
     pub fn bands(&self, tolerance: &Tolerance) -> Vec<Option<Band>> {
         let there: Vec<Reading> = self.readings.iter().flatten().copied().collect();

@@ -5,14 +5,15 @@ use super::checked::{Accuracy, BANDS, Checked, Diagnosis, Judged, Verdict};
 use super::covariance::{Groups, Hand, SLIP};
 use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
-use super::mistakes::Site;
+use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
 use super::names::Names;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
+use super::sensible::sensible;
 use crate::construction::Tolerance;
 use crate::geometry::with_turns;
-use crate::quantity::{Band, Unread};
+use crate::quantity::{Band, QuantityRequest, Unread};
 use crate::sheet::{PerSheet, QuantityKind, Scales};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -84,34 +85,53 @@ impl<'a> Prepared<'a> {
         let key = &self.key;
         let measured = &self.with_usual_points(measured);
         let entries = entries_by(measured, key, &self.names)?;
-        let ready = self.ready(measured.mu, &entries)?;
+        let (mu, scales) = sensible(key, measured.mu);
+        let ready = self.ready(mu, &entries)?;
         let mut values = judged(&entries, &ready);
         let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
         let with_other_modes = || {
-            let others = other_modes(key, measured.mu, &entries);
+            let others = other_modes(key, mu, &entries);
             [ready.right.clone()].into_iter().chain(others).collect()
         };
         let models = match has_off(&values) {
             true => ready.models.get_or_init(with_other_modes).as_slice(),
             false => core::slice::from_ref(&ready.right),
         };
-        let scorer = Scorer::new(models, &entries, key.tolerance, &ready.groups);
+        let Look { first, all } = Look::at(&values);
+        let kept = OnceLock::new();
+        let groups = if all == entries.len() { &ready.groups } else { &kept };
+        let cut: Vec<Model>;
+        let models = match all == entries.len() {
+            true => models,
+            false => {
+                cut = models.iter().map(|model| model.first(all)).collect();
+                &cut
+            }
+        };
+        let scorer = Scorer::new(models, &entries[..all], key.tolerance, groups);
         let none = scorer.compare(&[], None).filter(|_| !scorer.data.is_empty());
         let mut hand_found = none.as_ref().map(|fit| fit.hand);
-        let diagnosis = match none {
-            Some(none) if has_off(&values) && !is_all_alike(&entries) => {
-                let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
-                let mut search = Search::new(site.candidates(), &scorer);
-                let off: Vec<bool> = scorer.data.iter().map(|d| values[d.entry].verdict == Verdict::Off).collect();
-                let tried = search.run(none, &off, key.depth);
-                if let Some(hand) = hand(&tried) {
-                    hand_found = Some(hand);
-                    widen(&mut values, &scorer, &hand, key);
+        let mut diagnosis = Diagnosis::none(&values);
+        if let Some(none) = none
+            && has_off(&values)
+            && !is_all_alike(&entries)
+        {
+            let pool = match first == all {
+                true => Site { model: &models[0], key, entries: &entries[..all], other_modes: models.len() - 1 }
+                    .candidates(),
+                false => {
+                    self.causes(&models.iter().map(|model| model.first(first)).collect::<Vec<_>>(), &values[..first])
                 }
-                if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) }
+            };
+            let mut search = Search::new(pool, &scorer);
+            let tried = search.run(none, &off(&scorer, &values), key.depth);
+            if let Some(hand) = hand(&tried) {
+                hand_found = Some(hand);
+                widen(&mut values, &entries, &scorer, &hand, key);
             }
-            _ => Diagnosis::none(&values),
-        };
+            diagnosis = if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) };
+        }
+        diagnosis.looked_at = all;
         let plans = key.solution.construction.plans();
         let mirrored = plans.filter(|plan| {
             let mut places = measured.points.iter().filter(|p| p.order == plan.order);
@@ -123,7 +143,40 @@ impl<'a> Prepared<'a> {
             degrees: hand.worst() * degrees,
             percent: SLIP * hand.errors[COMPUTING],
         });
-        Ok(Checked { values, diagnosis, accuracy, mirrored: mirrored.map(|plan| plan.sheet()).collect() })
+        let mirrored = mirrored.map(|plan| plan.sheet()).collect();
+        Ok(Checked { values, diagnosis, accuracy, mirrored, missing: self.missing(measured, &entries), scales })
+    }
+
+    /// The mistakes in the likeliest explanations of the first values of a form, which the construction cut off behind them gives.
+    fn causes(&self, models: &[Model], values: &[Judged]) -> Vec<Candidate> {
+        let (key, groups) = (&self.key, OnceLock::new());
+        let entries: Vec<Entry> = values.iter().map(|value| value.entry.clone()).collect();
+        let scorer = Scorer::new(models, &entries, key.tolerance, &groups);
+        let Some(none) = scorer.compare(&[], None) else { return Vec::new() };
+        let site = Site { model: &models[0], key, entries: &entries, other_modes: models.len() - 1 };
+        let mut search = Search::new(site.candidates(), &scorer);
+        let tried = search.run(none, &off(&scorer, values), key.depth);
+        let mut likely: Vec<usize> = tried.iter().take(LIKELY).flat_map(|tried| tried.set.iter().copied()).collect();
+        likely.sort_unstable();
+        likely.dedup();
+        likely.into_iter().map(|index| search.pool[index].clone()).collect()
+    }
+
+    /// The rows of what a form asks for and has no value of: its blanks; of an exercise's form all that the exercise asks for.
+    fn missing(&self, measured: &Measured, entries: &[Entry]) -> Vec<String> {
+        let names_ground = measured.names_ground();
+        let blank = |name: &String| Some(self.names.meant(name, names_ground).ok()?.row);
+        let asked: Vec<String> = match &measured.exercise {
+            Some(_) => self.names.rows().map(str::to_owned).collect(),
+            None => measured.blank.iter().filter_map(blank).collect(),
+        };
+        let mut missing: Vec<String> = Vec::new();
+        for row in asked {
+            if !missing.contains(&row) && entries.iter().all(|entry| entry.row != row) {
+                missing.push(row);
+            }
+        }
+        missing
     }
 
     /// The values with the usual names of plan points, which may be written in any notation.
@@ -147,6 +200,37 @@ pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckE
     Prepared::new(key).check(measured)
 }
 
+/// At how many values of a large form the search for mistakes looks: its work grows with their number's third power.
+#[derive(Clone, Copy)]
+struct Look {
+    /// The first values, in which causes are looked for: as far as some behind the first that is off.
+    first: usize,
+    /// The first values by which these causes are weighed.
+    all: usize,
+}
+
+/// Values behind the first that is off in which causes are looked for.
+const BEHIND: usize = 60;
+
+/// Most values by which causes are weighed.
+const WEIGHED: usize = 240;
+
+/// Explanations of the first values of a large form whose mistakes are weighed by more values.
+const LIKELY: usize = 6;
+
+impl Look {
+    fn at(values: &[Judged]) -> Look {
+        let off = values.iter().position(|value| value.verdict == Verdict::Off).unwrap_or(0);
+        let all = values.len().min(WEIGHED);
+        Look { first: all.min(off + BEHIND), all }
+    }
+}
+
+/// By datum: whether its verdict is off.
+fn off(scorer: &Scorer<'_>, values: &[Judged]) -> Vec<bool> {
+    scorer.data.iter().map(|datum| values[datum.entry].verdict == Verdict::Off).collect()
+}
+
 /// Whether one number is written everywhere: nothing was measured, so no mistake is looked for.
 fn is_all_alike(entries: &[Entry]) -> bool {
     entries.len() > 2 && entries.iter().all(|entry| entry.text == entries[0].text && !entry.text.is_empty())
@@ -164,12 +248,17 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
             difference = with_turns(difference, 0.0);
         }
         let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
+        let drawn = band.map_or(0.0, |band| BANDS * band.band);
+        let telling = Telling::new(&entry.asked, expected, largest(entries, entry.asked.kind()));
+        let is_too_coarse = telling.is_too_coarse(entry.rounding, drawn);
         let is_given = *reading == Err(Unread::Given);
         let has_no_sense = entry.is_magnitude && entry.value != 0.0;
         let off = difference.abs();
         // The factor 1.001 lets a last digit be rounded either way where the next is a five.
         let verdict = match tolerance {
+            _ if off <= tolerance.unwrap_or(0.0).max(1.001 * entry.rounding) && is_too_coarse => Verdict::TooCoarse,
             _ if off <= 1.001 * entry.rounding => Verdict::Right,
+            Some(tolerance) if off <= tolerance && telling.is_too_small(drawn) => Verdict::Unjudged,
             Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
             None if !is_given => Verdict::Unjudged,
             _ => Verdict::Off,
@@ -183,21 +272,68 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
     judged.collect()
 }
 
+/// What values of one kind must show to tell that somebody has found them.
+#[derive(Clone, Copy, Debug)]
+struct Telling {
+    /// The exact value; 0 where it is nothing beside the largest of its kind.
+    expected: f64,
+    /// Largest half unit of a last digit that still tells something.
+    fine: f64,
+    is_angle: bool,
+}
+
+/// Largest half unit of a last digit with which a number still tells something, in parts of the exact value: one digit.
+const ONE_DIGIT: f64 = 0.25;
+
+/// The same of angles, and where the exact value is nothing, in parts of the largest value of its kind.
+const OF_LARGEST: f64 = 0.02;
+
+/// Size of a value that is nothing, in parts of the largest one of its kind.
+const NOTHING: f64 = 1e-9;
+
+impl Telling {
+    fn new(asked: &QuantityRequest, expected: f64, largest: f64) -> Telling {
+        let is_angle = asked.kind() == QuantityKind::Angle;
+        let expected = if expected.abs() <= NOTHING * largest { 0.0 } else { expected };
+        let fine = if is_angle || expected == 0.0 { OF_LARGEST * largest } else { ONE_DIGIT * expected.abs() };
+        Telling { expected, fine, is_angle }
+    }
+
+    /// Whether the digits hold so much that they tell nothing, where honest hands are off by `drawn`.
+    fn is_too_coarse(&self, rounding: f64, drawn: f64) -> bool {
+        rounding > self.fine.max(drawn)
+    }
+
+    /// Whether an honest hand, off by up to `tolerance`, could as well find nothing there.
+    fn is_too_small(&self, tolerance: f64) -> bool {
+        !self.is_angle && self.expected != 0.0 && tolerance >= self.expected.abs()
+    }
+}
+
+/// The largest exact value of a kind in a form; of angles half a turn.
+fn largest(entries: &[Entry], kind: QuantityKind) -> f64 {
+    let same = entries.iter().filter(|entry| entry.asked.kind() == kind);
+    if kind == QuantityKind::Angle { 180.0 } else { same.map(|entry| entry.expected.abs()).fold(0.0, f64::max) }
+}
+
 /// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows.
-fn widen(values: &mut [Judged], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
+fn widen(values: &mut [Judged], entries: &[Entry], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
     let mut allowed = *hand;
     allowed.errors.iter_mut().for_each(|size| *size = size.min(key.leniency));
     // A few values do not show how good a hand is.
     if key.leniency <= 1.0 || !hand.is_by_hand() || scorer.data.len() < ENOUGH {
         return;
     }
+    let largest: Vec<f64> = values.iter().map(|value| largest(entries, value.entry.asked.kind())).collect();
     for (place, datum) in scorer.data.iter().enumerate() {
         let value = &mut values[datum.entry];
         let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
         if value.tolerance.is_some_and(|usual| usual < tolerance) {
             value.tolerance = Some(tolerance);
             if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
-                value.verdict = Verdict::WithinTolerance;
+                let Entry { asked, expected, .. } = &value.entry;
+                let is_too_small = Telling::new(asked, *expected, largest[datum.entry]).is_too_small(tolerance);
+                value.verdict = if is_too_small { Verdict::Unjudged } else { Verdict::WithinTolerance };
             }
         }
     }

@@ -4,6 +4,7 @@ use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::names::Names;
+use super::sensible::StatedScale;
 use crate::construction::{Teller, shown_text};
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use schemars::JsonSchema;
@@ -15,6 +16,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>) -> String {
     let text = ReportText::new(checked, key, Medium::Text);
     let parts = text.parts();
     let mut lines = vec![parts.counts];
+    lines.extend(parts.rests_on);
     lines.extend(parts.accuracy);
     lines.push(String::new());
     let rows = [parts.columns].into_iter().chain(parts.rows.into_iter().map(|row| row.cells));
@@ -62,6 +64,8 @@ pub(crate) fn aligned<const N: usize>(rows: &[[String; N]]) -> Vec<String> {
 pub struct ReportParts {
     /// How many values are right, within the tolerance, off.
     pub counts: String,
+    /// How much of the sheet this rests on: what is missing, what tells nothing, and scales that are not those asked for.
+    pub rests_on: Vec<String>,
     /// How much is allowed, and how accurate the drawing is.
     pub accuracy: Vec<String>,
     /// Headings of the cells of a value.
@@ -114,7 +118,8 @@ impl ReportParts {
         });
         let texts =
             [&mut self.counts, &mut self.heading].into_iter().chain(&mut self.columns).chain(cells).chain(causes);
-        let texts = texts.chain(&mut self.accuracy).chain(&mut self.senses).chain(&mut self.sure);
+        let texts =
+            texts.chain(&mut self.rests_on).chain(&mut self.accuracy).chain(&mut self.senses).chain(&mut self.sure);
         for text in texts.chain(&mut self.further).chain(&mut self.others) {
             *text = set(core::mem::take(text));
         }
@@ -153,6 +158,7 @@ impl<'a> ReportText<'a> {
         let others: &[Explanation] = if self.has_nothing_to_explain() { &[] } else { &diagnosis.others };
         ReportParts {
             counts: self.counts(),
+            rests_on: self.rests_on(),
             accuracy: self.accuracy(),
             columns: self.own.check_columns().map(str::to_owned),
             rows: self.checked.values.iter().map(row).collect(),
@@ -160,7 +166,7 @@ impl<'a> ReportText<'a> {
             heading: self.heading(),
             causes: best.findings.iter().map(|finding| self.cause(finding)).collect(),
             sure: (!best.findings.is_empty()).then(|| self.sure(best)),
-            further: self.unexplained().into_iter().chain(mirrored).collect(),
+            further: self.unexplained().into_iter().chain(self.looked_at()).chain(mirrored).collect(),
             others: others.iter().map(|other| self.other(other)).collect(),
         }
     }
@@ -172,6 +178,32 @@ impl<'a> ReportText<'a> {
         match self.checked.count(Verdict::SenseMissing) {
             0 => self.own.check_counts(&right, &within, &off),
             missing => self.own.check_counts_and_senses(&right, &within, &missing.to_string(), &off),
+        }
+    }
+
+    /// What the verdict does not rest on, and by which scales it judges.
+    fn rests_on(&self) -> Vec<String> {
+        let Checked { values, missing, scales, .. } = self.checked;
+        let with = |verdict| (0..values.len()).filter(|&i| values[i].verdict == verdict).collect::<Vec<usize>>();
+        let [coarse, small] = [Verdict::TooCoarse, Verdict::Unjudged].map(with);
+        let small: Vec<usize> = small.into_iter().filter(|&i| values[i].tolerance.is_some()).collect();
+        let names: Vec<String> = missing.iter().map(|row| self.names.named(row)).collect();
+        let asked = (values.len() + missing.len()).to_string();
+        let missing = (!missing.is_empty())
+            .then(|| self.own.check_missing(&missing.len().to_string(), &asked, &names.join(", ")));
+        let coarse = (!coarse.is_empty()).then(|| self.own.check_coarse_digits(&self.names(&coarse)));
+        let small = (!small.is_empty()).then(|| self.own.check_too_small(&self.names(&small)));
+        let scales = scales.iter().map(|scale| self.scale(scale));
+        missing.into_iter().chain(coarse).chain(small).chain(scales).collect()
+    }
+
+    /// What is to be said of a scale of the form.
+    fn scale(&self, StatedScale { sheet, stated, asked, used }: &StatedScale) -> String {
+        let number = |x: f64| self.words.write(x, NumberStyle::shortest());
+        let (name, sheet) = (sheet.facts().scale_key, self.own.sheet(*sheet).to_lowercase());
+        match asked {
+            Some(asked) if used == stated => self.own.check_other_scale(name, &number(*stated), &number(*asked)),
+            _ => self.own.check_no_such_scale(name, &number(*stated), &sheet, &self.number(*used, 3)),
         }
     }
 
@@ -201,6 +233,8 @@ impl<'a> ReportText<'a> {
             Verdict::WithinTolerance => self.own.check_within(),
             Verdict::SenseMissing => self.own.check_sense_missing(),
             Verdict::Off => self.own.check_off(),
+            Verdict::TooCoarse => self.own.check_cannot_tell(),
+            Verdict::Unjudged if value.tolerance.is_some() => self.own.check_cannot_tell(),
             Verdict::Unjudged => self.own.check_unjudged(),
         };
         [
@@ -247,10 +281,7 @@ impl<'a> ReportText<'a> {
     fn heading(&self) -> String {
         let diagnosis = &self.checked.diagnosis;
         match (diagnosis.best.findings.len(), diagnosis.unexplained.first()) {
-            (0, _) if self.has_nothing_to_explain() && self.checked.count(Verdict::SenseMissing) > 0 => {
-                self.own.check_nothing_off().to_owned()
-            }
-            (0, _) if self.has_nothing_to_explain() => self.own.check_nothing().to_owned(),
+            (0, _) if self.has_nothing_to_explain() => self.nothing_off(),
             (0, Some(&first)) => {
                 let entry = &self.checked.values[first].entry;
                 let (step, name) = (entry.step.to_string(), self.names.shown(&entry.asked));
@@ -262,6 +293,19 @@ impl<'a> ReportText<'a> {
         }
     }
 
+    /// The sentence where nothing is off.
+    fn nothing_off(&self) -> String {
+        let [right, within, senses] = [Verdict::Right, Verdict::WithinTolerance, Verdict::SenseMissing]
+            .map(|verdict| self.checked.count(verdict));
+        let (good, asked) = (right + within, self.checked.values.len() + self.checked.missing.len());
+        match () {
+            () if good + senses == 0 => self.own.check_tells_nothing().to_owned(),
+            () if senses == 0 && self.checked.is_passed() && good == asked => self.own.check_nothing().to_owned(),
+            () if senses == 0 => self.own.check_so_far(&good.to_string(), &asked.to_string()),
+            () => self.own.check_nothing_off().to_owned(),
+        }
+    }
+
     /// Whether one value alone is off and nothing explains it: the heading says all of it.
     fn is_alone(&self) -> bool {
         let diagnosis = &self.checked.diagnosis;
@@ -270,7 +314,7 @@ impl<'a> ReportText<'a> {
 
     fn has_nothing_to_explain(&self) -> bool {
         let diagnosis = &self.checked.diagnosis;
-        diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty() && self.checked.is_passed()
+        diagnosis.best.findings.is_empty() && diagnosis.unexplained.is_empty() && self.checked.is_nothing_off()
     }
 
     /// What else explains the values, as far as it differs from the best explanation.
@@ -291,6 +335,13 @@ impl<'a> ReportText<'a> {
     fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
         (!values.is_empty() && !self.is_alone()).then(|| self.own.check_unexplained(&self.names(values)))
+    }
+
+    /// How many values the search for causes looked at, where not all.
+    fn looked_at(&self) -> Option<String> {
+        let looked_at = self.checked.diagnosis.looked_at;
+        let is_part = looked_at < self.checked.values.len() && !self.checked.is_nothing_off();
+        is_part.then(|| self.own.check_looked_at(&looked_at.to_string()))
     }
 
     fn sure(&self, explanation: &Explanation) -> String {

@@ -3,6 +3,7 @@
 use super::checked::{Accuracy, Checked, Explanation, Finding, Verdict};
 use super::marks::Awarded;
 use super::measured::AnswerKey;
+use super::sensible::StatedScale;
 use crate::text::Untrusted;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -16,7 +17,7 @@ pub struct CheckResult {
     /// Whose drawing it is.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<Untrusted>,
-    /// Whether no value is off, and no plan mirrored.
+    /// Whether all that is asked for is there and right: nothing off, missing or without information, no plan mirrored.
     pub passed: bool,
     /// The values in the order of the construction.
     pub values: Vec<ValueResult>,
@@ -32,9 +33,31 @@ pub struct CheckResult {
     /// Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mirrored: Vec<&'static str>,
+    /// What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
+    /// exercise's form all that the exercise asks for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub missing: Vec<String>,
+    /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub scales: Vec<ScaleResult>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
+}
+
+/// A scale of a form that is not the one asked for, or at which no sheet can be drawn.
+#[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct ScaleResult {
+    /// Its name in the form: `mu_l`, `mu_v`, `mu_a`.
+    pub scale: &'static str,
+    /// What the form states, in units per millimetre.
+    pub stated: f64,
+    /// What the scene's figure states.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asked: Option<f64>,
+    /// The scale by which the values are judged.
+    pub used: f64,
 }
 
 /// A value with its verdict.
@@ -62,7 +85,8 @@ pub struct ValueResult {
     /// Largest difference of a value drawn within the tolerance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowed: Option<f64>,
-    /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
+    /// "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing)
+    /// or "unjudged" (no construction gives it, or it is too small on its sheet).
     #[schemars(with = "String")]
     pub verdict: Verdict,
 }
@@ -137,6 +161,10 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         probability: explanation.probability,
         indistinguishable: explanation.is_alike,
     };
+    let scale = |scale: &StatedScale| {
+        let StatedScale { sheet, stated, asked, used } = *scale;
+        ScaleResult { scale: sheet.facts().scale_key, stated, asked, used }
+    };
     let mirrored = checked.mirrored.iter().map(|plan| plan.as_str());
     let diagnosis = &checked.diagnosis;
     CheckResult {
@@ -149,6 +177,8 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         unexplained: checked.names(&diagnosis.unexplained),
         accuracy: checked.accuracy,
         mirrored: mirrored.collect(),
+        missing: checked.missing.clone(),
+        scales: checked.scales.iter().map(scale).collect(),
         marks: None,
     }
 }

@@ -9,7 +9,7 @@ use super::model::Model;
 use super::score::{Metric, Scorer};
 use super::settle::Settling;
 use crate::cores::on_all_cores;
-use crate::position::poses;
+use crate::position::first_poses;
 use crate::sheet::Scales;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,6 +28,9 @@ const EXTENDED: usize = 6;
 
 /// Cost above the best one of its level above which an explanation is not tried with a further mistake.
 const HOPELESS: f64 = 40.0;
+
+/// Most other assembly modes that are compared.
+const MODES: usize = 5;
 
 /// Least gain of a further mistake, in −2 ln of the likelihood: ten times likelier.
 const MARGIN: f64 = 4.6;
@@ -76,7 +79,7 @@ pub(super) fn other_modes(key: &AnswerKey<'_>, mu: Scales, entries: &[Entry]) ->
     if key.solution.construction.agreement.iter().any(Option::is_none) {
         return Vec::new();
     }
-    let Ok(all) = poses(&key.solution.mechanism, &key.solution.scene.near) else {
+    let Ok(all) = first_poses(&key.solution.mechanism, &key.solution.scene.near, MODES + 1) else {
         return Vec::new();
     };
     let away = |pose: &crate::position::Pose| {
@@ -90,7 +93,7 @@ pub(super) fn other_modes(key: &AnswerKey<'_>, mu: Scales, entries: &[Entry]) ->
         let finite = model.read(&model.exact).iter().all(|x| x.is_finite());
         (same && finite).then_some(model)
     };
-    all.into_iter().filter(away).take(5).filter_map(model).collect()
+    all.into_iter().filter(away).take(MODES).filter_map(model).collect()
 }
 
 /// The cost of each candidate, −2 ln of its prior probability: the mistake's share divided by the number of places for

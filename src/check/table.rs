@@ -5,8 +5,11 @@ use super::says;
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, quoted, shown};
 
+/// The lines of a table that are no values, beside those of scales.
+const HEAD: [&str; 4] = ["name", "exercise", "positive", "in"];
+
 impl Measured {
-    /// The values of a table; blanks are left out. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
+    /// The values of a table; of blanks the names. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
     /// `mu_v`, `mu_a`, `positive` and `in`. A line `velocity:b,114,-2.7` gives the place of a plan point on paper, in
     /// millimetres; a fourth cell how far it may be from there. Cells are separated by commas, semicolons or tabs; numbers
     /// may have decimal commas. Lines that are wrong are among its `faults`.
@@ -55,7 +58,13 @@ impl Measured {
         }
         // Some spreadsheets say in their first line which separator they use.
         let is_head = name.eq_ignore_ascii_case("quantity") || name.starts_with("sep=");
-        if name.is_empty() || value.is_empty() || is_head {
+        if name.is_empty() || is_head {
+            return Ok(());
+        }
+        if value.is_empty() {
+            if !HEAD.contains(&name) && Sheet::ALL.iter().all(|sheet| sheet.facts().scale_key != name) {
+                self.blank.push(name.to_owned());
+            }
             return Ok(());
         }
         self.line(name, value, third, place)

@@ -62,6 +62,32 @@ pub fn whole_rounding(text: &str, digits: i32) -> f64 {
     0.5 * libm::exp10(f64::from(first + 1 - digits.min(WHOLE)))
 }
 
+/// Most significant digits that a form may have in all its numbers for the zeros at their ends to be no digits.
+const FEW: i32 = 2;
+
+/// To how many significant digits all numbers of a form are written, where they are so few that `40` beside `0.4` and `3`
+/// is any number from 35 to 45; `None` where more digits are written, or too few numbers to see it.
+pub fn few_digits<'t>(texts: impl Iterator<Item = &'t str>) -> Option<i32> {
+    let digits = texts.filter(|text| text.contains(|c: char| ('1'..='9').contains(&c))).map(|text| {
+        let mantissa = text.split(['e', 'E']).next().unwrap_or("");
+        let counted = counts(mantissa.trim_end_matches('0')).1;
+        if mantissa.contains('.') { counts(mantissa).1 } else { counted }
+    });
+    let digits: Vec<i32> = digits.collect();
+    let most = *digits.iter().max()?;
+    (digits.len() > 2 && most <= FEW).then_some(most)
+}
+
+/// Half a unit of the last of so many significant digits.
+pub fn rounding_to(text: &str, digits: i32) -> f64 {
+    let value: f64 = text.parse().unwrap_or(0.0);
+    if value == 0.0 {
+        return 0.0;
+    }
+    let first = libm::floor(libm::log10(value.abs())) as i32;
+    0.5 * libm::exp10(f64::from(first + 1 - digits))
+}
+
 /// Decimals and significant digits of a number as it is written.
 fn counts(text: &str) -> (i32, i32) {
     let decimals = text.split_once('.').map_or(0, |(_, d)| d.len());

@@ -273,6 +273,15 @@ sentences! {
          it, or \"positive\": \"counter-clockwise\" into the form.";
     check_off = "OFF";
     check_unjudged = "not judged: it has no construction";
+    check_cannot_tell = "cannot tell";
+    check_missing(count, asked, values) = "Missing: {count} of {asked} that are asked for: {values}.";
+    check_coarse_digits(values) = "Too few digits to tell anything: {values}. Write at least two that are not zero.";
+    check_too_small(values) =
+        "Too small on the sheet to be judged: {values}. An honest hand could as well find nothing there.";
+    check_other_scale(scale, stated, asked) =
+        "{scale}: your form states {stated}, the exercise {asked}; your values are judged at yours.";
+    check_no_such_scale(scale, stated, sheet, used) =
+        "{scale} = {stated}: no sheet can show the {sheet} so; what is allowed is that of a drawing at {used}.";
     column_quantity = "quantity";
     check_column_written = "yours";
     check_column_expected = "expected";
@@ -292,6 +301,9 @@ sentences! {
     check_nothing = "All correct.";
     /// In place of `check_nothing` where rates have no sense.
     check_nothing_off = "Nothing is off.";
+    /// In place of `check_nothing` where something is missing or tells nothing.
+    check_so_far(good, asked) = "Nothing is off: {good} of {asked} values are correct, the others are not known.";
+    check_tells_nothing = "These values tell nothing, right or wrong.";
     check_no_single = "No single mistake explains this. Together these do:";
     check_none(number, value) =
         "Something is wrong from step {number} on: {value} is the first value that is off. I cannot tell the cause.";
@@ -307,6 +319,7 @@ sentences! {
     /// Behind an explanation that the values cannot tell from the first.
     check_alike = "your values alone cannot tell this from the above";
     check_unexplained(values) = "Without an explanation: {values}.";
+    check_looked_at(count) = "So large a form is searched in part: only the first {count} values are looked at for causes.";
     check_mirrored(plan) =
         "The points of your {plan} are the mirror image of the right ones: all senses are turned round. If you \
          measured y downwards on the sheet, measure it upwards.";
@@ -347,6 +360,7 @@ sentences! {
         "Marks: {earned} of {of}, {follow} of them for values that follow from a mistake";
     class_counts_one(files, passed, off, broken) = "{files} file: {passed} passed, {off} off, {broken} not understood";
     class_counts(files, passed, off, broken) = "{files} files: {passed} passed, {off} off, {broken} not understood";
+    class_incomplete(count) = "{count} without a value that is off, but not complete";
     class_common(count, of, step, done) = "{count} of {of}: step {step}, {done}";
     class_common_whole(count, of, done) = "{count} of {of}: whole drawing, {done}";
     class_unknown(count, of) = "{count} of {of}: values are off, the cause is not known";

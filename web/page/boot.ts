@@ -1,17 +1,25 @@
-/** Starts the page's script, which is packed as the engine is. */
+/** Starts the page: its style and its script are packed as the engine is. */
 import { unpacked } from "./unpack.ts";
 
-async function start(): Promise<void> {
+function start(): void {
+  // Neither is left in the page, which stays as its file has it: it saves itself.
+  const style = new CSSStyleSheet();
+  style.replaceSync(new TextDecoder().decode(unpacked("style")));
+  document.adoptedStyleSheets = [style];
+  window.unpacked = unpacked;
   const element = document.createElement("script");
-  element.src = URL.createObjectURL(await unpacked("script", "text/javascript").blob());
+  element.src = URL.createObjectURL(new Blob([unpacked("script")], { type: "text/javascript" }));
   document.head.append(element);
-  // It runs all the same, and the page stays as its file has it.
   element.remove();
 }
 
-start().catch((error: unknown) => {
+try {
+  start();
+} catch (error) {
+  document.body.style.visibility = "visible";
   const place = document.getElementById("message");
-  if (place === null) return;
-  place.hidden = false;
-  place.textContent = `This browser is too old for the page. · Este navegador es demasiado antiguo para la página. (${String(error)})`;
-});
+  if (place !== null) {
+    place.hidden = false;
+    place.textContent = `This browser is too old for the page. · Este navegador es demasiado antiguo para la página. (${String(error)})`;
+  }
+}

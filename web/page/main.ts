@@ -49,7 +49,6 @@ import { store as browserStore, type Kept, type Store } from "./state/storage.ts
 import { STUDENTS_PANEL, studying } from "./state/studying.ts";
 import { stepsBar } from "./steps/bar.ts";
 import { steps } from "./steps/steps.ts";
-import { engineBytes, unpacked } from "./unpack.ts";
 import { language, usual } from "./words.ts";
 
 const FINISHED: View = { step: null, coarse: false, modes: false };
@@ -174,11 +173,11 @@ async function start(): Promise<void> {
   sayAll();
   theme(store);
   const tell = teller();
-  const compiled = WebAssembly.compile(engineBytes());
-  const script = unpacked("worker", "text/javascript").text();
+  const compiled = WebAssembly.compile(window.unpacked("engine"));
+  const script = new TextDecoder().decode(window.unpacked("worker"));
   const first = await beginning(location.hash, store);
   const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
-  const { engine, busy } = startEngine(await script, await compiled, (why, during) => {
+  const { engine, busy } = startEngine(script, await compiled, (why, during) => {
     // Of a text that cannot be solved the message bar tells.
     if (during !== "open") notice(restarted(why));
     return restarted(why);

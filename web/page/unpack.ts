@@ -31,13 +31,14 @@ function textOf(id: string): string {
   return document.getElementById(id)?.textContent?.trim() ?? "";
 }
 
-/** The engine: Zstandard packs it by a fifth smaller than what browsers unpack by themselves. */
-export function engineBytes(): BufferSource {
-  return decompress(bytesOf(textOf("engine"))) as Uint8Array<ArrayBuffer>;
+/** The contents of a packed element of the page. Zstandard packs them by an eighth to a fifth smaller than what browsers unpack by themselves. */
+export function unpacked(id: string): Uint8Array<ArrayBuffer> {
+  return decompress(bytesOf(textOf(id))) as Uint8Array<ArrayBuffer>;
 }
 
-/** The contents of a packed element of the page: gzip, as Base 85. `type` is what they are. */
-export function unpacked(id: string, type: string): Response {
-  const stream = new Blob([bytesOf(textOf(id))]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream, { headers: { "Content-Type": type } });
+declare global {
+  interface Window {
+    /** What boot.ts has unpacked the page's script with unpacks the rest, too: it is in the page once. */
+    unpacked: typeof unpacked;
+  }
 }

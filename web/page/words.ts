@@ -1,7 +1,7 @@
 import { signal } from "./state/signal.ts";
 
 /** The languages of the page. That of a figure is its own: `figure.language` of its scene. */
-export const LANGUAGES = ["en", "es"] as const;
+const LANGUAGES = ["en", "es"] as const;
 export type Language = (typeof LANGUAGES)[number];
 
 /** The page's language. */

@@ -51,8 +51,9 @@ pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &
         let mut points = PointsOf::new(plan.order);
         points.put(plan.order.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
         for point in proposals.iter().filter(|point| point.order == plan.order) {
-            if let Some(found) = point.found {
-                points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
+            match point.found {
+                Some(found) => points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band))),
+                None => measured.blank.push(plan.order.sheet().segment_name(plan.order.pole(), &point.name)),
             }
         }
         measured.points.push(points);

@@ -4,20 +4,20 @@ import { element } from "../dom/element.ts";
 import { radios } from "../dom/radios.ts";
 import { worded } from "../dom/worded.ts";
 import { askedFor } from "../files/open.ts";
-import { isDrawn, unitsOf, type Draft } from "../panels/parts/scene.ts";
+import { unitsOf } from "../panels/parts/scene.ts";
 import { evaluated } from "../number.ts";
 import { language } from "../words.ts";
 import { photographed, scaled } from "./ground.ts";
-import { hasGround, mobility } from "./mobility.ts";
+import { unfinished } from "./mobility.ts";
 import { NOTHING, type Model } from "./model.ts";
 import type { Pixels } from "./sight.ts";
-import { GUIDED, SLIDING, TOOLS } from "./tools.ts";
+import { GUIDED, KEY_OF, SLIDING, TOOLS } from "./tools.ts";
 import { say, type Saying } from "./words.ts";
 
 const PICTURES = "image/*";
 
-/** One of several, as buttons. */
-function choice<Value extends string>(values: readonly Value[], called: (value: Value) => Saying, name: Saying, choose: (value: Value) => void): { root: HTMLElement; mark(now: Value): void } {
+/** One of several, as buttons; `key` is that which chooses it on the board. */
+function choice<Value extends string>(values: readonly Value[], called: (value: Value) => Saying, name: Saying, key: (index: number) => string, choose: (value: Value) => unknown): { root: HTMLElement; mark(now: Value): void } {
   const buttons = values.map((value) => {
     const button = worded(element("button", { type: "button", role: "radio", "data-value": value, onclick: () => choose(value) }), () => say(called(value)));
     // A tap right after a drag on the board may come without a click.
@@ -26,7 +26,10 @@ function choice<Value extends string>(values: readonly Value[], called: (value: 
   });
   const root = element("div", { class: "switch", role: "radiogroup" }, ...buttons);
   radios(root);
-  language.on(() => root.setAttribute("aria-label", say(name)));
+  language.on(() => {
+    root.setAttribute("aria-label", say(name));
+    buttons.forEach((button, index) => (button.title = say("key", { key: key(index) })));
+  });
   return {
     root,
     mark: (now) =>
@@ -44,13 +47,15 @@ export function toolRows(app: App, model: Model, back: () => void): HTMLElement 
     back();
   };
   const button = (called: () => string, act: () => void): HTMLButtonElement => worded(element("button", { type: "button", onclick: act }), called);
-  const tools = choice(TOOLS, (tool) => `tool_${tool}`, "tools", (tool) => {
-    model.begun.set(null);
-    model.tool.set(tool);
+  const tools = choice(TOOLS, (tool) => `tool_${tool}`, "tools", (index) => String(index + 1), (tool) => {
+    void model.inTurn(() => {
+      model.begun.set(null);
+      model.tool.set(tool);
+    });
     if (!tools.root.matches(":focus-within:has(:focus-visible)")) back();
   });
-  const sliding = choice(SLIDING, (what) => `slides_${what}`, "what_slides", (what) => model.choices.set({ ...model.choices.value, sliding: what }));
-  const guided = choice(GUIDED, (how) => `guided_${how}`, "on_link", (how) => model.choices.set({ ...model.choices.value, guided: how }));
+  const sliding = choice(SLIDING, (what) => `slides_${what}`, "what_slides", () => KEY_OF.sliding, (what) => model.inTurn(() => model.choices.set({ ...model.choices.value, sliding: what })));
+  const guided = choice(GUIDED, (how) => `guided_${how}`, "on_link", () => KEY_OF.guided, (how) => model.inTurn(() => model.choices.set({ ...model.choices.value, guided: how })));
   const choices = element("div", { class: "choices" }, sliding.root, guided.root);
   const snaps = button(() => say("snap"), then(() => model.snaps.set(!model.snaps.value)));
   const middle = (): Pixels => [model.sight.size.width / 2, model.sight.size.height / 2];
@@ -140,32 +145,19 @@ function photoButtons(app: App, model: Model, back: () => void): HTMLElement {
   return root;
 }
 
-/** What a mechanism lacks, by the count of its motions; null where that is right, or not all. */
-function missing(scene: Draft): string | null {
-  const { links, taken, free, drives } = mobility(scene);
-  if (links === 0 || isDrawn(scene) || free === drives) return null;
-  const count = say("mobility", { links, taken, free, drives });
-  if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
-  const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
-  return `${say(wants, { count: free - drives })} ${count}`;
-}
-
 /** What to do, and whether the mechanism is complete. */
 export function stateLine(app: App, model: Model): HTMLElement {
   const hint = element("p", { class: "hint" });
   const state = element("p", { class: "state", role: "status", id: "build-state" });
   const told = (): void => {
     if (!app.building.value) return;
-    const { begun, tool, scaling, note, shown } = model;
+    const { begun, tool, scaling, note } = model;
     hint.textContent = scaling.value !== null ? say("photo_two") : begun.value !== null ? say("second") : say(`hint_${tool.value}`);
     const { refused, text } = app.solved.value;
     const isCurrent = text === app.history.now.value.text;
-    const isEmpty = (shown.value?.board.points.length ?? 0) === 0;
     state.classList.toggle("complete", isCurrent && refused === null);
     if (note.value !== "") state.textContent = note.value;
-    else if (isCurrent && refused === null) state.textContent = say("complete");
-    else if (isEmpty) state.textContent = say("begin");
-    else if (isCurrent && refused !== null) state.textContent = missing(model.present()?.scene ?? {}) ?? say("incomplete", { why: [refused.message, refused.hint].filter(Boolean).join(" – ") });
+    else if (isCurrent) state.textContent = refused === null ? say("complete") : unfinished(model.present()?.scene ?? {}, refused);
   };
   for (const each of [model.tool, model.begun, model.scaling, model.note, model.shown, app.solved, app.building, language] as { on(act: () => void): void }[]) each.on(told);
   return element("div", { class: "foot" }, hint, state);

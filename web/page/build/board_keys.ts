@@ -6,14 +6,21 @@ import { clicked, copyChosen, isChosen, paste, pointsOfChosen, removeChosen, rev
 import { crossed, isAt, thingsFor } from "./cross.ts";
 import { NOTHING, type Held, type Model } from "./model.ts";
 import type { Pixels, Place } from "./sight.ts";
-import { DRAWN, TOOLS, type Press } from "./tools.ts";
+import { DRAWN, KEY_OF, nextChoice, TOOLS, type Press } from "./tools.ts";
 import { say } from "./words.ts";
+
+/** Steps with Shift, in one without. */
+const FINER = 5;
+/** How near a thing must be, in steps: no place is farther from where steps lead. */
+const NEAR = 0.71;
 
 export interface BoardKeys {
   cross(): Place;
   /** What is at the cross. */
   words(): string;
   line(): { from: Press; to: Press } | null;
+  /** The cross is where something is to be seen. */
+  begin(): void;
   cancel(): boolean;
 }
 
@@ -28,8 +35,14 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     const there = model.present();
     return there === null ? [] : thingsFor(model.tool.value, there.scene, there.places);
   };
-  /** Where the cross has been put on a thing, it is that alone. */
-  const press = (): Press => model.press(cross, things().some((thing) => isAt(thing, cross)) ? 1e-3 : 0.45 * sight.grid().fine * sight.now.value.scale);
+  /** What the cross stands at: where it has been put on a thing, that alone; where it went by fine steps, what is within one of them. */
+  const pressAt = (place: Place): Press => {
+    const { fine } = sight.grid();
+    const step = isAt(sight.rounded(place, true), place) ? fine : fine / FINER;
+    const found = model.press(place, things().some((thing) => isAt(thing, place)) ? 1e-3 : NEAR * step * sight.now.value.scale);
+    return found.point === null ? { ...found, at: place } : found;
+  };
+  const press = (): Press => pressAt(cross);
 
   function words(): string {
     const { at, point, link } = press();
@@ -37,19 +50,20 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     return link !== null ? say("at_link", { name: link }) : at.join(", ");
   }
 
-  async function enter(): Promise<void> {
+  async function enter(at: Place): Promise<void> {
     await model.fresh();
-    const what = press();
+    const what = pressAt(at);
     if (carried !== null) {
-      const { held } = carried;
+      const { held, from } = carried;
       carried = null;
+      if (!isAt(at, from)) held.move([at[0] - from[0], at[1] - from[1]]);
       await held.drop();
       return speak(say("put_down"));
     }
     if (model.tool.value !== "select" || model.scaling.value !== null) return clicked(app, model, what);
     if (what.point === null && what.link === null) return model.chosen.set(NOTHING);
     if (!isChosen(model.chosen.value, what)) return clicked(app, model, what);
-    carried = { held: model.hold(pointsOfChosen(model)), from: cross };
+    carried = { held: model.hold(pointsOfChosen(model)), from: at };
     speak(say("taken_up"));
   }
 
@@ -71,16 +85,19 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     return was;
   }
 
-  const acts: Record<string, () => void> = {
-    Enter: () => void enter().then(draw),
-    " ": () => void enter().then(draw),
-    Delete: () => void removeChosen(app, model),
-    Backspace: () => void removeChosen(app, model),
-    Escape: () => {
-      if (putBack() || cancel()) speak(say("put_back"));
-    },
+  const acts: Record<string, () => unknown> = {
+    Delete: () => removeChosen(app, model),
+    Backspace: () => removeChosen(app, model),
     ContextMenu: () => menu(press(), sight.toPane(cross)),
     n: () => reveal(app, press(), true),
+    [KEY_OF.sliding]: () => {
+      model.choices.set(nextChoice(model.choices.value, "sliding"));
+      speak(say(`slides_${model.choices.value.sliding}`));
+    },
+    [KEY_OF.guided]: () => {
+      model.choices.set(nextChoice(model.choices.value, "guided"));
+      speak(say(`guided_${model.choices.value.guided}`));
+    },
     g: () => model.snaps.set(!model.snaps.value),
     0: () => model.fit(),
     f: () => model.fit(),
@@ -88,9 +105,9 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     "=": () => sight.zoom(1.25, sight.toPane(cross)),
     "-": () => sight.zoom(0.8, sight.toPane(cross)),
   };
-  const withControl: Record<string, (event: KeyboardEvent) => void> = {
+  const withControl: Record<string, (event: KeyboardEvent) => unknown> = {
     c: () => copyChosen(model),
-    v: () => void paste(model),
+    v: () => paste(model),
     a: () => model.chosen.set({ ...NOTHING, points: new Set(model.present()?.places.keys()) }),
     z: (event) => (event.shiftKey ? redo(app) : undo(app)),
     y: () => redo(app),
@@ -99,6 +116,7 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
   stage.addEventListener("keydown", (event) => {
     const { key } = event;
     if (event.altKey) return;
+    const then = (act: () => unknown): void => void model.inTurn(act).then(draw);
     const stop = (): void => {
       event.preventDefault();
       event.stopPropagation();
@@ -107,19 +125,25 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     if (event.ctrlKey || event.metaKey) {
       const act = withControl[key.toLowerCase()];
       if (act === undefined) return;
-      act(event);
+      then(() => act(event));
       return stop();
     }
     const { fine } = sight.grid();
-    const next = crossed(cross, key, event.shiftKey ? fine / 5 : fine, things());
+    const next = crossed(cross, key, event.shiftKey ? fine / FINER : fine, things());
     const tool = TOOLS[Number(key) - 1];
+    const act = acts[key === "F10" && event.shiftKey ? "ContextMenu" : key];
+    const at = cross;
     if (next !== null) move(next);
-    else if (key === "F10" && event.shiftKey) menu(press(), sight.toPane(cross));
-    else if (tool !== undefined) {
-      cancel();
-      model.tool.set(tool);
-      speak(say(`tool_${tool}`));
-    } else if (acts[key] !== undefined) acts[key]();
+    else if (key === "Enter" || key === " ") then(() => enter(at));
+    else if (key === "Escape") {
+      if (putBack() || cancel()) speak(say("put_back"));
+    } else if (tool !== undefined) {
+      then(() => {
+        cancel();
+        model.tool.set(tool);
+        speak(say(`tool_${tool}`));
+      });
+    } else if (act !== undefined) then(act);
     else return;
     stop();
   });
@@ -127,15 +151,16 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
     const { left, top } = stage.getBoundingClientRect();
     cross = model.press(sight.toScene([event.clientX - left, event.clientY - top]), 10).at;
   });
-  // Keys begin where something is to be seen.
-  stage.addEventListener("focus", () => {
+  const begin = (): void => {
     if (!sight.holds(cross)) cross = sight.rounded(sight.now.value.centre as Place, true);
     draw();
-  });
+  };
+  stage.addEventListener("focus", begin);
   return {
     cross: () => cross,
     words,
     line: () => (model.begun.value !== null && DRAWN.includes(model.tool.value) && stage.matches(":focus-visible") ? { from: model.begun.value, to: press() } : null),
+    begin,
     cancel,
   };
 }

@@ -27,7 +27,7 @@ export function build(app: App): void {
     isFitted = true;
     const isEmpty = (own.shown.value?.board.points.length ?? 0) === 0;
     own.tool.set(isEmpty ? "link" : "select");
-    board.focus();
+    board.begin();
   }
 
   app.building.on((is) => {
@@ -36,7 +36,10 @@ export function build(app: App): void {
     board.cancel();
     own.chosen.set(NOTHING);
     isFitted = false;
-    if (is) void enter();
+    if (!is) return;
+    // At once: keys are the board's from here on.
+    board.focus();
+    void enter();
   });
   // Another mechanism in place of the one that was there is looked for; what is built stays where it is.
   let before = new Set<string>();

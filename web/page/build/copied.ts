@@ -11,7 +11,7 @@ export interface Chosen {
   links: ReadonlySet<string>;
 }
 
-/** What was copied: links with their points, fixed points, sliders between them. */
+/** What was copied: links with their points and drives, fixed points, sliders between them. */
 export interface Copied {
   places: [string, Place][];
   fixed: string[];
@@ -47,10 +47,10 @@ export function pasted(scene: Draft, { places, fixed, links, sliders }: Copied, 
     ...fixed.map((name): Edit => ({ add_point: { link: "ground", ...placed(name) } })),
     ...links.map(([, names]): Edit => ({ add_link: { points: names.map(placed) } })),
   ];
-  // Lengths are those of the original, not measured anew; a drive stays with it.
-  if (!isDrawn(scene)) for (const [link, names, entry] of links) for (const key of ["lengths", "shape"]) {
-    const table = measures(at(entry, [key]), names, points);
-    if (table !== null) edits.push({ set: ["links", numbers.get(link)!], value: key === "shape" ? { shape: table } : { points: names.map((name) => points.get(name)!), lengths: table } });
+  // A link is what its original is, lengths and drive, and not measured anew.
+  if (!isDrawn(scene)) for (const [link, names, entry] of links) {
+    const own = Object.fromEntries(entries(entry).map(([key, value]) => [key, key === "points" ? names.map((name) => points.get(name)!) : key === "lengths" || key === "shape" ? measures(value, names, points) : value]));
+    edits.push({ set: ["links", numbers.get(link)!], value: Array.isArray(entry) ? names.map((name) => points.get(name)!) : own });
   }
   const count = Array.isArray(scene["sliders"]) ? scene["sliders"].length : 0;
   const list = sliders.map((slider) => renamed(slider, points, numbers, by));
@@ -59,17 +59,15 @@ export function pasted(scene: Draft, { places, fixed, links, sliders }: Copied, 
   return { edits, chosen: { points: new Set(points.values()), links: new Set(links.map(([link]) => numbers.get(link)!)) } };
 }
 
-/** Lengths or places of a link under new names; null where there are none. */
-function measures(table: unknown, names: string[], points: Map<string, string>): Record<string, unknown> | null {
-  const all = entries(table);
-  if (all.length === 0) return null;
+/** Lengths or places of a link under new names. */
+function measures(table: unknown, names: string[], points: Map<string, string>): Record<string, unknown> {
   const renamed = (key: string): string => {
     const own = points.get(key);
     if (own !== undefined) return own;
     const ends = names.flatMap((a) => names.map((b) => [a, b] as const)).find(([a, b]) => [a + b, `${a}-${b}`].includes(key));
     return ends === undefined ? key : joined(points.get(ends[0])!, points.get(ends[1])!);
   };
-  return Object.fromEntries(all.map(([key, value]) => [renamed(key), value]));
+  return Object.fromEntries(entries(table).map(([key, value]) => [renamed(key), value]));
 }
 
 /** A slider under new names, its guide as far away as the rest. */

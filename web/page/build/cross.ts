@@ -11,7 +11,7 @@ const PAGES: Record<string, 1 | -1> = { PageDown: 1, PageUp: -1 };
 /** Where a key takes the cross: an arrow by a step; the keys for pages to the next or last thing. Null for other keys. */
 export function crossed(cross: Place, key: string, step: number, things: Place[]): Place | null {
   const arrow = ARROWS[key];
-  if (arrow !== undefined) return cross.map((value, axis) => short((Math.round(value / step) + arrow[axis]!) * step)) as Place;
+  if (arrow !== undefined) return cross.map((value, axis) => (arrow[axis] === 0 ? value : short((Math.round(value / step) + arrow[axis]!) * step))) as Place;
   const way = PAGES[key];
   if (way === undefined) return null;
   const now = things.findIndex((thing) => isAt(thing, cross));

@@ -1,5 +1,6 @@
 /** Mouse, pen and fingers on the board. */
 import type { App } from "../app.ts";
+import { fingers } from "../dom/fingers.ts";
 import { clicked, isChosen, only, pointsOfChosen, reveal, toggled, went } from "./acting.ts";
 import { NOTHING, type Held, type Model } from "./model.ts";
 import type { Pixels, Place } from "./sight.ts";
@@ -37,15 +38,11 @@ export interface Hands {
 
 export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press: Press, at: Pixels) => void, draw: () => void): Hands {
   const { sight } = model;
-  const fingers = new Map<number, Pixels>();
+  const down = fingers(stage, sight);
   let now: Pressed | null = null;
   let at: Pixels | null = null;
   let clock = 0;
 
-  const inStage = (event: MouseEvent): Pixels => {
-    const { left, top } = stage.getBoundingClientRect();
-    return [event.clientX - left, event.clientY - top];
-  };
   const reachOf = (event: PointerEvent | MouseEvent): number => ("pointerType" in event && event.pointerType === "touch" ? REACH.finger : REACH.mouse);
   const pressAt = (pixels: Pixels, reach: number): Press => model.press(sight.toScene(pixels), reach);
 
@@ -61,12 +58,10 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
   stage.addEventListener("pointerdown", (event) => {
     event.preventDefault();
     stage.focus({ preventScroll: true });
-    const pixels = inStage(event);
+    const pixels = down.at(event);
     at = pixels;
     if (event.button === 2) return;
-    fingers.set(event.pointerId, pixels);
-    stage.setPointerCapture(event.pointerId);
-    if (fingers.size > 1) return void cancel();
+    if (down.press(event) > 1) return void cancel();
     const finger = event.pointerType === "touch";
     const press = pressAt(pixels, reachOf(event));
     const isGround = press.point === null && press.link === null;
@@ -77,25 +72,15 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
   });
 
   stage.addEventListener("pointermove", (event) => {
-    const pixels = inStage(event);
-    const before = fingers.get(event.pointerId);
+    const pixels = down.at(event);
+    const before = down.move(event);
     at = pixels;
-    if (before !== undefined) fingers.set(event.pointerId, pixels);
-    const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
-    if (before !== undefined && other !== undefined) return pinch(before, pixels, other);
     if (now === null) return draw();
     const way = Math.hypot(pixels[0] - now.start[0], pixels[1] - now.start[1]);
     if (!now.hasMoved && way > (now.finger ? STILL.finger : STILL.mouse)) moved(now);
     if (now.hasMoved) follow(now, before ?? now.start, pixels);
     draw();
   });
-
-  function pinch(before: Pixels, pixels: Pixels, other: Pixels): void {
-    const spread = (a: Pixels): number => Math.max(8, Math.hypot(a[0] - other[0], a[1] - other[1]));
-    const middle: Pixels = [(pixels[0] + other[0]) / 2, (pixels[1] + other[1]) / 2];
-    sight.pan((pixels[0] - before[0]) / 2, (pixels[1] - before[1]) / 2);
-    sight.zoom(spread(pixels) / spread(before), middle);
-  }
 
   /** The press has become a drag. */
   function moved(pressed: Pressed): void {
@@ -122,12 +107,13 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
   }
 
   stage.addEventListener("pointerup", (event) => {
-    fingers.delete(event.pointerId);
+    down.lift(event);
     clearTimeout(clock);
     const was = now;
     now = null;
     if (was === null) return draw();
-    void ended(was, inStage(event), reachOf(event)).then(draw);
+    const [pixels, reach] = [down.at(event), reachOf(event)];
+    void model.inTurn(() => ended(was, pixels, reach)).then(draw);
     draw();
   });
 
@@ -154,7 +140,7 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
   }
 
   stage.addEventListener("pointercancel", (event) => {
-    fingers.delete(event.pointerId);
+    down.lift(event);
     cancel();
   });
   stage.addEventListener("pointerleave", () => {
@@ -162,27 +148,16 @@ export function hands(app: App, model: Model, stage: SVGSVGElement, menu: (press
     draw();
   });
   stage.addEventListener("dblclick", (event) => {
-    if (model.tool.value === "select") reveal(app, pressAt(inStage(event), REACH.mouse), true);
+    if (model.tool.value === "select") reveal(app, pressAt(down.at(event), REACH.mouse), true);
   });
   stage.addEventListener("contextmenu", (event) => {
     event.preventDefault();
     // A finger that rests opens it by itself.
     if ("pointerType" in event && event.pointerType === "touch") return;
-    const pixels = inStage(event);
+    const pixels = down.at(event);
     cancel();
     menu(pressAt(pixels, REACH.mouse), pixels);
   });
-  stage.addEventListener(
-    "wheel",
-    (event) => {
-      event.preventDefault();
-      event.stopPropagation();
-      if (event.shiftKey) return sight.pan(-event.deltaY - event.deltaX, 0);
-      sight.zoom(Math.exp(-event.deltaY * (event.deltaMode === 1 ? 16 : 1) * (event.ctrlKey ? 0.01 : 0.0016)), inStage(event));
-    },
-    { passive: false },
-  );
-
   return {
     at: () => at,
     frame: () => (now !== null && now.hasMoved && now.shift && now.held === null && at !== null && model.tool.value === "select" ? [now.start, at] : null),

@@ -1,7 +1,10 @@
 /** How many motions a mechanism is free to make, counted as it is taught: what it needs to be complete. */
-import { allPoints, at, groundOf, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import type { Refused } from "../engine/types.ts";
+import { allPoints, at, groundOf, isDrawn, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { said } from "../refused.ts";
+import { say } from "./words.ts";
 
-export interface Mobility {
+interface Mobility {
   links: number;
   /** What joints take away. */
   taken: number;
@@ -11,7 +14,7 @@ export interface Mobility {
 }
 
 /** A pin takes two for each link beyond its first, a block on a guide two, a pin in a slot one. */
-export function mobility(scene: Draft): Mobility {
+function mobility(scene: Draft): Mobility {
   const links = linksOf(scene);
   const bodies = new Map(allPoints(scene).map((name) => [name, 0]));
   for (const carrier of ["ground", ...links]) for (const name of pointsOn(scene, carrier)) bodies.set(name, (bodies.get(name) ?? 0) + 1);
@@ -23,7 +26,28 @@ export function mobility(scene: Draft): Mobility {
 }
 
 /** Whether anything stands still. */
-export function hasGround(scene: Draft): boolean {
+function hasGround(scene: Draft): boolean {
   const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
   return groundOf(scene).length > 0 || sliders.some((slider) => at(slider, ["on"]) === "ground");
+}
+
+/** What a mechanism lacks by the count of its motions; null where that is right, or not all. */
+function missing(scene: Draft): string | null {
+  const { links, taken, free, drives } = mobility(scene);
+  if (links === 0) return say("begin");
+  if (isDrawn(scene) || free === drives) return null;
+  const count = say("mobility", { links, taken, free, drives });
+  if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
+  const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
+  return `${say(wants, { count: free - drives })} ${count}`;
+}
+
+/** Whether a scene that is refused is only begun: nothing in it need be wrong. */
+export function isBegun(scene: Draft): boolean {
+  return missing(scene) !== null;
+}
+
+/** What is missing of a scene that is refused. */
+export function unfinished(scene: Draft, refused: Refused): string {
+  return missing(scene) ?? say("incomplete", { why: said(refused) });
 }

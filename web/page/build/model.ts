@@ -50,6 +50,8 @@ export interface Model {
   present(): Present | null;
   /** Waits until the board shows the text as it is. */
   fresh(): Promise<void>;
+  /** Does it after all that was begun before: however quick hands are, each act finds what the one before has made. */
+  inTurn(act: () => unknown): Promise<void>;
   /** What is at a place; where nothing is, the place is put on the grid. */
   press(place: Place, reach: number): Press;
   /** Makes the changes, as one entry of undo; or says what they need. */
@@ -100,6 +102,13 @@ export function model(app: App): Model {
   async function fresh(): Promise<void> {
     redraw();
     while (!drawing.isIdle()) await new Promise((done) => setTimeout(done, 4));
+  }
+
+  let turn = Promise.resolve();
+  function inTurn(act: () => unknown): Promise<void> {
+    const done = turn.then(async () => void (await act()));
+    turn = done.catch(() => undefined);
+    return done;
   }
 
   function press(place: Place, reach: number): Press {
@@ -181,6 +190,7 @@ export function model(app: App): Model {
     copied: null,
     present,
     fresh,
+    inTurn,
     press,
     make,
     hold,

@@ -21,6 +21,8 @@ const WHITE = /<rect [^>]*fill="#ffffff"[^>]*\/>/;
 
 export interface Stage {
   focus(): void;
+  /** Keys begin where something is to be seen. */
+  begin(): void;
   /** Puts back what goes on; whether something did. */
   cancel(): boolean;
 }
@@ -144,5 +146,5 @@ export function stage(app: App, model: Model, field: HTMLElement, menu: (press: 
   model.photo.on(ground);
   isDark.on(() => drawn(model.shown.value));
   language.on(() => drawn(model.shown.value));
-  return { focus: () => over.focus({ preventScroll: true }), cancel: () => moving.cancel() || keyed.cancel() };
+  return { focus: () => over.focus({ preventScroll: true }), begin: keyed.begin, cancel: () => moving.cancel() || keyed.cancel() };
 }

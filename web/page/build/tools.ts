@@ -25,6 +25,15 @@ export interface Choices {
   guided: Guided;
 }
 
+/** The keys that choose the next of these. */
+export const KEY_OF = { sliding: "w", guided: "x" };
+
+/** The choices with the next of one of them. */
+export function nextChoice(now: Choices, which: keyof Choices): Choices {
+  const next = <Value>(all: readonly Value[], value: Value): Value => all[(all.indexOf(value) + 1) % all.length]!;
+  return which === "sliding" ? { ...now, sliding: next(SLIDING, now.sliding) } : { ...now, guided: next(GUIDED, now.guided) };
+}
+
 /** What was pressed: a point or a link that is there, and the place. */
 export interface Press {
   at: Place;

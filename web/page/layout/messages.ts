@@ -1,6 +1,8 @@
 import type { App } from "../app.ts";
+import { isBegun, unfinished } from "../build/mobility.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
+import { parsed } from "../panels/parts/scene.ts";
 import { withLine } from "../refused.ts";
 import { language } from "../words.ts";
 import { say } from "./words.ts";
@@ -10,14 +12,23 @@ export function messages(app: App): void {
   const bar = byId("message");
   const fold = byId<HTMLDetailsElement>("warnings");
 
+  /** What was built last. */
+  let built = "";
+  app.history.now.on(({ text }) => app.building.value && (built = text));
+
   function refused(): void {
-    const why = app.solved.value.refused;
+    const { text: now, refused: why } = app.solved.value;
     // What is being built is not complete for a while: the board says so by itself.
     bar.hidden = why === null || app.building.value;
     if (why === null) return bar.replaceChildren();
-    const text = element("p", {}, element("strong", {}, withLine(why)));
-    if (why.hint !== null) text.append(" ", why.hint);
+    const scene = app.student.value ? null : parsed(now);
+    const begun = scene !== null && (now === built || isBegun(scene)) ? unfinished(scene, why) : null;
+    bar.classList.toggle("calm", begun !== null);
+    bar.role = begun === null ? "alert" : "status";
+    const text = element("p", {}, begun ?? element("strong", {}, withLine(why)));
+    if (begun === null && why.hint !== null) text.append(" ", why.hint);
     bar.replaceChildren(text);
+    if (begun !== null) return bar.append(element("button", { type: "button", id: "message-build", onclick: () => app.building.set(true) }, say("go_on")));
     // What is scrolled is scrolled by keys, too.
     if (text.scrollHeight > text.clientHeight) text.tabIndex = 0;
     const { from, to } = why;

@@ -102,6 +102,8 @@ export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
   on.on(show);
   app.solved.on(show);
   language.on(show);
+  // Nothing moves behind the board on which it is built.
+  app.building.on((is) => is && stop());
   const toggle = (): void => {
     if (on.value) return stop();
     void orTell(app, () =>

@@ -1,7 +1,7 @@
 import type { App } from "../app.ts";
+import { fingers } from "../dom/fingers.ts";
 import { byId } from "../dom/find.ts";
 import { choose, type Focus } from "./focus.ts";
-import { inPane } from "./pulling.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Two taps closer than this, in ms and pixels, are one double tap. */
@@ -14,7 +14,7 @@ const [NARROW, LETTERS] = [600, 11.5];
 /** Zooms and pans: wheel, pinch, dragging the ground, double taps, buttons. */
 export function looking(app: App, view: Viewport, focus: Focus): void {
   const pane = byId("pane");
-  const fingers = new Map<number, [number, number]>();
+  const down = fingers(pane, view);
   let start: [number, number] = [0, 0];
   let hasMoved = false;
   let lastTap = { time: 0, at: [0, 0] as [number, number] };
@@ -39,49 +39,26 @@ export function looking(app: App, view: Viewport, focus: Focus): void {
   app.picture.on(read);
   view.resized.on(read);
 
-  pane.addEventListener(
-    "wheel",
-    (event) => {
-      event.preventDefault();
-      if (event.shiftKey) return view.pan(-event.deltaY - event.deltaX, 0);
-      const lines = event.deltaMode === 1 ? 16 : 1;
-      view.zoom(Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0016)), inPane(event));
-    },
-    { passive: false },
-  );
-
   pane.addEventListener("pointerdown", (event) => {
-    if ((event.target as Element).closest(".floating, .handle") !== null || event.button > 1) return;
-    fingers.set(event.pointerId, inPane(event));
-    pane.setPointerCapture(event.pointerId);
-    if (fingers.size === 1) {
-      start = inPane(event);
-      hasMoved = false;
-    }
+    if ((event.target as Element).closest(".floating, .handle") !== null || event.button > 1 || down.press(event) > 1) return;
+    start = down.at(event);
+    hasMoved = false;
   });
 
   pane.addEventListener("pointermove", (event) => {
-    const before = fingers.get(event.pointerId);
-    if (before === undefined) return;
-    const now = inPane(event);
-    const others = [...fingers].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-    const other = others[0];
-    fingers.set(event.pointerId, now);
+    const now = down.at(event);
+    const before = down.move(event);
     if (Math.hypot(now[0] - start[0], now[1] - start[1]) > 5) hasMoved = true;
-    if (other !== undefined) {
-      const spread = (a: [number, number]): number => Math.max(8, Math.hypot(a[0] - other[0], a[1] - other[1]));
-      view.zoom(spread(now) / spread(before), other);
-    } else if (view.isZoomed() && hasMoved) {
-      pane.classList.add("panning");
-      view.pan(now[0] - before[0], now[1] - before[1]);
-    }
+    if (before === null || !view.isZoomed() || !hasMoved) return;
+    pane.classList.add("panning");
+    view.pan(now[0] - before[0], now[1] - before[1]);
   });
 
   const up = (event: PointerEvent): void => {
-    if (!fingers.delete(event.pointerId)) return;
+    if (down.lift(event) !== 0) return;
     pane.classList.remove("panning");
-    if (fingers.size > 0 || event.type === "pointercancel") return;
-    const at = inPane(event);
+    if (event.type === "pointercancel") return;
+    const at = down.at(event);
     if (!hasMoved) return tap(at, event.timeStamp);
     const way = at[0] - start[0];
     if (event.pointerType === "touch" && !view.isZoomed() && Math.abs(way) > SWIPE) focus.swipe(way < 0 ? 1 : -1);

@@ -1,12 +1,12 @@
 /** What the form's buttons do besides plain changes of one value. */
 import type { App } from "../../app.ts";
+import type { Places } from "../../build/hit.ts";
 import type { Edit } from "../../engine/types.ts";
 import { edit } from "../parts/edits.ts";
-import { newId } from "../parts/fields.ts";
 import type { Ask } from "../parts/form.ts";
 import { at, entries, groundOf, isDrawn, linksOf, parsed, pointsOf, pointsOn, type Path, type Draft } from "../parts/scene.ts";
 import { freeLink } from "./free_name.ts";
-import { freshPlace, type Places } from "./places.ts";
+import { freshPlace } from "./fresh_place.ts";
 
 /** What a command is given: the scene as it is, and where its points are. */
 interface Present {
@@ -17,11 +17,13 @@ interface Present {
 type Command = (present: Present, ...given: string[]) => Edit[];
 
 /** Does what is asked for, as one entry of undo. */
-export async function command(app: App, places: Places, { do: name, with: given }: Ask): Promise<void> {
-  const scene = parsed(app.history.now.value.text);
+export async function command(app: App, { do: name, with: given }: Ask): Promise<void> {
+  const { text } = app.history.now.value;
+  const scene = parsed(text);
   const found = COMMANDS[name];
   if (scene === null || found === undefined) return;
-  const refused = await edit(app, found({ scene, places }, ...given), newId());
+  const places = new Map((await app.engine.places(text)).map((point) => [point.name, point.at]));
+  const refused = await edit(app, found({ scene, places }, ...given));
   if (refused !== null) app.tell(refused.message);
 }
 

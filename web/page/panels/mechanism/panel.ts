@@ -12,7 +12,6 @@ import { drawnPoints, known } from "./known.ts";
 import { noteOf } from "./kinds.ts";
 import { links } from "./links.ts";
 import { near } from "./near.ts";
-import { placesOf } from "./places.ts";
 import { revealing } from "./revealing.ts";
 import { sliders } from "./sliders.ts";
 
@@ -21,12 +20,11 @@ export const mechanism: Panel = {
   id: "mechanism",
   title: { en: "Mechanism", es: "Mecanismo" },
   mount(root, app) {
-    const places = placesOf(app);
     root.append(gallery(app));
     const form = element("div", {});
     root.append(form);
     let kinds: Kind[] = [];
-    const { again } = keepForm(form, app, { describe: (scene) => describe(scene, kinds), asked: (ask) => void command(app, places.value, ask) });
+    const { again } = keepForm(form, app, { describe: (scene) => describe(scene, kinds), asked: (ask) => void command(app, ask) });
     void app.engine.kinds().then((all) => {
       kinds = all;
       again();

@@ -25,7 +25,7 @@ export function newId(): string {
 }
 
 /** The change that puts a value at a path, or removes it. */
-export function put(path: Path, value: unknown): Edit {
+function put(path: Path, value: unknown): Edit {
   return value === undefined ? { remove: path } : { set: path, value };
 }
 
@@ -57,7 +57,7 @@ export function fieldOf(desk: Desk, field: Field): Live {
 }
 
 /** A label with its input. */
-export function labelled(field: { path: Path; label: string; symbol?: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
+function labelled(field: { path: Path; label: string; symbol?: string; quiet?: boolean }, input: HTMLElement, ...more: HTMLElement[]): HTMLElement {
   input.id = newId();
   const { symbol } = field;
   const words = symbol === undefined ? [field.label] : [element("span", { "aria-hidden": "true", title: field.label }, symbol), element("span", { class: "unseen" }, field.label)];

@@ -1,5 +1,6 @@
 /** A form on the page: built from its description, kept current, with messages at their fields. */
 import type { App } from "../../app.ts";
+import { isBegun } from "../../build/mobility.ts";
 import { element } from "../../dom/element.ts";
 import { icon } from "../../dom/icon.ts";
 import type { Refused } from "../../engine/types.ts";
@@ -44,10 +45,11 @@ export function keepForm(root: HTMLElement, app: App, owner: Owner): { again(): 
     state.pieces.clear();
     current();
   });
-  // While a mechanism is built the board says what is missing: nothing is wrong with what is only begun.
+  // Nothing is wrong with what is only begun: the board says what is missing, and the bar over the picture.
   const message = (): void => {
     const { text, refused } = app.solved.value;
-    placeMessage(body, text === app.history.now.value.text && !app.building.value ? refused : null);
+    const isMistake = refused !== null && text === app.history.now.value.text && !app.building.value && !isBegun(parsed(text) ?? {});
+    placeMessage(body, isMistake ? refused : null);
   };
   app.solved.on(() => {
     current();

@@ -1,3 +1,4 @@
+import { fingers } from "../../../dom/fingers.ts";
 import type { Pixel, Stage } from "./stage.ts";
 
 /** A finger that stays so long, in ms, aims. */
@@ -19,7 +20,9 @@ export interface Hands {
 
 /** Mouse, pen and fingers: tap, hold and aim, pull a mark, pan, pinch; and the wheel. */
 export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean } {
-  const fingers = new Map<number, Pixel>();
+  const down = fingers(root, view);
+  /** Where the finger is. */
+  let now: Pixel = [0, 0];
   let start: Pixel = [0, 0];
   /** From the finger to the place that it pulls. */
   let off: Pixel = [0, 0];
@@ -27,16 +30,12 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
   let doing: "nothing" | "press" | "aim" | "look" = "nothing";
   let clock = 0;
 
-  const inStage = ({ clientX, clientY }: { clientX: number; clientY: number }): Pixel => {
-    const { left, top } = root.getBoundingClientRect();
-    return [clientX - left, clientY - top];
-  };
   const target = (at: Pixel): Pixel => view.toSheet([at[0] + off[0], at[1] + off[1]]);
 
   function aim(): void {
     doing = "aim";
     clearTimeout(clock);
-    hands.aimed(target([...fingers.values()][0] ?? start));
+    hands.aimed(target(now));
   }
   function stop(): void {
     clearTimeout(clock);
@@ -46,14 +45,12 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
 
   root.addEventListener("pointerdown", (event) => {
     if (event.button > 0 || (event.target as Element).closest("button.aim") !== null) return;
-    fingers.set(event.pointerId, inStage(event));
-    root.setPointerCapture(event.pointerId);
-    if (fingers.size > 1) {
+    if (down.press(event) > 1) {
       stop();
       doing = "look";
       return;
     }
-    start = inStage(event);
+    start = now = down.at(event);
     off = [0, 0];
     const found = (event.target as Element).closest<SVGElement>("[data-key]");
     key = found === null ? null : { name: found.dataset["key"] ?? "", isGuess: found.classList.contains("guess") };
@@ -67,18 +64,9 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
   });
 
   root.addEventListener("pointermove", (event) => {
-    const before = fingers.get(event.pointerId);
-    if (before === undefined) return;
-    const now = inStage(event);
-    const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
-    fingers.set(event.pointerId, now);
-    if (other !== undefined) {
-      const spread = (a: Pixel): number => Math.max(8, Math.hypot(a[0] - other[0], a[1] - other[1]));
-      view.zoom(spread(now) / spread(before), other);
-      // Two fingers that go together pan.
-      view.pan((now[0] - before[0]) / 2, (now[1] - before[1]) / 2);
-      return;
-    }
+    const before = down.move(event);
+    if (before === null) return;
+    now = down.at(event);
     if (doing === "press" && Math.hypot(now[0] - start[0], now[1] - start[1]) > STILL) {
       if (key !== null && !key.isGuess) return aim();
       stop();
@@ -90,12 +78,12 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
   });
 
   const up = (event: PointerEvent): void => {
-    if (!fingers.delete(event.pointerId) || fingers.size > 0) return;
+    if (down.lift(event) !== 0) return;
     root.classList.remove("panning");
     const was = doing;
     stop();
     if (event.type === "pointercancel") return;
-    const at = inStage(event);
+    const at = down.at(event);
     // A mark that is only tapped is chosen, and stays.
     if (was === "aim" || (was === "press" && key === null)) hands.placed(target(at));
     else if (was === "press" && key?.isGuess) hands.guessed(key.name);
@@ -105,17 +93,6 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
   // The keys stay with the cross.
   root.addEventListener("mousedown", (event) => event.preventDefault());
   root.addEventListener("contextmenu", (event) => event.preventDefault());
-
-  root.addEventListener(
-    "wheel",
-    (event) => {
-      event.preventDefault();
-      if (event.shiftKey) return view.pan(-event.deltaY - event.deltaX, 0);
-      const lines = event.deltaMode === 1 ? 16 : 1;
-      view.zoom(Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0016)), inStage(event));
-    },
-    { passive: false },
-  );
 
   return {
     cancel() {
