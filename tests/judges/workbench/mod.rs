@@ -13,6 +13,7 @@ mod gestures;
 mod hostile;
 mod keyboard;
 mod lesson;
+mod minutes;
 mod people;
 mod photo;
 mod prepare;
