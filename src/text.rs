@@ -68,9 +68,15 @@ impl Untrusted {
         clean(&self.0)
     }
 
-    /// For setting in letters: on one line; the writer of the drawing escapes what it sets.
+    /// For setting in letters: on one line, with no more marks on a letter than can be set; the writer of the drawing escapes
+    /// what it sets.
     pub(crate) fn for_setting(&self) -> String {
-        clean(&self.0)
+        let mut marks = 0;
+        let is_set = |letter: &char| {
+            marks = if is_mark(*letter) { marks + 1 } else { 0 };
+            marks <= MOST_MARKS
+        };
+        clean(&self.0).chars().filter(is_set).collect()
     }
 
     /// For finding the file or the exercise that has this name; never to be shown.
@@ -158,6 +164,15 @@ impl PartialEq<&str> for Untrusted {
     fn eq(&self, other: &&str) -> bool {
         self.0 == *other
     }
+}
+
+/// Most marks on one letter that are set: no writing has more (UAX #15, Stream-Safe Text Format), and tens of thousands of
+/// them take a browser or a viewer seconds, and have no width by which a line would end.
+const MOST_MARKS: usize = 30;
+
+/// Whether a character stands over, under or through the one before it: the blocks of combining marks for any writing.
+fn is_mark(c: char) -> bool {
+    matches!(c, '\u{300}'..='\u{36f}' | '\u{1ab0}'..='\u{1aff}' | '\u{1dc0}'..='\u{1dff}' | '\u{20d0}'..='\u{20ff}' | '\u{fe20}'..='\u{fe2f}')
 }
 
 /// Most characters of a name in a message.

@@ -43,7 +43,7 @@ impl Feedback {
         }
         let scene = &key.solution.scene;
         let figure = printed(&scene.figure);
-        let solution = (!checked.is_passed()).then(|| {
+        let solution = (!checked.is_nothing_off()).then(|| {
             let mut solution = key.solution.clone();
             solution.scene.figure = figure.clone();
             solution

@@ -20,7 +20,8 @@ const MOST: f64 = 1e6;
 
 /// How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is
 /// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
-/// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged.
+/// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged. What is too
+/// small on the sheet to be judged does not count.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
 #[schemars(rename = "marks")]
@@ -167,6 +168,7 @@ impl MarkScheme {
                 && !findings.iter().any(|f| is_made_in(f, value))
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
+        let mut of: f64 = self.worth.values().map(|(_, marks)| marks).sum();
         for (name, (row, worth)) in &self.worth {
             let by_name = checked.values.iter().position(|v| v.entry.asked.name() == name);
             let of_row = || checked.values.iter().position(|v| v.entry.row == *row);
@@ -177,15 +179,13 @@ impl MarkScheme {
             match checked.values[index].verdict {
                 Verdict::Right | Verdict::WithinTolerance | Verdict::SenseMissing => earned += worth,
                 Verdict::Off if follows(index) => follow_through += self.follow_through * worth,
+                // Too small on the sheet to be judged: it does not count.
+                Verdict::Unjudged if checked.values[index].tolerance.is_some() => of -= worth,
                 Verdict::Off | Verdict::TooCoarse | Verdict::Unjudged => {}
             }
         }
         let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;
-        Awarded {
-            earned: tidy(earned + follow_through),
-            of: tidy(self.worth.values().map(|(_, marks)| marks).sum()),
-            follow_through: tidy(follow_through),
-        }
+        Awarded { earned: tidy(earned + follow_through), of: tidy(of), follow_through: tidy(follow_through) }
     }
 }
 

@@ -2,6 +2,7 @@
 //! and for each set of quantities that forms have the constructions and the bands with which their values are compared.
 
 use super::checked::{Accuracy, BANDS, Checked, Diagnosis, Judged, Verdict};
+use super::common::CommonError;
 use super::covariance::{Groups, Hand, SLIP};
 use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
@@ -84,9 +85,13 @@ impl<'a> Prepared<'a> {
     pub fn check(&self, measured: &Measured) -> Result<Checked, CheckError> {
         let key = &self.key;
         let measured = &self.with_usual_points(measured);
-        let entries = entries_by(measured, key, &self.names)?;
+        let mut entries = entries_by(measured, key, &self.names)?;
         let (mu, scales) = sensible(key, measured.mu);
         let ready = self.ready(mu, &entries)?;
+        let common = CommonError::of(&entries, &ready.right, &ready.bands);
+        if let Some(common) = common {
+            common.take_out(&mut entries, &ready.right);
+        }
         let mut values = judged(&entries, &ready);
         let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
         let with_other_modes = || {
@@ -144,7 +149,7 @@ impl<'a> Prepared<'a> {
             percent: SLIP * hand.errors[COMPUTING],
         });
         let mirrored = mirrored.map(|plan| plan.sheet()).collect();
-        Ok(Checked { values, diagnosis, accuracy, mirrored, missing: self.missing(measured, &entries), scales })
+        Ok(Checked { values, diagnosis, accuracy, mirrored, missing: self.missing(measured, &entries), scales, common })
     }
 
     /// The mistakes in the likeliest explanations of the first values of a form, which the construction cut off behind them gives.

@@ -1,6 +1,7 @@
 //! The report in the figure's language: in parts, and as text from them.
 
 use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
+use super::common::CommonError;
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::names::Names;
@@ -16,6 +17,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>) -> String {
     let text = ReportText::new(checked, key, Medium::Text);
     let parts = text.parts();
     let mut lines = vec![parts.counts];
+    lines.extend(parts.missing);
     lines.extend(parts.rests_on);
     lines.extend(parts.accuracy);
     lines.push(String::new());
@@ -64,7 +66,9 @@ pub(crate) fn aligned<const N: usize>(rows: &[[String; N]]) -> Vec<String> {
 pub struct ReportParts {
     /// How many values are right, within the tolerance, off.
     pub counts: String,
-    /// How much of the sheet this rests on: what is missing, what tells nothing, and scales that are not those asked for.
+    /// What is asked for and not there.
+    pub missing: Option<String>,
+    /// What else the verdict does not rest on: values that tell nothing, and scales that are not those asked for.
     pub rests_on: Vec<String>,
     /// How much is allowed, and how accurate the drawing is.
     pub accuracy: Vec<String>,
@@ -118,8 +122,12 @@ impl ReportParts {
         });
         let texts =
             [&mut self.counts, &mut self.heading].into_iter().chain(&mut self.columns).chain(cells).chain(causes);
-        let texts =
-            texts.chain(&mut self.rests_on).chain(&mut self.accuracy).chain(&mut self.senses).chain(&mut self.sure);
+        let texts = texts
+            .chain(&mut self.missing)
+            .chain(&mut self.rests_on)
+            .chain(&mut self.accuracy)
+            .chain(&mut self.senses)
+            .chain(&mut self.sure);
         for text in texts.chain(&mut self.further).chain(&mut self.others) {
             *text = set(core::mem::take(text));
         }
@@ -158,6 +166,7 @@ impl<'a> ReportText<'a> {
         let others: &[Explanation] = if self.has_nothing_to_explain() { &[] } else { &diagnosis.others };
         ReportParts {
             counts: self.counts(),
+            missing: self.missing(),
             rests_on: self.rests_on(),
             accuracy: self.accuracy(),
             columns: self.own.check_columns().map(str::to_owned),
@@ -181,20 +190,36 @@ impl<'a> ReportText<'a> {
         }
     }
 
-    /// What the verdict does not rest on, and by which scales it judges.
+    /// What is asked for and not there.
+    fn missing(&self) -> Option<String> {
+        let Checked { values, missing, .. } = self.checked;
+        let names: Vec<String> = missing.iter().map(|row| self.names.named(row)).collect();
+        let [count, asked] = [missing.len(), values.len() + missing.len()].map(|count| count.to_string());
+        (!missing.is_empty()).then(|| self.own.check_missing(&count, &asked, &names.join(", ")))
+    }
+
+    /// Values on which the verdict does not rest, and by which scales it judges.
     fn rests_on(&self) -> Vec<String> {
-        let Checked { values, missing, scales, .. } = self.checked;
+        let Checked { values, scales, .. } = self.checked;
         let with = |verdict| (0..values.len()).filter(|&i| values[i].verdict == verdict).collect::<Vec<usize>>();
         let [coarse, small] = [Verdict::TooCoarse, Verdict::Unjudged].map(with);
         let small: Vec<usize> = small.into_iter().filter(|&i| values[i].tolerance.is_some()).collect();
-        let names: Vec<String> = missing.iter().map(|row| self.names.named(row)).collect();
-        let asked = (values.len() + missing.len()).to_string();
-        let missing = (!missing.is_empty())
-            .then(|| self.own.check_missing(&missing.len().to_string(), &asked, &names.join(", ")));
         let coarse = (!coarse.is_empty()).then(|| self.own.check_coarse_digits(&self.names(&coarse)));
         let small = (!small.is_empty()).then(|| self.own.check_too_small(&self.names(&small)));
         let scales = scales.iter().map(|scale| self.scale(scale));
-        missing.into_iter().chain(coarse).chain(small).chain(scales).collect()
+        let common = self.checked.common.map(|common| self.common(common));
+        common.into_iter().chain(coarse).chain(small).chain(scales).collect()
+    }
+
+    /// The error that all measured lengths have in common.
+    fn common(&self, common: CommonError) -> String {
+        let number = |x: f64| self.words.write(x.abs(), NumberStyle::decimals(1));
+        match common {
+            CommonError::Scale(scale) if scale > 0.0 => self.own.check_all_larger(&number(100.0 * scale)),
+            CommonError::Scale(scale) => self.own.check_all_smaller(&number(100.0 * scale)),
+            CommonError::Zero(mm) if mm > 0.0 => self.own.check_all_longer(&number(mm)),
+            CommonError::Zero(mm) => self.own.check_all_shorter(&number(mm)),
+        }
     }
 
     /// What is to be said of a scale of the form.

@@ -13,7 +13,7 @@ use super::plan;
 use super::shape::Shape;
 use super::sheet::{Drawing, Emphasis, Pen};
 use super::text::{CAPTION, PlacedText, RichText};
-use super::view::Extent;
+use super::view::{Extent, Series};
 use crate::construction::Solution;
 use crate::scene::{Figure, StyleName};
 use crate::sheet::Sheet;
@@ -180,7 +180,7 @@ pub fn over_photo(solution: &Solution, code: &SheetCode, seen: &[SeenPoint]) -> 
             // The photographed sheet has the frame.
             let panel = Panel { frame: None, content: None, ..panel };
             let area = Affine::scale(1.0 / unit).transform_rect_bbox(area(&extent, placed.origin, placed.mu));
-            let place = Placed::with_area(&panel.needs, area.inflate(AROUND, AROUND), area, unit);
+            let place = Placed::with_area(&panel.needs, [area.inflate(AROUND, AROUND), area], unit, Series::Hand);
             panel.draw(&mut drawing, &place, &solution.scene.figure.labels, &context.surface.dims, None);
         }
     }

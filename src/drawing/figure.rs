@@ -30,9 +30,6 @@ const SHEETS: [Option<Steps>; 3] = [Some(Steps::Fine), Some(Steps::Coarse), None
 /// How much coarser a scale may be on a sheet so that all sheets of a scene have the same.
 const SHARED: f64 = 1.2;
 
-/// How much coarser a scale may be for a list of results: less than what is seen at a glance.
-const COST: f64 = 1.2;
-
 /// Scales that are tried for one that fits.
 const TRIED: usize = 120;
 
@@ -195,24 +192,26 @@ impl<'a> FigureSheets<'a> {
             };
             drawing.marks.iter().any(is_its)
         };
-        let LaidOut { context, contents, .. } = self.laid_out();
+        let LaidOut { context, contents, .. } = self.settled();
         let list = contents.list.and_then(|listed| value_list(context, listed, None));
         let is_shown = move |value: &&Value| has(value) || list.as_ref().is_some_and(|list| list.has(value));
         self.base.values.iter().filter(move |value| !is_shown(value))
     }
 
-    /// What the list of results costs, where scales on paper are coarser for it; none where it costs nothing.
+    /// What the list of results, or one of names without room, costs where scales on paper are coarser for it; none where it
+    /// costs nothing.
     #[must_use]
     pub fn cost_of_list(&self) -> Option<Message> {
-        let (without, with) = (self.scaled(None).surface, &self.settled().layout);
-        let coarser = with.panels.iter().filter_map(|placed| {
+        let (without, LaidOut { layout, contents, .. }) = (self.scaled(None).surface, self.settled());
+        let coarser = layout.panels.iter().filter_map(|placed| {
             let (symbol, before) = (placed.needs.sheet.facts().scale_symbol, without.mu[placed.needs.sheet]?);
             let [now, before] = [placed.mu, before].map(|mu| Wording::default().write(mu, SCALE));
             (now != before).then(|| says::in_place_of(symbol, now, before))
         });
         let coarser: Vec<Message> = coarser.collect();
         let is_told = without.series != Series::Any && !coarser.is_empty();
-        is_told.then(|| says::cost_of_list(Message::list(coarser, ", ")))
+        let cost = if contents.list.is_some() { says::cost_of_list } else { says::cost_of_names };
+        is_told.then(|| cost(Message::list(coarser, ", ")))
     }
 
     /// The context of the finished figure, or of the sheets with steps, at their scales. They do not depend on values, which
@@ -272,7 +271,6 @@ impl<'a> FigureSheets<'a> {
     /// costs none of them much.
     fn listed(&self, without: LaidOut<'a>) -> LaidOut<'a> {
         let LaidOut { context, extents, layout, .. } = &without;
-        let is_near = |with: &Layout| layout.mu().given().all(|(panel, mu)| with.mu_of(panel) <= Some(COST * mu));
         let tried = [layout.mu(), context.figure().mu].into_iter().flat_map(|scales| {
             Listed::BOTH.into_iter().filter_map(move |listed| {
                 value_list(context, listed, None)?;
@@ -280,7 +278,7 @@ impl<'a> FigureSheets<'a> {
                 Some((composed(context, extents, contents).layout_at(&scales), contents))
             })
         });
-        let found = { tried }.find(|(with, _)| with.shows_all() && is_near(with));
+        let found = { tried }.find(|(with, _)| with.shows_all() && with.is_nearly_at(&layout.mu()));
         match found {
             Some((layout, contents)) => LaidOut { layout, contents, ..without },
             None => without,

@@ -160,21 +160,24 @@ impl Grid {
 
     /// What is near a box, in rising order, each once; at least all that touches it.
     pub fn near(&self, area: Rect) -> Vec<usize> {
-        self.within_all(self.cells_of(area))
+        let mut found = Vec::new();
+        self.each_in(self.cells_of(area), |thing| found.push(thing));
+        found.sort_unstable();
+        found
     }
 
-    /// What is near a straight line, in rising order, each once; at least all that touches it.
-    pub(super) fn along(&self, line: (Point, Point)) -> Vec<usize> {
+    /// Looks at what is near a straight line, each once; at least at all that touches it.
+    fn each_along(&self, line: (Point, Point), look: impl FnMut(usize)) {
         if is_near(line) {
-            self.within_all(self.cells_along(line))
+            self.each_in(self.cells_along(line), look);
         } else {
-            self.near(Rect::from_points(line.0, line.1))
+            self.each_in(self.cells_of(Rect::from_points(line.0, line.1)), look);
         }
     }
 
-    /// The things in some cells and those everywhere, in rising order, each once.
-    fn within_all(&self, cells: impl Iterator<Item = usize>) -> Vec<usize> {
-        let mut found: Vec<usize> = self.everywhere.iter().map(|thing| *thing as usize).collect();
+    /// Looks at the things in some cells and at those everywhere, each once.
+    fn each_in(&self, cells: impl Iterator<Item = usize>, mut look: impl FnMut(usize)) {
+        self.everywhere.iter().for_each(|thing| look(*thing as usize));
         let mut seen = self.seen.borrow_mut();
         let Seen { search, last } = &mut *seen;
         *search += 1;
@@ -184,12 +187,10 @@ impl Grid {
                     last.resize(thing + 1, 0);
                 }
                 if std::mem::replace(&mut last[thing], *search) != *search {
-                    found.push(thing);
+                    look(thing);
                 }
             }
         }
-        found.sort_unstable();
-        found
     }
 }
 
@@ -265,15 +266,17 @@ impl Obstacles {
         self.grid_of_boxes.near(area).into_iter().map(|index| self.boxes[index])
     }
 
-    /// The boxes along a line without the white around texts, and whether each is a text's.
-    pub(super) fn things_along(&self, line: (Point, Point)) -> impl Iterator<Item = (Rect, bool)> {
-        let near = self.grid_of_boxes.along(line).into_iter();
-        near.map(|index| (self.inks[index].unwrap_or(self.boxes[index]), self.inks[index].is_some()))
+    /// Looks at the boxes along a line, each once, without the white around texts; and whether it is a text's.
+    pub(super) fn each_box_along(&self, line: (Point, Point), mut look: impl FnMut(Rect, bool)) {
+        self.grid_of_boxes.each_along(line, |index| {
+            let ink = self.inks[index];
+            look(ink.unwrap_or(self.boxes[index]), ink.is_some());
+        });
     }
 
-    /// The numbers of the lines along a line, in rising order.
-    pub(super) fn lines_along(&self, line: (Point, Point)) -> Vec<usize> {
-        self.grid_of_lines.along(line)
+    /// Looks at the lines along a line, each once.
+    pub(super) fn each_line_along(&self, line: (Point, Point), mut look: impl FnMut((Point, Point))) {
+        self.grid_of_lines.each_along(line, |index| look(self.lines[index]));
     }
 
     /// The lines near `area` by their numbers, in rising order.

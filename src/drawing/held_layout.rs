@@ -47,7 +47,7 @@ pub struct Pane {
 /// others what leaves its panel is cut off. That [of the cycle](HeldLayout::of_cycle) has room for all positions, on the
 /// figure's page or on a part of a screen; of a drive that swings, whose vectors run off to infinity at the ends of its
 /// range, it has room for all in which they are not far larger than in most; those that run off have their size at the
-/// edge. A panel says that its content is cut.
+/// edge. A panel says that its content is cut. [At rest](HeldLayout::at_rest) plans may be larger.
 ///
 /// ```
 /// use kinegon::cycle::Pull;
@@ -65,7 +65,9 @@ pub struct Pane {
 /// ```
 #[derive(Clone)]
 pub struct HeldLayout {
-    layout: Layout,
+    pub(super) layout: Layout,
+    /// The panels at the scales that are held, from which plans [at rest](HeldLayout::at_rest) come.
+    pub(super) cycle: Vec<Placed>,
     /// Where it is laid out, at the scales that were chosen.
     surface: Surface,
     /// By panel: the extent that is seen.
@@ -211,6 +213,7 @@ impl HeldLayout {
 
     fn of(LaidOut { context, extents, contents, layout }: LaidOut<'_>) -> HeldLayout {
         HeldLayout {
+            cycle: layout.panels.clone(),
             layout,
             surface: context.surface,
             extents,

@@ -12,10 +12,10 @@ use super::view::Series;
 use super::words::StepWords;
 use super::worksheet::{Ruler, TablePlace, Worksheet};
 use crate::construction::shown_text;
-use crate::sheet::PerSheet;
+use crate::sheet::{PerSheet, Scales};
 
 /// How often a sheet is laid out again so that it has room for the list of names without room.
-const RELAID: usize = 3;
+const RELAID: usize = 4;
 
 /// A sheet in its layout.
 #[derive(Clone)]
@@ -27,8 +27,7 @@ pub(super) struct LaidOut<'a> {
 }
 
 impl LaidOut<'_> {
-    /// The sheet drawn. Where names have no room it is laid out again with rows for their list, at its scales or, but for a
-    /// hand, at coarser ones.
+    /// The sheet drawn. Where names have no room it is laid out again with rows for their list.
     pub(super) fn drawn(mut self) -> (Self, Drawing) {
         let mut panels = Vec::new();
         let mut drawing = self.composition().draw_again(&self.layout, &mut panels);
@@ -37,18 +36,32 @@ impl LaidOut<'_> {
             if rows == self.contents.rows {
                 break;
             }
-            let contents = Contents { rows, ..self.contents };
-            let sheet = composed(&self.context, &self.extents, contents);
-            let is_hand = self.context.surface.series == Series::Hand;
-            let tried = [Some(self.layout.mu()), Some(self.context.figure().mu).filter(|_| !is_hand)];
-            let tried = tried.into_iter().flatten().map(|scales| sheet.layout_at(&scales));
-            let found = tried.into_iter().find(|layout| layout.worth[..2] >= self.layout.worth[..2]);
-            drop(sheet);
-            let Some(layout) = found else { break };
+            let Some((layout, contents)) = self.laid_out_again(rows) else { break };
             (self.contents, self.layout) = (contents, layout);
             drawing = self.composition().draw_again(&self.layout, &mut panels);
         }
         (self, drawing)
+    }
+
+    /// The layout with rows for names: at its scales or, but for a hand, at coarser ones. Rather than that these are much
+    /// coarser the sheet goes without its list of results, so that names have its room.
+    fn laid_out_again(&self, rows: PerSheet<usize>) -> Option<(Layout, Contents)> {
+        let LaidOut { context, extents, contents, layout } = self;
+        let laid_out = |contents: Contents, scales: &Scales| {
+            let found = composed(context, extents, contents).layout_at(scales);
+            (found.worth[..2] >= layout.worth[..2]).then_some((found, contents))
+        };
+        let with_rows = Contents { rows, ..*contents };
+        let as_before = laid_out(with_rows, &layout.mu());
+        if as_before.is_some() || context.surface.series == Series::Hand {
+            return as_before;
+        }
+        let coarser = laid_out(with_rows, &context.figure().mu);
+        let chosen = &context.surface.mu;
+        let is_near = coarser.as_ref().is_some_and(|(found, _)| found.is_nearly_at(chosen));
+        let without_list = || laid_out(Contents { list: None, ..*contents }, chosen);
+        let without_list = contents.list.filter(|_| !is_near).and_then(|_| without_list());
+        without_list.or(coarser)
     }
 
     /// By panel: the rows for the names that have no room on a drawing, as many as before at least.
@@ -106,14 +119,16 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     let Some(steps) = steps else {
         let values = list.and_then(|listed| value_list(context, listed, None));
         let ruler = (table == Some(TablePlace::Apart)).then(|| Ruler::new(context));
-        let agreement = remarks::agreement(context, None, ruler.as_ref().map_or(0.0, Ruler::width));
+        // The list of results takes the place of the remark: so a sheet has the same room with values and without.
+        let beside = ruler.as_ref().map_or(0.0, Ruler::width);
+        let agreement = remarks::agreement(context, None, beside, values.is_some());
         return sheet.with_optional(values).with(agreement).with_optional(ruler);
     };
     // On the sheets of steps values come after the last one.
     let after = Some(context.construction().step_count() as u16 + 1);
     let sheet = Composition { is_stepwise: true, ..sheet };
     if wordless {
-        return sheet.with(remarks::agreement(context, None, 0.0));
+        return sheet.with(remarks::agreement(context, None, 0.0, false));
     }
     let words = StepWords::new(context, steps, only_step);
     let height = words.height();
@@ -122,7 +137,7 @@ pub(super) fn composed<'a>(context: &'a SheetContext<'a>, extents: &Extents, con
     let lists = Listed::BOTH.into_iter().filter_map(|listed| value_list(context, listed, after));
     match { lists }.find(|values| values.height() <= height) {
         Some(values) => sheet.with(values),
-        None => sheet.with(remarks::agreement(context, after, 0.0)),
+        None => sheet.with(remarks::agreement(context, after, 0.0, false)),
     }
 }
 

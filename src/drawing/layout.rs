@@ -3,7 +3,7 @@
 use super::dims::Dims;
 use super::division::{Best, Division, Sharing};
 use super::sheet::Drawing;
-use super::view::{Extent, Series, fitting_scale};
+use super::view::{Extent, Series};
 use crate::geometry;
 use crate::sheet::{PerSheet, Scales, Sheet};
 use kurbo::{Affine, Rect};
@@ -27,6 +27,8 @@ pub(super) const LEAST: f64 = 20.0;
 /// Loss where a companion stands above the panel in focus, or below it, on a sheet wider than high: more than any
 /// gain, so that it does only where it has no room beside.
 const STACKED: f64 = 1000.0;
+/// How much coarser a scale may be for a list of results: less than what is seen at a glance.
+const COST: f64 = 1.2;
 /// Difference of the logarithms of scales that makes no difference to the eye.
 const ALIKE: f64 = 0.02;
 
@@ -146,10 +148,10 @@ impl Placed {
         Placed { needs: *needs, frame, area, mu, unit }
     }
 
-    /// A panel in a frame with this area for its content, at its scale or else at the finest at which that fits.
-    pub(super) fn with_area(needs: &Needs, frame: Rect, area: Rect, unit: f64) -> Placed {
+    /// A panel in a frame with this area for its content, at its scale or else at the finest of a series at which that fits.
+    pub(super) fn with_area(needs: &Needs, [frame, area]: [Rect; 2], unit: f64, series: Series) -> Placed {
         let on_paper = Affine::scale(unit).transform_rect_bbox(area);
-        let mu = needs.mu.unwrap_or_else(|| fitting_scale(&needs.extent, on_paper));
+        let mu = needs.mu.unwrap_or_else(|| series.fitting(&needs.extent, on_paper));
         Placed { needs: *needs, frame, area, mu, unit }
     }
 
@@ -222,6 +224,11 @@ impl Layout {
     /// Whether they are wide enough for their headings and for a content, too.
     pub(super) fn shows_all(&self) -> bool {
         self.worth[0] > 0.0 && self.holds_all()
+    }
+
+    /// Whether no scale is much coarser than the one that is chosen for its sheet.
+    pub(super) fn is_nearly_at(&self, chosen: &Scales) -> bool {
+        chosen.given().all(|(sheet, mu)| self.mu_of(sheet) <= Some(COST * mu))
     }
 
     /// The place of the panel of a sheet.

@@ -6,7 +6,7 @@
 //! - `context` is what every layer asks: the solution with its `facts`, looked up once, the surface (page, sizes of letters,
 //!   scales) and what the sheet is for. It is made once and passed on; only a `Surface` knows the page.
 //! - `figure` decides the scales once for all sheets of a figure and lays each out once, which a `laid_out` says how; `held_layout` holds panels and
-//!   scales while a mechanism moves, a canvas where names were in the picture before.
+//!   scales while a mechanism moves, with plans that are larger `at_rest`, a canvas where names were in the picture before.
 //! - A sheet is put together of `panel`s with their layers and `scale_bar`s, a `table` beside them, `remarks` and `words`
 //!   below; `compose` makes a sheet of it with a `layout`, for which `division` finds cuts and scales. `exercise`, `correction` and `curves` are other sheets;
 //!   a plan whose names crowd has further sheets with `parts` of it.
@@ -57,6 +57,7 @@
 //! leaves a panel is cut off at its edge (`clip`); places too close for their names are drawn again, larger, in a circle
 //! (`inset`).
 
+mod at_rest;
 mod canvas;
 #[doc(hidden)] // for tests
 pub mod clip;
@@ -109,7 +110,7 @@ mod words;
 mod worksheet;
 
 pub use correction::{SeenPoint, over_photo, overlay, overlay_words};
-pub use curves::{CurvesError, curves, drive_ends, hodographs, paths};
+pub use curves::{CurvesError, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 pub use draft::{DraftView, draft};
 pub use exercise::{drawing_sheets, exercise_scale, exercise_sheet, key_scales, key_sheet, shows_special_points};
 pub use facts::Steps;

@@ -35,7 +35,7 @@ const BEFORE: f64 = 2.5;
 /// White between a heading and the scale beside it, in mm.
 const APART: f64 = 5.0;
 /// Weight of the size of a panel beside that in focus.
-pub(super) const COMPANION: f64 = 0.2;
+pub(super) const COMPANION: f64 = 0.4;
 
 /// A panel: a frame with its heading, and layers in it.
 pub(super) struct Panel<'a> {

@@ -16,13 +16,13 @@ const STEP: NumberStyle = NumberStyle::significant(3).trimmed().in_full(-3, 6).o
 /// Number style of the difference between construction and loop equations.
 const BOUND: NumberStyle = NumberStyle::bound().on(Medium::Figure);
 
-/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations. Beside values
-/// and on a projector only what is not as it should be is said. They are there in all steps or only in `step`; `beside` mm of
-/// the width are kept free.
-pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f64) -> Lines {
+/// The sentences on paths, if there are any, and on how the construction agrees with the loop equations. In the place of a list of
+/// results and on a projector only what is not as it should be is said. They are there in all steps or only in `step`;
+/// `beside` mm of the width are kept free.
+pub(super) fn agreement(context: &SheetContext<'_>, step: Option<u16>, beside: f64, has_list: bool) -> Lines {
     let (sentence, agrees) = routes(context);
     let is_projected = context.surface.series == Series::Any || context.surface.dims.unit > 1.0;
-    let is_said = !agrees || (context.values.is_empty() && !is_projected);
+    let is_said = !agrees || (!has_list && !is_projected);
     // On a screen there is no paper to be measured on.
     let printed = (context.surface.series != Series::Any).then(|| context.words.language.printed().to_owned());
     let sentence = is_said.then(|| std::iter::once(sentence).chain(printed).collect::<Vec<_>>().join(" "));

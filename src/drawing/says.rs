@@ -10,6 +10,7 @@ messages! { "drawing":
         "the {panel} does not fit into its panel at {key} = {given} and is cut off there; {fitting} fits, or a larger sheet";
     no_scale = "none";
     cost_of_list(scales) = "scales leave room for the list of results: {scales}";
+    cost_of_names(scales) = "scales leave room for the list of names: {scales}";
     in_place_of(scale, now, before) = "{scale} = {now} in place of {before}";
     too_many_panels(wanted, room) =
         "{wanted} kinds of quantities need {wanted} panels, and the sheet has room for {room}";

@@ -1,6 +1,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
 use kurbo::{BezPath, Point, Rect, Vec2};
 
@@ -38,7 +39,8 @@ const SPACE: f64 = 0.25;
 /// space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RichText {
-    runs: Vec<Run>,
+    /// Shared: a sheet has most texts several times, and a drawing is copied.
+    runs: Arc<[Run]>,
     advance: f64,
     ink: Rect,
 }
@@ -92,7 +94,7 @@ impl RichText {
         let shift = self.advance + SPACE;
         let moved =
             |(index, run): (usize, &Run)| Run { x: run.x + shift, spaced: index == 0 || run.spaced, ..run.clone() };
-        self.runs.extend(other.runs.iter().enumerate().map(moved));
+        self.runs = self.runs.iter().cloned().chain(other.runs.iter().enumerate().map(moved)).collect();
         self.ink = self.ink.union(other.ink + Vec2::new(shift, 0.0));
         self.advance = shift + other.advance;
         self
@@ -106,7 +108,7 @@ impl RichText {
                 return text.clone();
             }
             let setter = Setter::set(source, setting, markup);
-            let text = Self { runs: setter.runs, advance: setter.pen.x, ink: setter.ink.unwrap_or(Rect::ZERO) };
+            let text = Self { runs: setter.runs.into(), advance: setter.pen.x, ink: setter.ink.unwrap_or(Rect::ZERO) };
             if known.len() >= MOST_SET {
                 known.clear();
             }

@@ -123,9 +123,7 @@ pub(super) fn together<T>(things: impl Iterator<Item = (Point, T)>, apart: f64) 
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k (units per mm) at which `extent` fits into `area`.
 #[must_use]
 pub fn fitting_scale(extent: &Extent, area: Rect) -> f64 {
-    let size = extent.size();
-    let least = (size.x / area.width()).max(size.y / area.height());
-    if least > 0.0 && least.is_finite() { next_scale(least) } else { 1.0 }
+    Series::Hand.fitting(extent, area)
 }
 
 /// The smallest scale of the series 1, 2, 2.5, 5 × 10^k that is not below `least`, which must be positive.
@@ -173,6 +171,13 @@ impl Series {
                 scaled(libm::ceil(least / scaled(1.0, last_digit) - 1e-9), last_digit)
             }
         }
+    }
+
+    /// The smallest scale (units per mm) at which `extent` fits into `area`.
+    pub(super) fn fitting(self, extent: &Extent, area: Rect) -> f64 {
+        let size = extent.size();
+        let least = (size.x / area.width()).max(size.y / area.height());
+        if least > 0.0 && least.is_finite() { self.next(least) } else { 1.0 }
     }
 
     /// A scale below another, the next one if there are steps; positive.

@@ -59,7 +59,6 @@ impl<'a> StepWords<'a> {
     pub(super) fn new(context: &'a SheetContext<'a>, steps: Steps, only: Option<usize>) -> Self {
         let passages = (steps == Steps::Coarse).then(|| context.construction().passages());
         let mut words = Self { context, passages, starts: IndexMap::new(), height: 0.0 };
-        let [width, height] = context.surface.dims.page;
         // Scales of plans of a usual size: they are part of the words.
         let usual = Rect::new(0.0, 0.0, USUAL, USUAL);
         let placed = |(sheet, extent): (Sheet, Extent)| Placed {
@@ -73,24 +72,23 @@ impl<'a> StepWords<'a> {
         let below = Rect::new(0.0, 0.0, context.surface.dims.width_below(), 0.0);
         let layout = Layout { below, aside: None, panels, worth: [0.0; 3] };
         for number in (0..words.count()).filter(|number| only.is_none_or(|only| only == number + 1)) {
-            let trial = |start: Option<f64>, parts: [bool; 2]| {
-                let mut drawing = Drawing::new(width, height);
-                words.write(&mut drawing, &layout, number, start, parts);
-                drawing
-            };
-            let caption = extent(&trial(None, [true, false]));
-            let caption_end = caption.x1;
+            let (mut caption, mut details) = (Vec::new(), Vec::new());
+            let caption_end = words.write_caption(&mut caption, &layout, number);
+            let caption = extent(&caption);
             let tab = (layout.below.width() - 2.0 * PAD) / TABS;
-            let start = tab * libm::ceil((caption_end - PAD + BETWEEN) / tab);
-            let beside = trial(Some(start), [false, true]);
+            let start = tab * libm::ceil((caption.x1 - PAD + BETWEEN) / tab);
+            words.write_details(&mut details, &layout, number, Some(start), caption_end);
             let is_whole = |mark: &Mark| match &mark.shape {
                 Shape::Text(text) => text.size >= SMALL,
                 _ => true,
             };
-            let fits = extent(&beside).x1 <= layout.below.x1 - PAD && beside.marks.iter().all(is_whole);
+            let fits = extent(&details).x1 <= layout.below.x1 - PAD && details.iter().all(is_whole);
             let start = Some(start).filter(|_| fits);
-            let details = if fits { extent(&beside) } else { extent(&trial(None, [true; 2])) };
-            words.height = words.height.max(caption.y1.max(details.y1) + FOOT);
+            if !fits {
+                details.clear();
+                words.write_details(&mut details, &layout, number, None, caption_end);
+            }
+            words.height = words.height.max(caption.y1.max(extent(&details).y1) + FOOT);
             words.starts.insert(number, start);
         }
         words
@@ -100,39 +98,55 @@ impl<'a> StepWords<'a> {
         self.passages.as_ref().map_or_else(|| self.context.construction().step_count(), Vec::len)
     }
 
-    /// Writes the caption and the details of a step or passage, or one of both. The details are below the caption or
-    /// start on its line.
-    fn write(
+    /// The passage with this number, from 0, if these are words of passages; and its steps or the step.
+    fn steps_of(&self, index: usize) -> (Option<&Passage>, Vec<NumberedStep<'_>>) {
+        let (passage, construction) =
+            (self.passages.as_ref().map(|passages| &passages[index]), self.context.construction());
+        let steps = match passage {
+            Some(passage) => construction.steps_of(passage).collect(),
+            None => construction.numbered_step(index + 1).into_iter().collect(),
+        };
+        (passage, steps)
+    }
+
+    fn writer<'w>(&'w self, marks: &'w mut Vec<Mark>, layout: &'w Layout, index: usize) -> Writer<'w> {
+        let captions = Rect { x0: layout.below.x0 + PAD, x1: layout.below.x1 - PAD, ..layout.below };
+        let since = self.passages.as_ref().map_or(index + 1, |passages| passages[index].steps[1]) as u16;
+        Writer { marks, layout, context: self.context, captions, area: captions, since, caption_end: captions.x0 }
+    }
+
+    /// Writes the caption of a step or passage; returns its right end.
+    fn write_caption(&self, marks: &mut Vec<Mark>, layout: &Layout, index: usize) -> f64 {
+        let (passage, steps) = self.steps_of(index);
+        let sentence = match passage {
+            Some(passage) => self.context.teller().passage_caption(passage),
+            None => steps.first().map_or_else(String::new, |step| self.context.teller().caption(step)),
+        };
+        let mut writer = self.writer(marks, layout, index);
+        let number = format!("{} / {}", index + 1, self.count());
+        writer.caption(&number, &sentence, steps.first().and_then(|step| step.plan));
+        writer.caption_end
+    }
+
+    /// Writes the details of a step or passage, below its caption, which ends there, or from `start` on its line.
+    fn write_details(
         &self,
-        drawing: &mut Drawing,
+        marks: &mut Vec<Mark>,
         layout: &Layout,
         index: usize,
         start: Option<f64>,
-        [caption, details]: [bool; 2],
+        caption_end: f64,
     ) {
-        let (context, area) = (self.context, layout.below);
-        let passage = self.passages.as_ref().map(|passages| &passages[index]);
-        let steps: Vec<NumberedStep<'_>> = match passage {
-            Some(passage) => context.construction().steps_of(passage).collect(),
-            None => context.construction().numbered_step(index + 1).into_iter().collect(),
-        };
-        let area = Rect { x0: area.x0 + PAD, x1: area.x1 - PAD, ..area };
-        let beside = start.map(|start| Rect { x0: area.x0 + start, y0: area.y0 + FIRST - SECOND, ..area });
-        let (area, captions) = (beside.unwrap_or(area), area);
-        let since = passage.map_or(index + 1, |passage| passage.steps[1]) as u16;
-        let mut writer = Writer { drawing, layout, context, captions, area, since, caption_end: captions.x0 };
-        if caption {
-            let sentence = match passage {
-                Some(passage) => context.teller().passage_caption(passage),
-                None => steps.first().map_or_else(String::new, |step| context.teller().caption(step)),
-            };
-            let number = format!("{} / {}", index + 1, self.count());
-            writer.caption(&number, &sentence, steps.first().and_then(|step| step.plan));
+        let (passage, steps) = self.steps_of(index);
+        let mut writer = Writer { caption_end, ..self.writer(marks, layout, index) };
+        if let Some(start) = start {
+            let Rect { x0, y0, .. } = writer.captions;
+            writer.area = Rect { x0: x0 + start, y0: y0 + FIRST - SECOND, ..writer.captions };
         }
         match (passage, steps.as_slice()) {
-            (Some(passage), steps) if details => writer.details_of(passage.aim, steps),
-            (None, [step]) if details => writer.details(step),
-            _ => {}
+            (Some(passage), steps) => writer.details_of(passage.aim, steps),
+            (None, [step]) => writer.details(step),
+            (None, _) => {}
         }
     }
 }
@@ -148,8 +162,8 @@ pub(super) fn width_of(texts: &[RichText], size: f64) -> f64 {
 }
 
 /// The box around all marks.
-fn extent(drawing: &Drawing) -> Rect {
-    let all = drawing.marks.iter().map(|mark| mark.shape.bounds());
+fn extent(marks: &[Mark]) -> Rect {
+    let all = marks.iter().map(|mark| mark.shape.bounds());
     all.reduce(|a, b| a.union(b)).unwrap_or_default()
 }
 
@@ -160,7 +174,8 @@ impl Item for StepWords<'_> {
 
     fn draw(&self, drawing: &mut Drawing, layout: &Layout) {
         for (&index, &start) in &self.starts {
-            self.write(drawing, layout, index, start, [true; 2]);
+            let caption_end = self.write_caption(&mut drawing.marks, layout, index);
+            self.write_details(&mut drawing.marks, layout, index, start, caption_end);
         }
     }
 }
@@ -180,7 +195,7 @@ pub(crate) fn drawn_vector<'s>(step: &NumberedStep<'s>) -> Option<([&'s str; 2],
 
 /// Writes the words of a step.
 pub(super) struct Writer<'a> {
-    pub drawing: &'a mut Drawing,
+    pub marks: &'a mut Vec<Mark>,
     pub layout: &'a Layout,
     pub context: &'a SheetContext<'a>,
     /// The area of all words.
@@ -195,7 +210,7 @@ pub(super) struct Writer<'a> {
 
 impl Writer<'_> {
     fn put(&mut self, pen: Pen, shape: Shape) {
-        self.drawing.marks.push(Mark { since: self.since, passing: true, ..Mark::new(pen, shape) });
+        self.marks.push(Mark { since: self.since, passing: true, ..Mark::new(pen, shape) });
     }
 
     fn write(&mut self, pen: Pen, text: RichText, size: f64, from: Point) {

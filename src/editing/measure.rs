@@ -93,7 +93,10 @@ pub(super) fn measured(
     Ok(match points {
         [] | [_] => None,
         [a, b] => Some(("lengths", lengths(&[(a, b)], decimals))),
-        [a, b, c] if !is_flat([a.1, b.1, c.1]) => Some(("lengths", lengths(&[(a, b), (b, c), (a, c)], decimals))),
+        // A decimal more: where three lengths meet in a low triangle, they are that much less sure of its point.
+        [a, b, c] if !is_flat([a.1, b.1, c.1]) => {
+            Some(("lengths", lengths(&[(a, b), (b, c), (a, c)], decimals.finer(1))))
+        }
         _ => Some(("shape", shape(points, decimals))),
     })
 }

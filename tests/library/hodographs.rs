@@ -124,10 +124,11 @@ fn on_paper_both_directions_have_one_scale() {
         let Shape::Arrow { from, to, .. } = *find("hodograph-a-own") else { panic!("the vector is an arrow") };
         assert!((from - pole).hypot() < 1e-9);
         let radius = (to - from).hypot();
-        // Counted to a round scale.
+        // Counted to a scale that a ruler reads.
         let mu = 5000.0 / radius;
         let decade = libm::pow(10.0, libm::floor(libm::log10(mu) + 1e-9));
-        assert!([1.0, 2.0, 2.5, 5.0].iter().any(|s| (mu / decade - s).abs() < 1e-9), "{mu}");
+        let series = [1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0];
+        assert!(series.iter().any(|s| (mu / decade - s).abs() < 1e-9), "{mu}");
         // At 40° the velocity of the pin points to 130°; the sheet's y runs down.
         let (sine, cosine) = libm::sincos(130.0 * PI / 180.0);
         let tip = Point::new(pole.x + radius * cosine, pole.y - radius * sine);

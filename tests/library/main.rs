@@ -45,6 +45,7 @@ mod architecture;
 mod assemblies;
 mod bad_scenes;
 mod camera;
+mod cheats;
 mod committed_files;
 mod complete_plans;
 mod coriolis;

@@ -250,6 +250,62 @@ fn nothing_is_cut_and_poles_stand_still_over_a_turn() {
     assert!(turns > 10 / KINDS.now(), "{turns}");
 }
 
+/// At rest a plan is as large as its panel allows about its pole; from there nothing is cut while the mechanism moves, poles and
+/// the mechanism stay, and after some pictures the scales are those of the whole cycle.
+#[test]
+fn plans_are_large_at_rest_and_ease_over_to_their_cycle() {
+    let pane = Pane { width: 780.0, height: 590.0, letters: 14.0, words: true };
+    let (mut larger, mut all) = (0, 0);
+    for (name, own) in scenes(0) {
+        let Ok(mut pull) = Pull::new(&own, None) else { continue };
+        let positions = Positions::of(&own);
+        let cycle = HeldLayout::of_positions(&own, &positions, None, None, Some(pane));
+        let mut now = cycle.clone().at_rest(&own);
+        let bars = |layout: &HeldLayout| Sheet::ALL.map(|sheet| layout.mu(sheet));
+        let fixed = |layout: &HeldLayout, solution: &Solution| -> Vec<Point> {
+            let poles = layout.plan_handles(solution).into_iter().filter(|handle| handle.is_fixed);
+            poles.chain(layout.handles(solution)).map(|handle| handle.at).collect()
+        };
+        let frame = |panels: &[kinegon::drawing::HeldPanel], sheet| {
+            panels.iter().find(|panel| panel.panel == sheet).map(|panel| panel.frame)
+        };
+        let drawing = now.draw(&own, None);
+        let panels = now.panels(&drawing);
+        assert!(panels.iter().all(|panel| !panel.is_cut), "{name}: cut at rest");
+        for sheet in [Sheet::Velocity, Sheet::Acceleration] {
+            let (Some(mu), Some(most), Some(frame)) = (now.mu(sheet), cycle.mu(sheet), frame(&panels, sheet)) else {
+                continue;
+            };
+            all += 1;
+            larger += usize::from(mu < 0.8 * most);
+            // White for labels and the heading are all that is left beside it.
+            let ends = now.plan_handles(&own).into_iter().filter(|end| end.panel == sheet);
+            let left =
+                |at: Point| (at.x - frame.x0).min(frame.x1 - at.x).min(at.y - frame.y0 - 17.0).min(frame.y1 - at.y);
+            let least = ends.map(|end| left(end.at)).fold(f64::INFINITY, f64::min);
+            assert!(mu >= most || mu <= 0.11 * most || least < 9.0, "{name}: {sheet:?} has {least} mm to its edge");
+        }
+        let start = pull.value();
+        let step = if pull.drive().is_angle { 1.0 } else { 0.002 * start.abs().max(1e-3) };
+        for k in 1..=20 {
+            let before = bars(&now);
+            let Ok(moved) = own.moved(pull.to_value(start + step * f64::from(k)).pose) else { break };
+            now.in_motion(&moved);
+            let drawing = now.drag(&moved, None, None);
+            let panels = now.panels(&drawing);
+            let whole = cycle.panels(&cycle.draw(&moved, None));
+            let cut = panels.iter().zip(&whole).filter(|(now, whole)| now.is_cut && !whole.is_cut);
+            assert_eq!(cut.count(), 0, "{name}: cut in picture {k}");
+            let finer = bars(&now).into_iter().zip(before).filter(|(now, before)| now < before);
+            assert_eq!(finer.count(), 0, "{name}: {k}");
+            let off = fixed(&now, &moved).into_iter().zip(fixed(&cycle, &moved)).map(|(a, b)| (a - b).hypot());
+            assert!(off.fold(0.0, f64::max) < 1e-9, "{name}: poles and joints stay");
+        }
+        assert_eq!(bars(&now), bars(&cycle), "{name}");
+    }
+    assert!(2 * larger > all, "{larger} of {all} plans are larger at rest");
+}
+
 /// A vector of a swinging drive that runs off its panel has its size at its head, the speed of its point.
 #[test]
 fn what_runs_off_has_its_size_at_the_edge() {

@@ -147,6 +147,37 @@ fn a_list_costs_no_scale_much() {
     assert!(with_list >= 7, "only {with_list} lists");
 }
 
+/// The list of results takes the place of the remark, so that a figure has the same room with values and without; and it gives
+/// way to names, which then stand on the figure at its scales.
+#[test]
+fn a_list_stands_in_place_of_the_remark_and_gives_way_to_names() {
+    let drawn = |name: &str, shown: ValuesShown| {
+        let mut scene = Scene::read(&read(name)).expect("a good scene");
+        scene.figure.values = Some(shown);
+        let solution = solve(&scene).expect("it moves");
+        let sheets = FigureSheets::new(&solution);
+        (sheets.figure(), sheets.scales())
+    };
+    let has_remark = |drawing: &Drawing| {
+        drawing.marks.iter().any(|mark| match &mark.shape {
+            Shape::Text(text) => text.text.content().contains("loop equations"),
+            _ => false,
+        })
+    };
+    let mut counts = [0; 2];
+    for name in ["four-bar", "fourth-class", "watt-1", "slider-crank"].map(|name| format!("templates/{name}.json")) {
+        let (with, without) = (drawn(&name, ValuesShown::Shown(None)).0, drawn(&name, ValuesShown::Hidden).0);
+        let has_list = texts(&with, "listed-").next().is_some();
+        assert_eq!([has_remark(&with), has_remark(&without)], [!has_list, true], "{name}");
+        counts[usize::from(has_list)] += 1;
+    }
+    assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+    let valve = "tests/lecture/valve.json";
+    let ((with, scales), (_, own)) = (drawn(valve, ValuesShown::Shown(None)), drawn(valve, ValuesShown::Hidden));
+    assert_eq!(scales, own);
+    assert!(with.unlabelled.is_empty() && texts(&with, "listed-").next().is_none() && has_remark(&with));
+}
+
 /// Of a crowd in the hall there are few sheets: the main results that have no room on the figure, and parts of the plans that
 /// are much smaller than these. All values follow only where they are asked for.
 #[test]

@@ -32,6 +32,8 @@ export interface App {
   paper: Signal<boolean>;
   /** The panel that is large; empty where all share the room. */
   focus: Signal<Sheet | "">;
+  /** Points whose paths are in the picture on the screen while their curves are looked at. */
+  traced: Signal<string[]>;
   /** The picture on the screen, also while something is dragged; null before the first. */
   picture: Signal<Picture | null>;
   /** Whether pulling a joint changes lengths in place of moving the mechanism. */

@@ -3,7 +3,7 @@ import type { App, Solved } from "./app.ts";
 import { build } from "./build/build.ts";
 import { byId } from "./dom/find.ts";
 import { startEngine, type EngineClient } from "./engine/client.ts";
-import { PATIENCE } from "./engine/hand.ts";
+import { PATIENCE, type Why } from "./engine/hand.ts";
 import type { Picture, View } from "./engine/types.ts";
 import { loadFonts } from "./fonts.ts";
 import { dropped } from "./layout/brought.ts";
@@ -11,7 +11,7 @@ import { documents } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
 import { help } from "./layout/help.ts";
 import { keys } from "./layout/keys.ts";
-import { messages, notice, teller } from "./layout/messages.ts";
+import { courseNotices, messages, notice, teller } from "./layout/messages.ts";
 import { printedByBrowser, printer } from "./layout/print.ts";
 import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
@@ -20,6 +20,7 @@ import { theme } from "./layout/theme.ts";
 import { tour } from "./layout/tour.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
+import { working } from "./layout/working.ts";
 import { drives, type Drives } from "./motion/drives.ts";
 import { filming } from "./motion/film.ts";
 import { play, type Play } from "./motion/play.ts";
@@ -68,6 +69,7 @@ function application(shared: Shared, past: Document[], engine: EngineClient, tel
     view: signal<View>(shared.view ?? FINISHED),
     paper: signal(false),
     focus: signal<Sheet | "">(""),
+    traced: signal<string[]>([]),
     picture: signal<Picture | null>(null),
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
@@ -176,13 +178,13 @@ async function start(): Promise<void> {
   const compiled = WebAssembly.compile(window.unpacked("engine"));
   const script = new TextDecoder().decode(window.unpacked("worker"));
   const first = await beginning(location.hash, store);
-  const restarted = (why: "fell" | "too_slow"): string => say(why, { seconds: PATIENCE / 1000 });
-  const { engine, busy } = startEngine(script, await compiled, (why, during) => {
+  const restarted = (why: Why): string => say(why, { seconds: PATIENCE / 1000 });
+  const { engine, busy, stop } = startEngine(script, await compiled, (why, during) => {
     // Of a text that cannot be solved the message bar tells.
     if (during !== "open") notice(restarted(why));
     return restarted(why);
   });
-  busy.on((is) => (byId("busy").textContent = is ? say("busy") : ""));
+  working(busy, stop);
   const app = application(first.shared ?? (await firstKind(engine)), first.from === "reload" ? store.past() : [], engine, tell);
   studying(app);
   wire(app, store);
@@ -198,6 +200,7 @@ async function start(): Promise<void> {
   else if (!store.works) notice(say("no_storage"));
   else if (first.before !== null) offer(app, first.before);
   else if (first.from === "autosave") tell(say("restored"));
+  courseNotices(app);
   // Whoever comes by a lesson or a link came for that.
   if (first.from === "kind" && store.works && store.preference("tour") === null) tours.begin();
   if (first.from === "link") store.keep(asKept(app), app.history.past());

@@ -20,7 +20,7 @@ use crate::drawing::view::{Extent, Series, View, together};
 use crate::geometry;
 use crate::scene::{DecimalMark, Scene};
 use crate::sheet::Sheet;
-use kurbo::{Point, Rect, Vec2};
+use kurbo::{Affine, Point, Rect, Vec2};
 
 /// Panels that a sheet holds.
 const MOST: usize = 6;
@@ -57,9 +57,17 @@ const BESIDE_AXIS: f64 = 1.2;
 pub fn paths(scene: &Scene, all: &PointPaths, pane: Option<Pane>) -> Result<Drawing, CurvesError> {
     let context = CurveContext::new(scene, all, pane);
     let unit = scene.units.length.as_str();
-    let panels = all.curves.iter().enumerate().map(|(index, one)| path_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.path_of(&one.name, unit));
-    sheet(&context, panels.collect(), NUMBERS, sentences.collect())
+    sheet(&context, &path_panels(&context, &all.curves), NUMBERS, sentences.collect())
+}
+
+/// Where [`paths`] draws its points: values of the drive with places in mm of the sheet, in pieces without a gap. For
+/// programs that mark the points while the drive moves.
+#[must_use]
+pub fn path_ways(scene: &Scene, all: &PointPaths, pane: Option<Pane>) -> Vec<Vec<(f64, Point)>> {
+    let context = CurveContext::new(scene, all, pane);
+    let pieces = all.curves.iter().map(|one| one.pieces.clone());
+    ways(&context, &path_panels(&context, &all.curves), NUMBERS, pieces)
 }
 
 /// The figure of the hodographs of some vectors, on the scene's page or on a part of a screen.
@@ -68,9 +76,47 @@ pub fn paths(scene: &Scene, all: &PointPaths, pane: Option<Pane>) -> Result<Draw
 /// There are too many for a sheet.
 pub fn hodographs(scene: &Scene, all: &Hodographs, pane: Option<Pane>) -> Result<Drawing, CurvesError> {
     let context = CurveContext::new(scene, all, pane);
-    let panels = all.curves.iter().enumerate().map(|(index, one)| hodograph_panel(&context, index, one));
     let sentences = all.curves.iter().map(|one| context.words.language.hodograph(one.asked.name()));
-    sheet(&context, panels.collect(), [0.0; 2], sentences.collect())
+    sheet(&context, &hodograph_panels(&context, &all.curves), [0.0; 2], sentences.collect())
+}
+
+/// Where [`hodographs`] draws the tips of its vectors, as [`path_ways`].
+#[must_use]
+pub fn hodograph_ways(scene: &Scene, all: &Hodographs, pane: Option<Pane>) -> Vec<Vec<(f64, Point)>> {
+    let context = CurveContext::new(scene, all, pane);
+    let on_plane = |piece: &Vec<(f64, geometry::Vector)>| {
+        piece.iter().map(|(value, tip)| (*value, geometry::Point::from(*tip))).collect()
+    };
+    let pieces = all.curves.iter().map(|one| one.pieces.iter().map(on_plane).collect());
+    ways(&context, &hodograph_panels(&context, &all.curves), [0.0; 2], pieces)
+}
+
+/// The pieces of the curves, one for each panel, on the sheet with these panels.
+fn ways(
+    context: &CurveContext<'_>,
+    panels: &[Panel<'_>],
+    numbers: [f64; 2],
+    pieces: impl Iterator<Item = Vec<Vec<(f64, geometry::Point)>>>,
+) -> Vec<Vec<(f64, Point)>> {
+    let enlarged = Affine::scale(context.dims.unit);
+    let on_sheet = |(placed, pieces): (Placed, Vec<Vec<(f64, geometry::Point)>>)| {
+        let view = placed.view(None);
+        let way = move |piece: Vec<(f64, geometry::Point)>| {
+            piece.into_iter().map(|(value, place)| (value, enlarged * view.at(place))).collect()
+        };
+        pieces.into_iter().map(way).collect::<Vec<_>>()
+    };
+    places(context, panels, numbers).into_iter().zip(pieces).flat_map(on_sheet).collect()
+}
+
+/// A panel for each path.
+fn path_panels<'a>(context: &'a CurveContext<'a>, all: &'a [PointPath]) -> Vec<Panel<'a>> {
+    all.iter().enumerate().map(|(index, one)| path_panel(context, index, one)).collect()
+}
+
+/// A panel for each hodograph.
+fn hodograph_panels<'a>(context: &'a CurveContext<'a>, all: &'a [Hodograph]) -> Vec<Panel<'a>> {
+    all.iter().enumerate().map(|(index, one)| hodograph_panel(context, index, one)).collect()
 }
 
 /// The panel of a point with the layers frame, scale, axes and path.
@@ -109,7 +155,7 @@ fn prefix(what: &str, index: usize) -> String {
 /// The sheet with these panels; its `sentences` are for readers who cannot see it.
 fn sheet(
     context: &CurveContext<'_>,
-    panels: Vec<Panel<'_>>,
+    panels: &[Panel<'_>],
     numbers: [f64; 2],
     sentences: Vec<String>,
 ) -> Result<Drawing, CurvesError> {
@@ -123,8 +169,7 @@ fn sheet(
     let center = middle + Vec2::new(-0.5 * line.width(CAPTION) - 2.2, -1.3);
     drawing.draw(Pen::Pole, Shape::Circle { center, radius: DOT });
     line.caption(&mut drawing, middle, 0.5);
-    let whole = Rect::new(free.edge, free.top, width - free.edge, height - free.edge - FOOT);
-    for (panel, placed) in panels.iter().zip(places(context, whole, &panels, numbers)) {
+    for (panel, placed) in panels.iter().zip(places(context, panels, numbers)) {
         panel.draw(&mut drawing, &placed, &context.scene.figure.labels, &context.dims, None);
     }
     drawing.description = format!("{}.", sentences.join("; "));
@@ -132,7 +177,9 @@ fn sheet(
 }
 
 /// The panels' places, in the number of columns that makes the paths largest.
-fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], [left, below]: [f64; 2]) -> Vec<Placed> {
+fn places(context: &CurveContext<'_>, panels: &[Panel<'_>], [left, below]: [f64; 2]) -> Vec<Placed> {
+    let ([width, height], free) = (context.dims.page, context.dims.free);
+    let whole = Rect::new(free.edge, free.top, width - free.edge, height - free.edge - FOOT);
     let in_columns = |columns: usize| -> Vec<Placed> {
         let rows = panels.len().div_ceil(columns);
         let width = (whole.width() + GAP) / columns as f64;
@@ -145,7 +192,7 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], [left, 
             area.x0 += left;
             area.y0 += HEADING - 4.0;
             area.y1 -= SCALE - 4.0 + below;
-            Placed::with_area(&panel.needs, frame, area, context.dims.unit)
+            Placed::with_area(&panel.needs, [frame, area], context.dims.unit, series(context))
         };
         panels.iter().enumerate().map(place).collect()
     };
@@ -166,9 +213,13 @@ fn places(context: &CurveContext<'_>, whole: Rect, panels: &[Panel<'_>], [left, 
 
 /// The scale of a panel, with its bar.
 fn scale(context: &CurveContext<'_>, sheet: Sheet, mu: f64) -> ScaleBar {
-    // On a screen nobody lays a ruler.
-    let series = if context.dims.has_title() { Series::Hand } else { Series::Any };
-    ScaleBars { words: context.words, units: context.scene.units, unit: context.dims.unit, series }.bar(sheet, mu)
+    let (units, unit, series) = (context.scene.units, context.dims.unit, series(context));
+    ScaleBars { words: context.words, units, unit, series }.bar(sheet, mu)
+}
+
+/// From which the scales are: on a screen nobody lays a ruler.
+fn series(context: &CurveContext<'_>) -> Series {
+    if context.dims.has_title() { Series::Ruler } else { Series::Any }
 }
 
 /// The layer with the scale of a panel.

@@ -11,4 +11,4 @@ mod locus;
 
 pub use chart::{curves, drive_ends};
 pub use context::CurvesError;
-pub use locus::{hodographs, paths};
+pub use locus::{hodograph_ways, hodographs, path_ways, paths};

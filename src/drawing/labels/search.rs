@@ -223,15 +223,16 @@ impl<'a> Search<'a> {
 
     /// The cost of what a leader crosses.
     pub(super) fn cost_of_leader(&self, leader: (Point, Point)) -> f64 {
-        let is_crossed = |line: &usize| crosses_line(self.obstacles.lines[*line], leader);
-        let lines = self.obstacles.lines_along(leader).into_iter().filter(is_crossed).count();
-        let clipped = Clipped::new(leader);
-        let boxes = self.obstacles.things_along(leader).map(|(other, is_text)| match is_text {
-            true if clipped.share_inside(other.inflate(LINE_GAP, LINE_GAP)) > 0.0 => STRUCK,
-            false if clipped.share_inside(other) > 0.0 => ACROSS[1],
-            _ => 0.0,
+        let (mut crossed, mut on_boxes, clipped) = (0, 0.0, Clipped::new(leader));
+        self.obstacles.each_line_along(leader, |line| crossed += usize::from(crosses_line(line, leader)));
+        self.obstacles.each_box_along(leader, |other, is_text| {
+            on_boxes += match is_text {
+                true if clipped.share_inside(other.inflate(LINE_GAP, LINE_GAP)) > 0.0 => STRUCK,
+                false if clipped.share_inside(other) > 0.0 => ACROSS[1],
+                _ => 0.0,
+            }
         });
-        ACROSS[0] * lines as f64 + boxes.sum::<f64>()
+        ACROSS[0] * crossed as f64 + on_boxes
     }
 
     /// The cost of other anchors that are not clearly farther from ink than its own.

@@ -1,4 +1,4 @@
-//! Nobody is kept out: what axe-core finds, in all panels, light and dark, on a screen and on a telephone.
+//! Nobody is kept out: what axe-core finds, in all panels and on the board, light and dark, on a screen and on a telephone.
 
 use super::bench::Bench;
 use support::{files, survey};
@@ -31,15 +31,23 @@ fn axe_finds_nothing() {
         if is_small {
             bench.telephone([360, 640]);
         }
+        let mut look_at = |bench: &mut Bench, place: &str| {
+            let violations = bench.value(&run(rules));
+            let violations = violations.as_array().expect("a list").iter();
+            let screen = if is_small { "telephone" } else { "screen" };
+            found.extend(violations.map(|v| format!("{look}, {screen}, {place}: {v}")));
+        };
         for panel in ["mechanism", "text", "figure", "values", "curves", "modes", "check", "exercise", "save"] {
             bench.value(&format!("kinegon.app.show('{panel}')"));
             bench.settle();
-            let violations = bench.value(&run(rules));
-            let violations = violations.as_array().expect("a list").iter();
-            found.extend(
-                violations.map(|v| format!("{look}, {}, {panel}: {v}", if is_small { "telephone" } else { "screen" })),
-            );
+            look_at(&mut bench, panel);
         }
+        // The board, with the tool that has most to choose.
+        bench.value("kinegon.app.show('mechanism'); kinegon.app.building.set(true)");
+        bench.click("#build [data-value=slider]");
+        bench.settle();
+        look_at(&mut bench, "board");
+        bench.value("kinegon.app.building.set(false)");
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
     bench.assert_quiet();

@@ -1,61 +1,75 @@
-//! A mechanism is put together on the board, from nothing: by mouse, by finger, by keys.
+//! A mechanism is put together on the board, from nothing, and changed.
 
 use super::bench::Bench;
+use nalgebra::Complex;
 use serde_json::{Value, json};
 
 /// Where a place of the scene is on the screen.
-fn on_screen(bench: &mut Bench, [x, y]: [f64; 2]) -> [f64; 2] {
+pub fn on_screen(bench: &mut Bench, [x, y]: [f64; 2]) -> [f64; 2] {
     let window = bench.value("JSON.parse(document.querySelector('#board').dataset.window)");
     let [centre_x, centre_y, scale] = [0, 1, 2].map(|k| window[k].as_f64().expect("a number"));
     let [middle_x, middle_y, ..] = bench.place("#board");
     [middle_x + (x - centre_x) * scale, middle_y - (y - centre_y) * scale]
 }
 
-fn drag(bench: &mut Bench, from: [f64; 2], to: [f64; 2]) {
+pub fn drag(bench: &mut Bench, from: [f64; 2], to: [f64; 2]) {
     let [from, to] = [from, to].map(|place| on_screen(bench, place));
     let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
     bench.drag(&[from, middle, to]);
     bench.settle();
 }
 
-fn click(bench: &mut Bench, at: [f64; 2]) {
+pub fn click(bench: &mut Bench, at: [f64; 2]) {
     let at = on_screen(bench, at);
     bench.take_hold(at);
     bench.let_go(at);
     bench.settle();
 }
 
-fn tool(bench: &mut Bench, name: &str) {
+pub fn tool(bench: &mut Bench, name: &str) {
     bench.click(&format!("#build .tools [data-value={name}]"));
     bench.settle();
 }
 
 /// A bench with an empty board.
-fn empty(name: &str) -> Option<Bench> {
+pub fn empty(name: &str) -> Option<Bench> {
     let mut bench = Bench::open(name)?;
     bench.panel("mechanism");
+    begin(&mut bench);
+    Some(bench)
+}
+
+/// Begins with an empty board; the panel of the mechanism is open.
+pub fn begin(bench: &mut Bench) {
     bench.press_named("#panel-mechanism", "New, empty");
     bench.until(
         "document.querySelector('#board').dataset.window !== undefined && document.activeElement.id === 'board'",
     );
     bench.settle();
-    Some(bench)
+}
+
+/// Where the points are, by name.
+pub fn places(bench: &mut Bench) -> Vec<(String, Complex<f64>)> {
+    let text = json!(bench.scene());
+    let all = bench.ask("places", &[text]);
+    let place = |point: &Value| {
+        let [x, y] = [0, 1].map(|axis| point["at"][axis].as_f64().expect("a number"));
+        (point["name"].as_str().expect("a name").to_owned(), Complex::new(x, y))
+    };
+    all.as_array().expect("places").iter().map(place).collect()
 }
 
 fn place_of(bench: &mut Bench, point: &str) -> [f64; 2] {
-    let text = json!(bench.scene());
-    let places = bench.ask("places", &[text]);
-    let found =
-        places.as_array().expect("places").iter().find(|place| place["name"] == *point).expect("a point").clone();
-    [0, 1].map(|axis| found["at"][axis].as_f64().expect("a number"))
+    let at = places(bench).into_iter().find(|(name, _)| name == point).expect("a point").1;
+    [at.re, at.im]
 }
 
-fn state(bench: &mut Bench) -> String {
+pub fn state(bench: &mut Bench) -> String {
     bench.text("document.querySelector('#build-state').textContent")
 }
 
 /// A four-bar linkage: three links, two fixed points, a drive.
-fn four_bar(bench: &mut Bench) {
+pub fn four_bar(bench: &mut Bench) {
     drag(bench, [0.0, 0.0], [20.0, 60.0]);
     drag(bench, [20.0, 60.0], [140.0, 90.0]);
     drag(bench, [140.0, 90.0], [160.0, 0.0]);

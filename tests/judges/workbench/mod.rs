@@ -4,7 +4,9 @@
 
 mod access;
 mod bench;
+mod board;
 mod build;
+mod built;
 mod bytes;
 mod course;
 mod documents;

@@ -145,6 +145,10 @@ pub struct View {
     #[serde(default)]
     #[schemars(skip_serializing_if = "Option::is_none")]
     pub focus: Option<Sheet>,
+    /// Points whose paths are drawn in the scheme besides those of the figure. What has no path is passed over.
+    #[serde(default)]
+    #[schemars(skip_serializing_if = "Vec::is_empty")]
+    pub trace: Vec<String>,
     /// How far the layout has gone from that of the last gesture to its own, from 0 to 1; none where it is there.
     #[serde(default)]
     #[schemars(skip_serializing_if = "Option::is_none")]
@@ -245,7 +249,7 @@ pub struct Place {
 pub struct Mode {
     /// Its number, as `kinegon modes` counts.
     pub number: usize,
-    /// The places of moving points, and angles of links, in words.
+    /// The places of moving points, and angles of links, in words; of many those alone that differ from the scene's own.
     pub shown: String,
     /// Whether it is that of the scene.
     pub is_own: bool,
@@ -284,6 +288,8 @@ pub struct Drawn {
     pub events: Vec<String>,
     /// The axis of the drive; none where nothing is drawn over it.
     pub axis: Option<DriveAxis>,
+    /// Ways of points and of tips of vectors, in pieces without a gap: the drive's value, x and y in mm.
+    pub ways: Vec<Vec<[f64; 3]>>,
 }
 
 /// Where the values of the drive are in graphs one above the other.

@@ -196,6 +196,11 @@ impl Kept {
                 } else if view.pane.is_some() && view.focus.is_some() {
                     own.scene.figure.focus = view.focus;
                 }
+                let further = view.trace.iter().filter(|point| !own.scene.figure.trace.contains(point));
+                let further =
+                    further.filter(|point| own.scene.check_traced(std::slice::from_ref(*point), None).is_ok());
+                let further: Vec<String> = further.cloned().collect();
+                own.scene.figure.trace.extend(further);
                 let modes = if view.modes { OtherModes::of(&own).ok() } else { None };
                 let steps = view.step.map(|_| if view.coarse { Steps::Coarse } else { Steps::Fine });
                 let held = self.held.as_ref().filter(|held| view.is_laid_out_as(&held.view));
@@ -203,7 +208,8 @@ impl Kept {
                     (Some(held), Some(_)) => held.layout.clone(),
                     (_, Some(pane)) => {
                         let positions = self.positions.get_or_insert_with(|| Positions::of(&own));
-                        HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()))
+                        let cycle = HeldLayout::of_positions(&own, positions, steps, modes.as_ref(), Some(pane.into()));
+                        cycle.at_rest(&own)
                     }
                     (_, None) => HeldLayout::of_figure(&own, steps, modes.as_ref()),
                 };

@@ -3,7 +3,7 @@ use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path, PointPaths, Sweep, says};
-use kinegon::drawing::{self, Drawing, curves, drive_ends, hodographs, paths};
+use kinegon::drawing::{self, Drawing, Point, curves, drive_ends, hodograph_ways, hodographs, path_ways, paths};
 use kinegon::format;
 use kinegon::order_of_result;
 use kinegon::quantity::step_pencil;
@@ -103,6 +103,24 @@ struct Course {
     events: Vec<String>,
     /// The values of the drive at the edges of graphs over it.
     ends: Option<[f64; 2]>,
+    /// Where on the sheet points and tips go with the drive.
+    ways: Vec<Vec<(f64, Point)>>,
+}
+
+/// Places of a way closer than this are left out, in mm: between the others they are on a straight line.
+const APART: f64 = 0.2;
+
+/// The places of a way as a page has them.
+fn thinned(way: &[(f64, Point)]) -> Vec<[f64; 3]> {
+    let mut kept: Vec<&(f64, Point)> = Vec::new();
+    for (index, place) in way.iter().enumerate() {
+        let is_far = kept.last().is_none_or(|last| last.1.distance(place.1) >= APART);
+        if is_far || index + 1 == way.len() {
+            kept.push(place);
+        }
+    }
+    let hundredths = |mm: f64| (100.0 * mm).round() / 100.0;
+    kept.into_iter().map(|(value, at)| [*value, hundredths(at.x), hundredths(at.y)]).collect()
 }
 
 impl Desk {
@@ -140,11 +158,12 @@ impl Desk {
     /// What is drawn over the cycle, on the scene's page or on a part of the screen.
     pub fn curves(&mut self, text: &str, of: &OverCycle, pane: Option<Pane>) -> Result<Drawn, Refused> {
         let (kept, language) = self.kept_with_language(text)?;
-        let Course { sheet, events, ends } =
+        let Course { sheet, events, ends, ways } =
             kept.over_cycle(of, pane.map(Into::into), language).map_err(|error| kept.refused(error))?;
         let areas = sheet.panels.iter().map(|(_, area)| [area.x0, area.y0, area.width(), area.height()]);
         let axis = ends.map(|[low, high]| DriveAxis { low, high, areas: areas.collect() });
-        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis })
+        let ways = ways.iter().map(|way| thinned(way)).collect();
+        Ok(Drawn { svg: sheet.svg(), width: sheet.width, height: sheet.height, events, axis, ways })
     }
 }
 
@@ -230,7 +249,7 @@ impl Kept {
         let scene = &self.scene;
         let (mut path, range) = self.path()?;
         let range = path.shown_range(range);
-        let mut ends = None;
+        let (mut ends, mut ways) = (None, Vec::new());
         let sheet = match of {
             OverCycle::Curves { curves: names } => {
                 let names = if names.is_empty() { scene.want.as_deref() } else { Some(names.as_slice()) };
@@ -241,13 +260,19 @@ impl Kept {
             OverCycle::Path { path: points, beyond_limits } => {
                 scene.check_traced(points, None)?;
                 let sampled = PointPaths::new(&path, range, points)?;
-                paths(scene, &if *beyond_limits { sampled.beyond_limits()? } else { sampled }, pane)
+                let sampled = if *beyond_limits { sampled.beyond_limits()? } else { sampled };
+                ways = path_ways(scene, &sampled, pane);
+                paths(scene, &sampled, pane)
             }
-            OverCycle::Hodograph { hodograph } => hodographs(scene, &Hodographs::new(&path, range, hodograph)?, pane),
+            OverCycle::Hodograph { hodograph } => {
+                let sampled = Hodographs::new(&path, range, hodograph)?;
+                ways = hodograph_ways(scene, &sampled, pane);
+                hodographs(scene, &sampled, pane)
+            }
         };
         let mut words = Wording::of(&scene.figure);
         words.language = language.map_or(words.language, Language::of);
         let events = path.happenings(range, &words).into_iter().chain(path.limits(None, &words)).collect();
-        Ok(Course { sheet: sheet?, events, ends })
+        Ok(Course { sheet: sheet?, events, ends, ways })
     }
 }

@@ -173,6 +173,10 @@ impl Gesture {
                     .map(|moved| self.now = moved)
                     .err()
                     .map(|error| words.language.says(&error.problem().message));
+                // On paper a layout is that of the file, and stays.
+                if self.view.pane.is_some() {
+                    self.staged.stage.in_motion(&self.now);
+                }
                 limit.into_iter().chain(singular).collect()
             }
             Hold::Shape { reshape, text } => {

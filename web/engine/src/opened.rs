@@ -70,9 +70,10 @@ impl Desk {
         if let Some(language) = language {
             words.language = Language::of(language);
         }
+        let standing = format::mode(mechanism, own, &words);
         let modes = listed.poses.iter().zip(1..).map(|(pose, number)| Mode {
             number,
-            shown: format::mode(mechanism, pose, &words).join("\n"),
+            shown: apart(&format::mode(mechanism, pose, &words), &standing),
             is_own: own.is_same_as(pose),
         });
         Ok(modes.collect())
@@ -97,6 +98,25 @@ impl Desk {
         });
         Ok(rows.collect())
     }
+}
+
+/// Most places and angles that are told of a mode: of hundreds of links all modes would fill tens of megabytes.
+const MOST_TOLD: usize = 24;
+
+/// The lines of a mode: whole where they are short, else what differs from those of the scene's own.
+fn apart(lines: &[String], own: &[String]) -> String {
+    let told = |(line, own): (&String, &String)| {
+        let all: Vec<&str> = line.split("  ").collect();
+        if all.len() <= MOST_TOLD {
+            return line.clone();
+        }
+        let others = all.iter().zip(own.split("  ")).filter(|(part, own)| *part != own).map(|(part, _)| *part);
+        let others: Vec<&str> = others.collect();
+        let parts = if others.is_empty() { &all } else { &others };
+        let more = if parts.len() > MOST_TOLD { "  …" } else { "" };
+        parts[..parts.len().min(MOST_TOLD)].join("  ") + more
+    };
+    lines.iter().zip(own).map(told).collect::<Vec<_>>().join("\n")
 }
 
 /// Whether a panel has something to show.

@@ -66,7 +66,8 @@ export function toolRows(app: App, model: Model, back: () => void): HTMLElement 
     out.setAttribute("aria-label", say("smaller"));
     nearer.setAttribute("aria-label", say("larger"));
   });
-  const root = element("div", { class: "tools" }, tools.root, choices, element("div", { class: "seen" }, snaps, photoButtons(app, model, back), out, whole, nearer));
+  const seen = element("div", { class: "seen" }, snaps, photoButtons(app, model, back), out, whole, nearer);
+  const root = element("div", { class: "tools" }, tools.root, element("div", { class: "second" }, choices, seen));
 
   model.tool.on((tool) => {
     tools.mark(tool);

@@ -4,7 +4,7 @@ import { allPoints, at, groundOf, isDrawn, linksOf, pointsOn, type Draft } from 
 import { said } from "../refused.ts";
 import { say } from "./words.ts";
 
-interface Mobility {
+export interface Mobility {
   links: number;
   /** What joints take away. */
   taken: number;
@@ -14,7 +14,7 @@ interface Mobility {
 }
 
 /** A pin takes two for each link beyond its first, a block on a guide two, a pin in a slot one. */
-function mobility(scene: Draft): Mobility {
+export function mobility(scene: Draft): Mobility {
   const links = linksOf(scene);
   const bodies = new Map(allPoints(scene).map((name) => [name, 0]));
   for (const carrier of ["ground", ...links]) for (const name of pointsOn(scene, carrier)) bodies.set(name, (bodies.get(name) ?? 0) + 1);
@@ -26,7 +26,7 @@ function mobility(scene: Draft): Mobility {
 }
 
 /** Whether anything stands still. */
-function hasGround(scene: Draft): boolean {
+export function hasGround(scene: Draft): boolean {
   const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
   return groundOf(scene).length > 0 || sliders.some((slider) => at(slider, ["on"]) === "ground");
 }

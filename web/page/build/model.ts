@@ -64,6 +64,9 @@ export interface Model {
 
 export const NOTHING: Chosen = { points: new Set(), links: new Set() };
 
+/** Points that are closer than so many steps of the grid are in one place. */
+const SAME = 0.05;
+
 /** Half the width of a block, in the height of letters. */
 const BLOCK = 0.8;
 
@@ -113,24 +116,25 @@ export function model(app: App): Model {
 
   function press(place: Place, reach: number): Press {
     const there = present();
-    if (there === null) return { at: own.rounded(place, snaps.value), under: place, point: null, link: null };
+    const grid = own.rounded(place, snaps.value);
+    if (there === null) return { at: grid, under: place, point: null, link: null };
     const { scene, places } = there;
     const far = reach / own.now.value.scale;
-    const point = pointAt(places, place, far);
+    // No second point comes to lie where one is.
+    const point = pointAt(places, place, far) ?? pointAt(places, grid, SAME * own.grid().fine);
     const link = linkAt(scene, places, place, far, (BLOCK * letters()) / own.now.value.scale);
-    return { at: point === null ? own.rounded(place, snaps.value) : places.get(point)!, under: place, point, link };
+    return { at: point === null ? grid : places.get(point)!, under: place, point, link };
   }
 
+  /** Whether it is still said what was needed last. */
+  let hasTold = false;
   async function make(follows: Follows, gesture: string = newId()): Promise<boolean> {
-    if (typeof follows === "string") {
-      app.tell(say(follows));
-      return false;
-    }
     if (follows.length === 0) return false;
-    const refused = await edit(app, follows, gesture);
-    if (refused !== null) app.tell(said(refused));
+    const why = typeof follows === "string" ? say(follows) : await edit(app, follows, gesture).then((refused) => refused && said(refused));
+    if (why !== null || hasTold) app.tell(why ?? "");
+    hasTold = why !== null;
     await fresh();
-    return refused === null;
+    return why === null;
   }
 
   function hold(names: Iterable<string>): Held {

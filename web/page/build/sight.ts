@@ -32,8 +32,8 @@ export interface Sight {
 
 /** Least distance of the grid's lines, in pixels. */
 const APART = 13;
-/** White around what is fitted, in pixels. */
-const WHITE = 70;
+/** White on each side of what is fitted: in pixels, and at most in parts of the board. */
+const [WHITE, SHARE] = [70, 0.12];
 
 export function sight(): Sight {
   const now = signal<Sighted>({ centre: [0, 0], scale: 3 });
@@ -74,7 +74,7 @@ export function sight(): Sight {
       const [left, right] = places.length === 0 ? [-0.2 * room, 0.8 * room] : [Math.min(...across), Math.max(...across)];
       const [low, high] = places.length === 0 ? [-0.2 * room, 0.4 * room] : [Math.min(...up), Math.max(...up)];
       const [wide, tall] = [Math.max(right - left, 0.2 * room, 1e-9), Math.max(high - low, 0.2 * room, 1e-9)];
-      const inner = (side: number): number => Math.max(side - 2 * WHITE, 0.4 * side);
+      const inner = (side: number): number => side - 2 * Math.min(WHITE, SHARE * side);
       const scale = Math.min(inner(size.width) / wide, inner(size.height) / tall);
       now.set({ centre: [(left + right) / 2, (low + high) / 2], scale });
     },

@@ -1,17 +1,10 @@
 /**
  * Puts a drawing into the page in place of the one before, and leaves what has stayed: while a mechanism moves, most elements are the same with
  * other numbers. The browser then neither makes nor styles them anew.
- *
- * The engine writes one element a line; groups have their opening and their end on lines of their own.
  */
+import { drafts, keyOf, piecesOf, textOf, type Draft } from "./drafts.ts";
 
-/** What a line says: an element, and where it opens a group what is in that. */
-interface Draft {
-  line: string;
-  inner: Draft[] | null;
-}
-
-/** The same in the page. */
+/** A draft in the page. */
 interface Part {
   line: string;
   key: string;
@@ -40,37 +33,9 @@ export function patch(root: SVGElement, markup: string): void {
   known.set(root, aligned(root, before, next));
 }
 
-/** The tree of the lines; null where they are no tree. */
-function drafts(markup: string): Draft[] | null {
-  const top: Draft[] = [];
-  const open = [top];
-  for (const line of markup.split("\n")) {
-    if (line === "") continue;
-    if (line === "</g>") open.pop();
-    else {
-      const isGroup = line.startsWith("<g") && line.lastIndexOf("<") === 0 && !line.endsWith("/>");
-      const inner: Draft[] | null = isGroup ? [] : null;
-      open.at(-1)?.push({ line, inner });
-      if (inner !== null) open.push(inner);
-    }
-    if (open.length === 0) return null;
-  }
-  return open.length === 1 ? top : null;
-}
-
 /** Whether so much may have stayed that it is worth looking for. */
 function isAlike(before: Part[], next: Draft[]): boolean {
   return Math.abs(before.length - next.length) <= AHEAD && before[0]?.key === keyOf(next[0]);
-}
-
-/** By what a part is found again: its id, the style of a group, the kind and the words of anything else. */
-function keyOf(draft: Draft | undefined): string {
-  if (draft === undefined) return "";
-  const { line, inner } = draft;
-  const id = / id="[^"]*"/.exec(line)?.[0];
-  if (id !== undefined) return id;
-  if (inner !== null) return line;
-  return line.startsWith("<text") ? line.replace(/<[^>]*>/g, "") : (/^<\w+/.exec(line)?.[0] ?? "");
 }
 
 function partsOf(parent: Element, all: Draft[]): Part[] {
@@ -80,8 +45,6 @@ function partsOf(parent: Element, all: Draft[]): Part[] {
 function partOf(element: Element, draft: Draft): Part {
   return { line: draft.line, key: keyOf(draft), element, inner: draft.inner && partsOf(element, draft.inner) };
 }
-
-const textOf = ({ line, inner }: Draft): string => (inner === null ? line : `${line}\n${inner.map((draft) => `${textOf(draft)}\n`).join("")}</g>`);
 
 const holder = document.createElementNS("http://www.w3.org/2000/svg", "svg");
 
@@ -150,7 +113,6 @@ function renumbered(part: Part, to: string): boolean {
   });
 }
 
-const piecesOf = (line: string): string[] => line.match(/<[^>]*>|[^<]+/g) ?? [];
 const ATTRIBUTES = /[\w:-]+="[^"]*"/g;
 
 /** The same for one element. */

@@ -1,6 +1,6 @@
 import { signal, type Signal } from "../state/signal.ts";
 import type { Engine } from "./engine.ts";
-import { hand, type Watch } from "./hand.ts";
+import { hand, type Hand, type Watch } from "./hand.ts";
 
 /** The engine as the page calls it: every function answers later, and rejects with {@link Refused}. */
 export type EngineClient = {
@@ -16,7 +16,7 @@ export function startEngine(
   script: string,
   module: WebAssembly.Module,
   restarted: Watch["restarted"],
-): { engine: EngineClient; busy: Signal<boolean> } {
+): { engine: EngineClient; busy: Signal<boolean>; stop(): void } {
   const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   const busy = signal(false);
   const working = new Set<string>();
@@ -30,13 +30,13 @@ export function startEngine(
       },
     });
   const first = named("picture");
-  let second: typeof first | undefined;
-  let third: typeof first | undefined;
+  let second: Hand | undefined;
+  let third: Hand | undefined;
   const call = (name: string) => (...given: unknown[]) => {
-    if (AT_ONCE.has(name)) return first(name, given);
-    return OF_PHOTOGRAPHS.has(name) ? (third ??= named("photographs"))(name, given) : (second ??= named("panels"))(name, given);
+    if (AT_ONCE.has(name)) return first.call(name, given);
+    return (OF_PHOTOGRAPHS.has(name) ? (third ??= named("photographs")) : (second ??= named("panels"))).call(name, given);
   };
   // A promise asks what it resolves with for `then`; the engine has none.
   const engine = new Proxy({}, { get: (_, name) => (name === "then" ? undefined : call(String(name))) }) as EngineClient;
-  return { engine, busy };
+  return { engine, busy, stop: () => [first, second, third].forEach((each) => each?.stop()) };
 }

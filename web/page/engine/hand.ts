@@ -19,8 +19,18 @@ interface Waiting {
 export interface Watch {
   /** It works longer than it takes to notice, or is idle again. */
   busy(is: boolean): void;
-  /** It fell or took too long, and was started again. The answer is what the caller is told. */
-  restarted(why: "fell" | "too_slow", during: string): string;
+  /** It was started again. The answer is what the caller is told. */
+  restarted(why: Why, during: string): string;
+}
+
+/** Why an engine is started again: it fell, took too long, or somebody would not wait. */
+export type Why = "fell" | "too_slow" | "stopped";
+
+/** One worker with one engine. */
+export interface Hand {
+  call(name: string, given: unknown[]): Promise<unknown>;
+  /** Breaks off what is under way, if anything is, with all that waits for it. */
+  stop(): void;
 }
 
 /** A refusal that is about no place in a text. */
@@ -33,9 +43,9 @@ export const lastTook = { ms: 0 };
 
 /**
  * One worker with one engine. Calls are answered in their order, one at a time; those that wait stay on this side, so that
- * nothing but the running call is lost when the engine has to be started again.
+ * nothing but the running call is lost when the engine has to be started again by itself.
  */
-export function hand(address: string, module: WebAssembly.Module, watch: Watch): (name: string, given: unknown[]) => Promise<unknown> {
+export function hand(address: string, module: WebAssembly.Module, watch: Watch): Hand {
   const queue: Waiting[] = [];
   let running: Waiting | undefined;
   let clock = 0;
@@ -62,12 +72,13 @@ export function hand(address: string, module: WebAssembly.Module, watch: Watch):
     return call;
   }
 
-  function fall(why: "fell" | "too_slow"): void {
+  function fall(why: Why): void {
     worker.terminate();
     const call = settle();
     worker = started();
     const told = watch.restarted(why, call?.name ?? "");
     call?.refused(refusal(told));
+    if (why === "stopped") for (const waiting of queue.splice(0)) waiting.refused(refusal(told));
     next();
   }
 
@@ -92,9 +103,14 @@ export function hand(address: string, module: WebAssembly.Module, watch: Watch):
     worker.postMessage({ name, given, language: language.value }, given.flatMap((one) => (one instanceof Uint8Array ? [one.buffer] : [])));
   }
 
-  return (name, given) =>
-    new Promise((done, refused) => {
-      queue.push({ name, given, done, refused });
-      next();
-    });
+  return {
+    call: (name, given) =>
+      new Promise((done, refused) => {
+        queue.push({ name, given, done, refused });
+        next();
+      }),
+    stop() {
+      if (running !== undefined) fall("stopped");
+    },
+  };
 }

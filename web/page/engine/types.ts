@@ -487,6 +487,10 @@ export interface View {
    */
   focus?: Panel | null;
   /**
+   * Points whose paths are drawn in the scheme besides those of the figure. What has no path is passed over.
+   */
+  trace?: string[];
+  /**
    * How far the layout has gone from that of the last gesture to its own, from 0 to 1; none where it is there.
    */
   eased?: number | null;
@@ -722,7 +726,7 @@ export interface Mode {
    */
   number: number;
   /**
-   * The places of moving points, and angles of links, in words.
+   * The places of moving points, and angles of links, in words; of many those alone that differ from the scene's own.
    */
   shown: string;
   /**
@@ -767,6 +771,10 @@ export interface Curves {
    * The axis of the drive; none where nothing is drawn over it.
    */
   axis: DriveAxis | null;
+  /**
+   * Ways of points and of tips of vectors, in pieces without a gap: the drive's value, x and y in mm.
+   */
+  ways: [number, number, number][][];
 }
 /**
  * Where the values of the drive are in graphs one above the other.

@@ -2,6 +2,7 @@ import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { icon } from "../dom/icon.ts";
+import { calmed } from "../dom/piles.ts";
 import { askedFor } from "../files/open.ts";
 import { lesson } from "../state/lesson.ts";
 import type { Kept, Store } from "../state/storage.ts";
@@ -9,6 +10,9 @@ import { parsed } from "../panels/parts/scene.ts";
 import { language } from "../words.ts";
 import { openFile, READABLE } from "./brought.ts";
 import { say } from "./words.ts";
+
+/** So many letters of a title stand in the toolbar; it cuts them to what fits. */
+const LONGEST = 200;
 
 /** The menu below the title: open a file, or what was worked on before. */
 export function documents(app: App, store: Store): void {
@@ -44,7 +48,7 @@ export function documents(app: App, store: Store): void {
   const title = (): void => {
     // On the board another mechanism may stand than the last that was complete.
     const own = app.building.value ? parsed(app.history.now.value.text)?.["title"] : app.solved.value.opened?.title;
-    const text = (typeof own === "string" ? own : "") || say("untitled");
+    const text = calmed(typeof own === "string" ? own : "").slice(0, LONGEST) || say("untitled");
     byId("title").textContent = text;
     // In full screen the toolbar is away, but the page still has a name.
     document.title = byId("name").textContent = `${text} – Kinegon`;

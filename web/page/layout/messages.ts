@@ -79,6 +79,17 @@ export function notice(message: string, act?: [string, () => void]): void {
   byId("said").textContent = message;
 }
 
+/** Says that the course does not take the marks, until it does. */
+export function courseNotices(app: App): void {
+  const { course } = app;
+  let isTold = false;
+  course?.isDeaf.on((is) => {
+    if (is) notice(say("course_deaf"), [say("course_again"), course.again]);
+    else if (isTold) notice(say("course_hears"));
+    isTold = is;
+  });
+}
+
 /** Says something aloud only, where the page shows it in another way. */
 export function speak(message: string): void {
   byId("spoken").textContent = message;

@@ -1,6 +1,6 @@
 import type { App } from "../app.ts";
 import type { Picture } from "../engine/types.ts";
-import type { Gestures } from "../picture/gesture.ts";
+import type { Gesture, Gestures } from "../picture/gesture.ts";
 import { courseOf, following, type Course } from "./course.ts";
 import type { Drives } from "./drives.ts";
 import { SECONDS } from "./play.ts";
@@ -44,6 +44,7 @@ export function filming(app: App, gestures: Gestures, drives: Drives): App["film
       made.ondataavailable = ({ data }) => void parts.push(data);
       const way = wayOf(course);
       const seconds = SECONDS * course.turns;
+      await still(app, held, way(0));
       const broken = (): Broken | null => {
         if (!held.isHeld()) return "taken";
         if (document.hidden) return "hidden";
@@ -98,6 +99,16 @@ async function painter(app: App, canvas: HTMLCanvasElement, fonts: string): Prom
   };
   await paint();
   return paint;
+}
+
+/** Waits until plans that were larger at rest have the scales that they keep while they move. */
+async function still(app: App, held: Gesture, value: number): Promise<void> {
+  for (let before = ""; held.isHeld() && app.picture.value!.svg !== before; ) {
+    const shown = app.picture.value!;
+    before = shown.svg;
+    held.pull({ value });
+    while (held.isHeld() && app.picture.value === shown) await new Promise(requestAnimationFrame);
+  }
 }
 
 /** The drive's value after a share of the film: all the way round, or to its ends and back. */

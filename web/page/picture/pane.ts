@@ -2,7 +2,8 @@ import type { App } from "../app.ts";
 import { byId } from "../dom/find.ts";
 import type { Picture } from "../engine/types.ts";
 import { isDark } from "../layout/theme.ts";
-import { fill, forDark } from "./sheet.ts";
+import { forDark } from "./dark.ts";
+import { fill } from "./sheet.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Draws the picture that the app shows, through the window onto the sheet. */

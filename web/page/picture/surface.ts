@@ -35,12 +35,16 @@ export function surface(app: App, view: Viewport, lesson: Signal<boolean>): Sign
     document.body.classList.toggle("worded", pane.words);
     byId("pane").classList.toggle("on-paper", app.paper.value);
     const focus = app.focus.value;
-    const next: View = { ...app.view.value, ...(app.paper.value ? {} : { pane, ...(focus === "" ? {} : { focus }) }) };
+    const trace = app.traced.value;
+    // On paper it is the file that is saved, and no more.
+    const onScreen = { pane, ...(focus === "" ? {} : { focus }), ...(trace.length === 0 ? {} : { trace }) };
+    const next: View = { ...app.view.value, ...(app.paper.value ? {} : onScreen) };
     sight.set(next);
   }
   app.view.on(look);
   app.paper.on(look);
   app.focus.on(look);
+  app.traced.on(look);
   // Buttons stand above the picture; in full screen they come and go over it.
   const buttons = byId("look");
   const keepFree = (): void => view.keepFree(lesson.value ? null : buttons.offsetTop + buttons.offsetHeight + BELOW_BUTTONS);

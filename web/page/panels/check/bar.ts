@@ -27,7 +27,7 @@ export function bar(goTo: { result(): void; firstOff(): void }): { root: HTMLEle
   return {
     root,
     show({ checked, refused, isChecking }, filled, all) {
-      const isOff = checked?.result?.passed === false;
+      const isOff = checked?.result?.values.some((value) => value.verdict === "off") === true;
       root.classList.toggle("busy", isChecking);
       off.textContent = say("first_off");
       more.textContent = say("to_result");

@@ -60,8 +60,8 @@ export function checking(app: App): Checking {
 
   /** Tells a course the marks; those of a scheme that somebody brings are none of its. */
   function tell(file: FormFile, { result }: Checked): void {
-    const marks = result?.["marks"] as { earned: number; of: number } | undefined;
-    if (marks === undefined || scheme.value !== null) return;
+    const marks = result?.marks;
+    if (marks == null || scheme.value !== null) return;
     app.course?.report(marks.earned, marks.of, filledNames(file).length >= Object.keys(file.values ?? {}).length);
   }
 

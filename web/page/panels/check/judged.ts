@@ -1,7 +1,7 @@
 import type { Form } from "../../engine/types.ts";
 import type { Verdicts } from "./checking.ts";
 import { filledNames, type FormFile } from "./form.ts";
-import { fault, type Verdict } from "./verdict.ts";
+import { fault, kindOf, type Verdict } from "./verdict.ts";
 import { say } from "./words.ts";
 
 /** What stands beside a box: the verdict on its value, and the value that marked points give where none is written. */
@@ -16,8 +16,8 @@ export function judged(file: FormFile, form: Form, { checked }: Verdicts, unchec
   const found = new Map<string, Judged>();
   checked?.parts?.rows.forEach(({ name, cells }, index) => {
     if (found.has(name)) return;
-    const value = (checked.result?.["values"] as { verdict: Verdict["kind"]; value: number }[] | undefined)?.[index];
-    const kind = value?.verdict ?? "unjudged";
+    const value = checked.result?.values[index];
+    const kind = kindOf(value?.verdict ?? "");
     const hint = kind === "sense-missing" ? say("choose_sense") : null;
     const isWritten = filled.has(name);
     found.set(name, { verdict: { kind, words: plain(cells[7]), hint }, fromPoints: isWritten ? null : String(Number(value?.value.toPrecision(4))) });

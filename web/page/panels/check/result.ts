@@ -75,8 +75,10 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
   function told(checked: Checked, isFull: boolean): Node[] {
     const { parts } = checked;
     if (parts === null) return [];
-    const kind = checked.result?.passed === true ? "good" : "bad";
-    const more = [...(parts.senses === null ? [] : [say("choose_senses")]), ...parts.further];
+    const isOff = checked.result?.values.some((value) => value.verdict === "off") === true || (checked.result?.mirrored ?? []).length > 0;
+    const kind = checked.result?.passed === true ? "good" : isOff ? "bad" : "open";
+    const missing = isFull || parts.missing === null ? [] : [parts.missing];
+    const more = [...missing, ...parts.rests_on, ...(parts.senses === null ? [] : [say("choose_senses")]), ...parts.further];
     return [
       ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),
       fragment("p", parts.heading, `heading ${kind}`),

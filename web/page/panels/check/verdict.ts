@@ -4,7 +4,7 @@ import { say } from "./words.ts";
 
 /** A verdict beside a value: a sign, a colour (by its kind) and words. */
 export interface Verdict {
-  kind: "right" | "within-tolerance" | "off" | "sense-missing" | "unjudged" | "fault" | "writing";
+  kind: "right" | "within-tolerance" | "off" | "sense-missing" | "too-coarse" | "unjudged" | "fault" | "writing";
   words: string;
   /** What to try. */
   hint: string | null;
@@ -15,10 +15,16 @@ export const SIGNS: Record<Verdict["kind"], string> = {
   "within-tolerance": "≈",
   off: "✗",
   "sense-missing": "?",
+  "too-coarse": "–",
   unjudged: "–",
   fault: "!",
   writing: "…",
 };
+
+/** The kind of a verdict that has this name in results. */
+export function kindOf(name: string): Verdict["kind"] {
+  return Object.hasOwn(SIGNS, name) ? (name as Verdict["kind"]) : "unjudged";
+}
 
 /** Shows a verdict in its place; none where there is none. */
 export function showVerdict(place: HTMLElement, verdict: Verdict | null): void {

@@ -56,6 +56,13 @@ export function fitted(choice: Choice, opened: Opened): Choice {
   return { ...choice, names: { curves: names("curves"), hodograph: names("hodograph"), path: names("path") } };
 }
 
+/** The points of which paths are drawn, or whose motion is. */
+export function tracedOf({ kind, names }: Choice, { quantities, traceable }: Opened): string[] {
+  if (kind === "path") return names.path;
+  const subjects = new Set(quantities.filter(({ name, of }) => of === "point" && names[kind].includes(name)).map(({ inside }) => inside));
+  return traceable.filter((point) => subjects.has(point));
+}
+
 /** The request for what is chosen. */
 export function wantedOf({ kind, names, beyond }: Choice): OverCycle {
   switch (kind) {

@@ -10,7 +10,7 @@ import { keepCurrent } from "../output/current.ts";
 import { ENDINGS, type FileFormat, fileOf, PICTURES, TYPES } from "../output/formats.ts";
 import { oneOf } from "../output/one_of.ts";
 import { sheet } from "../output/sheet.ts";
-import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, offeredNames, wantedOf } from "./choice.ts";
+import { type Choice, columnsOf, fitted, type Kind, KINDS, offered, offeredNames, tracedOf, wantedOf } from "./choice.ts";
 import { choices, points, ticked } from "./chooser.ts";
 import { follow } from "./follow.ts";
 import { place } from "./place.ts";
@@ -33,6 +33,13 @@ export const curves: Panel = {
       contents.hidden = opened.is_drawn;
       choice.set(fitted(choice.value, opened));
     });
+    // The paths are in the picture of the mechanism, too, as long as somebody looks at curves.
+    const trace = (): void => {
+      const { opened } = app.solved.value;
+      const next = opened === null || opened.is_drawn || app.shown.value !== curves.id ? [] : tracedOf(choice.value, opened);
+      if (next.join("\n") !== app.traced.value.join("\n")) app.traced.set(next);
+    };
+    for (const one of [app.solved, app.shown, choice] as Pick<Signal<unknown>, "on">[]) one.on(trace);
   },
 };
 
@@ -81,7 +88,7 @@ function picture(app: App, choice: Chosen): HTMLElement {
   let shown: Curves | null = null;
   const message = element("p", { role: "alert", class: "bad" });
   const drawing = sheet(false);
-  follow(app, drawing, () => shown?.axis ?? null);
+  follow(app, drawing, () => shown);
   const room = element("div");
   const pane = place(app, curves.id, room, drawing.root);
   const events = element("ul", { class: "events" });

@@ -1,4 +1,5 @@
 import type { App, Panel } from "../../app.ts";
+import { chunks } from "../../dom/chunks.ts";
 import { element } from "../../dom/element.ts";
 import { tick, worded } from "../../dom/worded.ts";
 import type { Mode } from "../../engine/types.ts";
@@ -45,7 +46,8 @@ export const modes: Panel = {
 async function show(list: HTMLElement, app: App, text: string, found: Mode[]): Promise<void> {
   const hadFocus = list.contains(document.activeElement);
   const pictures = found.slice(0, MOST_PICTURES).map(() => sheet(false, { "aria-hidden": "true" }));
-  list.replaceChildren(...found.map((mode, index) => choice(mode, pictures[index], () => void choose(app, text, mode.number))));
+  const choices = chunks(found, "5rem", (mode) => choice(mode, pictures[mode.number - 1], () => void choose(app, text, mode.number)));
+  list.replaceChildren(...choices.roots);
   if (hadFocus) list.querySelector<HTMLInputElement>("input:checked")?.focus();
   for (const [index, picture] of pictures.entries()) {
     // What was changed meanwhile is drawn by the next run.

@@ -1,6 +1,6 @@
 import { element } from "../../dom/element.ts";
 import { isDark } from "../../layout/theme.ts";
-import { forDark } from "../../picture/sheet.ts";
+import { forDark } from "../../picture/dark.ts";
 
 /** A box on a sheet: x, y, width, height in mm. */
 export type Box = [number, number, number, number];

@@ -1,6 +1,7 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { icon } from "../../dom/icon.ts";
+import { calmed } from "../../dom/piles.ts";
 import type { Edit } from "../../engine/types.ts";
 import { evaluated, shownNumber, stepped } from "../../number.ts";
 import { edit } from "./edits.ts";
@@ -78,7 +79,7 @@ function textInput(app: App, field: TextField): Live {
     root,
     show(scene) {
       const value = at(scene, field.path);
-      const text = typeof value === "string" ? value : "";
+      const text = calmed(typeof value === "string" ? value : "");
       if (input.value !== text) input.value = text;
     },
   };

@@ -6,7 +6,7 @@ import { bracketMatching, foldGutter, foldKeymap, indentOnInput, indentUnit } fr
 import { lintGutter, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { Annotation, Compartment, EditorState, type Extension } from "@codemirror/state";
-import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, highlightSpecialChars, keymap, lineNumbers } from "@codemirror/view";
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
@@ -16,6 +16,7 @@ import { smallest } from "./change.ts";
 import { edited, endsOf, filed, placed } from "./ends.ts";
 import { look } from "./look.ts";
 import { meanings, offers } from "./offers.ts";
+import { piles } from "./piles.ts";
 import { say, SPANISH } from "./words.ts";
 
 /** How long after a letter the scene is solved, and after how long a pause typing is a new entry of undo, in ms. */
@@ -42,7 +43,7 @@ export function textEditor(parent: HTMLElement, app: App): TextEditor {
       { key: "Ctrl-Shift-z", run: undone("redo"), preventDefault: true },
       ...closeBracketsKeymap, ...completionKeymap, ...searchKeymap, ...foldKeymap, ...lintKeymap, ...defaultKeymap,
     ]),
-    lineNumbers(), foldGutter(), lintGutter(), highlightActiveLineGutter(), highlightActiveLine(), drawSelection(),
+    lineNumbers(), foldGutter(), lintGutter(), highlightActiveLineGutter(), highlightActiveLine(), drawSelection(), highlightSpecialChars(), piles,
     json(), indentUnit.of("  "), indentOnInput(), bracketMatching(), closeBrackets(), highlightSelectionMatches(), search({ top: true }),
     offers, meanings, look, phrases.of([]),
     EditorView.lineWrapping,

@@ -1,0 +1,193 @@
+//! Marks for nothing: forms filled in by somebody who has drawn nothing and knows only the names of the boxes. They must
+//! earn what chance gives, and never pass.
+
+use kinegon::Sheet;
+use kinegon::Solution;
+use kinegon::check::{
+    AnswerKey, Given, MarkScheme, Marks, Measured, PlacedPoint, PointsOf, Positive, Prepared, Verdict, form_names,
+};
+use support::files;
+use support::random::Random;
+use support::stages::{answer_key, solved};
+use support::survey::CHEATS;
+
+/// How somebody fills in a form who knows nothing.
+const WAYS: [&str; 9] = [
+    "zeros with exponents",
+    "one number everywhere",
+    "numbers of any size",
+    "one digit and an exponent",
+    "numbers of any size at any scales",
+    "zeros at any scales",
+    "millimetres at any scales",
+    "one value alone",
+    "places of points that may be anywhere",
+];
+
+fn any_size(random: &mut Random) -> f64 {
+    let size = libm::exp10(random.between(-2.0, 5.0));
+    if random.below(2) == 0 { size } else { -size }
+}
+
+fn signed(number: &str, random: &mut Random) -> String {
+    format!("{}{number}", ["", "-", "+"][random.below(3)])
+}
+
+fn form(way: usize, solution: &Solution, random: &mut Random) -> Measured {
+    let names = form_names(&solution.construction);
+    let same = format!("{:.3}", any_size(random));
+    let value = |random: &mut Random| match way {
+        0 | 5 => {
+            let zero = format!("0e{}", random.below(9));
+            signed(&zero, random)
+        }
+        1 => same.clone(),
+        3 => {
+            let number = format!("{}e{}", 1 + random.below(9), random.below(9) as i32 - 3);
+            signed(&number, random)
+        }
+        6 => {
+            let mm = format!("{:.1}", random.between(0.0, 120.0));
+            signed(&mm, random)
+        }
+        _ => format!("{:.*}", random.below(4), any_size(random)),
+    };
+    let mut measured = Measured { mu: solution.scales(), ..Measured::default() };
+    measured.positive = (random.below(2) == 0).then_some(Positive::CounterClockwise);
+    if matches!(way, 4..=6 | 8) {
+        for sheet in Sheet::ALL {
+            measured.mu[sheet] = Some(libm::exp10(random.between(-3.0, 9.0)));
+        }
+    }
+    measured.in_mm = way == 6;
+    let asked = if way == 7 { vec![names[random.below(names.len())].clone()] } else { names.clone() };
+    if way == 8 {
+        for plan in solution.construction.plans() {
+            let mut points = PointsOf { order: plan.order, places: Default::default() };
+            for name in plan.points.keys().map(String::as_str).chain([plan.order.pole()]) {
+                let at = [random.within(100.0), random.within(100.0)];
+                points.places.insert(name.to_owned(), PlacedPoint { at, band: Some(random.between(0.0, 100.0)) });
+            }
+            measured.points.push(points);
+        }
+        return measured;
+    }
+    measured.blank = names.into_iter().filter(|name| !asked.contains(name)).collect();
+    measured.values =
+        asked.into_iter().map(|name| Given { text: value(random), place: name.clone(), unit: None, name }).collect();
+    measured
+}
+
+#[test]
+fn nothing_earns_no_marks() {
+    let names = ["four-bar", "slider-crank", "slotted-lever", "watt-1"].map(|name| format!("templates/{name}.json"));
+    let names = names.into_iter().chain(["examples/figure-2.json".to_owned()]);
+    let mut random = Random(31);
+    let (mut earned, mut of) = ([0.0; WAYS.len()], [0.0; WAYS.len()]);
+    for name in names {
+        let solution = solved(&files::read(&name)).expect("a sound scene");
+        let key: AnswerKey<'_> = answer_key(&solution, 2);
+        let scheme: MarkScheme =
+            Marks::read(r#"{ "kinegon_marks": 1 }"#).expect("a scheme").of(&key).expect("of this scene");
+        let prepared = Prepared::new(&key);
+        for number in 0..CHEATS.now() {
+            let way = number % WAYS.len();
+            let measured = form(way, &solution, &mut random);
+            let checked = prepared.check(&measured).expect("a form that is understood");
+            assert!(!checked.is_passed(), "{name}, {}: {measured:?}", WAYS[way]);
+            let marks = scheme.award(&checked);
+            earned[way] += marks.earned;
+            of[way] += marks.of;
+            let most = 0.3 * marks.of + 1.0;
+            let good =
+                checked.values.iter().filter(|value| value.verdict != Verdict::Off).map(|v| v.entry.asked.name());
+            let good: Vec<&str> = good.collect();
+            assert!(marks.earned <= most, "{name}, {}: {marks:?} {good:?} {measured:?}", WAYS[way]);
+        }
+    }
+    for (way, name) in WAYS.iter().enumerate() {
+        let share = earned[way] / of[way];
+        println!("{name}: {:.2} % of the marks", 100.0 * share);
+        // A band of some 15 % of a size that may be any of seven powers of ten, and a sense: one or two of a hundred; of
+        // rates between 0 and 120, of which some are, more.
+        assert!(share <= 0.06, "{name}: {share}");
+    }
+}
+
+/// A four-bar's form whose values are right, written by `write`.
+fn written(solution: &Solution, write: impl Fn(f64) -> String) -> Measured {
+    let key = answer_key(solution, 2);
+    let names = form_names(&solution.construction).into_iter();
+    let zero = |name: String| Given { text: "0".to_owned(), place: name.clone(), unit: None, name };
+    let mut measured = Measured { mu: solution.scales(), values: names.map(zero).collect(), ..Measured::default() };
+    let entries = kinegon::check::entries(&measured, &key).expect("zeros are understood");
+    for given in &mut measured.values {
+        let entry = entries.iter().find(|entry| entry.asked.name() == given.name).expect("it has one");
+        given.text = write(entry.expected);
+    }
+    measured
+}
+
+#[test]
+fn digits_without_information_cannot_tell() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let check = |measured: &Measured| kinegon::check::check(measured, &key).expect("a form that is understood");
+    // The exact value rounds to 0 · 10⁴, and so would any other.
+    let checked = check(&written(&solution, |_| "0e9".to_owned()));
+    assert!(checked.values.iter().all(|value| value.verdict == Verdict::TooCoarse));
+    assert!(!checked.is_passed() && checked.is_nothing_off());
+    // Four digits are right.
+    let four = |value: f64| format!("{:+.*}", (3 - libm::log10(value.abs()).floor() as i32).max(0) as usize, value);
+    assert!(check(&written(&solution, four)).is_passed());
+    // One significant digit accuses nobody, and two that are right pass.
+    let to = |digits: i32| {
+        move |value: f64| {
+            let unit = libm::exp10(f64::from(libm::log10(value.abs()).floor() as i32 + 1 - digits));
+            format!("{:+}", (value / unit).round() * unit)
+        }
+    };
+    assert!(check(&written(&solution, to(1))).is_nothing_off());
+    assert!(check(&written(&solution, to(2))).is_nothing_off());
+}
+
+#[test]
+fn a_scale_that_no_sheet_has_allows_no_more() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let mut measured = written(&solution, |value| format!("{:+}", 1.3 * value));
+    let allowed = |measured: &Measured| {
+        let checked = kinegon::check::check(measured, &key).expect("a form that is understood");
+        let all = checked.values.iter().map(|value| value.tolerance.expect("it is drawn") / value.entry.expected.abs());
+        (checked.scales.clone(), all.fold(0.0, f64::max))
+    };
+    let (told, usual) = allowed(&measured);
+    assert!(told.iter().all(|scale| scale.is_sensible()), "{told:?}");
+    for sheet in Sheet::ALL {
+        measured.mu[sheet] = Some(1e6);
+    }
+    let (told, most) = allowed(&measured);
+    assert_eq!(told.len(), 3);
+    assert!(told.iter().all(|scale| !scale.is_sensible()));
+    // The plans of the figure are some 100 mm large, the least that is judged 40 mm.
+    assert!(most < 5.0 * usual, "{most} {usual}");
+}
+
+#[test]
+fn what_is_not_filled_in_is_missing() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
+    let key = answer_key(&solution, 2);
+    let four = |value: f64| format!("{:+.*}", (3 - libm::log10(value.abs()).floor() as i32).max(0) as usize, value);
+    let mut measured = written(&solution, four);
+    let left = measured.values.split_off(5);
+    measured.blank = left.iter().map(|given| given.name.clone()).collect();
+    let checked = kinegon::check::check(&measured, &key).expect("a form that is understood");
+    assert!(checked.is_nothing_off() && !checked.is_passed());
+    assert_eq!(checked.missing.len(), left.len());
+    // Lines taken out of an exercise's form are missing, too.
+    measured.blank.clear();
+    assert!(kinegon::check::check(&measured, &key).expect("understood").is_passed());
+    measured.exercise = Some("four-bar-7-1".into());
+    let checked = kinegon::check::check(&measured, &key).expect("understood");
+    assert_eq!(checked.missing.len(), left.len());
+}
