@@ -91,6 +91,12 @@ impl PartialEq<&str> for Message {
     }
 }
 
+impl From<&Message> for Message {
+    fn from(message: &Message) -> Message {
+        message.clone()
+    }
+}
+
 impl From<String> for Message {
     fn from(text: String) -> Message {
         Message(Said::Text(text))

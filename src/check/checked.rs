@@ -1,5 +1,6 @@
 //! What a check finds: the verdict on every value, and the mistakes that explain those that are off.
 
+use super::common::CommonError;
 use super::entry::Entry;
 use super::mistakes::Candidate;
 use super::sensible::StatedScale;
@@ -24,6 +25,8 @@ pub struct Checked {
     pub missing: Vec<String>,
     /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
     pub scales: Vec<StatedScale>,
+    /// An error that all measured lengths have in common; it is taken out of the values.
+    pub common: Option<CommonError>,
 }
 
 impl Checked {

@@ -3,7 +3,7 @@
 
 use super::mistakes::{Amount, Free};
 use super::model::{COMPUTING, Changes, GROUPS, Model, PLOTTED, TOGETHER};
-use crate::construction::{Change, NumberId, OperationKind, Tolerance, Values};
+use crate::construction::{Change, NumberId, Tolerance, Values};
 use crate::geometry::with_turns;
 use crate::sheet::QuantityKind;
 
@@ -290,11 +290,7 @@ fn add_slips(group: &mut [f64], effects: &mut Effects<'_>) {
     }
     let count = effects.exact.len();
     for (index, datum) in effects.data.iter().enumerate() {
-        let is_measured = model.readings[datum.entry].is_ok_and(|reading| {
-            let maker = model.makers[reading.number.0];
-            maker.is_some_and(|m| matches!(model.construction.operations[m].kind, OperationKind::Measure { .. }))
-        });
-        if is_measured && datum.kind != QuantityKind::Angle {
+        if model.is_measured(datum.entry) && datum.kind != QuantityKind::Angle {
             let slip = size * effects.exact[index];
             group[index * count + index] += slip * slip;
         }

@@ -143,7 +143,7 @@ impl Measured {
         let (filled, blank): (Vec<_>, Vec<_>) =
             file.values.into_iter().partition(|(_, value)| !value.text.trim().is_empty());
         let given = filled.into_iter().map(|(name, value)| Given {
-            place: format!("values.{}", shown(&name)),
+            place: format!("values.{}", shown(&name)).into(),
             text: table::with_point(value.text.trim()),
             unit: value.unit,
             name,

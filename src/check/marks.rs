@@ -124,7 +124,7 @@ fn entry_of(written: &str, place: &str, key: &AnswerKey<'_>, names: &Names<'_>) 
     let (name, text, place) = (written.to_owned(), "0".to_owned(), place.to_owned());
     let alone = Measured {
         mu: PerSheet::from_fn(|_| Some(1.0)),
-        values: vec![Given { name, text, unit: None, place }],
+        values: vec![Given { name, text, unit: None, place: place.into() }],
         ..Measured::default()
     };
     Ok(entries_by(&alone, key, names)?.swap_remove(0))

@@ -114,7 +114,7 @@ pub struct Given {
     /// Its unit where one is written.
     pub unit: Option<String>,
     /// Its place in the file, for messages: `values.omega(2)`, `line 7`.
-    pub place: String,
+    pub place: Message,
 }
 
 impl Given {
@@ -217,7 +217,7 @@ impl Positive {
 #[non_exhaustive]
 pub struct CheckError {
     /// The place in the file, followed by a colon; may be empty.
-    pub place: String,
+    pub place: Message,
     /// What is wrong.
     pub message: Message,
     /// What to try.
@@ -227,7 +227,7 @@ pub struct CheckError {
 impl CheckError {
     /// An error about the form as a whole.
     pub(super) fn new(message: Message, hint: Message) -> CheckError {
-        CheckError { place: String::new(), message, hint: Some(hint) }
+        CheckError { place: "".into(), message, hint: Some(hint) }
     }
 
     /// All errors of a form in one: each with its place, and what to try; `None` where there are none.
@@ -237,16 +237,15 @@ impl CheckError {
         }
         let count = errors.len();
         let lines = errors.into_iter().map(|CheckError { place, message, hint }| {
-            let told = Message::list([Message::from("\n  "), place.into(), message], "");
+            let told = Message::list(["\n  ".into(), place, message], "");
             Message::list(std::iter::once(told).chain(hint), ": ")
         });
         let message = says::not_understood(count, Message::list(lines, ""));
-        Some(CheckError { place: String::new(), message, hint: None })
+        Some(CheckError { place: "".into(), message, hint: None })
     }
 
     /// The error with its place in the file.
-    pub(super) fn at(mut self, place: &str) -> CheckError {
-        self.place = format!("{place}: ");
-        self
+    pub(super) fn at(self, place: impl Into<Message>) -> CheckError {
+        CheckError { place: Message::list([place.into(), ": ".into()], ""), ..self }
     }
 }

@@ -6,7 +6,8 @@
 //! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
 //! has the names of a form's boxes, those on the sheets, and what a written name means; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
-//! what `written` knows of digits and units; `sensible` has the scales at which a sheet can be drawn. `checked` is what a check finds; `prepared` carries it out and keeps what many
+//! what `written` knows of digits and units; `sensible` has the scales at which a sheet can be drawn,
+//! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `prepared` carries it out and keeps what many
 //! forms of one scene have in common.
 //!
 //! `model` predicts all values together with their common errors, those of a drawing program among them;
@@ -56,6 +57,7 @@
 
 mod checked;
 mod class;
+mod common;
 mod covariance;
 mod diagnosis;
 mod entry;
@@ -90,6 +92,7 @@ pub mod written;
 
 pub use checked::{Accuracy, BANDS, Checked, Diagnosis, Explanation, Finding, Judged, Verdict};
 pub use class::{ClassColumns, ClassFound, ClassMistake, ClassResult, ClassRow, ClassSummary, Common, class_schema};
+pub use common::CommonError;
 pub use entry::{Entry, entries, faults};
 pub use feedback::Feedback;
 pub use form::{FormBox, form_boxes, further_boxes, plan_points};

@@ -211,6 +211,14 @@ impl Model {
         all.collect()
     }
 
+    /// Whether an entry is measured, and not computed or given.
+    pub fn is_measured(&self, entry: usize) -> bool {
+        self.readings[entry].is_ok_and(|reading| {
+            let maker = self.makers[reading.number.0];
+            maker.is_some_and(|maker| matches!(self.construction.operations[maker].kind, OperationKind::Measure { .. }))
+        })
+    }
+
     /// Numbers that are computed and used later, each with its operation: sizes of vectors, rates.
     pub fn computed(&self) -> impl Iterator<Item = (usize, NumberId)> {
         self.construction.operations.iter().enumerate().flat_map(move |(index, operation)| {

@@ -1,6 +1,7 @@
 //! The report in the figure's language: in parts, and as text from them.
 
 use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
+use super::common::CommonError;
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::names::Names;
@@ -206,7 +207,19 @@ impl<'a> ReportText<'a> {
         let coarse = (!coarse.is_empty()).then(|| self.own.check_coarse_digits(&self.names(&coarse)));
         let small = (!small.is_empty()).then(|| self.own.check_too_small(&self.names(&small)));
         let scales = scales.iter().map(|scale| self.scale(scale));
-        coarse.into_iter().chain(small).chain(scales).collect()
+        let common = self.checked.common.map(|common| self.common(common));
+        common.into_iter().chain(coarse).chain(small).chain(scales).collect()
+    }
+
+    /// The error that all measured lengths have in common.
+    fn common(&self, common: CommonError) -> String {
+        let number = |x: f64| self.words.write(x.abs(), NumberStyle::decimals(1));
+        match common {
+            CommonError::Scale(scale) if scale > 0.0 => self.own.check_all_larger(&number(100.0 * scale)),
+            CommonError::Scale(scale) => self.own.check_all_smaller(&number(100.0 * scale)),
+            CommonError::Zero(mm) if mm > 0.0 => self.own.check_all_longer(&number(mm)),
+            CommonError::Zero(mm) => self.own.check_all_shorter(&number(mm)),
+        }
     }
 
     /// What is to be said of a scale of the form.

@@ -1,6 +1,7 @@
 //! The report as JSON.
 
 use super::checked::{Accuracy, Checked, Explanation, Finding, Verdict};
+use super::common::CommonError;
 use super::marks::Awarded;
 use super::measured::AnswerKey;
 use super::sensible::StatedScale;
@@ -40,6 +41,10 @@ pub struct CheckResult {
     /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub scales: Vec<ScaleResult>,
+    /// An error that all measured lengths have in common, taken out of the values: `{ "scale": 0.031 }` where they are 3.1 % too
+    /// large, `{ "zero": 2 }` where they are 2 mm too long.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub common: Option<CommonError>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
@@ -179,6 +184,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         mirrored: mirrored.collect(),
         missing: checked.missing.clone(),
         scales: checked.scales.iter().map(scale).collect(),
+        common: checked.common,
         marks: None,
     }
 }

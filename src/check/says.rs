@@ -37,6 +37,8 @@ messages! { "check":
     scale_is_positive = "a scale is a positive number: units of the scene per millimetre of paper";
     not_understood(count, all) = "{count} things in this form are not understood:{all}";
 
+    line(number) = "line {number}";
+
     // Kinds of quantities, and sheets.
     angle = "an angle";
     angular_velocity = "an angular velocity";

@@ -26,7 +26,7 @@ impl<'a> Student<'a> {
     pub fn new(key: &'a AnswerKey<'a>) -> Result<Student<'a>, CheckError> {
         let (mu, names) = (key.scales, form_names(&key.solution.construction));
         // A form filled with zeros gives the entries of all quantities.
-        let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.clone() };
+        let blank = |name: &String| Given { name: name.clone(), text: "0".to_owned(), unit: None, place: name.into() };
         let form = Measured { mu, values: names.iter().map(blank).collect(), ..Measured::default() };
         let entries = entries(&form, key)?;
         let mut models = vec![Model::new(key, key.solution, mu, &entries)?];
@@ -92,7 +92,7 @@ impl<'a> Student<'a> {
                 name: format!("{}{}", entry.asked.name(), if on_paper { ON_PAPER } else { "" }),
                 text: signed(text, is_unsigned),
                 unit: None,
-                place: entry.asked.name().to_owned(),
+                place: entry.asked.name().into(),
             })
         });
         Measured { mu: self.key.scales, values: values.collect(), ..Measured::default() }

@@ -2,6 +2,7 @@
 
 use super::measured::{CheckError, Given, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
 use super::says;
+use crate::message::Message;
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, quoted, shown};
 
@@ -29,7 +30,7 @@ impl Measured {
             let record =
                 record.map_err(|error| CheckError::new(says::no_table(error.to_string()), says::write_lines()))?;
             let line = record.position().map_or(0, |p| p.line());
-            let place = format!("line {line}");
+            let place = says::line(line);
             let cells: Vec<&str> = record.iter().collect();
             let cells = rejoined(&cells);
             let cell = |index: usize| cells.get(index).map_or("", String::as_str);
@@ -41,7 +42,7 @@ impl Measured {
     }
 
     /// Adds a line of a table.
-    fn cells(&mut self, [name, value, third, fourth]: [&str; 4], place: &str) -> Result<(), CheckError> {
+    fn cells(&mut self, [name, value, third, fourth]: [&str; 4], place: &Message) -> Result<(), CheckError> {
         if let Some((order, point)) = plan_point(name) {
             let at = [value, third].map(with_point);
             if at.iter().any(|c| !c.is_empty()) {
@@ -70,7 +71,7 @@ impl Measured {
         self.line(name, value, third, place)
     }
 
-    fn line(&mut self, name: &str, written: &str, third: &str, place: &str) -> Result<(), CheckError> {
+    fn line(&mut self, name: &str, written: &str, third: &str, place: &Message) -> Result<(), CheckError> {
         let value = with_point(written);
         if let Some(sheet) = Sheet::ALL.into_iter().find(|sheet| sheet.facts().scale_key == name) {
             self.mu[sheet] = Some(scale(name, &value)?);
@@ -97,7 +98,7 @@ impl Measured {
                 name: name.to_owned(),
                 text: value,
                 unit: (!third.is_empty()).then(|| third.to_owned()),
-                place: place.to_owned(),
+                place: place.clone(),
             }),
         }
         Ok(())

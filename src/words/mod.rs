@@ -1,10 +1,11 @@
 //! In: language, notation and decimal mark of a scene's figure. Out: a [`Wording`]: the sentences, headings and symbols
-//! of figures and of the text of the construction. Names of quantities, keys of files and messages of errors are the
-//! same in every language and are not here.
+//! of figures and of the text of the construction. Names of quantities and keys of files are the same in every language and are
+//! not here. Errors and warnings are declared where they arise, in the `says.rs` of each folder; `Language::says` puts them
+//! into words.
 //!
 //! `sentences.rs` declares every sentence once, with its named blanks and its English words, and gives it a method: the
 //! compiler checks that every blank is filled. Every other language is a text file with the same keys, as `spanish.txt`;
-//! a test checks that it has every sentence. Sentences of mistakes are declared where the mistakes are, in
+//! a test checks that it has every sentence, another that it has every message. Sentences of mistakes are declared where the mistakes are, in
 //! `check/mistakes/`; their words stand in the text files, those in English in `english.txt`. A file is read once; then a
 //! sentence is found by its index. (Fluent and rust-i18n find sentences by name at run time, and bring plural forms that
 //! two or three sentences would use.)

@@ -278,6 +278,14 @@ sentences! {
     check_coarse_digits(values) = "Too few digits to tell anything: {values}. Write at least two that are not zero.";
     check_too_small(values) =
         "Too small on the sheet to be judged: {values}. An honest hand could as well find nothing there.";
+    check_all_larger(percent) =
+        "All lengths are {percent} % too large: was the sheet printed to fit the page? They are judged without that.";
+    check_all_smaller(percent) =
+        "All lengths are {percent} % too small: was the sheet printed to fit the page? They are judged without that.";
+    check_all_longer(mm) =
+        "All lengths are {mm} mm too long: did you read the ruler from its end, or from {mm}? They are judged without that.";
+    check_all_shorter(mm) =
+        "All lengths are {mm} mm too short: did you lay the end of the ruler on the point? They are judged without that.";
     check_other_scale(scale, stated, asked) =
         "{scale}: your form states {stated}, the exercise {asked}; your values are judged at yours.";
     check_no_such_scale(scale, stated, sheet, used) =

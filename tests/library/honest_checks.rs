@@ -2,7 +2,7 @@
 //! know of the hand.
 
 use kinegon::Solution;
-use kinegon::check::{AnswerKey, Blank, Checked, Given, Measured, Mistake, Student, Verdict, check};
+use kinegon::check::{AnswerKey, Blank, Checked, CommonError, Given, Measured, Mistake, Student, Verdict, check};
 use support::files;
 use support::random::Random;
 use support::stages::{answer_key, solved};
@@ -53,6 +53,56 @@ fn a_blunt_pencil_is_no_mistake_unless_the_teacher_says_so() {
         strictly_failed += usize::from(!check(&measured, &strict).expect("the same values").is_passed());
     }
     assert!(failed <= 1 && strictly_failed >= 3, "{failed} and {strictly_failed} of 12");
+}
+
+/// A form with all lengths in millimetres changed.
+fn with_lengths(mut measured: Measured, change: impl Fn(f64) -> f64) -> Measured {
+    for given in measured.values.iter_mut().filter(|given| given.name.ends_with("/mu")) {
+        let mm: f64 = given.text.parse().expect("a number");
+        given.text = format!("{:.1}", change(mm));
+    }
+    measured
+}
+
+#[test]
+fn a_sheet_printed_too_large_and_a_ruler_read_from_two_are_told() {
+    for name in ["four-bar", "watt-1", "slotted-lever"] {
+        let solution = scene(name);
+        let key = answer_key(&solution, 2);
+        for seed in 0..4 {
+            let common = |measured: &Measured| {
+                let checked = check(measured, &key).expect("values that are understood");
+                (checked.common, checked.is_nothing_off())
+            };
+            for factor in [1.031, 0.97] {
+                let (told, passes) = common(&with_lengths(drawn(&key, 0.3, seed), |mm| factor * mm));
+                let Some(CommonError::Scale(scale)) = told else { panic!("{name}, {seed}, {factor}: {told:?}") };
+                assert!((1.0 + scale - factor).abs() < 0.01, "{name}, {seed}: {scale}");
+                assert!(passes, "{name}, {seed}");
+            }
+            for amount in [2.0, -2.5] {
+                let (told, passes) = common(&with_lengths(drawn(&key, 0.2, seed), |mm| mm + amount));
+                let Some(CommonError::Zero(mm)) = told else { panic!("{name}, {seed}, {amount}: {told:?}") };
+                assert!((mm - amount).abs() < 0.5, "{name}, {seed}: {mm}");
+                assert!(passes, "{name}, {seed}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_hand_of_its_own_has_no_common_error() {
+    for name in ["four-bar", "watt-1", "slotted-lever", "stephenson-3"] {
+        let solution = scene(name);
+        let key = answer_key(&solution, 0);
+        let all = (0..60).filter(|&seed| {
+            let hand = [0.1, 0.3, 0.6, 1.0][seed % 4];
+            let checked = check(&drawn(&key, hand, seed as u64), &key).expect("values that are understood");
+            checked.common.is_some()
+        });
+        let count = all.count();
+        assert!(count == 0, "{name}: {count} of 60");
+    }
 }
 
 #[test]

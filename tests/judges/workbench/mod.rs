@@ -15,6 +15,7 @@ mod gestures;
 mod hostile;
 mod keyboard;
 mod lesson;
+mod minutes;
 mod people;
 mod photo;
 mod prepare;

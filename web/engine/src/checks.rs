@@ -71,7 +71,7 @@ pub struct OverlaySheet {
 
 impl From<CheckError> for Refused {
     fn from(error: CheckError) -> Refused {
-        let message = Message::list([Message::from(error.place), error.message], "");
+        let message = Message::list([error.place, error.message], "");
         Refused::whole(Problem { message, hint: error.hint })
     }
 }

@@ -31,23 +31,25 @@ export function hasGround(scene: Draft): boolean {
   return groundOf(scene).length > 0 || sliders.some((slider) => at(slider, ["on"]) === "ground");
 }
 
-/** What a mechanism lacks by the count of its motions; null where that is right, or not all. */
-function missing(scene: Draft): string | null {
+/** What a mechanism that is refused lacks by the count of its motions; null where that is right, or not what is wrong. */
+function missing(scene: Draft, { path }: Refused): string | null {
+  // What is wrong in one place of the text has a path of its own.
+  if (path !== "links") return null;
   const { links, taken, free, drives } = mobility(scene);
   if (links === 0) return say("begin");
   if (isDrawn(scene) || free === drives) return null;
-  const count = say("mobility", { links, taken, free, drives });
+  const count = say("mobility", { links, taken, free: String(free).replace("-", "−"), drives });
   if (free < drives) return `${say("too_held", { count: drives - free })} ${count}`;
   const wants = !hasGround(scene) ? "wants_ground" : free === drives + 1 ? "wants_one" : "wants_more";
   return `${say(wants, { count: free - drives })} ${count}`;
 }
 
 /** Whether a scene that is refused is only begun: nothing in it need be wrong. */
-export function isBegun(scene: Draft): boolean {
-  return missing(scene) !== null;
+export function isBegun(scene: Draft, refused: Refused): boolean {
+  return missing(scene, refused) !== null;
 }
 
 /** What is missing of a scene that is refused. */
 export function unfinished(scene: Draft, refused: Refused): string {
-  return missing(scene) ?? say("incomplete", { why: said(refused) });
+  return missing(scene, refused) ?? say("incomplete", { why: said(refused) });
 }

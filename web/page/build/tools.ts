@@ -50,8 +50,8 @@ export interface Present {
   board: Board;
 }
 
-/** The changes that follow; a word of the page where there are none, because something is not there that is needed. */
-export type Follows = Edit[] | "needs_point" | "needs_link" | "needs_pivot" | "needs_way";
+/** The changes that follow; a word of the page where there are none, because something is not there that is needed, or is there already. */
+export type Follows = Edit[] | "needs_point" | "needs_link" | "needs_pivot" | "needs_way" | "joined_already";
 
 /** What follows where a tool goes from one place to another. */
 export function drawn(tool: Tool, present: Present, from: Press, to: Press, choices: Choices): Follows {
@@ -97,6 +97,8 @@ function linked(present: Present, from: Press, to: Press): Follows {
   const first = end(present, from);
   const second = end(present, to, [first.name]);
   if (first.name === second.name) return "needs_way";
+  const isJoined = linksOf(present.scene).some((link) => [first, second].every(({ name }) => pointsOn(present.scene, link).includes(name)));
+  if (isJoined) return "joined_already";
   const points = [first, second].map(({ name, at: place }) => ({ name, at: place }));
   return [...first.before, ...second.before, { add_link: { points } }];
 }

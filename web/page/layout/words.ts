@@ -12,7 +12,7 @@ const en = {
   is_through: "Its guide goes through {place}.",
   is_known: "Known motions: {points}.",
   means_pole_v: "{name}, the pole: all velocities begin here, and what stands still has its image here.",
-  means_pole_a: "{name}, the pole: all accelerations begin here.",
+  means_pole_a: "{name}, the pole: all accelerations begin here, and what has none has its image here.",
   means_image_v: "{name}, the image of {point}: the arrow from the pole to here is the velocity of {point}.",
   means_image_a: "{name}, the image of {point}: the arrow from the pole to here is the acceleration of {point}.",
   means_special: "{name}, the special point of link {link}: where its cut lines meet. It gives the plan its next image.",
@@ -154,7 +154,7 @@ type Key = keyof typeof en;
 
 const es: Record<Key, string> = {
   means_pole_v: "{name}, el polo: aquí empiezan todas las velocidades, y aquí tiene su imagen lo que está quieto.",
-  means_pole_a: "{name}, el polo: aquí empiezan todas las aceleraciones.",
+  means_pole_a: "{name}, el polo: aquí empiezan todas las aceleraciones, y aquí tiene su imagen lo que no tiene ninguna.",
   means_image_v: "{name}, la imagen de {point}: la flecha del polo hasta aquí es la velocidad de {point}.",
   means_image_a: "{name}, la imagen de {point}: la flecha del polo hasta aquí es la aceleración de {point}.",
   means_special: "{name}, el punto especial del eslabón {link}: donde se cortan sus rectas. Da al plano su siguiente imagen.",

@@ -61,10 +61,9 @@ function meanings(scene: Draft, label: Element): string[] {
   const names = (label.textContent ?? "").split(",").map((name) => name.trim());
   if (sheet === "scheme") return names.flatMap((name) => inScheme(scene, name));
   const isVelocity = sheet === "velocity";
-  return names.flatMap((name, index) => {
-    if (index === 0 && (own === "p" || own === "pi")) return [say(isVelocity ? "means_pole_v" : "means_pole_a", { name })];
-    return inPlan(scene, name, isVelocity);
-  });
+  // Images at the pole are those of what stands still: the pole's sentence says so.
+  if (own === "p" || own === "pi") return [say(isVelocity ? "means_pole_v" : "means_pole_a", { name: names[0]! })];
+  return names.flatMap((name) => inPlan(scene, name, isVelocity));
 }
 
 function inScheme(scene: Draft, name: string): string[] {

@@ -4,7 +4,7 @@ import { at, isDrawn, sizeOf, unitsOf, type Path, type Draft } from "../parts/sc
 import { say } from "./words.ts";
 
 /** Whether a drive pushes along a guide. */
-export function isSlidingDrive(drive: unknown): boolean {
+function isSlidingDrive(drive: unknown): boolean {
   return ["position", "speed", "acceleration"].some((key) => at(drive, [key]) !== undefined);
 }
 

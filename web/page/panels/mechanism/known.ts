@@ -57,7 +57,7 @@ export function known(scene: Draft): Group {
     cards: given.map((name) => ({
       path: ["known", name],
       title: name,
-      line: () => rates(scene, ["known", name]).slice(0, 1),
+      line: () => rates(scene, ["known", name]).slice(0, 1).map((row) => ({ ...row, titled: false })),
       rows: () => rates(scene, ["known", name]).slice(1),
       buttons: [{ text: say("drop_known", { name }), icon: "remove", edits: [{ remove: ["known", name] }] }],
     })),

@@ -53,11 +53,13 @@ function card(scene: Draft, name: string, blocks: Set<unknown>): Card {
   };
 }
 
-/** What a link is, in a word. */
+/** What a link is, in a word, and its points where no lengths name them. */
 function roleOf(scene: Draft, link: unknown, points: string[], isBlock: boolean): { role?: string } {
-  if (at(link, ["motion"]) !== undefined) return { role: say("moves_as_known") };
-  if (points.length > 1) return {};
-  return isBlock ? { role: say("block") } : isDrawn(scene) ? { role: say("stub") } : {};
+  const isLone = points.length < 2;
+  const word = at(link, ["motion"]) !== undefined ? say("moves_as_known") : isLone && isBlock ? say("block") : isLone && isDrawn(scene) ? say("stub") : "";
+  const named = isLone || isDrawn(scene) || at(link, ["shape"]) !== undefined || points.length > 3 ? points.join(" ") : "";
+  const role = [word, named].filter((part) => part !== "").join(" ");
+  return role === "" ? {} : { role };
 }
 
 function pointChips(link: string, points: string[]): Field {
