@@ -1,6 +1,6 @@
 /** How many motions a mechanism is free to make, counted as it is taught: what it needs to be complete. */
 import type { Refused } from "../engine/types.ts";
-import { allPoints, at, groundOf, isDrawn, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { allPoints, at, groundOf, isDrawn, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import { said } from "../refused.ts";
 import { say } from "./words.ts";
 
@@ -18,7 +18,7 @@ export function mobility(scene: Draft): Mobility {
   const links = linksOf(scene);
   const bodies = new Map(allPoints(scene).map((name) => [name, 0]));
   for (const carrier of ["ground", ...links]) for (const name of pointsOn(scene, carrier)) bodies.set(name, (bodies.get(name) ?? 0) + 1);
-  const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const sliders = slidersOf(scene);
   const pins = [...bodies.values()].reduce((sum, count) => sum + 2 * Math.max(0, count - 1), 0);
   const taken = pins + sliders.reduce<number>((sum, slider) => sum + (at(slider, ["pin"]) === undefined ? 2 : 1), 0);
   const driven = [...links.map((name) => at(scene, ["links", name])), ...sliders].filter((part) => at(part, ["drive"]) !== undefined);
@@ -27,7 +27,7 @@ export function mobility(scene: Draft): Mobility {
 
 /** Whether anything stands still. */
 export function hasGround(scene: Draft): boolean {
-  const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const sliders = slidersOf(scene);
   return groundOf(scene).length > 0 || sliders.some((slider) => at(slider, ["on"]) === "ground");
 }
 
