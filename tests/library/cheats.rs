@@ -74,7 +74,7 @@ fn form(way: usize, solution: &Solution, random: &mut Random) -> Measured {
     }
     measured.blank = names.into_iter().filter(|name| !asked.contains(name)).collect();
     measured.values =
-        asked.into_iter().map(|name| Given { text: value(random), place: name.clone(), unit: None, name }).collect();
+        asked.into_iter().map(|name| Given { text: value(random), place: name.clone().into(), unit: None, name }).collect();
     measured
 }
 
@@ -118,7 +118,7 @@ fn nothing_earns_no_marks() {
 fn written(solution: &Solution, write: impl Fn(f64) -> String) -> Measured {
     let key = answer_key(solution, 2);
     let names = form_names(&solution.construction).into_iter();
-    let zero = |name: String| Given { text: "0".to_owned(), place: name.clone(), unit: None, name };
+    let zero = |name: String| Given { text: "0".to_owned(), place: name.clone().into(), unit: None, name };
     let mut measured = Measured { mu: solution.scales(), values: names.map(zero).collect(), ..Measured::default() };
     let entries = kinegon::check::entries(&measured, &key).expect("zeros are understood");
     for given in &mut measured.values {

@@ -197,7 +197,7 @@ fn keys_hold(kind: &str, exercise: &Exercise) {
         // With so many digits that half a unit of the last one is nothing beside the bands.
         text: format!("{:+.15}", value.value),
         unit: Some(value.unit.clone()),
-        place: name.clone(),
+        place: name.clone().into(),
     });
     let measured = Measured { values: values.collect(), ..Measured::default() };
     let checked = check(&measured, &answers).unwrap_or_else(|e| panic!("{kind}: {e}"));

@@ -192,7 +192,7 @@ impl Task {
             name: name.clone(),
             text: written(value, skill.digits, ends_of(name).is_none()),
             unit: None,
-            place: format!("values.{name}"),
+            place: format!("values.{name}").into(),
         });
         Measured {
             mu: kinegon::PerSheet::from_fn(|sheet| Some(self.scheme.scales[sheet as usize])),
