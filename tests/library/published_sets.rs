@@ -77,7 +77,7 @@ fn given(quantity: &str, printed: &str, unit: Option<String>) -> Given {
     let is_rate = ["omega(", "alpha(", "v_r(", "a_r("].iter().any(|head| name.starts_with(head));
     let has_sense = is_rate && name == quantity && !printed.starts_with(['+', '-']);
     let text = if has_sense { format!("+{printed}") } else { printed.to_owned() };
-    Given { name: name.to_owned(), text, unit: unit.filter(|unit| !unit.is_empty()), place: String::new() }
+    Given { name: name.to_owned(), text, unit: unit.filter(|unit| !unit.is_empty()), place: "".into() }
 }
 
 /// Whether an answer is understood, is right by itself, and can be off: what is not drawn cannot.

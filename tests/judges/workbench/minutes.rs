@@ -20,7 +20,6 @@ const MEANING: &str =
 fn letters_of_the_picture_say_what_they_mean() {
     let Some(mut bench) = Bench::open("letters") else { return };
     bench.choose("#language", "English");
-    // By what the notation of the paper says: b and e are one image here, and d₂ lies there, too.
     for (label, told) in [
         ("velocity-label-b-", "the velocity of B"),
         ("velocity-label-p-", "all velocities begin here"),
@@ -32,7 +31,10 @@ fn letters_of_the_picture_say_what_they_mean() {
         rest(&mut bench, &format!("#{label}"));
         bench.until(&format!("{MEANING}.includes({})", json!(told)));
     }
-    rest(&mut bench, "#velocity-label-b-");
+    // d₂ stands alone or behind names of the same place.
+    let under =
+        bench.text("[...document.querySelectorAll('#sheet text')].find((text) => text.textContent.includes('d2')).id");
+    rest(&mut bench, &format!("#{under}"));
     bench.until(&format!("{MEANING}.includes('of link 2 that lies under D')"));
     bench.picture("meaning");
     // What moves says nothing of itself, and keys put the words away.
