@@ -71,12 +71,14 @@ impl Search<'_> {
         while !told.is_empty() && probability(&told) < TOLD {
             told.pop();
         }
+        // What holds all that is told is counted in its probability already.
+        let is_counted = |group: &Group<'_>| !told.is_empty() && told.iter().all(|f| has_cause(group, f));
         let others = groups.iter().filter_map(|group| {
             let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.told == f.candidate.told));
             // What the values cannot tell from an explanation that is told whole.
             let is_told =
                 group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
-            (is_new && (is_told || group.probability >= LEAST)).then(|| Explanation {
+            (is_new && (is_told || group.probability >= LEAST && !is_counted(group))).then(|| Explanation {
                 findings: group.findings.clone(),
                 probability: if is_told {
                     probability(&told)
@@ -229,6 +231,14 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
     let mut told: Vec<Finding> = told.collect();
     let mut is_first = true;
     told.retain(|finding| finding.candidate.mistake() != Mistake::Unknown || core::mem::take(&mut is_first));
+    // Nor is it said that something begins at a value where an earlier one is off and unexplained.
+    let explained: Vec<usize> = told.iter().flat_map(Finding::changed).collect();
+    let first_open = (0..values.len()).find(|i| values[*i].verdict == Verdict::Off && !explained.contains(i));
+    told.retain(|finding| {
+        let begins = finding.first();
+        finding.candidate.mistake() != Mistake::Unknown
+            || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
+    });
     told
 }
 

@@ -8,13 +8,13 @@ use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
-use super::names::Names;
+use super::names::{Meant, Names};
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
 use crate::construction::Tolerance;
 use crate::geometry::with_turns;
-use crate::quantity::{Band, QuantityRequest, Unread};
+use crate::quantity::{Band, QuantityRequest, Unread, What};
 use crate::sheet::{PerSheet, QuantityKind, Scales};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -167,13 +167,22 @@ impl<'a> Prepared<'a> {
         likely.into_iter().map(|index| search.pool[index].clone()).collect()
     }
 
-    /// The rows of what a form asks for and has no value of: its blanks; of an exercise's form all that the exercise asks for.
+    /// The rows of what a form asks for and has no value of: its blanks; of an exercise's form all that the exercise asks for. Where
+    /// places of points are given alone, as from a photograph, rates and the scheme are not asked for.
     fn missing(&self, measured: &Measured, entries: &[Entry]) -> Vec<String> {
         let names_ground = measured.names_ground();
-        let blank = |name: &String| Some(self.names.meant(name, names_ground).ok()?.row);
-        let asked: Vec<String> = match &measured.exercise {
-            Some(_) => self.names.rows().map(str::to_owned).collect(),
-            None => measured.blank.iter().filter_map(blank).collect(),
+        let is_seen = |asked: &QuantityRequest| match &asked.what {
+            What::Segment(order, _) => measured.points.iter().any(|plan| plan.order == *order),
+            _ => false,
+        };
+        let blank = |name: &String| {
+            let Meant { asked, row, .. } = self.names.meant(name, names_ground).ok()?;
+            (!measured.values.is_empty() || is_seen(&asked)).then_some(row)
+        };
+        let is_whole = measured.exercise.is_some() && !measured.values.is_empty();
+        let asked: Vec<String> = match is_whole {
+            true => self.names.rows().map(str::to_owned).collect(),
+            false => measured.blank.iter().filter_map(blank).collect(),
         };
         let mut missing: Vec<String> = Vec::new();
         for row in asked {

@@ -104,6 +104,9 @@ impl Check {
         };
         let mut result = PhotoResult::of(photos, &self.key(&subject.1))?;
         result.measured.name = Some(Untrusted::from(name));
+        // So that a folder with exercises knows the form again.
+        let exercise = &subject.0.name;
+        result.measured.exercise = (!exercise.is_empty()).then(|| Untrusted::from(exercise.as_str()));
         Ok((subject, result))
     }
 

@@ -73,10 +73,8 @@ fn form(way: usize, solution: &Solution, random: &mut Random) -> Measured {
         return measured;
     }
     measured.blank = names.into_iter().filter(|name| !asked.contains(name)).collect();
-    measured.values = asked
-        .into_iter()
-        .map(|name| Given { text: value(random), place: name.clone().into(), unit: None, name })
-        .collect();
+    measured.values =
+        asked.into_iter().map(|name| Given { text: value(random), place: name.clone().into(), unit: None, name }).collect();
     measured
 }
 

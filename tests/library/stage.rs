@@ -212,7 +212,7 @@ fn names_stay_while_a_hand_moves_the_mechanism() {
         let mut stage = HeldLayout::of_figure(&own, Some(Steps::Coarse), None);
         assert_eq!(stage.drag(&own, None, Some(2)).marks, stage.draw(&own, None).after_step(2).marks, "{name}");
     }
-    assert!(held < free, "{held} jumps, {free} without");
+    assert!(2 * held < free, "{held} jumps, {free} without");
 }
 
 /// Over a turn nothing leaves its panel, and scales, panels and poles stand still, on paper as on a part of a screen.
@@ -286,16 +286,19 @@ fn plans_are_large_at_rest_and_ease_over_to_their_cycle() {
             assert!(mu >= most || mu <= 0.11 * most || least < 9.0, "{name}: {sheet:?} has {least} mm to its edge");
         }
         let start = pull.value();
-        let step = if pull.drive().is_angle { 1.0 } else { 0.002 * start.abs().max(1e-3) };
+        // A click on a slider goes far at once.
+        let step = if pull.drive().is_angle { 37.0 } else { 0.05 * start.abs().max(1e-3) };
         for k in 1..=20 {
             let before = bars(&now);
-            let Ok(moved) = own.moved(pull.to_value(start + step * f64::from(k)).pose) else { break };
+            let Ok(moved) = own.moved(pull.to_value(start + step * f64::from(k)).pose) else { continue };
             now.in_motion(&moved);
             let drawing = now.drag(&moved, None, None);
             let panels = now.panels(&drawing);
-            let whole = cycle.panels(&cycle.draw(&moved, None));
-            let cut = panels.iter().zip(&whole).filter(|(now, whole)| now.is_cut && !whole.is_cut);
-            assert_eq!(cut.count(), 0, "{name}: cut in picture {k}");
+            if panels.iter().any(|panel| panel.is_cut) {
+                let whole = cycle.panels(&cycle.draw(&moved, None));
+                let cut = panels.iter().zip(&whole).filter(|(now, whole)| now.is_cut && !whole.is_cut);
+                assert_eq!(cut.count(), 0, "{name}: cut in picture {k}");
+            }
             let finer = bars(&now).into_iter().zip(before).filter(|(now, before)| now < before);
             assert_eq!(finer.count(), 0, "{name}: {k}");
             let off = fixed(&now, &moved).into_iter().zip(fixed(&cycle, &moved)).map(|(a, b)| (a - b).hypot());

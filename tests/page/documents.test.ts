@@ -5,6 +5,7 @@ import { deflateRawSync } from "node:zlib";
 import { smallest } from "../../web/page/panels/text/change.ts";
 import { calmed } from "../../web/page/dom/piles.ts";
 import { edited, endsOf, filed, placed } from "../../web/page/panels/text/ends.ts";
+import { hasLongLine, inLines } from "../../web/page/panels/text/lines.ts";
 import { documentOf, hashOf, type Shared } from "../../web/page/state/address.ts";
 import { history } from "../../web/page/state/history.ts";
 import { short } from "../../web/page/state/lesson.ts";
@@ -116,4 +117,18 @@ test("what no browser can lay out is not shown", () => {
   const pile = "a" + "\u0301".repeat(60_000) + "b";
   assert.equal([...calmed(pile)].length, 1 + 30 + 1 + 1);
   for (const text of ["ñandú", "각", "n\u0303a", "\u0915\u094d\u0937\u093f", ""]) assert.equal(calmed(text), text);
+});
+
+test("a text on one line is laid out, and no sign of it is lost", () => {
+  const scene = '{"kinegon":1,"title":"a, {b} \\"c\\" : [","ground":{"A":[0,0]},"links":{"1":{"points":["A","B"],"lengths":{"AB":30.50}},"2":["B","C"]},"near":{},"want":[]}';
+  const laid = inLines(scene);
+  assert.deepEqual(JSON.parse(laid), JSON.parse(scene));
+  const bare = (text: string): string => text.replace(/"(?:[^"\\]|\\.)*"|\s/g, (piece) => piece.trim());
+  for (const text of [scene, scene.slice(0, 90), '{"a": "x', "}}]] 1,", ""]) assert.equal(bare(inLines(text)), bare(text));
+  assert.equal(inLines(laid), laid);
+  assert.ok(laid.includes('\n    "1": { "points": ["A", "B"], "lengths": { "AB": 30.50 } },\n'), "a link has its line");
+  const links = Object.fromEntries([...Array(999).keys()].map((k) => [k, { points: [`A${k}`, `B${k}`], lengths: { AB: 1 } }]));
+  const long = JSON.stringify({ links });
+  assert.ok(hasLongLine(long) && !hasLongLine(inLines(long)));
+  assert.ok(!hasLongLine(JSON.stringify({ title: "W".repeat(60_000) })), "what cannot be broken is shown");
 });

@@ -36,13 +36,16 @@ function started(): { own: ReturnType<typeof hand>; told: [Why, string][] } {
 
 test("calls are answered one after the other", async () => {
   const { own } = started();
-  const [first, second] = [own.call("open", []), own.call("drop", [])];
+  const [first, second, third] = [own.call("open", []), own.call("drop", []), own.call("values", [])];
   assert.deepEqual(Played.now.asked, ["open"]);
   Played.now.answer({ value: "[1]" });
   assert.deepEqual(await first, [1]);
   assert.deepEqual(Played.now.asked, ["open", "drop"]);
   Played.now.answer({ value: "as it is" });
   assert.equal(await second, "as it is");
+  Played.now.answer({ value: "2" });
+  assert.equal(await third, 2);
+  assert.deepEqual(Played.now.asked, ["open", "drop", "values"]);
 });
 
 test("a refusal is one, and the next call goes on", async () => {

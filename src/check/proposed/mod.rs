@@ -42,7 +42,8 @@ pub struct Proposal {
     pub found: Option<Found>,
 }
 
-/// The form that proposals make: by plan the places that were found, with the radii that hold them, to 0.01 mm.
+/// The form that proposals make: by plan the places that were found, with the radii that hold them, to 0.01 mm. Points that were not
+/// found are blank in it.
 #[must_use]
 pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
     let mut measured = Measured { mu: key.scales, ..Measured::default() };

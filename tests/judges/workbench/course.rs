@@ -22,6 +22,18 @@ window.API = {
 };
 </script><iframe src="index.html" width="1200" height="760"></iframe>"#;
 
+/// A management system that is out of order until the test mends it: one call throws, one is missing, what is set is refused.
+const FAULTY: &str = r#"<!DOCTYPE html><link rel="icon" href="data:,"><title>course</title><script>
+window.values = {};
+window.mended = false;
+window.API = {
+  LMSInitialize: () => { throw new Error("out of order"); },
+  LMSFinish: () => "true",
+  LMSSetValue: (name, value) => { if (!mended) return "false"; values[name] = value; return "true"; },
+  LMSCommit: () => "true",
+};
+</script><iframe src="index.html" width="1200" height="760"></iframe>"#;
+
 /// Whether the workbench stands in the frame of the package's page, in the system's frame.
 const READY: &str = "document.querySelector('iframe')?.contentDocument?.querySelector('iframe')?.contentWindow?.kinegon !== undefined \
     && document.querySelector('iframe').contentDocument.querySelector('iframe').contentDocument.documentElement.dataset.ready === 'yes'";
@@ -39,7 +51,8 @@ fn site(folder: &Path) -> Option<BTreeMap<String, Vec<u8>>> {
         assert!(made.status.success(), "{}", stderr(&made));
     }
     run_in(folder, &python, ["-m", "zipfile", "-e", "page.zip", "site"]);
-    let mut files = BTreeMap::from([("system.html".to_owned(), SYSTEM.as_bytes().to_vec())]);
+    let systems = [("system.html", SYSTEM), ("faulty.html", FAULTY)];
+    let mut files: BTreeMap<_, _> = systems.map(|(name, page)| (name.to_owned(), page.as_bytes().to_vec())).into();
     for name in ["index.html", "workbench.html"] {
         let own = std::env::var_os("KINEGON_PAGE").filter(|_| name == "workbench.html");
         let path = own.map_or_else(|| folder.join("site").join(name), Into::into);
@@ -70,6 +83,8 @@ fn a_course_hears_the_score() {
     let student = browser.value("document.querySelector('iframe').contentDocument.querySelector('iframe').contentWindow.kinegon.app.student.value");
     assert_eq!(student, true, "no plan is shown");
     assert_eq!(browser.value("values['cmi.core.score.raw'] ?? null"), Value::Null, "nothing is checked yet");
+    let told = "document.querySelector('iframe').contentDocument.querySelector('#no-course').hidden";
+    assert_eq!(browser.value(told), true);
     let key = std::fs::read_to_string(folder.join(&exercise).join("key.json")).expect("a key");
     let key: Value = serde_json::from_str(&key).expect("JSON");
     let values: serde_json::Map<String, Value> =
@@ -97,6 +112,30 @@ fn a_course_hears_the_score() {
     browser.assert_quiet();
 }
 
+#[test]
+fn a_faulty_course_leaves_the_exercise_and_is_told() {
+    let folder = scratch("workbench-faulty-course");
+    let Some(files) = site(&folder) else { return };
+    let Some(mut browser) = Browser::start(&folder, [1280, 800]) else { return };
+    browser.visit(files, "faulty.html", READY);
+    let page = "document.querySelector('iframe').contentDocument.querySelector('iframe').contentDocument";
+    let notice = format!("{page}.querySelector('#notice:not([hidden])')?.textContent ?? ''");
+    assert!(browser.text(&notice).contains("does not take the marks"), "{}", browser.text(&notice));
+    let exercise = browser.text(&format!("JSON.parse({page}.defaultView.kinegon.history.now.value.form).exercise"));
+    let key = std::fs::read_to_string(folder.join(&exercise).join("key.json")).expect("a key");
+    let key: Value = serde_json::from_str(&key).expect("JSON");
+    let values = key["values"].as_object().expect("values").iter();
+    fill(&mut browser, &values.map(|(name, v)| (name.clone(), v["value"].clone())).collect());
+    // The page checks as it always does.
+    browser.until(&format!("{page}.querySelector('#panel-check .result .heading.good') !== null"));
+    assert_eq!(browser.value("values"), json!({}));
+    browser.picture("course-faulty");
+    browser.value(&format!("mended = true; {page}.querySelector('#notice-act').click()"));
+    assert_eq!(browser.text("values['cmi.core.score.raw']"), "100");
+    assert!(browser.text(&notice).contains("has the marks"), "{}", browser.text(&notice));
+    browser.assert_quiet();
+}
+
 /// Opened by itself the package's page shows an exercise, too.
 #[test]
 fn without_a_course_there_is_an_exercise_all_the_same() {
@@ -110,6 +149,11 @@ fn without_a_course_there_is_an_exercise_all_the_same() {
     // What is given is told once, of the exercise that is open.
     assert_eq!(browser.number("document.querySelectorAll('details').length"), 1.0);
     assert!(browser.text("document.querySelector('details').textContent").contains("rad/s"));
+    assert_eq!(
+        browser.value("document.querySelector('#no-course').hidden"),
+        false,
+        "the student hears that no marks are sent"
+    );
     browser.picture("course-alone");
     browser.assert_quiet();
 }

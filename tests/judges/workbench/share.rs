@@ -135,6 +135,34 @@ fn values_and_curves_stand_beside_the_figure() {
     bench.assert_quiet();
 }
 
+/// The middle of the ring on a path, and of the point where the path was drawn, in mm of the drawing.
+const RING: &str = "(() => { const drawing = document.querySelector('#below .drawn').shadowRoot; \
+    const [, x, y, radius] = /^M([-\\d.]+) ([-\\d.]+)a([-\\d.]+)/.exec(drawing.querySelector('path[aria-hidden]').getAttribute('d')).map(Number); \
+    const own = drawing.querySelector('[id=path-a-own]'); return [x + radius, y, +own.getAttribute('cx'), +own.getAttribute('cy')]; })()";
+
+#[test]
+fn a_path_is_in_the_picture_and_followed_along_its_curve() {
+    let Some(mut bench) = Bench::of("path", &files::read("templates/four-bar.json")) else { return };
+    bench.panel("curves");
+    let traced = "document.querySelectorAll('#sheet [id^=scheme-path-]').length";
+    assert_eq!(bench.number(traced), 0.0, "curves of ω are about no point");
+    bench.click("#panel-curves .one-of label:nth-of-type(3)");
+    bench.settle();
+    bench.until_drawn("#below");
+    bench.settle();
+    assert_eq!(bench.number(traced), 1.0);
+    let ring: [f64; 4] = serde_json::from_value(bench.value(RING)).expect("four numbers");
+    assert!((ring[0] - ring[2]).hypot(ring[1] - ring[3]) < 0.02, "{ring:?}");
+    // It goes with the drive, and the curve is drawn anew from there.
+    bench.focus("#drive-1");
+    bench.press("PageUp");
+    bench.until(&format!("(([x, y, u, v]) => u !== {} && Math.hypot(x - u, y - v) < 0.05)({RING})", ring[2]));
+    bench.picture("path");
+    bench.panel("values");
+    assert_eq!(bench.number(traced), 0.0, "it goes with the curves");
+    bench.assert_quiet();
+}
+
 /// Width and height of a PNG in pixels.
 fn png_size(bytes: &[u8]) -> (u32, u32) {
     let reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");

@@ -124,6 +124,8 @@ fn on_paper_the_screen_is_the_file() {
     bench.click("#as-paper");
     bench.until_other(&paper);
     // The bar of the steps leaves less of the pane.
+    bench.click("#steps-toggle");
+    bench.settle();
     assert_eq!(bench.shown(), shown);
     bench.assert_quiet();
 }

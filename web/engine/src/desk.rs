@@ -47,7 +47,7 @@ pub struct Staged {
 pub struct Held {
     pub view: View,
     pub layout: HeldLayout,
-    /// Scenes in positions that a drive took on it: it stays theirs when the hand lets go, also where undo leads back.
+    /// Scenes in positions that a drive took on it: it stays theirs when the hand lets go, also where undo leads back to them.
     pub texts: Vec<String>,
 }
 
@@ -97,7 +97,8 @@ impl Desk {
         let Some(kept) = &mut self.kept else { return };
         let before = kept.held.take().filter(|held| view.is_laid_out_as(&held.view)).map(|held| held.texts);
         let texts = positions.map(|[from, to]| {
-            let mut texts = before.filter(|texts| texts.contains(&from)).unwrap_or_else(|| vec![from]);
+            // Where it was at rest it is so again, when what was done is taken back.
+            let mut texts = before.filter(|texts| texts.contains(&from)).unwrap_or_default();
             texts.push(to);
             texts.drain(..texts.len().saturating_sub(MOST_HELD));
             texts

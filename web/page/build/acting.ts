@@ -97,8 +97,8 @@ export function copyChosen(model: Model): void {
 export async function paste(model: Model): Promise<void> {
   const there = model.present();
   if (there === null || model.copied === null || model.copied.places.length === 0) return;
-  const { named } = model.sight.grid();
-  const by: Place = [named, -named];
+  const { fine } = model.sight.grid();
+  const by: Place = [2 * fine, -2 * fine];
   const { edits, chosen } = pasted(there.scene, model.copied, by);
   if (!(await model.make(edits))) return;
   model.copied = { ...model.copied, places: model.copied.places.map(([name, [x, y]]) => [name, [x + by[0], y + by[1]]]) };

@@ -120,8 +120,9 @@ function photoButtons(app: App, model: Model, back: () => void): HTMLElement {
     const [first, second] = model.scaling.value ?? [];
     if (event.key === "Escape") model.scaling.set(null);
     if (event.key !== "Enter" || first === undefined || second === undefined || model.photo.value === null) return;
-    const value = evaluated(length.value, unitsOf(model.present()?.scene ?? {}).length);
-    if (value === null || !(value > 0)) return app.tell(say("photo_length"));
+    const unit = unitsOf(model.present()?.scene ?? {}).length;
+    const value = evaluated(length.value, unit);
+    if (value === null || !(value > 0)) return app.tell(say("photo_number", { unit }));
     model.photo.set(scaled(model.photo.value, [first, second], value));
     model.scaling.set(null);
     model.fit();

@@ -47,7 +47,7 @@ export function boardKeys(app: App, model: Model, stage: SVGSVGElement, menu: (p
   function words(): string {
     const { at, point, link } = press();
     if (point !== null) return point;
-    return link !== null ? say("at_link", { name: link }) : at.join(", ");
+    return link !== null ? say("at_link", { name: link }) : at.map((value) => Number(value.toPrecision(5))).join(", ");
   }
 
   async function enter(at: Place): Promise<void> {

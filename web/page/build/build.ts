@@ -41,10 +41,15 @@ export function build(app: App): void {
     board.focus();
     void enter();
   });
-  // Another mechanism in place of the one that was there is looked for; what is built stays where it is.
+  // Another mechanism in place of the one that was there is looked for; what is built stays where it is, and so does who looks elsewhere.
   let before = new Set<string>();
+  let seen = "";
   own.shown.on((shown) => {
     if (shown === null) return;
+    const { width, height } = own.sight.size;
+    const now = [width, height, shown.text].join();
+    if (now === seen) return;
+    seen = now;
     const places = placesIn(shown.board);
     const isOther = before.size > 0 && places.size > 0 && ![...places.keys()].some((name) => before.has(name));
     const isAway = places.size > 0 && ![...places.values()].some((place) => own.sight.holds(place));

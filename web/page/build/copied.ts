@@ -1,7 +1,7 @@
 /** Parts of a mechanism that are copied, and put in again elsewhere under new names. */
 import type { Edit } from "../engine/types.ts";
 import { freeLink, freePoint } from "../panels/mechanism/free_name.ts";
-import { at, entries, groundOf, isDrawn, joined, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { at, entries, groundOf, isDrawn, joined, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import type { Present } from "./tools.ts";
 import { short, type Place } from "./sight.ts";
 
@@ -25,7 +25,7 @@ export function copied({ scene, places }: Present, { points, links }: Chosen): C
   const names = new Set([...points, ...[...links].flatMap((link) => pointsOn(scene, link))].filter((name) => places.has(name)));
   const whole = linksOf(scene).filter((link) => pointsOn(scene, link).length > 0 && pointsOn(scene, link).every((name) => names.has(name)));
   const taken = new Set([...whole, "ground"]);
-  const all: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const all = slidersOf(scene);
   const sliders = all.filter((slider) => taken.has(String(at(slider, ["on"]))) && names.has(String(at(slider, ["at"]) ?? at(slider, ["pin"]))) && (at(slider, ["link"]) === undefined || taken.has(String(at(slider, ["link"])))));
   return {
     places: [...names].map((name) => [name, places.get(name)!]),
@@ -52,7 +52,7 @@ export function pasted(scene: Draft, { places, fixed, links, sliders }: Copied, 
     const own = Object.fromEntries(entries(entry).map(([key, value]) => [key, key === "points" ? names.map((name) => points.get(name)!) : key === "lengths" || key === "shape" ? measures(value, names, points) : value]));
     edits.push({ set: ["links", numbers.get(link)!], value: Array.isArray(entry) ? names.map((name) => points.get(name)!) : own });
   }
-  const count = Array.isArray(scene["sliders"]) ? scene["sliders"].length : 0;
+  const count = slidersOf(scene).length;
   const list = sliders.map((slider) => renamed(slider, points, numbers, by));
   if (list.length > 0 && count === 0) edits.push({ set: ["sliders"], value: list });
   else list.forEach((slider, index) => edits.push({ set: ["sliders", count + index], value: slider }));

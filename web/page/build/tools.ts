@@ -1,7 +1,7 @@
 /** What the tools do, from where they are pressed to where they are let go: changes of the scene. */
 import type { Board, Edit } from "../engine/types.ts";
 import { freeLink, freePoint } from "../panels/mechanism/free_name.ts";
-import { at, groundOf, isDrawn, joined, linksOf, pointsOn, type Draft } from "../panels/parts/scene.ts";
+import { at, groundOf, isDrawn, joined, linksOf, pointsOn, slidersOf, type Draft } from "../panels/parts/scene.ts";
 import { onLink, type Places } from "./hit.ts";
 import { short, type Place } from "./sight.ts";
 
@@ -50,8 +50,8 @@ export interface Present {
   board: Board;
 }
 
-/** The changes that follow; a word of the page where there are none, because something is not there that is needed. */
-export type Follows = Edit[] | "needs_point" | "needs_link" | "needs_pivot" | "needs_way";
+/** The changes that follow; a word of the page where there are none, because something is not there that is needed, or is there already. */
+export type Follows = Edit[] | "needs_point" | "needs_link" | "needs_pivot" | "needs_way" | "joined_already";
 
 /** What follows where a tool goes from one place to another. */
 export function drawn(tool: Tool, present: Present, from: Press, to: Press, choices: Choices): Follows {
@@ -97,6 +97,8 @@ function linked(present: Present, from: Press, to: Press): Follows {
   const first = end(present, from);
   const second = end(present, to, [first.name]);
   if (first.name === second.name) return "needs_way";
+  const isJoined = linksOf(present.scene).some((link) => [first, second].every(({ name }) => pointsOn(present.scene, link).includes(name)));
+  if (isJoined) return "joined_already";
   const points = [first, second].map(({ name, at: place }) => ({ name, at: place }));
   return [...first.before, ...second.before, { add_link: { points } }];
 }
@@ -133,7 +135,7 @@ function slid(present: Present, from: Press, to: Press, { sliding, guided }: Cho
   if (isNew && sliding !== "block") return "needs_point";
   const carrier = to.link !== null && !pointsOn(scene, to.link).includes(name) ? to.link : "ground";
   if (carrier === "ground" && from.at[0] === to.at[0] && from.at[1] === to.at[1]) return "needs_way";
-  const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const sliders = slidersOf(scene);
   const number = sliders.length;
   const edits: Edit[] = [];
   let link = "";
@@ -172,7 +174,7 @@ function within(angle: number): number {
 function axisOf({ scene, places, board }: Present, link: string): number {
   const [from, to] = pointsOn(scene, link).map((name) => places.get(name));
   if (from !== undefined && to !== undefined) return degrees(from, to);
-  const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const sliders = slidersOf(scene);
   const index = sliders.findIndex((slider) => at(slider, ["link"]) === link);
   const along = board.sliders[index]?.along;
   return along == null ? 0 : degrees([0, 0], along as Place) + Number(at(sliders[index], ["turned"]) ?? 0);
@@ -194,7 +196,7 @@ function cylinder(present: Present, from: Press, to: Press): Follows {
   const whole = Math.hypot(second.at[0] - first.at[0], second.at[1] - first.at[1]);
   const digits = (value: number): number => Number(value.toPrecision(4));
   const length = digits(PART * whole);
-  const number = Array.isArray(scene["sliders"]) ? scene["sliders"].length : 0;
+  const number = slidersOf(scene).length;
   const moving = { speed: digits(0.1 * whole) };
   const drive = isDrawn(scene) ? moving : { position: digits(whole - length), ...moving };
   const edits: Edit[] = [
@@ -212,7 +214,7 @@ function cylinder(present: Present, from: Press, to: Press): Follows {
 
 /** A drive, or none where there was one: it turns a link about its fixed point, pushes a block along its guide. */
 function driven({ scene, places, board }: Present, what: Press): Follows {
-  const sliders: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const sliders = slidersOf(scene);
   const points = pointsOn(scene, what.link ?? "");
   const pivot = points.find((name) => groundOf(scene).includes(name));
   // A block lies over the ends of links: where these cannot be driven, it is meant.

@@ -2,7 +2,7 @@
 import { element } from "./element.ts";
 
 /** How many things are built together; the first of them at once. */
-const CHUNK = 50;
+const CHUNK = 16;
 
 export interface Chunks {
   roots: HTMLElement[];

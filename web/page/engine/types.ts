@@ -1044,7 +1044,7 @@ export interface CheckResult {
    */
   name?: string | null;
   /**
-   * Whether no value is off, and no plan mirrored.
+   * Whether all that is asked for is there and right: nothing off, missing or without information, no plan mirrored.
    */
   passed: boolean;
   /**
@@ -1071,6 +1071,15 @@ export interface CheckResult {
    * Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
    */
   mirrored?: string[];
+  /**
+   * What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
+   * exercise's form all that the exercise asks for.
+   */
+  missing?: string[];
+  /**
+   * Scales of the form that are not those asked for, or at which no sheet can be drawn.
+   */
+  scales?: ScaleResult[];
   /**
    * The marks that the values earn, where a marking scheme is given.
    */
@@ -1117,7 +1126,8 @@ export interface ValueResult {
    */
   allowed?: number | null;
   /**
-   * "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off" or "unjudged".
+   * "right", "within-tolerance", "sense-missing" (the size is right, the sense is not told), "off", "too-coarse" (its digits tell nothing)
+   * or "unjudged" (no construction gives it, or it is too small on its sheet).
    */
   verdict: string;
 }
@@ -1187,6 +1197,27 @@ export interface AccuracyResult {
   percent: number;
 }
 /**
+ * A scale of a form that is not the one asked for, or at which no sheet can be drawn.
+ */
+export interface ScaleResult {
+  /**
+   * Its name in the form: `mu_l`, `mu_v`, `mu_a`.
+   */
+  scale: string;
+  /**
+   * What the form states, in units per millimetre.
+   */
+  stated: number;
+  /**
+   * What the scene's figure states.
+   */
+  asked?: number | null;
+  /**
+   * The scale by which the values are judged.
+   */
+  used: number;
+}
+/**
  * The marks that somebody's values earn.
  */
 export interface Awarded {
@@ -1212,6 +1243,14 @@ export interface ReportParts {
    * How many values are right, within the tolerance, off.
    */
   counts: string;
+  /**
+   * What is asked for and not there.
+   */
+  missing: string | null;
+  /**
+   * What else the verdict does not rest on: values that tell nothing, and scales that are not those asked for.
+   */
+  rests_on: string[];
   /**
    * How much is allowed, and how accurate the drawing is.
    */

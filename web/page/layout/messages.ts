@@ -22,7 +22,7 @@ export function messages(app: App): void {
     bar.hidden = why === null || app.building.value;
     if (why === null) return bar.replaceChildren();
     const scene = app.student.value ? null : parsed(now);
-    const begun = scene !== null && (now === built || isBegun(scene)) ? unfinished(scene, why) : null;
+    const begun = scene !== null && (now === built || isBegun(scene, why)) ? unfinished(scene, why) : null;
     bar.classList.toggle("calm", begun !== null);
     bar.role = begun === null ? "alert" : "status";
     const text = element("p", {}, begun ?? element("strong", {}, withLine(why)));

@@ -3,7 +3,7 @@ import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { SHEETS, type Opened } from "../engine/types.ts";
 import { say } from "../layout/words.ts";
-import { at, entries, groundOf, linksOf, names, pointsOn, unitsOf, type Draft } from "../panels/parts/scene.ts";
+import { at, entries, groundOf, linksOf, names, pointsOn, slidersOf, unitsOf, type Draft } from "../panels/parts/scene.ts";
 import { called } from "../sheets.ts";
 import { marked } from "../steps/bar.ts";
 import { language } from "../words.ts";
@@ -49,7 +49,7 @@ function mechanism({ scene, drives }: Opened): string[] {
     });
     return [say("is_link", { name, points: listed(pointsOn(draft, name)) }), ...lengths, ...(place === undefined ? [] : [say("is_driven", { place })]), ...speed].join("; ");
   });
-  const sliders = (Array.isArray(draft.sliders) ? draft.sliders : []).map((slider: unknown) => {
+  const sliders = slidersOf(draft).map((slider: unknown) => {
     const on = String(at(slider, ["on"]) ?? "ground");
     const what = String(at(slider, ["link"]) ?? at(slider, ["pin"]) ?? "");
     const through = at(slider, ["through"]);

@@ -34,10 +34,13 @@ export function offeredNames(all: Offered): Record<Kind, string[]> {
   return { curves: names(all.curves), hodograph: names(all.hodograph), path: all.path };
 }
 
-/** What is drawn before anybody chose: what the scene wants, else ω of the links that follow the drives. */
+/** So many curves are told apart in one graph. */
+const TOLD_APART = 12;
+
+/** What is drawn before anybody chose: what the scene wants, else ω of the links that follow the drives, as far as they are told apart. */
 function usual({ wanted, drives, quantities, traceable }: Opened): Record<Kind, string[]> {
   const driven = new Set(drives.map(({ name }) => name));
-  const rates = quantities.filter(({ head, inside, part }) => head === "omega" && part === "" && !driven.has(inside));
+  const rates = quantities.filter(({ head, inside, part }) => head === "omega" && part === "" && !driven.has(inside)).slice(0, TOLD_APART);
   const last = (names: string[]): string[] => names.slice(-1);
   return {
     curves: (wanted.length > 0 ? wanted : rates).map(({ name }) => name),

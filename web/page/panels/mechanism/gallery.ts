@@ -24,8 +24,10 @@ export function gallery(app: App): HTMLElement {
   const empty = element("button", { type: "button", class: "small" });
   empty.addEventListener("click", () => {
     // Nothing of what was there stays: neither its title nor its picture.
-    app.solved.set({ text: "", opened: null, good: "", refused: null });
-    app.picture.set(null);
+    if (app.history.now.value.text !== EMPTY) {
+      app.solved.set({ text: "", opened: null, good: "", refused: null });
+      app.picture.set(null);
+    }
     open(EMPTY);
     // Also a board that stands there begins anew.
     app.building.set(false);

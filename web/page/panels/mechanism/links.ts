@@ -1,6 +1,6 @@
 import { stepFor } from "../../number.ts";
 import type { Adder, Button, Card, Field, Group, Row } from "../parts/form.ts";
-import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
+import { allPoints, at, entries, groundOf, isDrawn, lengthKey, linksOf, pairs, pointsOf, pointsOn, sizeOf, slidersOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { lineOfDrive, restOfDrive } from "./drives.ts";
 import { freePoint } from "./free_name.ts";
 import { motionRows } from "./known.ts";
@@ -130,7 +130,7 @@ function motionOf(scene: Draft, name: string, points: string[]): Row[] {
 
 /** Whether a link's angle may be given: it is, or a drive does not say where it stands. */
 function givesAngle(scene: Draft, path: Path): boolean {
-  const drives = [...entries(scene["links"]).map(([, link]) => link), ...(Array.isArray(scene["sliders"]) ? scene["sliders"] : [])].map((part: unknown) => at(part, ["drive"]));
+  const drives = [...entries(scene["links"]).map(([, link]) => link), ...slidersOf(scene)].map((part: unknown) => at(part, ["drive"]));
   const isOpen = drives.some((drive) => drive !== undefined && at(drive, ["angle"]) === undefined && at(drive, ["position"]) === undefined);
   return at(scene, [...path, "angle"]) !== undefined || isOpen;
 }

@@ -1,13 +1,13 @@
 import { stepFor } from "../../number.ts";
 import type { Adder, Card, Field, Group, Option, Row } from "../parts/form.ts";
-import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
+import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, slidersOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { lineOfDrive, restOfDrive } from "./drives.ts";
 import { placeFields } from "./vector.ts";
 import { say } from "./words.ts";
 
 /** The sliders, a card each. */
 export function sliders(scene: Draft): Group {
-  const list: unknown[] = Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+  const list = slidersOf(scene);
   const adder: Adder = {
     kind: "adder",
     path: ["sliders", "+"],

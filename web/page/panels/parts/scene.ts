@@ -61,6 +61,11 @@ export function linksOf(scene: Draft): string[] {
   return entries(scene["links"]).map(([name]) => name);
 }
 
+/** The sliders; none where that is no list yet. */
+export function slidersOf(scene: Draft): readonly unknown[] {
+  return Array.isArray(scene["sliders"]) ? scene["sliders"] : [];
+}
+
 /** The points of a link, or of `"ground"`. */
 export function pointsOn(scene: Draft, carrier: string): string[] {
   return carrier === "ground" ? groundOf(scene) : pointsOf(at(scene, ["links", carrier]));

@@ -14,6 +14,7 @@ import { language } from "../../words.ts";
 import { newId } from "../parts/fields.ts";
 import { smallest } from "./change.ts";
 import { edited, endsOf, filed, placed } from "./ends.ts";
+import { hasLongLine } from "./lines.ts";
 import { look } from "./look.ts";
 import { meanings, offers } from "./offers.ts";
 import { piles } from "./piles.ts";
@@ -31,6 +32,9 @@ export interface TextEditor {
   /** Selects a place of the file's text and goes there. */
   go(from: number, to: number): void;
 }
+
+/** The text as it is in the editor: none where a browser could not lay it out. */
+const shown = (text: string): string => (hasLongLine(text) ? "" : edited(text));
 
 export function textEditor(parent: HTMLElement, app: App): TextEditor {
   const phrases = new Compartment();
@@ -53,13 +57,13 @@ export function textEditor(parent: HTMLElement, app: App): TextEditor {
       if (isTyped) typing.typed(update.state.doc.toString());
     }),
   ];
-  const view = new EditorView({ parent, state: EditorState.create({ doc: edited(app.history.now.value.text), extensions }) });
+  const view = new EditorView({ parent, state: EditorState.create({ doc: shown(app.history.now.value.text), extensions }) });
   language.on((now) => {
     const own = now === "es" ? EditorState.phrases.of(SPANISH) : [];
     view.dispatch({ effects: phrases.reconfigure([own, EditorView.contentAttributes.of({ "aria-label": say("editor"), lang: "zxx", tabindex: "0" })]) });
   });
   app.history.now.on(({ text }) => {
-    const next = edited(text);
+    const next = shown(text);
     const now = view.state.doc.toString();
     // The newest letters win: they are handed over in a moment.
     if (next === now || typing.isWaiting()) return;

@@ -1,8 +1,10 @@
 import type { Panel } from "../../app.ts";
 import { element } from "../../dom/element.ts";
+import { button, worded } from "../../dom/worded.ts";
 import { withLine } from "../../refused.ts";
 import { language } from "../../words.ts";
 import { textEditor } from "./editor.ts";
+import { hasLongLine, inLines } from "./lines.ts";
 import { say } from "./words.ts";
 
 /** The scene's text. */
@@ -14,8 +16,14 @@ export const text: Panel = {
     const message = element("p", {});
     const go = element("button", { type: "button", class: "small", hidden: true });
     const help = element("p", { class: "help" });
-    root.append(element("div", { class: "text-panel" }, box, element("div", { class: "text-status", role: "status" }, message, go), help));
+    const layOut = button(() => say("lay_out"), () => app.history.change({ text: inLines(app.history.now.value.text) }), { class: "framed" });
+    const long = element("div", {}, worded(element("p"), () => say("long")), layOut);
+    root.append(element("div", { class: "text-panel" }, long, box, element("div", { class: "text-status", role: "status" }, message, go), help));
     const editor = textEditor(box, app);
+    app.history.now.on(({ text }) => {
+      long.hidden = !hasLongLine(text);
+      box.hidden = !long.hidden;
+    });
     const tell = (): void => {
       const { refused } = app.solved.value;
       message.textContent = refused === null ? say("good") : withLine(refused);

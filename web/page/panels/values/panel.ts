@@ -1,4 +1,5 @@
 import type { App, Panel } from "../../app.ts";
+import { chunks } from "../../dom/chunks.ts";
 import { element } from "../../dom/element.ts";
 import { button, worded } from "../../dom/worded.ts";
 import type { Value } from "../../engine/types.ts";
@@ -13,6 +14,9 @@ import { say } from "./words.ts";
 
 /** How many digits can be asked for, the usual first; null is all that are certain. */
 const DIGITS = [4, 6, null];
+
+/** So much of a line is told: hundreds of drives are listed in one, which nobody reads. */
+const LONGEST = 1_000;
 
 /** All rates, velocities and accelerations of the scene's position, and what the mechanism is made of. */
 export const values: Panel = {
@@ -53,7 +57,7 @@ function fill(contents: HTMLElement, app: App): void {
   worded(table, () => values.title[language.value], "aria-label");
   const about = element("p", { class: "quiet" });
   const message = element("p", { role: "alert", class: "bad" });
-  const structure = element("pre", { class: "structure" });
+  const structure = element("div", { class: "structure" });
   const warnings = element("ul");
   const warned = element("div", {}, worded(element("h3"), () => say("warnings")), warnings);
 
@@ -91,7 +95,7 @@ function fill(contents: HTMLElement, app: App): void {
   keepCurrent(app, values.id, [app.solved, language], async () => {
     const { good, opened } = app.solved.value;
     if (opened === null) return;
-    structure.textContent = opened.structure;
+    structure.replaceChildren(...chunks(opened.structure.split("\n"), "1.4rem", (line) => element("div", {}, line.length > LONGEST ? `${line.slice(0, LONGEST)} …` : line)).roots);
     warnings.replaceChildren(...opened.warnings.map((text) => element("li", {}, text)));
     warned.hidden = opened.warnings.length === 0;
     try {

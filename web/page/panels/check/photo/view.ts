@@ -1,7 +1,7 @@
 import type { App } from "../../../app.ts";
 import { element } from "../../../dom/element.ts";
 import { byId } from "../../../dom/find.ts";
-import type { Photo, Tapped } from "../../../engine/types.ts";
+import type { Photo, Refused, Tapped } from "../../../engine/types.ts";
 import { askedFor } from "../../../files/open.ts";
 import { undo } from "../../../layout/keys.ts";
 import { newest } from "../../../state/newest.ts";
@@ -264,7 +264,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
       if (no !== null || read.photo === null) return refuse(no ?? { message: "", hint: "" });
       await take(taken, read.photo, good);
     } catch (error) {
-      const { message, hint } = error as { message: string; hint?: string | null };
+      const { message, hint } = error as Refused;
       refuse({ message, hint: hint ?? "" });
     }
   }
