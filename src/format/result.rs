@@ -315,7 +315,7 @@ impl Solution {
                 .and_then(|asked| asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref()));
             let value = value.map_err(|error| {
                 let path = ["want", &index.to_string()];
-                self.scene.error_at(&path, error.to_string(), None)
+                self.scene.error_at(&path, error.problem().message, None)
             })?;
             let value = match value {
                 Quantity::Number(x) => QuantityResult::Number(x),

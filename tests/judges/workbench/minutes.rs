@@ -130,7 +130,7 @@ fn a_sheet_is_read_on_a_telephone() {
     bench.until("!document.body.classList.contains('reading')");
     bench.settle();
     // The scheme is there again, as wide as the screen.
-    let wide = bench.number("document.querySelector('#paper').getBoundingClientRect().width");
+    let wide = bench.number("kinegon.app.picture.value.width * document.querySelector('#sheet').getScreenCTM().a");
     assert!(wide > 360.0, "{wide}");
     bench.assert_quiet();
 }
