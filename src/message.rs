@@ -26,7 +26,7 @@ pub struct Declared {
 /// assert_eq!(Language::of(LanguageName::Spanish).says(&error.message), "un mecanismo tiene al menos un eslabón");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Message(Said);
+pub struct Message(Box<Said>);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Said {
@@ -42,18 +42,18 @@ impl Message {
     /// A declared sentence; `says.rs` of each folder calls this.
     #[must_use]
     pub fn of(declared: &'static Declared, by: Vec<Message>) -> Message {
-        Message(Said::Sentence(declared, by))
+        Message(Box::new(Said::Sentence(declared, by)))
     }
 
     /// Several messages one after the other, with `between` between them.
     #[must_use]
     pub fn list(messages: impl IntoIterator<Item = Message>, between: &'static str) -> Message {
-        Message(Said::List(messages.into_iter().collect(), between))
+        Message(Box::new(Said::List(messages.into_iter().collect(), between)))
     }
 
     /// The words, where `words` has those of a sentence.
     pub(crate) fn told(&self, words: &dyn Fn(&'static Declared) -> &'static str) -> String {
-        match &self.0 {
+        match &*self.0 {
             Said::Text(text) => text.clone(),
             Said::List(all, between) => all.iter().map(|message| message.told(words)).collect::<Vec<_>>().join(between),
             Said::Sentence(declared, by) => {
@@ -66,7 +66,7 @@ impl Message {
     /// The declaration of its sentence; `None` for a name, a number or several sentences.
     #[must_use]
     pub fn declared(&self) -> Option<&'static Declared> {
-        match self.0 {
+        match *self.0 {
             Said::Sentence(declared, _) => Some(declared),
             _ => None,
         }
@@ -81,13 +81,13 @@ impl fmt::Display for Message {
 
 impl PartialEq<str> for Message {
     fn eq(&self, other: &str) -> bool {
-        self.to_string() == other
+        self.told(&|declared| declared.english) == other
     }
 }
 
 impl PartialEq<&str> for Message {
     fn eq(&self, other: &&str) -> bool {
-        self.to_string() == *other
+        self.told(&|declared| declared.english) == *other
     }
 }
 
@@ -99,7 +99,7 @@ impl From<&Message> for Message {
 
 impl From<String> for Message {
     fn from(text: String) -> Message {
-        Message(Said::Text(text))
+        Message(Box::new(Said::Text(text)))
     }
 }
 
@@ -108,7 +108,7 @@ macro_rules! from_written {
     ($($written:ty),+) => { $(
         impl From<$written> for Message {
             fn from(written: $written) -> Message {
-                Message(Said::Text(written.to_string()))
+                Message(Box::new(Said::Text(written.to_string())))
             }
         }
     )+ };

@@ -93,7 +93,7 @@ impl CommonError {
             let Some(mu) = entry.per_mm else { continue };
             match self {
                 CommonError::Scale(scale) => entry.value /= 1.0 + scale,
-                CommonError::Zero(mm) => entry.value -= libm::copysign(mm * mu, entry.value),
+                CommonError::Zero(mm) => entry.value -= mm * mu * entry.value.signum(),
             }
         }
     }
@@ -102,9 +102,7 @@ impl CommonError {
 /// The lengths that are measured on a sheet.
 fn measured<'e>(entries: &'e [Entry], model: &'e Model) -> impl Iterator<Item = (usize, &'e Entry)> {
     let all = entries.iter().enumerate();
-    all.filter(|(index, entry)| {
-        entry.asked.is_length_on_sheet() && (entry.text.is_empty() || model.is_measured(*index))
-    })
+    all.filter(|(index, entry)| entry.asked.is_length_on_sheet() && (entry.on_paper || model.is_measured(*index)))
 }
 
 /// The multiple of a part that lengths are off by, by weighted least squares.

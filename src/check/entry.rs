@@ -128,7 +128,7 @@ fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) 
             let mm = libm::hypot(q.at[0] - p.at[0], q.at[1] - p.at[1]);
             // Places from a photograph have their radii.
             let rounding = libm::hypot(p.band.unwrap_or(0.0), q.band.unwrap_or(0.0)).max(ROUNDING);
-            let Meant { asked, row, expected, step } = names.quantity(&name).map_err(|e| e.at(&at(to)))?;
+            let Meant { asked, row, expected, step } = names.quantity(&name).map_err(|e| e.at(at(to)))?;
             // The image of a point at rest is the pole itself.
             if expected == 0.0 {
                 continue;

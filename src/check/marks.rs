@@ -155,16 +155,16 @@ impl MarkScheme {
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
         let findings = &checked.diagnosis.best.findings;
-        // The value in which a mistake was made; where no value is, as with a wrong ω of the drive, the first that shows it.
-        let is_made_in = |f: &Finding, value: usize| match f.written.is_empty() {
-            true => f.first() == Some(value),
-            false => f.written.contains(&value),
+        // The value in which a mistake was made; of one of the whole drawing, as a wrong ω of the drive, the first that shows it.
+        let is_made_in = |f: &Finding, value: usize| {
+            f.written.contains(&value) || (f.candidate.step == 0 && f.written.is_empty() && f.first() == Some(value))
         };
         let follows = |value: usize| {
             // Beside a prediction of nearly nothing any small number would follow.
             let Judged { entry, tolerance, .. } = &checked.values[value];
+            let is_later = |f: &&Finding| f.candidate.step < entry.step;
             tolerance.is_none_or(|tolerance| entry.value.abs() > tolerance || entry.asked.kind() == QuantityKind::Angle)
-                && findings.iter().any(|f| f.follows.contains(&value))
+                && findings.iter().filter(is_later).any(|f| f.follows.contains(&value))
                 && !findings.iter().any(|f| is_made_in(f, value))
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);

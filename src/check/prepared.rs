@@ -272,7 +272,7 @@ fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
         let verdict = match tolerance {
             _ if off <= tolerance.unwrap_or(0.0).max(1.001 * entry.rounding) && is_too_coarse => Verdict::TooCoarse,
             _ if off <= 1.001 * entry.rounding => Verdict::Right,
-            Some(tolerance) if off <= tolerance && telling.is_too_small(drawn) => Verdict::Unjudged,
+            Some(tolerance) if off <= tolerance && telling.is_too_small(drawn, off) => Verdict::Unjudged,
             Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
             None if !is_given => Verdict::Unjudged,
             _ => Verdict::Off,
@@ -318,9 +318,10 @@ impl Telling {
         rounding > self.fine.max(drawn)
     }
 
-    /// Whether an honest hand, off by up to `tolerance`, could as well find nothing there.
-    fn is_too_small(&self, tolerance: f64) -> bool {
-        !self.is_angle && self.expected != 0.0 && tolerance >= self.expected.abs()
+    /// Whether an honest hand, off by up to `tolerance`, could as well find nothing there, and a value that is `off` is not so near that
+    /// it tells something all the same.
+    fn is_too_small(&self, tolerance: f64, off: f64) -> bool {
+        !self.is_angle && self.expected != 0.0 && tolerance >= self.expected.abs() && off > self.fine
     }
 }
 
@@ -346,7 +347,8 @@ fn widen(values: &mut [Judged], entries: &[Entry], scorer: &Scorer<'_>, hand: &H
             value.tolerance = Some(tolerance);
             if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
                 let Entry { asked, expected, .. } = &value.entry;
-                let is_too_small = Telling::new(asked, *expected, largest[datum.entry]).is_too_small(tolerance);
+                let is_too_small = Telling::new(asked, *expected, largest[datum.entry])
+                    .is_too_small(tolerance, value.difference.abs());
                 value.verdict = if is_too_small { Verdict::Unjudged } else { Verdict::WithinTolerance };
             }
         }

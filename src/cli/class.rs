@@ -119,7 +119,7 @@ impl Class<'_> {
         out.end()?;
         set.finish()?;
         summary.lines(self.words).iter().for_each(|line| note(line));
-        passed(summary.off, summary.broken)
+        passed(summary.off + summary.incomplete, summary.broken)
     }
 
     /// A row of the report as text.
@@ -165,9 +165,11 @@ impl Class<'_> {
     /// The row and the page of a form that is checked, or why it is not.
     fn checked(&self, index: usize) -> Result<Done, String> {
         let form = &self.forms[index];
-        let measured = measured(&form.path)?;
+        let mut measured = measured(&form.path)?;
         let exercise = form.exercise.clone()?;
         let subject = self.exercises[exercise].as_ref().map_err(String::clone)?;
+        // Of an exercise all is asked for, wherever its name stands.
+        measured.exercise = measured.exercise.or(subject.name.map(Untrusted::from));
         let checked = subject.key.check(&measured);
         let checked = checked.map_err(|error| Failure::from(error).line(""))?;
         let (name, file) = (measured.name.as_ref(), form.file.clone());

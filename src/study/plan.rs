@@ -238,7 +238,7 @@ fn varied(file: &StudyFile, scene: &Scene, driven: &DriveRange) -> Result<Vec<Va
             let hint = close(name, names)
                 .unwrap_or_else(|| format!("what may vary: {}", list(known.iter().map(|k| k.name.as_str()))).into());
             let message = format!("`{}` is no number of the scene that may vary", crate::text::shown(name));
-            return Err(file.error(&path, message, Some(hint.into())).into());
+            return Err(file.error(&path, message, Some(hint)).into());
         };
         let moved = if driven.drive.is_angle { "angle" } else { "position" };
         if found.name == format!("{}.{moved}", driven.drive.name) {

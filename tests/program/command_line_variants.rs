@@ -88,24 +88,26 @@ fn each_form_is_held_against_its_own_exercise() {
     assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
     assert!(stdout(&output).starts_with("file,exercise,name,passed,values,"), "{}", stdout(&output));
     let rows = rows(&output);
-    for (file, exercise, passed) in [
-        ("Ana.csv", "four-bar-7-2", "true"),
-        ("four-bar-7-12 Ben.csv", "four-bar-7-12", "true"),
-        ("four-bar-7-1/Cem.csv", "four-bar-7-1", "true"),
-        ("late/four-bar-7-2/x/Dora.csv", "four-bar-7-2", "true"),
-        ("four-bar-7-1 Eva.csv", "four-bar-7-1", "false"),
-        ("four-bar-7-2_Finn.csv", "four-bar-7-2", "false"),
+    for (file, exercise, is_off) in [
+        ("Ana.csv", "four-bar-7-2", false),
+        ("four-bar-7-12 Ben.csv", "four-bar-7-12", false),
+        ("four-bar-7-1/Cem.csv", "four-bar-7-1", false),
+        ("late/four-bar-7-2/x/Dora.csv", "four-bar-7-2", false),
+        ("four-bar-7-1 Eva.csv", "four-bar-7-1", true),
+        ("four-bar-7-2_Finn.csv", "four-bar-7-2", true),
     ] {
         let row = &rows[file];
-        assert_eq!([&row["exercise"], &row["passed"], &row["message"]], [exercise, passed, ""], "{file}");
-        assert_eq!(row["values"], "2");
+        assert_eq!([&row["exercise"], &row["message"]], [exercise, ""], "{file}");
+        assert_eq!(row["off"] != "0", is_off, "{file}");
+        // An exercise asks for more than two values: what is not there is not right.
+        assert_eq!([row["values"].as_str(), row["passed"].as_str(), row["missing"].as_str()], ["2", "false", "11"]);
     }
     assert_eq!(rows.len(), 6);
     assert_eq!(rows["Ana.csv"]["name"], "Ana");
-    assert!(stderr(&output).contains("6 files: 4 passed, 2 off, 0 not understood"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("6 files: 0 passed, 2 off, 0 not understood"), "{}", stderr(&output));
     // One form alone finds its exercise, too, and what is said of it is what its row says.
     let alone = check(&[&exercises, &forms.join("Ana.csv")], &["--json"]);
-    assert_eq!(alone.status.code(), Some(0), "{}", stderr(&alone));
+    assert_eq!(alone.status.code(), Some(1), "{}", stderr(&alone));
     let alone: serde_json::Value = serde_json::from_slice(&alone.stdout).expect("JSON");
     let expected = alone["values"][0]["expected"].as_f64().expect("a number");
     assert!((expected - rates(190.0)[0]).abs() < 1e-9);
@@ -120,13 +122,13 @@ fn a_joint_report_in_json_names_the_exercises_and_that_of_one_scene_does_not() {
     for name in ["r.json", "r.jsonl", "r.csv"] {
         for _ in 0..2 {
             let output = check(&[&exercises, &forms], &["-o", out.join(name).to_str().expect("UTF-8")]);
-            assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+            assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
         }
     }
     let read = |name: &str| std::fs::read_to_string(out.join(name)).expect("written");
     let json: serde_json::Value = serde_json::from_str(&read("r.json")).expect("JSON");
     assert_eq!(json["rows"][0]["exercise"], "four-bar-7-1");
-    assert_eq!(json["summary"]["passed"], 1);
+    assert_eq!(json["summary"]["incomplete"], 1);
     assert_eq!(json["summary"]["unknown"], 0);
     let line: serde_json::Value = serde_json::from_str(read("r.jsonl").trim()).expect("JSON");
     assert_eq!(line, json["rows"][0]);
@@ -135,14 +137,14 @@ fn a_joint_report_in_json_names_the_exercises_and_that_of_one_scene_does_not() {
     // A folder with one scene is one exercise.
     write(&forms.join("Gil.csv"), &form(140.0, 1.0, ""));
     let of_folder = check(&[&exercises.join("four-bar-7-1"), &forms], &[]);
-    assert_eq!(of_folder.status.code(), Some(0), "{}", stderr(&of_folder));
+    assert_eq!(of_folder.status.code(), Some(1), "{}", stderr(&of_folder));
     assert_eq!(rows(&of_folder)["Gil.csv"]["exercise"], "four-bar-7-1");
     // A report beside the forms is no form the next time; a form is not written over.
     let report = forms.join("r.csv");
     for _ in 0..2 {
         let output = check(&[&exercises, &forms], &["-o", report.to_str().expect("UTF-8")]);
         assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
-        assert!(stderr(&output).contains("2 files: 1 passed, 0 off, 1 not understood"), "{}", stderr(&output));
+        assert!(stderr(&output).contains("2 files: 0 passed, 0 off, 1 not understood"), "{}", stderr(&output));
     }
     let output = check(&[&exercises, &forms], &["-o", forms.join("Gil.csv").to_str().expect("UTF-8")]);
     assert!(stderr(&output).contains("is not overwritten"), "{}", stderr(&output));
@@ -181,8 +183,8 @@ fn what_has_no_exercise_says_which_there_are() {
         assert!(rows[file]["message"].contains(part), "{file}: {}", rows[file]["message"]);
         assert_eq!(rows[file]["passed"], "false");
     }
-    assert_eq!(rows["good.four-bar-7-1.csv"]["passed"], "true");
-    assert!(stderr(&output).contains("8 files: 1 passed, 0 off, 7 not understood"), "{}", stderr(&output));
+    assert_eq!(rows["good.four-bar-7-1.csv"]["off"], "0");
+    assert!(stderr(&output).contains("8 files: 0 passed, 0 off, 7 not understood"), "{}", stderr(&output));
     let alone = check(&[&exercises, &forms.join("Ana.csv")], &[]);
     assert_eq!(alone.status.code(), Some(2));
     assert!(stderr(&alone).contains("does not say to which exercise"), "{}", stderr(&alone));
@@ -215,7 +217,7 @@ fn a_folder_without_exercises_and_options_of_one_scene_are_refused() {
     write(&flat.join("four-bar-7-1.json"), &scene(140.0));
     write(&flat.join("marks.json"), "{ \"kinegon_marks\": 1 }");
     let output = check(&[&flat, &forms], &[]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
 }
 
 #[test]
@@ -228,7 +230,7 @@ fn marks_are_those_of_the_exercise_or_of_all() {
     let marks = ["--marks", all.to_str().expect("UTF-8")];
     write(&all, r#"{ "kinegon_marks": 1, "values": { "omega(2)": 1, "alpha(2)": 1 } }"#);
     let earned = |output: &Output| {
-        assert_eq!(output.status.code(), Some(0), "{}", stderr(output));
+        assert_eq!(output.status.code(), Some(1), "{}", stderr(output));
         let rows = rows(output);
         ["four-bar-7-1.csv", "four-bar-7-2.csv"]
             .map(|file| [&rows[file]["marks"], &rows[file]["marks_of"]].map(String::clone))

@@ -10,6 +10,7 @@ use super::entry::ROUNDING;
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
+use super::names::form_names;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
 use crate::geometry::Vector;
 use crate::quantity::{QuantityRequest, pencil};
@@ -46,15 +47,15 @@ pub struct Proposal {
 /// found are blank in it.
 #[must_use]
 pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
-    let mut measured = Measured { mu: key.scales, ..Measured::default() };
+    let blank = form_names(&key.solution.construction);
+    let mut measured = Measured { mu: key.scales, blank, ..Measured::default() };
     for plan in plans {
         measured.mu[plan.order.sheet()] = Some(plan.mu);
         let mut points = PointsOf::new(plan.order);
         points.put(plan.order.pole(), [0.0; 2], Some(hundredths(plan.sheet.band(plan.pole))));
         for point in proposals.iter().filter(|point| point.order == plan.order) {
-            match point.found {
-                Some(found) => points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band))),
-                None => measured.blank.push(plan.order.sheet().segment_name(plan.order.pole(), &point.name)),
+            if let Some(found) = point.found {
+                points.put(point.name.as_str(), found.at.map(hundredths), Some(hundredths(found.band)));
             }
         }
         measured.points.push(points);

@@ -198,6 +198,16 @@ export type OverCycle =
       hodograph: string[];
     };
 /**
+ * An error that all measured lengths have in common.
+ */
+export type CommonErrorResult =
+  | {
+      scale: number;
+    }
+  | {
+      zero: number;
+    };
+/**
  * What the place of a point in a photograph tells.
  */
 export type PlaceVerdict = "right" | "off" | "open";
@@ -1080,6 +1090,11 @@ export interface CheckResult {
    * Scales of the form that are not those asked for, or at which no sheet can be drawn.
    */
   scales?: ScaleResult[];
+  /**
+   * An error that all measured lengths have in common, taken out of the values: `{ "scale": 0.031 }` where they are 3.1 % too
+   * large, `{ "zero": 2 }` where they are 2 mm too long.
+   */
+  common?: CommonErrorResult | null;
   /**
    * The marks that the values earn, where a marking scheme is given.
    */
