@@ -263,8 +263,12 @@ fn given_first(operations: &mut [Operation]) {
     });
 }
 
+/// Most joints of which the displacements that keep shapes are found: the work grows with the third power of their number, and nobody
+/// draws more.
+const MOST_TOGETHER: usize = 100;
+
 /// A basis of the joint displacements that keep the links' shapes: the null space of the constraints, which are the
-/// distances between points of one link and the places of the ground's points.
+/// distances between points of one link and the places of the ground's points. Empty for more than 100 joints.
 pub fn ways_together(construction: &Construction, exact: &Values, mechanism: &Mechanism) -> Vec<Vec<f64>> {
     let operations = construction.operations.iter();
     let plots: Vec<(PointId, Vector)> = operations
@@ -273,7 +277,7 @@ pub fn ways_together(construction: &Construction, exact: &Values, mechanism: &Me
             _ => None,
         })
         .collect();
-    if plots.is_empty() {
+    if plots.is_empty() || plots.len() > MOST_TOGETHER {
         return Vec::new();
     }
     let count = 2 * plots.len();

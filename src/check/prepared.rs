@@ -227,7 +227,7 @@ struct Look {
 const BEHIND: usize = 60;
 
 /// Most values by which causes are weighed.
-const WEIGHED: usize = 240;
+const WEIGHED: usize = 150;
 
 /// Explanations of the first values of a large form whose mistakes are weighed by more values.
 const LIKELY: usize = 6;
