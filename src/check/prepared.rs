@@ -5,10 +5,10 @@ use super::checked::{Accuracy, BANDS, Checked, Diagnosis, Judged, Verdict};
 use super::common::CommonError;
 use super::covariance::{Groups, Hand, SLIP};
 use super::entry::{Entry, entries_by};
-use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
+use super::measured::{AnswerKey, CheckError, Measured, ON_PAPER, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
-use super::names::{Meant, Names};
+use super::names::Names;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
@@ -16,7 +16,7 @@ use crate::construction::Tolerance;
 use crate::geometry::with_turns;
 use crate::quantity::{Band, QuantityRequest, Unread, What};
 use crate::sheet::{PerSheet, QuantityKind, Scales};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// An answer key for many forms, which may be checked on many cores at once: the first form takes longest.
@@ -170,27 +170,20 @@ impl<'a> Prepared<'a> {
     /// The rows of what a form asks for and has no value of: its blanks; of an exercise's form all that the exercise asks for. Where
     /// places of points are given alone, as from a photograph, rates and the scheme are not asked for.
     fn missing(&self, measured: &Measured, entries: &[Entry]) -> Vec<String> {
-        let names_ground = measured.names_ground();
-        let is_seen = |asked: &QuantityRequest| match &asked.what {
-            What::Segment(order, _) => measured.points.iter().any(|plan| plan.order == *order),
+        let is_whole = measured.exercise.is_some() && !measured.values.is_empty();
+        let blank: BTreeSet<&str> = measured.blank.iter().map(|name| name.trim_end_matches(ON_PAPER)).collect();
+        let is_seen = |row: &str| match QuantityRequest::new(row, &self.key.solution.mechanism).map(|asked| asked.what)
+        {
+            Ok(What::Segment(order, _)) => measured.points.iter().any(|plan| plan.order == order),
             _ => false,
         };
-        let blank = |name: &String| {
-            let Meant { asked, row, .. } = self.names.meant(name, names_ground).ok()?;
-            (!measured.values.is_empty() || is_seen(&asked)).then_some(row)
+        let is_asked = |row: &str| {
+            let is_blank = blank.contains(row) || blank.contains(self.names.in_form(row).as_str());
+            is_whole || (is_blank && (!measured.values.is_empty() || is_seen(row)))
         };
-        let is_whole = measured.exercise.is_some() && !measured.values.is_empty();
-        let asked: Vec<String> = match is_whole {
-            true => self.names.rows().map(str::to_owned).collect(),
-            false => measured.blank.iter().filter_map(blank).collect(),
-        };
-        let mut missing: Vec<String> = Vec::new();
-        for row in asked {
-            if !missing.contains(&row) && entries.iter().all(|entry| entry.row != row) {
-                missing.push(row);
-            }
-        }
-        missing
+        let given: BTreeSet<&str> = entries.iter().map(|entry| entry.row.as_str()).collect();
+        let missing = self.names.rows().filter(|row| !given.contains(row) && is_asked(row));
+        missing.map(str::to_owned).collect()
     }
 
     /// The values with the usual names of plan points, which may be written in any notation.
