@@ -12,16 +12,18 @@ use base64::engine::general_purpose::STANDARD;
 /// # Errors
 /// The XML cannot be written.
 pub fn moodle(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> {
-    let path = format!("$course$/Kinegon/{}", crate::text::clean(kind).replace('/', "//"));
+    let kind = crate::text::clean(kind);
+    let path = format!("$course$/Kinegon/{}", kind.replace('/', "//"));
     let path = element("category", &[], vec![text("text", &[], &path)]);
     let category = element("question", &[("type", "category")], vec![path]);
-    element("quiz", &[], [category].into_iter().chain(questions.iter().map(question)).collect()).document()
+    let questions = questions.iter().map(|asked| question(asked, &kind));
+    element("quiz", &[], [category].into_iter().chain(questions).collect()).document()
 }
 
 /// In the text of a question: the folder of its files.
 const FILES: &str = "@@PLUGINFILE@@/";
 
-fn question(question: &Question) -> Element {
+fn question(question: &Question, kind: &str) -> Element {
     let asked = harmless(&head(question, FILES)) + &tables(question, &field);
     let key = linked_picture(&(FILES.to_owned() + &question.key_name()), question.words.language.course_key(), 900);
     let told = vec![
@@ -29,12 +31,15 @@ fn question(question: &Question) -> Element {
         file(&question.scheme_name(), &question.scheme),
         file(&question.print_name(), &question.print),
     ];
+    let tags = ["Kinegon", kind].map(|tag| element("tag", &[], vec![text("text", &[], tag)]));
     let parts = vec![
-        element("name", &[], vec![text("text", &[], &question.title.for_pdf())]),
+        element("name", &[], vec![text("text", &[], &question.list_name())]),
         element("questiontext", &[("format", "html")], told),
         element("generalfeedback", &[("format", "html")], vec![html(&key), file(&question.key_name(), &question.key)]),
         text("penalty", &[], "0.3333333"),
         text("hidden", &[], "0"),
+        text("idnumber", &[], &question.name),
+        element("tags", &[], tags.into()),
     ];
     element("question", &[("type", "cloze")], parts)
 }
@@ -43,7 +48,7 @@ fn file(name: &str, bytes: &[u8]) -> Element {
     text("file", &[("name", name), ("path", "/"), ("encoding", "base64")], &STANDARD.encode(bytes))
 }
 
-/// The field of a cloze question, as `{1:NUMERICAL:=-3.00113:0.0616~%50%3.00113:0.0616#other sense}`.
+/// The field of a cloze question, as `{2:NUMERICAL:=-3.00113:0.0616~%0%3.00113:0.0616#other sense}`; before the kind its weight.
 fn field(field: &Field) -> String {
     let answers = field.answers.iter().map(|answer| {
         let part = match answer.percent {
@@ -53,7 +58,7 @@ fn field(field: &Field) -> String {
         let said = answer.said.as_ref().map(|said| format!("#{}", feedback(said)));
         format!("{part}{}:{}{}", number(answer.value), number(answer.tolerance), said.unwrap_or_default())
     });
-    format!("{{1:NUMERICAL:{}}}", answers.collect::<Vec<String>>().join("~"))
+    format!("{{{}:NUMERICAL:{}}}", field.worth, answers.collect::<Vec<String>>().join("~"))
 }
 
 /// A text of HTML in which nothing opens or ends a field.

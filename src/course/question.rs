@@ -6,7 +6,7 @@ use crate::check::{AnswerKey, Mistake, Student};
 use crate::construction::Tolerance;
 use crate::drawing::{Drawing, RichText, SheetLabels};
 use crate::exercise::{Exercise, KeyValue};
-use crate::format::{Text, html_text, panels_svg};
+use crate::format::{Text, html_text, panels_svg, svg_with};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, xml};
 use crate::words::Wording;
@@ -16,6 +16,8 @@ use crate::words::Wording;
 pub struct Question {
     /// Its name, from which those of its files are made: letters that a path may have.
     pub name: String,
+    /// Its name as lists show it, which sort by it: its number has leading zeros.
+    pub listed: String,
     /// The title of its scene.
     pub title: Untrusted,
     /// How it is told.
@@ -26,7 +28,7 @@ pub struct Question {
     pub scheme: Vec<u8>,
     /// The student's sheets, to be printed at their true size: as PDF, without the feature `pdf` the first as SVG.
     pub print: Vec<u8>,
-    /// Scheme and plans of the key as SVG, for afterwards.
+    /// The key as SVG, for afterwards: scheme, plans and the table of all values.
     pub key: Vec<u8>,
     /// The fields, in the order of the form.
     pub fields: Vec<Field>,
@@ -34,6 +36,8 @@ pub struct Question {
     pub scene: String,
     /// Its empty form, as JSON.
     pub form: String,
+    /// The marking scheme of its values, as JSON.
+    pub marks: String,
 }
 
 /// A box for one number.
@@ -47,35 +51,51 @@ pub struct Field {
     pub unit: String,
     /// The sheet from which it is read.
     pub sheet: Sheet,
+    /// What it is worth, in marks.
+    pub worth: u32,
     /// The numbers that it knows: the right one first, then those for which there are marks or feedback. No two overlap that earn or say
     /// different things.
     pub answers: Vec<Answer>,
 }
 
 impl Question {
-    /// The question of an exercise with that name. `styled` gives the sheets and the key their looks.
+    /// The question of an exercise with that name, listed by the other. `styled` gives the sheets and the key their looks.
     ///
     /// # Errors
     /// The exercise's figure lacks a sheet, or its sheet cannot be written as PDF.
-    pub fn new(exercise: &Exercise, name: &str, styled: &dyn Fn(&mut Drawing)) -> Result<Question, CourseError> {
+    pub fn new(
+        exercise: &Exercise,
+        name: &str,
+        listed: &str,
+        styled: &dyn Fn(&mut Drawing),
+    ) -> Result<Question, CourseError> {
         let (mut key, mut sheets) = (exercise.key_sheet(), exercise.sheets(name));
         sheets.iter_mut().chain([&mut key]).for_each(styled);
+        // Nothing asks for its marks by name, and names are a third of it.
+        key.marks.iter_mut().for_each(|mark| mark.id = None);
         let words = exercise.solution.wording();
         let notes = SheetLabels::of(&exercise.solution).notes(&exercise.asked());
         let digits = RichText::plain(words.language.course_digits());
         let told = exercise.given().into_iter().chain(notes).chain([digits]);
         Ok(Question {
             name: name.to_owned(),
+            listed: listed.to_owned(),
             title: exercise.solution.scene.title.clone().unwrap_or_else(|| words.language.title().into()),
             words,
             told: told.map(|text| html_text(&text)).collect(),
             scheme: picture(&exercise.sheet),
             print: printed(&sheets)?,
-            key: picture(&key),
+            key: svg_with(&key, Text::Glyphs).into_bytes(),
             fields: fields(exercise, &words)?,
             scene: exercise.text.clone(),
             form: exercise.form(name).json(&exercise.solution),
+            marks: exercise.marks(),
         })
+    }
+
+    /// Its name in lists, with its title.
+    pub(super) fn list_name(&self) -> String {
+        format!("{}: {}", self.listed, self.title.for_pdf())
     }
 
     /// The name of the file of the scheme's picture.
@@ -116,26 +136,30 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
     let key = AnswerKey::new(solution, Some(Tolerance::default()));
     let student = Student::new(&key)?;
     let right = student.exact(None);
+    let values = exercise.key().values;
+    // Of a mistake in the whole drawing the first value that shows it is charged.
+    let shows = |place: usize, value: Option<f64>| {
+        let own = values.get(student.names()[place].as_str());
+        let off = value.zip(right[place]).map(|(value, right)| (value - right).abs());
+        own.and_then(|own| own.allowed).zip(off).is_some_and(|(allowed, off)| off > allowed)
+    };
     let mut wrong: Vec<Vec<Wrong>> = vec![Vec::new(); right.len()];
     for mistake in Mistake::all() {
         let ways = student.ways(mistake);
         let share = mistake.share() / ways.len().max(1) as f64;
         for way in &ways {
             let told = student.told(way).join(" ");
-            for (place, value) in student.exact(Some(way)).into_iter().enumerate() {
+            let found = student.exact(Some(way));
+            let first = (0..found.len()).find(|place| way.step == 0 && shows(*place, found[*place]));
+            for (place, value) in found.into_iter().enumerate() {
                 if let Some(value) = value.filter(|value| Some(*value) != right[place]) {
-                    wrong[place].push(Wrong {
-                        value,
-                        share,
-                        told: told.clone(),
-                        is_earlier: way.step < student.step(place),
-                    });
+                    let follows = way.step < student.step(place) && first != Some(place);
+                    wrong[place].push(Wrong { value, share, told: told.clone(), follows });
                 }
             }
         }
     }
     let labels = SheetLabels::of(solution);
-    let values = exercise.key().values;
     let largest = |unit: &str| values.values().filter(|v| v.unit == unit).map(|v| v.value.abs()).fold(0.0, f64::max);
     let fields = exercise.pencil.quantities.iter().filter_map(|(asked, _)| {
         let value = values.get(asked.name())?;
@@ -145,6 +169,7 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
             label: html_text(&labels.quantity(asked)),
             unit: value.unit.clone(),
             sheet: asked.sheet(),
+            worth: exercise.worth(asked),
             answers: answers(value, largest(&value.unit), student.is_size(place), &wrong[place], words),
         })
     });
@@ -209,9 +234,6 @@ pub struct Answer {
     pub said: Option<String>,
 }
 
-/// The part of the marks, in per cent, for a rate of the right size with the wrong sense, and for a value that follows from an earlier mistake.
-pub const PART: u8 = 50;
-
 /// Least share, of all mistakes that give about the same number, of one that is named: as the check tells a cause.
 const TOLD: f64 = 0.6;
 
@@ -235,8 +257,8 @@ struct Wrong {
     share: f64,
     /// What the check says of it.
     told: String,
-    /// Whether it was made at an earlier step than the value's.
-    is_earlier: bool,
+    /// Whether the value follows from it: it was made at an earlier step, and shows before.
+    follows: bool,
 }
 
 impl Answer {
@@ -246,8 +268,8 @@ impl Answer {
     }
 }
 
-/// The answers of a field: the right number, for a size also with a minus; for a rate the other sense; then the commonest of the numbers that
-/// known mistakes give and nothing else does. `largest` is the largest number of the unit, `is_size` whether a sign says nothing.
+/// The answers of a field: the right number, for a size also with a minus; for a rate the other sense, which earns nothing; then the commonest
+/// of the numbers that known mistakes give and nothing else does: one that follows earns what the right one does. `largest` is the largest number of the unit, `is_size` whether a sign says nothing.
 ///
 /// A tolerance is that of a careful hand and half a unit of the last digit that is asked for; that of a wrong number, which has grown, has grown
 /// with it. Numbers that overlap a better one are left out, and those that other mistakes give, too, unless one is clearly the commonest.
@@ -260,7 +282,7 @@ fn answers(right: &KeyValue, largest: f64, is_size: bool, wrong: &[Wrong], words
     let mut answers = vec![answer(right.value, 100, None)];
     let other = match is_size {
         true => answer(-right.value, 100, None),
-        false => answer(-right.value, PART, Some(words.language.course_other_sense().to_owned())),
+        false => answer(-right.value, 0, Some(words.language.course_other_sense().to_owned())),
     };
     if right.value != 0.0 && (is_size || !other.overlaps(&answers[0])) {
         answers.push(other);
@@ -268,8 +290,8 @@ fn answers(right: &KeyValue, largest: f64, is_size: bool, wrong: &[Wrong], words
     let expected = wrong.iter().filter(|wrong| (NOTHING * largest..=GROWN * largest).contains(&wrong.value.abs()));
     let known = |wrong: &Wrong| {
         let cause = words.language.course_cause(&wrong.told);
-        let (part, said) = match wrong.is_earlier {
-            true => (PART, format!("{cause} {}", words.language.course_follows())),
+        let (part, said) = match wrong.follows {
+            true => (100, format!("{cause} {}", words.language.course_follows())),
             false => (0, cause),
         };
         (wrong.share, answer(wrong.value, part, Some(said)))

@@ -145,7 +145,10 @@ fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &
     for (label, _) in labels.filter(|(label, _)| renamer.plan_name(label).is_some()) {
         document.remove(&["figure", "labels", label])?;
     }
-    remove_entries(document, &["want"], &|quantity| {
-        quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some())
-    })
+    for key in ["want", "form"] {
+        remove_entries(document, &[key], &|quantity| {
+            quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some())
+        })?;
+    }
+    Ok(())
 }

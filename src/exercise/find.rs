@@ -183,6 +183,7 @@ impl Exercises {
         };
         file.shift_remove("want");
         file.shift_remove("$schema");
+        file.insert("form".into(), json!(found.to_ask));
         file.insert("figure".into(), Value::Object(figure_keys(&figure)));
         let number = format!("{}-{}", self.seed, self.number);
         file.insert("title".into(), json!(self.title.numbered(&number)));

@@ -11,6 +11,7 @@ use super::given::{GivenBy, PointMotion};
 use super::joint::{Slider, SliderFile, sliders};
 use super::link::{Link, LinkFile, links};
 use super::names::Names;
+use super::quantity_name::QuantityName;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
 use super::says;
 use super::schema::schema_of;
@@ -19,7 +20,7 @@ use super::typed::read_as;
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
 use crate::message::Message;
-use crate::text::Untrusted;
+use crate::text::{Untrusted, shown};
 
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -51,9 +52,12 @@ pub(super) struct SceneFile {
     pub figure: Option<Figure>,
     /// Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
     pub want: Option<Vec<String>>,
+    /// Names of the quantities for which the forms and sheets of students have boxes, as "omega(2)" or "vplan(p,b)"; left out: all that the
+    /// steps of the construction give. What no step gives has no box.
+    pub form: Option<Vec<String>>,
 }
 
-write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want });
+write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want, form });
 
 /// A mechanism as its scene file describes it: checked, in the file's order and units, angles in degrees.
 ///
@@ -82,6 +86,8 @@ pub struct Scene {
     pub figure: Figure,
     /// Names of the quantities asked for; `None` for all. They are not checked here.
     pub want: Option<Vec<String>>,
+    /// Names of the quantities for which a student's form has boxes; `None` for all that the steps give. One that no step gives has none.
+    pub form: Option<Vec<String>>,
     /// The scene's text, for the places of errors of later stages.
     text: String,
 }
@@ -226,6 +232,21 @@ pub fn signs(number: u64) -> String {
     digits.map(char::from).collect()
 }
 
+/// Whether what a form asks for has names of quantities, and is anything at all.
+fn check_form(form: Option<&[String]>) -> Result<(), Wrong> {
+    let Some(names) = form else { return Ok(()) };
+    if names.is_empty() {
+        return Err(Wrong::value(&["form"], says::form_asks_nothing()).hint(says::leave_key_out()));
+    }
+    for (index, name) in names.iter().enumerate() {
+        if QuantityName::parse(name).is_none() {
+            let message = says::form_no_quantity(shown(name));
+            return Err(Wrong::value(&["form", &index.to_string()], message).hint(says::form_names_quantities()));
+        }
+    }
+    Ok(())
+}
+
 /// Checks the parts of the file, in the order in which errors are reported.
 fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
@@ -241,6 +262,7 @@ fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     let figure = file.figure.unwrap_or_default();
     figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_form(file.form.as_deref())?;
     Ok(Scene {
         title: file.title,
         units: file.units,
@@ -253,6 +275,7 @@ fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
         near,
         figure,
         want: file.want,
+        form: file.form,
         text: text.to_owned(),
     })
 }
