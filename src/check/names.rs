@@ -35,8 +35,8 @@ struct FormRow {
     name: String,
     segment: Option<Segment>,
     is_measured: bool,
-    /// Whether the scene's form has a box for it.
-    is_asked: bool,
+    /// What it is worth, in marks; none where the scene's form has no box for it.
+    worth: Option<f64>,
 }
 
 impl FormRow {
@@ -78,7 +78,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
                 Some(_) => continue,
                 None => {}
             }
-            rows.push(FormRow { name, segment, is_measured, is_asked: true });
+            rows.push(FormRow { name, segment, is_measured, worth: Some(1.0) });
         }
     }
     rows
@@ -116,15 +116,21 @@ impl<'a> Names<'a> {
             rows: rows(construction),
         };
         if let Some(form) = &solution.scene.form {
-            let asked: Vec<String> = form.iter().map(|name| names.row_of(&names.usual(name)).to_owned()).collect();
-            names.rows.iter_mut().for_each(|row| row.is_asked = asked.contains(&row.name));
+            let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
+            let asked: IndexMap<String, f64> = asked.collect();
+            names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
         }
         names
     }
 
     /// The names of the rows of the scene's form, in their order.
     pub fn rows(&self) -> impl Iterator<Item = &str> {
-        self.rows.iter().filter(|row| row.is_asked).map(|row| row.name.as_str())
+        self.worths().map(|(name, _)| name)
+    }
+
+    /// The same with what each is worth, in marks.
+    pub fn worths(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.rows.iter().filter_map(|row| Some((row.name.as_str(), row.worth?)))
     }
 
     /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the

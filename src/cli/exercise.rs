@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 const AFTER_HELP: &str = "\
 Writes DIR/KIND-SEED-1, DIR/KIND-SEED-2 …, each with scene.json, the student's sheets (sheet.svg, sheet-2.svg …, \
 all in sheet.pdf), the empty form \
-(form.json, form.csv) and for the teacher the drawn key (key.svg, key.pdf), its values (key.json) and what they are worth (marks.json). Numbers are round; lines cross \
+(form.json, form.csv) and for the teacher the drawn key (key.svg, key.pdf) and its values (key.json). Numbers are round; lines cross \
 at 20° or more, special points are on the sheet, measured segments have 5 mm or more, and a careful hand finds every rate to 15 %. \
 The same seed gives the same files.
 
@@ -74,7 +74,10 @@ impl ExerciseCommand {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")
         })?;
         if self.pass.is_some() && self.lms != Some(Lms::Scorm) {
-            return refuse("only a SCORM package says what must be reached".to_owned(), "add `--lms scorm`, or leave `--pass` out");
+            return refuse(
+                "only a SCORM package says what must be reached".to_owned(),
+                "add `--lms scorm`, or leave `--pass` out",
+            );
         }
         if let Some(lms) = self.lms {
             return self.write_course(lms, &mut exercises, &name, &style, &source.name);
@@ -162,7 +165,6 @@ fn add_files(files: &mut FileSet, exercise: &Exercise, style: &GivenStyle, folde
     let form = exercise.form(&own_name);
     add("form.json", form.json(&exercise.solution).as_bytes())?;
     add("form.csv", form.csv(&exercise.solution).as_bytes())?;
-    add("marks.json", exercise.marks().as_bytes())?;
     add("key.json", format::json(&exercise.key()).as_bytes())
 }
 

@@ -1,7 +1,6 @@
 use super::package::{CourseError, Element, MANIFEST, element, identifier, package, text};
-use super::question::{Field, Question, head, number};
+use super::question::{Field, Question, head, number, read};
 use crate::text::xml;
-use crate::words::{Medium, NumberStyle};
 
 /// The exercises as a QTI 1.2 package for Canvas: a quiz for each, first a text with the picture of the scheme and the sheet to print, then a
 /// numerical question for each box of its form.
@@ -61,7 +60,7 @@ fn quiz(question: &Question) -> Result<Vec<u8>, CourseError> {
 }
 
 /// What Canvas is to know of a question: its type, and its points.
-fn about(kind: &str, points: u32) -> Element {
+fn about(kind: &str, points: f64) -> Element {
     let about = [("question_type", kind), ("points_possible", &points.to_string())].map(|(label, entry)| {
         element("qtimetadatafield", &[], vec![text("fieldlabel", &[], label), text("fieldentry", &[], entry)])
     });
@@ -72,7 +71,11 @@ fn about(kind: &str, points: u32) -> Element {
 fn told(question: &Question) -> Element {
     let ident = format!("{}-0", identifier(&question.name));
     let shown = element("presentation", &[], vec![material(&head(question, FILES))]);
-    element("item", &[("ident", &ident), ("title", &question.title.for_pdf())], vec![about("text_only_question", 0), shown])
+    element(
+        "item",
+        &[("ident", &ident), ("title", &question.title.for_pdf())],
+        vec![about("text_only_question", 0.0), shown],
+    )
 }
 
 /// A numerical question.
@@ -128,11 +131,7 @@ fn causes(question: &Question, field: &Field) -> String {
     let wrong = field.answers.iter().filter(|answer| answer.percent == 0 && Some(answer.value) != other_sense);
     let wrong = wrong.filter_map(|answer| Some((answer.value, answer.said.as_ref()?)));
     let lines = wrong.map(|(value, said)| {
-        let value = format!(
-            "{} {}",
-            words.write(value, NumberStyle::significant(3).trimmed().in_full(-5, 12).on(Medium::Figure)),
-            field.unit
-        );
+        let value = read(value, &field.unit, 3, words);
         format!("<li>{} {}</li>\n", xml(&words.language.course_if(&value)), xml(said))
     });
     let lines: String = lines.collect();

@@ -6,10 +6,10 @@ use crate::check::{AnswerKey, Mistake, Student};
 use crate::construction::Tolerance;
 use crate::drawing::{Drawing, RichText, SheetLabels};
 use crate::exercise::{Exercise, KeyValue};
-use crate::format::{Text, html_text, panels_svg, svg_with};
+use crate::format::{Text, html_text, panels_svg};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, xml};
-use crate::words::Wording;
+use crate::words::{Medium, NumberStyle, Wording};
 
 /// An exercise as a question: what is told, and a field for each box of its form.
 #[derive(Clone, Debug)]
@@ -28,7 +28,7 @@ pub struct Question {
     pub scheme: Vec<u8>,
     /// The student's sheets, to be printed at their true size: as PDF, without the feature `pdf` the first as SVG.
     pub print: Vec<u8>,
-    /// The key as SVG, for afterwards: scheme, plans and the table of all values.
+    /// Scheme and plans of the key as SVG, for afterwards.
     pub key: Vec<u8>,
     /// The fields, in the order of the form.
     pub fields: Vec<Field>,
@@ -36,8 +36,6 @@ pub struct Question {
     pub scene: String,
     /// Its empty form, as JSON.
     pub form: String,
-    /// The marking scheme of its values, as JSON.
-    pub marks: String,
 }
 
 /// A box for one number.
@@ -47,12 +45,14 @@ pub struct Field {
     pub name: String,
     /// Its name on the sheets, as HTML.
     pub label: String,
+    /// By how much a careful hand may be off.
+    pub allowed: f64,
     /// The unit in which the number is written.
     pub unit: String,
     /// The sheet from which it is read.
     pub sheet: Sheet,
     /// What it is worth, in marks.
-    pub worth: u32,
+    pub worth: f64,
     /// The numbers that it knows: the right one first, then those for which there are marks or feedback. No two overlap that earn or say
     /// different things.
     pub answers: Vec<Answer>,
@@ -71,8 +71,6 @@ impl Question {
     ) -> Result<Question, CourseError> {
         let (mut key, mut sheets) = (exercise.key_sheet(), exercise.sheets(name));
         sheets.iter_mut().chain([&mut key]).for_each(styled);
-        // Nothing asks for its marks by name, and names are a third of it.
-        key.marks.iter_mut().for_each(|mark| mark.id = None);
         let words = exercise.solution.wording();
         let notes = SheetLabels::of(&exercise.solution).notes(&exercise.asked());
         let digits = RichText::plain(words.language.course_digits());
@@ -85,11 +83,10 @@ impl Question {
             told: told.map(|text| html_text(&text)).collect(),
             scheme: picture(&exercise.sheet),
             print: printed(&sheets)?,
-            key: svg_with(&key, Text::Glyphs).into_bytes(),
+            key: picture(&key),
             fields: fields(exercise, &words)?,
             scene: exercise.text.clone(),
             form: exercise.form(name).json(&exercise.solution),
-            marks: exercise.marks(),
         })
     }
 
@@ -137,7 +134,7 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
     let student = Student::new(&key)?;
     let right = student.exact(None);
     let values = exercise.key().values;
-    // Of a mistake in the whole drawing the first value that shows it is charged.
+    // As `Marks` says: a mistake that no value of its step shows is charged in the first that does.
     let shows = |place: usize, value: Option<f64>| {
         let own = values.get(student.names()[place].as_str());
         let off = value.zip(right[place]).map(|(value, right)| (value - right).abs());
@@ -150,7 +147,9 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
         for way in &ways {
             let told = student.told(way).join(" ");
             let found = student.exact(Some(way));
-            let first = (0..found.len()).find(|place| way.step == 0 && shows(*place, found[*place]));
+            let showing = || (0..found.len()).filter(|place| shows(*place, found[*place]));
+            let is_own = showing().any(|place| student.step(place) <= way.step);
+            let first = if is_own { None } else { showing().next() };
             for (place, value) in found.into_iter().enumerate() {
                 if let Some(value) = value.filter(|value| Some(*value) != right[place]) {
                     let follows = way.step < student.step(place) && first != Some(place);
@@ -160,6 +159,7 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
         }
     }
     let labels = SheetLabels::of(solution);
+    let worth = solution.scene.form.clone().unwrap_or_default();
     let largest = |unit: &str| values.values().filter(|v| v.unit == unit).map(|v| v.value.abs()).fold(0.0, f64::max);
     let fields = exercise.pencil.quantities.iter().filter_map(|(asked, _)| {
         let value = values.get(asked.name())?;
@@ -167,9 +167,10 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
         Some(Field {
             name: asked.name().to_owned(),
             label: html_text(&labels.quantity(asked)),
+            allowed: value.allowed.unwrap_or(0.0),
             unit: value.unit.clone(),
             sheet: asked.sheet(),
-            worth: exercise.worth(asked),
+            worth: worth.get(asked.name()).copied().unwrap_or(1.0),
             answers: answers(value, largest(&value.unit), student.is_size(place), &wrong[place], words),
         })
     });
@@ -180,6 +181,12 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
 pub(super) fn number(x: f64) -> String {
     let rounded: f64 = format!("{x:.8e}").parse().unwrap_or(x);
     (rounded + 0.0).to_string()
+}
+
+/// A number as people read it, with its unit.
+pub(super) fn read(value: f64, unit: &str, digits: usize, words: &Wording) -> String {
+    let style = NumberStyle::significant(digits).trimmed().in_full(-5, 12).on(Medium::Figure);
+    format!("{} {unit}", words.write(value, style))
 }
 
 /// The picture of the scheme and what is told, with `address` in front of the files' names.
@@ -247,7 +254,11 @@ const NOTHING: f64 = 1e-9;
 const DIGITS: i32 = 3;
 
 /// Most wrong numbers that a field knows: Moodle reads a field with one regular expression, whose work grows with its length.
-const MOST: usize = 8;
+const MOST: usize = 24;
+
+/// How much of the two decades around the right value wrong numbers may hold that are paid for, in decades: so whoever guesses hits one in
+/// a quarter of all cases at most.
+const PAID: f64 = 0.5;
 
 /// A number that a known mistake gives in place of the right one.
 #[derive(Clone, Debug)]
@@ -262,6 +273,13 @@ struct Wrong {
 }
 
 impl Answer {
+    /// How much it holds of the numbers within a factor of ten of the right one, in decades.
+    fn decades(&self, right: f64) -> f64 {
+        let [value, right] = [self.value, right].map(f64::abs);
+        let [from, to] = [(value - self.tolerance).max(0.1 * right), (value + self.tolerance).min(10.0 * right)];
+        if to > from { libm::log10(to / from) } else { 0.0 }
+    }
+
     /// Whether a number can be within the tolerances of both.
     fn overlaps(&self, other: &Answer) -> bool {
         (self.value - other.value).abs() <= self.tolerance + other.tolerance
@@ -288,31 +306,44 @@ fn answers(right: &KeyValue, largest: f64, is_size: bool, wrong: &[Wrong], words
         answers.push(other);
     }
     let expected = wrong.iter().filter(|wrong| (NOTHING * largest..=GROWN * largest).contains(&wrong.value.abs()));
-    let known = |wrong: &Wrong| {
-        let cause = words.language.course_cause(&wrong.told);
-        let (part, said) = match wrong.follows {
-            true => (100, format!("{cause} {}", words.language.course_follows())),
-            false => (0, cause),
-        };
-        (wrong.share, answer(wrong.value, part, Some(said)))
-    };
-    let wrong: Vec<(f64, Answer)> = expected.map(known).collect();
-    let is_sure = |own: &Answer| {
-        let near = || wrong.iter().filter(|(_, other)| other.overlaps(own));
-        let all: f64 = near().map(|(share, _)| share).sum();
-        let alike: f64 = near().filter(|(_, other)| other.said == own.said).map(|(share, _)| share).sum();
-        answers.iter().all(|better| !better.overlaps(own)) && alike >= TOLD * all
-    };
-    let mut sure: Vec<&(f64, Answer)> = wrong.iter().filter(|(_, own)| is_sure(own)).collect();
+    let all: Vec<(&Wrong, Answer)> = expected.map(|wrong| (wrong, answer(wrong.value, 0, None))).collect();
+    let mut sure: Vec<(f64, Answer)> = all.iter().filter_map(|(wrong, own)| told(wrong, own, &all, words)).collect();
+    sure.retain(|(_, own)| answers.iter().all(|better| !better.overlaps(own)));
     sure.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut known: Vec<Answer> = Vec::new();
+    let mut paid = 0.0;
     for (_, own) in sure {
-        if known.len() < MOST && known.iter().all(|other| !other.overlaps(own)) {
-            known.push(own.clone());
+        let decades = if own.percent > 0 { own.decades(right.value) } else { 0.0 };
+        if known.len() < MOST && paid + decades <= PAID && known.iter().all(|other| !other.overlaps(&own)) {
+            paid += decades;
+            known.push(own);
         }
     }
     answers.extend(known);
     answers
+}
+
+/// What a number that a mistake gives earns and what is said of it, with how common the mistake is: where nearly all mistakes that give such a
+/// number are earlier ones, the marks of the right one, whichever it was; where nearly all are the same one, its name. None where neither
+/// is so.
+fn told(wrong: &Wrong, own: &Answer, all: &[(&Wrong, Answer)], words: &Wording) -> Option<(f64, Answer)> {
+    let near = || all.iter().filter(|(_, other)| other.overlaps(own));
+    let share = |is_it: &dyn Fn(&Wrong) -> bool| -> f64 {
+        near().filter(|(other, _)| is_it(other)).map(|(other, _)| other.share).sum()
+    };
+    let whole = share(&|_| true);
+    let is_named = share(&|other| other.told == wrong.told) >= TOLD * whole;
+    let follows = share(&|other| other.follows) >= TOLD * whole;
+    if !(follows || is_named && !wrong.follows) {
+        return None;
+    }
+    let cause = || words.language.course_cause(&wrong.told);
+    let said = match is_named {
+        true if wrong.follows => Some(format!("{} {}", cause(), words.language.course_follows())),
+        true => Some(cause()),
+        false => None,
+    };
+    Some((wrong.share, Answer { percent: if follows { 100 } else { 0 }, said, ..own.clone() }))
 }
 
 /// Half a unit of the last significant digit that is asked for; of nearly nothing beside the largest number of its unit that of a thousandth of it.

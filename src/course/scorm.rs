@@ -50,9 +50,7 @@ fn exercise(question: &Question) -> io::Result<String> {
 
 /// The part of the workbench's address behind # that a student gets (`web/page/state/address.ts`), with the exercise and its empty form.
 fn link(question: &Question) -> io::Result<String> {
-    let shared = json!({
-        "text": question.scene, "form": begun(&question.form), "panel": "check", "student": true, "marks": question.marks
-    });
+    let shared = json!({ "text": question.scene, "form": begun(&question.form), "panel": "check", "student": true });
     let mut packed = DeflateEncoder::new(Vec::new(), Compression::best());
     packed.write_all(shared.to_string().as_bytes())?;
     Ok(format!("1={}", URL_SAFE_NO_PAD.encode(packed.finish()?)))

@@ -1,10 +1,10 @@
 //! Which values an exercise asks for, and what each is worth.
 
-use crate::construction::Construction;
+use crate::construction::Solution;
 use crate::drawing::KeyRow;
 use crate::quantity::{QuantityRequest, What};
 use crate::sheet::Sheet;
-use serde_json::{Map, Value, json};
+use indexmap::IndexMap;
 use std::collections::BTreeSet;
 
 /// Most that a careful hand may be off by in a value that is asked for, in parts of the value: a box that accepts nearly everything shows
@@ -15,14 +15,14 @@ const MEASURABLE: f64 = 0.25;
 const MANY: usize = 24;
 
 /// What a result is worth, in marks, where what leads to it is worth one.
-const RESULT: u32 = 2;
+const RESULT: f64 = 2.0;
 
-/// The names of the values that an exercise asks for, of those that it could: none that no hand can measure. Where these are many, all rates,
+/// The values that an exercise asks for, of those that it could, with the marks that each is worth, as the scene's own form says or by default: none that no hand can measure. Where these are many, all rates,
 /// and of each point of scheme and plans one segment to it: from the pole, else the first that is measured.
-pub(super) fn to_ask(rows: &[KeyRow<'_>], construction: &Construction) -> Vec<String> {
+pub(super) fn to_ask(rows: &[KeyRow<'_>], solution: &Solution) -> IndexMap<String, f64> {
     let is_measurable = |row: &&KeyRow<'_>| row.allowed.is_some_and(|allowed| allowed <= MEASURABLE * row.value.abs());
     let measurable: Vec<&QuantityRequest> = rows.iter().filter(is_measurable).map(|row| row.asked).collect();
-    let steps = construction.numbered_steps().filter(|step| step.action.is_measured());
+    let steps = solution.construction.numbered_steps().filter(|step| step.action.is_measured());
     let measured: BTreeSet<String> = steps.flat_map(|step| step.names()).collect();
     let is_main = |asked: &&QuantityRequest| {
         let Some(own) = Ends::of(asked) else { return true };
@@ -31,8 +31,14 @@ pub(super) fn to_ask(rows: &[KeyRow<'_>], construction: &Construction) -> Vec<St
         let first = to_same().find(|other| measured.contains(other.name()));
         own.is_from_pole || (!has_pole && first.is_some_and(|first| first.name() == asked.name()))
     };
+    let own = |name: &str| solution.scene.form.as_ref()?.get(name).copied();
+    let worth = |asked: &QuantityRequest| own(asked.name()).unwrap_or_else(|| usual(asked));
     let is_few = measurable.len() <= MANY;
-    measurable.iter().filter(|asked| is_few || is_main(asked)).map(|asked| asked.name().to_owned()).collect()
+    measurable
+        .iter()
+        .filter(|asked| is_few || is_main(asked))
+        .map(|asked| (asked.name().to_owned(), worth(asked)))
+        .collect()
 }
 
 /// Where a segment of a sheet ends.
@@ -59,13 +65,7 @@ impl<'a> Ends<'a> {
     }
 }
 
-/// What a value is worth, in marks: two where it is a result, as every rate is, one where it leads to one.
-pub(super) fn worth(asked: &QuantityRequest) -> u32 {
-    if matches!(asked.what, What::Rate(_)) { RESULT } else { 1 }
-}
-
-/// The marking scheme of these values, as JSON.
-pub(super) fn marks<'a>(asked: impl Iterator<Item = &'a QuantityRequest>) -> Value {
-    let values: Map<String, Value> = asked.map(|asked| (asked.name().to_owned(), json!(worth(asked)))).collect();
-    json!({ "kinegon_marks": 1, "values": values })
+/// What a value is usually worth, in marks: two where it is a result, as every rate is, one where it leads to one.
+fn usual(asked: &QuantityRequest) -> f64 {
+    if matches!(asked.what, What::Rate(_)) { RESULT } else { 1.0 }
 }

@@ -1,6 +1,6 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
-use super::asked::{marks, to_ask, worth};
+use super::asked::to_ask;
 use super::says;
 use super::sheets::{key_rows, sentences};
 use crate::check::{BANDS, asked_names, form_names};
@@ -15,6 +15,7 @@ use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Pencil, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 use crate::sheet::{Order, Scales, Sheet};
+use indexmap::IndexMap;
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -46,8 +47,8 @@ pub struct Exercise {
     /// The sheet that the student gets: the scheme without special points, the given numbers, boxes for the results.
     /// [`Exercise::sheets`] are the same with markers.
     pub sheet: Drawing,
-    /// The names of the values that it should ask for.
-    pub(super) to_ask: Vec<String>,
+    /// The values that it should ask for, with their marks.
+    pub(super) to_ask: IndexMap<String, f64>,
     /// The page of the student's sheets.
     page: Page,
     /// Whether they have markers; never in a projector's proportions.
@@ -150,7 +151,7 @@ impl Exercise {
         let names = asked_names(&solution);
         let asked: Vec<KeyRow<'_>> =
             rows.into_iter().filter(|row| names.iter().any(|name| name == row.asked.name())).collect();
-        let to_ask = to_ask(&asked, &solution.construction);
+        let to_ask = to_ask(&asked, &solution);
         pencil.quantities.retain(|(quantity, _)| names.iter().any(|name| name == quantity.name()));
         let quantities: Vec<QuantityRequest> = pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         let given = sentences(&solution.scene, &scales);
@@ -181,17 +182,6 @@ impl Exercise {
     pub fn given(&self) -> Vec<RichText> {
         let sentences = sentences(&self.solution.scene, &self.scales);
         sentences.iter().map(|sentence| RichText::plain(sentence)).collect()
-    }
-
-    /// What its values are worth, as a marking scheme: a rate two marks, what leads to it one.
-    #[must_use]
-    pub fn marks(&self) -> String {
-        crate::format::json(&marks(self.pencil.quantities.iter().map(|(asked, _)| asked)))
-    }
-
-    /// What a value is worth, in marks.
-    pub(crate) fn worth(&self, asked: &QuantityRequest) -> u32 {
-        worth(asked)
     }
 
     /// The quantities of the form.

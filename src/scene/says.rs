@@ -112,6 +112,8 @@ messages! { "scene":
     // What a form asks for.
     form_asks_nothing = "this form asks for nothing";
     form_no_quantity(name) = "{name} is no name of a quantity";
+    form_no_marks(marks) = "{marks} are no marks";
+    form_marks_from_0(most) = "marks are 0 to {most}";
     form_names_quantities = "write names as an empty form has them: \"omega(2)\", \"vplan(p,b)\"";
 
     // Names.

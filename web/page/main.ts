@@ -61,7 +61,7 @@ async function firstKind(engine: EngineClient): Promise<Shared> {
 }
 
 function application(shared: Shared & Partial<Kept>, past: Document[], engine: EngineClient, tell: App["tell"]): App {
-  const asked = shared.asked ?? { text: shared.text, form: shared.form ?? "", marks: shared.marks ?? null };
+  const asked = shared.asked ?? { text: shared.text, form: shared.form ?? "" };
   const hears = course(asked.form);
   // What this very tab has is newer than what the course has kept.
   const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");

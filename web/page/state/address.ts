@@ -28,8 +28,6 @@ export interface Shared {
   /** Whether it is for a student: nothing is shown that the sheet asks for. */
   student?: boolean;
   task?: Task | null;
-  /** The marking scheme of a course's exercise. */
-  marks?: string;
 }
 
 /** Why a link cannot be read. */
@@ -77,7 +75,6 @@ function document(json: unknown): Shared | null {
   if (typeof given["form"] === "string") shared.form = given["form"];
   if (typeof given["panel"] === "string") shared.panel = given["panel"];
   if (given["student"] === true) shared.student = true;
-  if (typeof given["marks"] === "string") shared.marks = given["marks"];
   const task = taskOf(given["task"]);
   if (task !== null) shared.task = task;
   const view = given["view"] as Partial<View> | null | undefined;

@@ -2,11 +2,10 @@ import type { Task } from "./address.ts";
 import type { Document } from "./history.ts";
 import { thisPage, type Page } from "./lesson.ts";
 
-/** What a course asks: the scene, the form when it was empty, and its marking scheme. */
+/** What a course asks: the scene, and the form when it was empty. */
 export interface Asked {
   text: string;
   form: string;
-  marks: string | null;
 }
 
 /** A document as it is kept. */

@@ -46,7 +46,7 @@ export function checking(app: App): Checking {
     const under = [...unchecked];
     const settle = (): void => under.forEach((name) => !checks.isStale() && name !== writing.value && unchecked.delete(name));
     verdicts.set({ ...verdicts.value, isChecking: true });
-    const options = { marks: scheme.value?.text ?? app.asked.marks, pencil_mm: null, pencil_degrees: null, drawn: false };
+    const options = { marks: scheme.value?.text ?? app.course?.scheme ?? null, pencil_mm: null, pencil_degrees: null, drawn: false };
     try {
       const checked = await app.engine.check(good, form, options);
       settle();
