@@ -13,8 +13,8 @@ misnamed   a wrong name at the right place
 wrong      something told where no mistake was made
 silent     nothing is told and no value is off
 
-The place of a mistake is any step from the one at which it was made to that of the first value which it moves, except steps whose own
-value is right.
+The place of a mistake is the step at which it was made, and any step up to that of the first value which it moves, back to the value
+before that, except steps whose own value is right.
 """
 
 import argparse
@@ -88,7 +88,7 @@ class Drawn:
             self.form["values"] = {b: f"{float(v):.10g}" if v else v for b, v in self.form["values"].items()}
         self.moved = {}
         for box, value in wrong.items():
-            off = abs(in_units(task, box, float(value or 0)) - in_units(task, box, float(right[box])))
+            off = 0.0 if value is None else abs(in_units(task, box, float(value)) - in_units(task, box, float(right[box])))
             self.moved[box] = off / steps.key[box]["allowed"] if steps.key[box].get("allowed") else 0.0
         self.scale = 1.7 if hand.name == "shaky" else 1.0
 
@@ -108,19 +108,23 @@ class Drawn:
         first = self.steps.key[shown]["step"] if shown else 0
         if not mistake.places:
             return range(0, first + 1)
-        begins = [p for p in map(self.steps.place, mistake.places) if p is not None]
-        begin = min(begins) if begins else first
-        return range(begin, max(first, begin) + 1)
+        before = [self.steps.key[b]["step"] for b in self.moved if self.steps.key[b]["step"] < first]
+        begins = [p for p in map(self.steps.place, mistake.places) if p is not None] + [max(before, default=0) + 1]
+        return range(min(begins), max(first, min(begins)) + 1)
 
     def at_place(self, told, mistake):
-        if told["mistake"] in mistake.kind.accept and told["step"] == 0:
+        step = told["step"]
+        if step in map(self.steps.place, mistake.places):
             return True
-        if told["step"] == 0:
-            return not mistake.places or self.first() == next(iter(self.moved))
-        if told["step"] not in self.truth(mistake):
+        if step == 0:
+            return (told["mistake"] in mistake.kind.accept or not mistake.places or self.first() == next(iter(self.moved))
+                    or str(mistake.site).startswith("L:"))
+        if not mistake.places and step <= self.steps.of.get("v:vector:p>b", 0):
+            return True
+        if step not in self.truth(mistake):
             return False
-        own = [b for b, e in self.steps.key.items() if e["step"] == told["step"] and b in self.moved]
-        return not own or max(self.moved[b] for b in own) > 0.3 or told["step"] == self.truth(mistake)[0]
+        own = [b for b, e in self.steps.key.items() if e["step"] == step and b in self.moved]
+        return not own or max(self.moved[b] for b in own) > 0.3
 
     def one(self, told, mistake):
         """How one told mistake answers one that was made."""
@@ -184,6 +188,24 @@ def check(kinegon, drawn, folder, number):
     if done.returncode not in (0, 1):
         raise SystemExit(f"{path}: {done.stderr}")
     return json.loads(done.stdout)
+
+
+def check_variants(options, table, folder):
+    """Sheets with the numbers of a neighbour's exercise, checked beside the exercises of their class."""
+    rng, forms, row = random.Random(f"{options.seed} variants"), Path(folder) / "variants", collections.Counter()
+    forms.mkdir()
+    for i in range(options.sheets * 20):
+        drawn = lot(rng, table, options.hands.split(","), ["another-exercise"]) if len(list(forms.iterdir())) < options.sheets * 4 else None
+        if drawn:
+            (forms / f"{i}.json").write_text(json.dumps(drawn.form, ensure_ascii=False))
+    out = Path(folder) / "variants.jsonl"
+    subprocess.run([options.kinegon, "check", options.exercises, str(forms), "-o", str(out)], capture_output=True)
+    for line in out.read_text().splitlines():
+        entry = json.loads(line)
+        told = [m["mistake"] for m in [entry.get("first") or {}, *entry.get("further", [])] if m]
+        named = told and any(word in told[0] for word in ("exercise", "variant"))
+        row["named" if named else "wrong" if told else "silent" if entry["passed"] else "honest"] += 1
+    return row
 
 
 def lot(rng, table, hands, kinds, two=False):
@@ -259,7 +281,7 @@ class Survey:
             order = [drawn.one(told[0], drawn.mistakes[0])] if told else []
             self.first_right += bool(order and order[0] in ("named", "located"))
             self.both += outcome == "named"
-        if outcome in ("wrong", "misnamed", "silent") or (outcome == "honest" and group != "two"):
+        if outcome in ("wrong", "misnamed", "silent") or (outcome in ("honest","pointed") and group != "two"):
             said = " + ".join(f"{t['mistake']}@{t['step']}" for t in told) or "nothing"
             p = report["diagnosis"]["probability"]
             places = [(m.kind.name, m.places, [drawn.steps.place(x) for x in m.places]) for m in drawn.mistakes]
@@ -342,6 +364,8 @@ def main():
         work.append((f"honest {digits or 'all'}", Drawn(task, steps, HANDS[rng.choice(hands)], rng.randrange(1 << 30), [], digits)))
     honest = collections.defaultdict(collections.Counter)
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        if "another-exercise" in kinds:
+            print(line("another exercise of the class", check_variants(options, table, folder)))
         reports = pool.map(lambda w: check(options.kinegon, w[1][1], folder, w[0]), enumerate(work))
         for (group, drawn), report in zip(work, reports):
             if not group.startswith("honest"):

@@ -40,6 +40,8 @@ class Mistake:
             self.places.append(where)
             if kind == "rate":  # the segment is taken by its scale there
                 self.places += [f"{f['plan']}:segment:{a}-{b}" for a, b in [f.get("ends") or (None, None)] if a]
+            if kind == "ray":  # values do not tell a ray from the vector at whose end it begins
+                self.places += [w for k, w, g in sheet.acts if k == "vector" and w[0] == f["plan"] and w.endswith(">" + where.split(":")[2].split(">")[0])]
             if kind == "mark":  # a point is where its rays are
                 self.places += [w for k, w, _ in sheet.acts if k == "ray" and w.startswith(f["plan"]) and w.endswith(">" + f["to"])]
 
@@ -288,7 +290,10 @@ def factor(f, by):
 @kind("wrong-scale", "rate", "wrong-scale", lambda f: f["segment"] is not None)
 def _(s, f, rng):
     mu = s.mu[f["plan"]]
-    other = rng.choice([m for m in (s.mu["v"], s.mu["a"], s.mu["l"], 1.0) if abs(m / mu - 1) > 0.1])
+    others = [m for m in (s.mu["v"], s.mu["a"], s.mu["l"], 1.0) if m / mu not in (1, 0.1, 0.01, 0.001, 10, 100, 1000)]
+    if not others:
+        raise Absurd("no other scale")
+    other = rng.choice(others)
     factor(f, other / mu)
 
 
@@ -356,7 +361,7 @@ def _(s, f, rng):
     factor(f, 180 / math.pi)
 
 
-@kind("revolutions-for-radians", "rate", "revolutions-for-radians", is_turning)
+@kind("revolutions-for-radians", "rate", "revolutions-for-radians", lambda f: f["box"].startswith("omega"))
 def _(s, f, rng):
     factor(f, 30 / math.pi)
 

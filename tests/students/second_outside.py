@@ -143,6 +143,8 @@ class Pairs(Kind):
 
     def sites(self, sheet):
         normals = {f["link"]: where for k, where, f in sheet.acts if k == "vector" and f["reason"] == "normal" and "other" not in f}
+        if sheet.task.kind in ("third-class", "fourth-class", "hydraulic-boom"):
+            return []
         return [(normals[a], normals[b]) for a, b in ("23", "45") if a in normals and b in normals]
 
 
@@ -232,7 +234,11 @@ def _(s, f, rng):
 
 @kind("length-of-a-neighbour", "rate", only=lambda f: is_omega(f) or is_alpha(f))
 def _(s, f, rng):
-    f["length"] *= rng.choice((0.8, 0.85, 1.15, 1.25, 1.3))
+    known = s.task.lengths.values()
+    factors = [k for k in (0.8, 0.85, 1.15, 1.25, 1.3) if all(abs(f["length"] * k / x - 1) > 0.06 for x in known)]
+    if not factors:
+        raise Absurd("it is the length of another link")
+    f["length"] *= rng.choice(factors)
 
 
 @kind("rounded-before", "rate", only=is_omega)
