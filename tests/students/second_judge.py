@@ -81,7 +81,7 @@ class Drawn:
     def __init__(self, task, steps, hand, seed, mistakes, one_digit=0):
         self.task, self.steps, self.hand, self.mistakes = task, steps, hand, mistakes
         _, right = draw(task, hand, seed)
-        _, wrong = draw(task, hand, seed, mistakes)
+        self.sheet, wrong = draw(task, hand, seed, mistakes)
         self.form = form(task, wrong, hand, "second hand")
         if one_digit:
             self.form["values"] = {b: f"{float(v):.{one_digit}g}" if v else v for b, v in self.form["values"].items()}
