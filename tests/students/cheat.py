@@ -248,12 +248,6 @@ def one_digit(t, rng):
     return plain(t, {b: f"{v:.0e}" if rng.random() < 0.5 else f"{v:g}" for b, v in values.items()}), values
 
 
-@family
-def all_the_same(t, rng):
-    n = rng.choice((1, 10, 50, 100, 3.14, -1))
-    return plain(t, {b: n for b in t.task.boxes}), {b: n for b in t.task.boxes}
-
-
 class Invented:
     """Marks points anywhere, and does all the rest as it should be done."""
 
@@ -329,15 +323,10 @@ def huge_radii(t, rng):
         names = {n for b in t.task.boxes if b.startswith(letter + "plan") for n in b[6:-1].split(",")}
         points[plan] = {n: [round(rng.uniform(-150, 150), 1), round(rng.uniform(-150, 150), 1), radius] for n in names | {pole}}
         points[plan][pole] = [0, 0, radius]
+        if rng.random() < 0.3:
+            points[plan] = {n: [0, 0, radius] for n in points[plan]}
     values = rng.choice(({}, {b: t.random(rng, b) for b in t.task.boxes if not t.is_length(b)}, {b: "0e3" for b in t.task.boxes if not t.is_length(b)}))
     return plain(t, values) | {"points": points}, values if len(values) > 4 else {}
-
-
-@family
-def points_at_one_place(t, rng):
-    place = rng.choice(([0, 0], [0, 0, 100], [50, 50], [1e300, 0], [0, 0, 1e5]))
-    points = {"velocity": {"p": [0, 0], "b": place, "c": place}, "acceleration": {"π": [0, 0], "b": place, "c": place}}
-    return plain(t, {}) | {"points": points}, {}
 
 
 @family
