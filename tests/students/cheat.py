@@ -161,7 +161,7 @@ def intervals(t, rng):
 
 
 UNITS = {"L": ("mm", "cm", "m", "in", "ft"), "vplan": ("mm/s", "m/s", "in/s", "ft/min", "cm/min"), "aplan": ("mm/s²", "m/s²", "in/min²", "ft/s²"),
-         "omega": ("rad/s", "rpm", "deg/s"), "alpha": ("rad/s²", "deg/s²", "rpm"), "v_r": ("mm/s", "ft/min"), "a_r": ("mm/s²", "m/min²")}
+         "omega": ("rad/s", "rpm", "deg/s"), "alpha": ("rad/s²", "deg/s²"), "v_r": ("mm/s", "ft/min"), "a_r": ("mm/s²", "m/min²")}
 
 
 @family
@@ -170,8 +170,8 @@ def unit_tricks(t, rng):
     for b in t.task.boxes:
         unit = rng.choice(UNITS[b.split("(")[0]])
         n = rng.choice((rng.randint(1, 200), 0, f"{rng.randint(1, 9)}e{rng.randint(0, 3)}", round(rng.uniform(0.1, 9), 1)))
-        values[b] = rng.choice((f"{n} {unit}", {"value": n, "unit": unit}))
-    return plain(t, values, **{"in": "units"}), {}
+        values[b] = {"value": n, "unit": unit}
+    return plain(t, values, **{"in": rng.choice(("mm", "units"))}), {}
 
 
 @family
