@@ -4,7 +4,7 @@
 
 Forms for exercises of six kinds are checked as a teacher checks a class, `kinegon check EXERCISES FORMS --marks`, one mark for each value.
 Each family of tricks has a line: marks earned, what the numbers deserve (those values that lie within what the key allows, which chance
-and the given numbers bring about), the marks for following through, the best form, and how many forms were passed or refused.
+and the given numbers bring about), the marks for following through, the best form, how many forms were passed or refused, and of how many a cause was told.
 No form may pass; a family must not earn more than it deserves by more than two of a hundred marks.
 """
 
@@ -160,15 +160,17 @@ def intervals(t, rng):
     return plain(t, {b: word.format(rng.randint(1, 60), rng.randint(60, 300)) for b in t.task.boxes}), {}
 
 
+UNITS = {"L": ("mm", "cm", "m", "in", "ft"), "vplan": ("mm/s", "m/s", "in/s", "ft/min", "cm/min"), "aplan": ("mm/s²", "m/s²", "in/min²", "ft/s²"),
+         "omega": ("rad/s", "rpm", "deg/s"), "alpha": ("rad/s²", "deg/s²"), "v_r": ("mm/s", "ft/min"), "a_r": ("mm/s²", "m/min²")}
+
+
 @family
 def unit_tricks(t, rng):
-    units = ("mm", "m", "in", "ft", "m/s", "mm/s", "m/s²", "ft/min", "in/s", "rad/s", "rpm", "rev/min", "deg/s", "°", "%", "km", "deg")
-    pick = rng.choice(units)
     values = {}
     for b in t.task.boxes:
-        unit = rng.choice(units) if pick == "%" else pick
-        n = rng.choice((rng.randint(1, 200), 0, f"{rng.randint(1, 9)}e{rng.randint(0, 3)}"))
-        values[b] = rng.choice((f"{n} {unit}", {"value": n, "unit": unit}))
+        unit = rng.choice(UNITS[b.split("(")[0]])
+        n = rng.choice((rng.randint(1, 200), 0, f"{rng.randint(1, 9)}e{rng.randint(0, 3)}", round(rng.uniform(0.1, 9), 1)))
+        values[b] = {"value": n, "unit": unit}
     return plain(t, values, **{"in": rng.choice(("mm", "units"))}), {}
 
 
@@ -248,12 +250,6 @@ def one_digit(t, rng):
     return plain(t, {b: f"{v:.0e}" if rng.random() < 0.5 else f"{v:g}" for b, v in values.items()}), values
 
 
-@family
-def all_the_same(t, rng):
-    n = rng.choice((1, 10, 50, 100, 3.14, -1))
-    return plain(t, {b: n for b in t.task.boxes}), {b: n for b in t.task.boxes}
-
-
 class Invented:
     """Marks points anywhere, and does all the rest as it should be done."""
 
@@ -329,15 +325,10 @@ def huge_radii(t, rng):
         names = {n for b in t.task.boxes if b.startswith(letter + "plan") for n in b[6:-1].split(",")}
         points[plan] = {n: [round(rng.uniform(-150, 150), 1), round(rng.uniform(-150, 150), 1), radius] for n in names | {pole}}
         points[plan][pole] = [0, 0, radius]
+        if rng.random() < 0.3:
+            points[plan] = {n: [0, 0, radius] for n in points[plan]}
     values = rng.choice(({}, {b: t.random(rng, b) for b in t.task.boxes if not t.is_length(b)}, {b: "0e3" for b in t.task.boxes if not t.is_length(b)}))
     return plain(t, values) | {"points": points}, values if len(values) > 4 else {}
-
-
-@family
-def points_at_one_place(t, rng):
-    place = rng.choice(([0, 0], [0, 0, 100], [50, 50], [1e300, 0], [0, 0, 1e5]))
-    points = {"velocity": {"p": [0, 0], "b": place, "c": place}, "acceleration": {"π": [0, 0], "b": place, "c": place}}
-    return plain(t, {}) | {"points": points}, {}
 
 
 @family
@@ -433,15 +424,16 @@ def show(rows, made, folder, options):
         s["deserved"] += deserved / of
         s["follow"] += marks["follow_through"] / of
         s["passed"] += row["passed"]
+        s["told"] += "first" in row
         excess = share - deserved / of
         s["excess"] = max(s["excess"], excess)
         if row["passed"] or excess > best.get(name, (0.1,))[0]:
             best[name] = (excess + row["passed"], row["file"], marks, deserved)
-    print(f"{'family, per cent of the marks':30} forms refused   earned deserved  follow   worst passed")
+    print(f"{'family, per cent of the marks':30} forms refused   earned deserved  follow   worst passed  told")
     for name, s in sums.items():
         n = max(s["forms"] - s["refused"], 1)
         print(f"{name:30} {s['forms']:5} {s['refused']:7} {s['earned'] / n * 100:8.1f} {s['deserved'] / n * 100:8.1f} {s['follow'] / n * 100:7.1f} "
-              f"{s['excess'] * 100:7.0f} {s['passed']:6}")
+              f"{s['excess'] * 100:7.0f} {s['passed']:6} {s['told'] / n * 100:5.0f}")
         faults += s["passed"] > 0 or (s["earned"] - s["deserved"]) / n > 0.02
     for name, (_, file, marks, deserved) in best.items():
         print(f"  {name}: {file}: {marks['earned']:g} of {marks['of']:g}, {marks['follow_through']:g} for following through, {deserved} deserved")

@@ -30,6 +30,7 @@ HANDS = {h.name: h for h in (
     Hand("careful", 0.1, 0.1, 0.1, 0, 4),
     Hand("usual", 0.15, 0.15, 0.5, 0.001, 3),
     Hand("shaky", 0.3, 0.3, 0.5, 0.002, 3),
+    Hand("rounder", 0.15, 0.15, 0.5, 0, 2),
 )}
 
 
@@ -190,7 +191,9 @@ def text(box, value, hand):
         return value
     if box.startswith(("L(", "vplan", "aplan")):
         return f"{value:.6g}" if hand.digits >= 6 else f"{value:.1f}"
-    return f"{value:.{hand.digits}g}" if abs(value) < 1e5 else f"{value:.0f}"
+    value = significant(value, hand.digits)
+    decimals = max(0, hand.digits - 1 - math.floor(math.log10(abs(value)))) if value else 0
+    return f"{value:.{decimals}f}"
 
 
 def form(task, values, hand, name=""):

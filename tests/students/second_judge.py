@@ -277,6 +277,7 @@ class Survey:
             self.stated.append((report["diagnosis"]["probability"], true, outcome == "misnamed"))
         if probabilities(report) > 1.005:
             self.over.append((probabilities(report), name))
+            self.save("sum", name, drawn, f"probabilities sum to {probabilities(report):.2f}")
         if group == "two":
             order = [drawn.one(told[0], drawn.mistakes[0])] if told else []
             self.first_right += bool(order and order[0] in ("named", "located"))
@@ -286,12 +287,14 @@ class Survey:
             p = report["diagnosis"]["probability"]
             places = [(m.kind.name, m.places, [drawn.steps.place(x) for x in m.places]) for m in drawn.mistakes]
             self.told[group, name][f"{outcome}: {drawn.task.kind} {drawn.hand.name}: {said} ({p:.2f}); made {places[0]}"] += 1
-            if self.faults:
-                n = len(list(self.faults.glob(f"{outcome}-{name}-*.json")))
-                if n < 2:
-                    note = f"{outcome}; made: {places}; moved first: {drawn.first()}; told: {said} ({p:.2f})"
-                    path = self.faults / f"{outcome}-{name}-{n}.json"
-                    path.write_text(json.dumps({**drawn.form, "name": note[:400]}, ensure_ascii=False, indent=1))
+            self.save(outcome, name, drawn, f"{outcome}; made: {places}; moved first: {drawn.first()}; told: {said} ({p:.2f})")
+
+    def save(self, outcome, name, drawn, note):
+        """Keeps two forms of a kind that were judged wrongly; the name says what is wrong."""
+        n = len(list(self.faults.glob(f"{outcome}-{name}-*.json"))) if self.faults else 2
+        if n < 2:
+            path = self.faults / f"{outcome}-{name}-{n}.json"
+            path.write_text(json.dumps({**drawn.form, "name": note[:400]}, ensure_ascii=False, indent=1))
 
     def shares(self, group):
         total = collections.Counter()
@@ -362,13 +365,15 @@ def main():
         task, steps = rng.choice(table)
         digits = (0, 0, 3, 2, 1)[i % 5]
         work.append((f"honest {digits or 'all'}", Drawn(task, steps, HANDS[rng.choice(hands)], rng.randrange(1 << 30), [], digits)))
+        if i % 5 == 0:  # rates rounded to two digits wherever they are used
+            work.append(("rounded", Drawn(task, steps, HANDS["rounder"], rng.randrange(1 << 30), [])))
     honest = collections.defaultdict(collections.Counter)
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         if "another-exercise" in kinds:
             print(line("another exercise of the class", check_variants(options, table, folder)))
         reports = pool.map(lambda w: check(options.kinegon, w[1][1], folder, w[0]), enumerate(work))
         for (group, drawn), report in zip(work, reports):
-            if not group.startswith("honest"):
+            if group in surveys:
                 surveys[group].add(group, drawn, report)
                 continue
             told, off = told_of(report), [v for v in report["values"] if v["verdict"] in ("off", "sense-missing")]
@@ -403,6 +408,7 @@ def show(surveys, honest, options):
         faults += two.both / two.count < 0.55 or two.first_right / two.count < 0.9
     for group, row in sorted(honest.items()):
         print(f"{group:20} sheets {row['sheets']}, accused {row['accused']}, values off {row['off']}, passed {row['passed']}")
+    honest.pop("rounded", None)
     sheets, accused = (sum(r[k] for r in honest.values()) for k in ("sheets", "accused"))
     faults += bool(sheets) and accused / sheets > 0.005
     for group, survey in surveys.items():

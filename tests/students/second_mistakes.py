@@ -5,6 +5,7 @@ no list. Each is put in at one act of the sheet, or at the whole of it; see `She
 import math
 import random
 
+from second import text
 from second_task import TURN, Absurd, angle, distance
 
 KINDS = {}
@@ -335,7 +336,7 @@ def _(s, values, rng):
 
 
 def written(box, v, s):
-    return f"{v:.1f}" if box.startswith(("L(", "vplan", "aplan")) else f"{v:.{min(s.hand.digits, 4)}g}"
+    return text(box, v, s.hand)
 
 
 @kind("digits-transposed", "values", "digits-transposed")

@@ -317,11 +317,22 @@ def _(s, f, rng):
     s.position = s.task.position(s.task.crank_degrees + rng.choice((5, -5, 15, -15, 25, 35)))
 
 
-@kind("another-exercise", "whole", "another-exercise other-exercise another-variant other-variant")
+@kind("another-exercise", "whole", "other-exercise another-exercise another-variant other-variant")
 def _(s, f, rng):
     s.task = rng.choice(s.task.neighbours)
     s.omega, s.position = s.task.omega, s.task.position()
 
 
-pairs = KINDS["normals-interchanged"]
-KINDS["normals-interchanged"] = Pairs(pairs.name, "vector", pairs.accept, pairs.change, None, "outside")
+@kind("both-normals-forgotten", "vector", "normal-forgotten")
+def _(s, f, rng):
+    f["size"] = 0.0
+
+
+@kind("plan-at-another-scale", "whole", "wrong-scale common-scale")
+def _(s, f, rng):
+    s.mu[rng.choice("va")] *= rng.choice((0.8, 1.25, 2, 2.5))
+
+
+for name in ("normals-interchanged", "both-normals-forgotten"):
+    one = KINDS[name]
+    KINDS[name] = Pairs(name, "vector", one.accept, one.change, None, "outside")
