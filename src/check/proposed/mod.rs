@@ -6,12 +6,12 @@
 mod track;
 
 use super::checked::BANDS;
-use super::entry::ROUNDING;
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::names::form_names;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
+use super::placed::ROUNDING;
 use crate::geometry::Vector;
 use crate::quantity::{QuantityRequest, pencil};
 use crate::sheet::Order;
@@ -48,7 +48,7 @@ pub struct Proposal {
 #[must_use]
 pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
     let blank = form_names(&key.solution.construction);
-    let mut measured = Measured { mu: key.scales, blank, ..Measured::default() };
+    let mut measured = Measured { mu: key.scales, blank, upright: true, ..Measured::default() };
     for plan in plans {
         measured.mu[plan.order.sheet()] = Some(plan.mu);
         let mut points = PointsOf::new(plan.order);
