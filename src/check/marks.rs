@@ -205,7 +205,9 @@ impl MarkScheme {
             return finding.written.clone();
         }
         let step = finding.candidate.step;
-        let off = || finding.changed().into_iter().filter(|value| checked.values[*value].verdict == Verdict::Off);
+        let is_worth = |value: &Judged| self.worth.values().any(|own| own.row == value.entry.row);
+        let is_off = |value: &Judged| value.verdict == Verdict::Off && is_worth(value);
+        let off = || finding.changed().into_iter().filter(|value| is_off(&checked.values[*value]));
         let is_missing =
             || self.worth.values().any(|own| own.step == step && step > 0 && place_of(&own.row, checked).is_none());
         if off().any(|value| checked.values[value].entry.step <= step) || is_missing() {

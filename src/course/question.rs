@@ -5,7 +5,7 @@ use super::package::CourseError;
 use crate::check::{AnswerKey, Mistake, Student};
 use crate::construction::Tolerance;
 use crate::drawing::{Drawing, RichText, SheetLabels};
-use crate::exercise::{Exercise, KeyValue};
+use crate::exercise::{Exercise, KeyValue, MEASURABLE};
 use crate::format::{Text, html_text, panels_svg};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, xml};
@@ -314,7 +314,9 @@ fn answers(right: &KeyValue, largest: f64, is_size: bool, wrong: &[Wrong], words
     let mut paid = 0.0;
     for (_, own) in sure {
         let decades = if own.percent > 0 { own.decades(right.value) } else { 0.0 };
-        if known.len() < MOST && paid + decades <= PAID && known.iter().all(|other| !other.overlaps(&own)) {
+        let is_telling = own.percent == 0 || own.tolerance <= MEASURABLE * own.value.abs();
+        if is_telling && known.len() < MOST && paid + decades <= PAID && known.iter().all(|other| !other.overlaps(&own))
+        {
             paid += decades;
             known.push(own);
         }
