@@ -168,19 +168,7 @@ impl MarkScheme {
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
         let findings = &checked.diagnosis.best.findings;
-<<<<<<< HEAD
         let charged: Vec<usize> = findings.iter().flat_map(|finding| self.charged(finding, checked)).collect();
-=======
-        let is_off = |value: &usize| checked.values[*value].verdict == Verdict::Off;
-        // The value in which a mistake was made; of one in which none was, as of a ray or a wrong ω of the drive, the first that shows it,
-        // and of a point put elsewhere the first two, as it has two numbers.
-        let is_made_in = |f: &Finding, value: usize| match f.written.is_empty() {
-            true => {
-                f.changed().into_iter().filter(is_off).take(f.candidate.free.len().max(1)).any(|first| first == value)
-            }
-            false => f.written.contains(&value),
-        };
->>>>>>> main
         let follows = |value: usize| {
             // Beside a prediction of nearly nothing any small number would follow.
             let Judged { entry, tolerance, .. } = &checked.values[value];
@@ -210,8 +198,9 @@ impl MarkScheme {
         Awarded { earned: tidy(earned + follow_through), of: tidy(of), follow_through: tidy(follow_through) }
     }
 
-    /// The values in which a mistake is charged. Of one that no value of its step shows, as a line in a wrong direction or a wrong ω of the
-    /// drive, that is the first that does, unless a value of its step is asked for and missing: that is charged already.
+    /// The values in which a mistake is charged: where it was written, else the first that show it, as of a line in a wrong direction or a
+    /// wrong ω of the drive; of a point put elsewhere two, as it has two numbers. A value of its step that is asked for and missing is
+    /// charged already.
     fn charged(&self, finding: &Finding, checked: &Checked) -> Vec<usize> {
         if !finding.written.is_empty() {
             return finding.written.clone();
@@ -219,13 +208,11 @@ impl MarkScheme {
         let step = finding.candidate.step;
         let is_worth = |value: &Judged| self.worth.values().any(|own| own.row == value.entry.row);
         let is_off = |value: &Judged| value.verdict == Verdict::Off && is_worth(value);
-        let off = || finding.changed().into_iter().filter(|value| is_off(&checked.values[*value]));
+        let off = finding.changed().into_iter().filter(|value| is_off(&checked.values[*value]));
         let is_missing =
-            || self.worth.values().any(|own| own.step == step && step > 0 && place_of(&own.row, checked).is_none());
-        if off().any(|value| checked.values[value].entry.step <= step) || is_missing() {
-            return Vec::new();
-        }
-        off().take(1).collect()
+            self.worth.values().any(|own| own.step == step && step > 0 && place_of(&own.row, checked).is_none());
+        let numbers = finding.candidate.free.len().max(1);
+        off.take(numbers - usize::from(is_missing)).collect()
     }
 }
 

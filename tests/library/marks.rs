@@ -26,9 +26,8 @@ fn every_mistake_that_is_told_costs_something() {
     let scheme = Marks::read(r#"{ "kinegon_marks": 1 }"#).expect("a scheme").of(&key).expect("of this scene");
     for way in Mistake::all().flat_map(|mistake| student.ways(mistake)) {
         let checked = prepared.check(&student.draw(&[&way], [0.0; 2], &mut || 0.0, &[])).expect("a form");
-        let is_off = |step: usize| {
-            checked.values.iter().any(|value| value.verdict == Verdict::Off && value.entry.step == step)
-        };
+        let is_off =
+            |step: usize| checked.values.iter().any(|value| value.verdict == Verdict::Off && value.entry.step == step);
         let [finding] = checked.diagnosis.best.findings.as_slice() else { continue };
         if !checked.diagnosis.unexplained.is_empty() || !checked.values.iter().any(|v| v.verdict == Verdict::Off) {
             continue;
@@ -36,7 +35,8 @@ fn every_mistake_that_is_told_costs_something() {
         let marks = scheme.award(&checked);
         told += 1;
         assert!(marks.earned < marks.of, "{:?} at step {} costs nothing", way.mistake(), way.step);
-        if finding.written.is_empty() && !is_off(finding.candidate.step) {
+        if finding.written.is_empty() && finding.candidate.mistake() == way.mistake() && !is_off(finding.candidate.step)
+        {
             lines += 1;
             assert!((marks.of - marks.earned - 1.0).abs() < 1e-9, "{:?}: {marks:?}", way.mistake());
         }
