@@ -420,7 +420,7 @@ sentences! {
     course_follows = "This value follows from it.";
     course_picture = "The mechanism, true to scale";
     course_print = "Sheet to print at its true size";
-    course_key = "The mechanism with both plans and all values";
+    course_key = "The mechanism with both plans";
     course_if(value) = "If you found {value}:";
 }
 

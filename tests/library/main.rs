@@ -31,6 +31,7 @@
 //!   check's (`tests/support/students`), with hands that err and mistakes of which many are in no catalogue;
 //!   `published_sets` prints one number of a textbook wrong. What is told must be true, and no surer than it is
 //!   right.
+//! - Marks: `marks` counts by hand what a mistake costs, and what a form asks for.
 //! - Photographs: `tests/support/camera` takes pictures of sheets as telephones do (paper bent, lens, light, sensor,
 //!   JPEG), knows where each point of the page is in them, and draws the plans of the students above on sheets with a
 //!   pencil; it shares nothing with what reads photographs. `camera` holds it to mathematics: edges to 0.02 pixels,
@@ -74,6 +75,7 @@ mod lectured;
 mod legible;
 mod levers;
 mod markers;
+mod marks;
 mod messages;
 mod paper_facts;
 mod pencil;
