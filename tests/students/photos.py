@@ -52,27 +52,26 @@ class Sheet:
         self.lot = random.Random(f"sheet {number}")
         self.hand = HANDS[number % 3]
         self.case = None
-        scene = json.loads((folder / "scene.json").read_text("utf-8"))
-        acts = {}
+        self.scene = json.loads((folder / "scene.json").read_text("utf-8"))
+        self.acts, self.drawing = {}, self.drawn({})
         if self.lot.random() < 0.75:
-            own = [case for case in cases.CASES if case.mechanism == mechanism and folder.name.startswith(case.scenes) and changes_plans(case.acts)]
-            if own:
-                self.case = self.lot.choice(own)
-                acts = self.case.acts
-            else:
-                acts = self.planned(scene)
-        self.acts = acts
-        self.drawing = draw(mechanism, scene, Hand(**self.hand, seed=number), acts)
+            self.make_mistake()
 
-    def planned(self, scene):
-        for acts in self.lot.sample(ACTS, len(ACTS)):
+    def drawn(self, acts):
+        return draw(self.mechanism, self.scene, Hand(**self.hand, seed=self.number), acts)
+
+    def make_mistake(self):
+        """Draws with the first mistake, by lot, that this mechanism can have, that moves points, and with which the plans stay on their sheets."""
+        own = [case for case in cases.CASES if case.mechanism == self.mechanism and self.folder.name.startswith(case.scenes) and changes_plans(case.acts)]
+        planned = [(case, case.acts) for case in own] or [(None, acts) for acts in ACTS]
+        for case, acts in self.lot.sample(planned, len(planned)):
             try:
-                right, wrong = (draw(self.mechanism, scene, Hand(), mistakes) for mistakes in ({}, acts))
+                drawing = self.drawn(acts)
             except (ValueError, ZeroDivisionError, KeyError):
                 continue
-            if farthest(right, wrong) > 3.0:
-                return acts
-        return {}
+            if farthest(self.drawing, drawing) > 3.0 and not off_sheet(self.folder, drawing):
+                self.case, self.acts, self.drawing = case, acts, drawing
+                return
 
 
 def farthest(one, other):
@@ -118,11 +117,11 @@ def take(sheet, folder, edge):
     return paths
 
 
-def off_sheet(sheet):
+def off_sheet(folder, drawing):
     """Whether a plan leaves its sheet."""
-    for svg in sheet.folder.glob("sheet*.svg"):
+    for svg in folder.glob("sheet*.svg"):
         (width, height), at_poles = poles(svg.read_text("utf-8"))
-        for plan in sheet.drawing.plans:
+        for plan in drawing.plans:
             if plan.name in at_poles:
                 x, y = at_poles[plan.name]
                 for place in plan.images.values():
@@ -136,8 +135,6 @@ def run(kinegon, number, args):
     exercise = f"{mechanism}-7-{1 + number // len(args.kinds) % 4}"
     sheet = Sheet(number, mechanism, args.folder / "exercises" / exercise)
     told = dict(number=number, mechanism=mechanism, mistake=sheet.case.text if sheet.case else ", ".join(sheet.acts), points=[], read=0, photographs=0, refused="")
-    if off_sheet(sheet):
-        return told
     photos = take(sheet, args.folder, args.edge)
     told["photographs"] = len(photos)
     scene = sheet.folder / "scene.json"

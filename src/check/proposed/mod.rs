@@ -13,7 +13,7 @@ use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::model::Model;
 use super::names::form_names;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
-use crate::geometry::Vector;
+use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, pencil};
 use crate::sheet::Order;
 use reading::{Reader, Reading};
@@ -69,7 +69,7 @@ const SET: f64 = 0.15;
 /// By how much the logarithm of the odds of two readings differs for each that speaks more for one of them.
 const ODDS: f64 = 1.5;
 /// Least share of the odds with which a place is proposed.
-const SURE: f64 = 0.9;
+const SURE: f64 = 0.95;
 /// Distance of two places that are not the same point, in mm.
 const APART: f64 = 0.5;
 
@@ -98,12 +98,12 @@ fn agreed(readings: &[Reading], model: &Model, plans: &[PencilledPlan<'_>], poin
     let place = model.construction.place(point.order, model.construction.plan_name(point.order, &point.name))?;
     let plan = plans.iter().find(|plan| plan.order == point.order)?;
     let best = readings.first()?.worth;
-    let spot = readings.iter().find_map(|reading| reading.spot(place))?;
+    let spot = readings.iter().find_map(|reading| reading.sure_spot(place))?;
     let (mut here, mut all) = (0.0, 0.0);
     for reading in readings {
         let odds = libm::exp(ODDS * (reading.worth - best));
         all += odds;
-        if reading.spot(place).is_some_and(|other| (other.at - spot.at).norm() <= APART) {
+        if reading.place(place).is_some_and(|other| (other - spot.at).norm() <= APART) {
             here += odds;
         }
     }
@@ -129,6 +129,32 @@ fn leave_coincident(points: &mut [Proposal]) {
             points[i].found = None;
         }
     }
+}
+
+/// Factors, less one, that common scales have: less is a hand's own, more is no sheet that was printed to fit.
+const SCALES: [f64; 2] = [0.012, 0.12];
+/// Least distance from a pole at which a point shows a scale, in mm.
+const FAR: f64 = 20.0;
+
+/// By which factor all points that were found are farther from their poles than they should be, as on a sheet that was not printed at 100 %, whose
+/// squares are as much smaller as all else that is printed; `None` where they do not agree in one.
+#[must_use]
+pub fn common_scale(points: &[Proposal]) -> Option<f64> {
+    let far = points.iter().filter_map(|point| {
+        let (found, right) = (point.found?, Vector::from(point.right));
+        (right.norm() > FAR).then(|| (Vector::from(found.at), right))
+    });
+    let pairs: Vec<(Vector, Vector)> = far.collect();
+    let sum = |of: fn(&(Vector, Vector)) -> f64| pairs.iter().map(of).sum::<f64>();
+    let scale = sum(|(found, right)| found.dot(right)) / sum(|(_, right)| right.norm_squared());
+    // Each by itself: a quarter of the difference is a hand's.
+    let agrees = |(found, right): &(Vector, Vector)| {
+        let (own, across) = (found.dot(right) / right.norm_squared(), cross(*right, *found) / right.norm_squared());
+        (own - scale).abs() < 0.25 * (scale - 1.0).abs() + 0.3 / right.norm()
+            && across.abs() < 0.01 + 0.3 / right.norm()
+    };
+    let is_told = pairs.len() > 2 && (SCALES[0]..SCALES[1]).contains(&(scale - 1.0).abs());
+    (is_told && pairs.iter().all(agrees)).then_some(scale)
 }
 
 /// The points of the plans with their right places and the tolerances of these, without those at rest.

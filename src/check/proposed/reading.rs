@@ -41,8 +41,10 @@ const LONGER_PART: f64 = 0.03;
 const DRAWN: f64 = 1.2;
 /// How far beside a place a line may be that joins it to another, in mm.
 const JOINING: f64 = 0.6;
+/// Least distance of a crossing from the places that there are, in mm.
+const APART: f64 = 1.0;
 /// How many readings are kept.
-const KEPT: usize = 60;
+const KEPT: usize = 100;
 
 /// The construction with the pencil lines of the sheets that are there.
 pub(super) struct Reader<'a> {
@@ -55,7 +57,8 @@ pub(super) struct Reader<'a> {
 #[derive(Clone)]
 pub(super) struct Reading {
     values: Values,
-    spots: SmallVec<[(PlaceId, Spot); 16]>,
+    /// Where it has places, and whether each is sure enough to be proposed.
+    spots: SmallVec<[(PlaceId, Spot, bool); 16]>,
     /// By sheet and in mm: where it has places, that of the pole first.
     places: PerSheet<SmallVec<[Point; 16]>>,
     /// The lines that it uses.
@@ -90,8 +93,14 @@ impl Hidden {
 }
 
 impl Reading {
-    pub(super) fn spot(&self, place: PlaceId) -> Option<Spot> {
-        self.spots.iter().find(|(own, _)| *own == place).map(|(_, spot)| *spot)
+    /// Where it has a place that is sure enough to be proposed.
+    pub(super) fn sure_spot(&self, place: PlaceId) -> Option<Spot> {
+        self.spots.iter().find(|(own, _, is_sure)| *own == place && *is_sure).map(|(_, spot, _)| *spot)
+    }
+
+    /// Where it has a place.
+    pub(super) fn place(&self, place: PlaceId) -> Option<Point> {
+        self.spots.iter().find(|(own, ..)| *own == place).map(|(_, spot, _)| spot.at)
     }
 
     /// The reading in which a place is at a spot that those lines show.
@@ -99,9 +108,7 @@ impl Reading {
         let mut reading = self.clone();
         reading.places[sheet].push(spot.at);
         reading.used.extend(lines.iter().map(|line| (sheet, *line)));
-        if is_sure {
-            reading.spots.push((place, spot));
-        }
+        reading.spots.push((place, spot, is_sure));
         reading
     }
 
@@ -114,13 +121,11 @@ impl Reading {
 
     /// Whether another has its places where this one has them.
     fn is_like(&self, other: &Reading) -> bool {
-        let is_near = |(a, b): (&Point, &Point)| (a - b).norm() < 0.1;
-        let are_near = |((_, own), (_, other)): ((Sheet, &SmallVec<[Point; 16]>), (Sheet, &SmallVec<[Point; 16]>))| {
-            own.len() == other.len() && own.iter().zip(other).all(is_near)
-        };
+        let is_near =
+            |(a, b): (&(PlaceId, Spot, bool), &(PlaceId, Spot, bool))| a.0 == b.0 && (a.1.at - b.1.at).norm() < 0.1;
         self.spots.len() == other.spots.len()
             && self.hidden.places == other.hidden.places
-            && self.places.iter().zip(other.places.iter()).all(are_near)
+            && self.spots.iter().zip(&other.spots).all(is_near)
     }
 }
 
@@ -257,7 +262,7 @@ impl<'a> Reader<'a> {
         let [first, second] = lines.map(|line| {
             let (on, along) = reading.values.line(line);
             let on = Point::from(on / self.model.scales[sheet]);
-            if along.norm().is_finite() { self.rays(ink, &reading.places[sheet], on, along) } else { Vec::new() }
+            if along.norm().is_finite() { self.rays(ink, sheet, reading, on, along) } else { Vec::new() }
         });
         for (a, cost_a) in &first {
             for (b, cost_b) in &second {
@@ -265,8 +270,14 @@ impl<'a> Reader<'a> {
                 if a == b || cost > MOST {
                     continue;
                 }
-                let Some(spot) = ink.crossing([*a, *b]) else { continue };
-                let mut reading = reading.with(sheet, place, spot, true, &[*a, *b]);
+                let Some((spot, is_sure)) = ink.crossing([*a, *b]) else { continue };
+                // Where the lines begin they cross, too.
+                if reading.places[sheet].iter().any(|other| (other - spot.at).norm() < APART) {
+                    continue;
+                }
+                // What no operation asks for is believed where a further line, as the vector from the pole, leads there, too.
+                let is_sure = is_sure && (cost < QUARTER || ink.meet(spot.at, [*a, *b]));
+                let mut reading = reading.with(sheet, place, spot, is_sure, &[*a, *b]);
                 reading.worth += CROSSING - cost;
                 next.push(reading);
             }
@@ -274,21 +285,26 @@ impl<'a> Reader<'a> {
     }
 
     /// The lines that may be a ray in a direction through a place, with what speaks against each.
-    fn rays(&self, ink: &Ink, places: &[Point], on: Point, along: Vector) -> Vec<(usize, f64)> {
+    fn rays(&self, ink: &Ink, sheet: Sheet, reading: &Reading, on: Point, along: Vector) -> Vec<(usize, f64)> {
         let mut rays: Vec<(usize, f64)> = Vec::new();
+        // What is something else already is a ray only where it lies as a ray should.
+        let is_free = |line: usize, cost: f64| cost < 2.0 * UNEVEN || !reading.used.contains(&(sheet, line));
         let mut add = |line: usize, cost: f64| match rays.iter_mut().find(|(other, _)| *other == line) {
             Some((_, other)) => *other = other.min(cost),
             None => rays.push((line, cost)),
         };
         for (line, aside) in ink.through(on) {
             let stroke = ink.line(line);
-            add(line, direction_cost(stroke.along(), along, stroke.length(), false) + UNEVEN * aside * aside);
+            let cost = direction_cost(stroke.along(), along, stroke.length(), false) + UNEVEN * aside * aside;
+            if is_free(line, cost) {
+                add(line, cost);
+            }
         }
-        for other in places.iter().filter(|other| (**other - on).norm() > 1.5) {
+        for other in reading.places[sheet].iter().filter(|other| (**other - on).norm() > 1.5) {
             for (line, aside) in ink.through(*other) {
                 let stroke = ink.line(line);
                 let cost = direction_cost(stroke.along(), along, stroke.length(), false);
-                if cost <= UNEVEN {
+                if cost <= UNEVEN && is_free(line, ELSEWHERE) {
                     add(line, cost + ELSEWHERE + UNEVEN * aside * aside);
                 }
             }
