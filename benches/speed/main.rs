@@ -30,7 +30,11 @@ fn main() {
 }
 
 fn text(which: &str) -> &'static str {
-    if which == "figure-1" { FIGURE_1 } else { FIGURE_2 }
+    match which {
+        "figure-1" => FIGURE_1,
+        "excavator" => include_str!("../../tests/lecture/excavator.json"),
+        _ => FIGURE_2,
+    }
 }
 
 fn solved(text: &str) -> Solution {
@@ -237,10 +241,10 @@ fn read_scene(bencher: Bencher) {
     bencher.bench(|| Scene::read(black_box(FIGURE_2)).expect("a good scene"));
 }
 
-/// Layout, labels and all marks.
-#[divan::bench]
-fn draw_figure(bencher: Bencher) {
-    let solution = solved(FIGURE_2);
+/// Layout, labels and all marks, of a figure and of the most crowded one of the lecture.
+#[divan::bench(args = ["figure-2", "excavator"])]
+fn draw_figure(bencher: Bencher, which: &str) {
+    let solution = solved(text(which));
     bencher.bench(|| black_box(&solution).figure());
 }
 

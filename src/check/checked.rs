@@ -3,6 +3,7 @@
 use super::common::CommonError;
 use super::entry::Entry;
 use super::mistakes::Candidate;
+use super::placed::TurnedPlan;
 use super::sensible::StatedScale;
 use crate::sheet::Sheet;
 use schemars::JsonSchema;
@@ -20,6 +21,8 @@ pub struct Checked {
     pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones; lengths alone do not show it.
     pub mirrored: Vec<Sheet>,
+    /// Plans whose places on paper lie turned to the scheme, with all of the sheet.
+    pub turned: Vec<TurnedPlan>,
     /// The rows of what the form asks for and has no value of: boxes left blank, points that a photograph does not show, and all that an
     /// exercise asks for.
     pub missing: Vec<String>,

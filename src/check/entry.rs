@@ -1,12 +1,12 @@
-//! The values of a form with the quantities for which they stand, those that are written and the distances of given places.
+//! The values of a form with the quantities for which they stand: those that are written, and what given places tell.
 
-use super::measured::{AnswerKey, CheckError, Given, Measured, PlacedPoint, Positive};
+use super::measured::{AnswerKey, CheckError, Given, Measured, Positive};
 use super::names::{Meant, Names};
+use super::placed;
 use super::says;
-use super::written::{Precision, factors, few_digits, number, rounding_to, sheet_told, whole_rounding};
+use super::written::{Precision, factors, few_digits, number, rounding_to, whole_rounding};
 use crate::quantity::QuantityRequest;
 use crate::text;
-use indexmap::IndexMap;
 
 /// A written value and the quantity it stands for.
 #[derive(Clone, Debug)]
@@ -80,7 +80,7 @@ pub(super) fn entries_by(
         }
         entries.push(entry);
     }
-    faults.extend(add_points(&mut entries, measured, names).err());
+    faults.extend(placed::add(&mut entries, measured, names).err());
     if let Some(error) = CheckError::all(faults) {
         return Err(error);
     }
@@ -91,67 +91,6 @@ pub(super) fn entries_by(
     let place = |e: &Entry| names.order.get_index_of(e.asked.name());
     entries.sort_by_key(|e| (e.step, place(e).unwrap_or(usize::MAX)));
     Ok(entries)
-}
-
-/// Rounding of distances of places, in mm: people write these to a tenth or a hundredth of a millimetre.
-pub(super) const ROUNDING: f64 = 0.05;
-
-/// Adds the distances between plan points whose places are given: of each from the pole, and those that the steps
-/// name. A distance that is written already keeps its value.
-fn add_points(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
-    for points in &measured.points {
-        let sheet = points.order.sheet();
-        let at = |name: &str| format!("points: {name} of {}", sheet.facts().segment);
-        let Some(mu) = measured.mu[sheet] else {
-            let mu = sheet.facts().scale_key;
-            return Err(CheckError::new(says::points_without_scale(mu), says::add_scale_of(mu, sheet_told(sheet))));
-        };
-        let pole = points.order.pole();
-        let Some(own_pole) = points.pole() else {
-            return Err(CheckError::new(says::no_pole(sheet_told(sheet), pole), says::add_pole(pole)));
-        };
-        let construction = &names.solution.construction;
-        let named = |name: &str| {
-            if name == own_pole { pole.to_owned() } else { construction.plan_name(sheet, name).to_owned() }
-        };
-        let places: IndexMap<String, PlacedPoint> = points.places.iter().map(|(n, &p)| (named(n), p)).collect();
-        // The distance of each point from the pole, and those of points that a step names.
-        let others = || places.keys().map(String::as_str).filter(|name| *name != pole);
-        let between = others().flat_map(|from| others().map(move |to| (from, to)));
-        let between = between.filter(|(from, to)| names.order.contains_key(&sheet.segment_name(from, to)));
-        for (from, to) in others().map(|to| (pole, to)).chain(between) {
-            let name = sheet.segment_name(from, to);
-            if entries.iter().any(|e| e.asked.name() == name) {
-                continue;
-            }
-            let [p, q] = [from, to].map(|name| places[name]);
-            let mm = libm::hypot(q.at[0] - p.at[0], q.at[1] - p.at[1]);
-            // Places from a photograph have their radii.
-            let rounding = libm::hypot(p.band.unwrap_or(0.0), q.band.unwrap_or(0.0)).max(ROUNDING);
-            let Meant { asked, row, expected, step } = names.quantity(&name).map_err(|e| e.at(at(to)))?;
-            // The image of a point at rest is the pole itself.
-            if expected == 0.0 {
-                continue;
-            }
-            entries.push(Entry {
-                row,
-                asked,
-                text: String::new(),
-                value: mm * mu,
-                rounding: rounding * mu,
-                precision: Precision { decimals: 1, digits: 4 },
-                is_magnitude: false,
-                factor: mu,
-                factor_without_unit: mu,
-                unit: None,
-                on_paper: true,
-                per_mm: Some(mu),
-                step,
-                expected,
-            });
-        }
-    }
-    Ok(())
 }
 
 /// The values of a form that are not understood by themselves: their places among its values, each with why.

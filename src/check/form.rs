@@ -36,6 +36,8 @@ struct FormFile {
     #[serde(default)]
     values: IndexMap<String, Value>,
     points: Option<IndexMap<Order, IndexMap<String, PlacedPoint>>>,
+    #[serde(default)]
+    upright: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
@@ -163,6 +165,7 @@ impl Measured {
             values: given.collect(),
             blank: blank.into_iter().map(|(name, _)| name).collect(),
             points: points.collect(),
+            upright: file.upright,
         })
     }
 
@@ -238,6 +241,7 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     measured.mu.given().for_each(|(sheet, mu)| put(sheet.facts().scale_key, json!(mu)));
     put("positive", json!(measured.positive));
     put("in", json!(measured.in_mm.then_some(Paper::Mm)));
+    put("upright", json!(measured.upright.then_some(true)));
     put("values", json!(values));
     let places_of = |order: Order| -> IndexMap<&String, &PlacedPoint> {
         measured.points.iter().filter(|plan| plan.order == order).flat_map(|plan| &plan.places).collect()

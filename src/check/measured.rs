@@ -68,6 +68,8 @@ pub struct Measured {
     pub blank: Vec<String>,
     /// Places of plan points on paper.
     pub points: Vec<PointsOf>,
+    /// Whether the places are those of sheets that lie as they were printed, x along the scheme's; else each plan may lie turned.
+    pub upright: bool,
     /// Lines of the file that are not understood; a check tells them together with its own.
     pub faults: Vec<CheckError>,
 }
@@ -127,7 +129,8 @@ impl Given {
     }
 }
 
-/// Places of a plan's points on paper in millimetres, x right, y up; the origin and the sheet's rotation are arbitrary.
+/// Places of a plan's points on paper in millimetres, x right, y up; the origin is arbitrary, and so is the sheet's rotation unless
+/// the form is [upright](Measured::upright).
 #[derive(Clone, Debug)]
 pub struct PointsOf {
     /// Of which plan.

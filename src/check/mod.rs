@@ -6,7 +6,7 @@
 //! In reading order: `measured` has the answer key, the values of a form and the error of what is not understood; `names`
 //! has the names of a form's boxes, those on the sheets, and what a written name means; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
-//! what `written` knows of digits and units; `sensible` has the scales at which a sheet can be drawn,
+//! what `written` knows of digits and units, and `placed` what places of points tell; `sensible` has the scales at which a sheet can be drawn,
 //! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `prepared` carries it out and keeps what many
 //! forms of one scene have in common.
 //!
@@ -72,6 +72,7 @@ pub mod model;
 mod names;
 #[cfg(feature = "photo")]
 mod photographs;
+mod placed;
 mod prepared;
 #[cfg(feature = "photo")]
 mod proposed;
@@ -102,6 +103,7 @@ pub use mistakes::{Blank, Candidate, Mistake, Told};
 pub use names::form_names;
 #[cfg(feature = "photo")]
 pub use photographs::{Aimed, PencilledPlan, PointVerdict, hundredths};
+pub use placed::TurnedPlan;
 pub use prepared::{Prepared, check};
 #[cfg(feature = "photo")]
 pub use proposed::{Found, Proposal, common_scale, proposed, proposed_form};

@@ -158,7 +158,9 @@ impl<'a> Names<'a> {
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), None);
         let expected = value.map_err(wrong)?.as_number();
         let row = self.row_of(asked.name()).to_owned();
-        let step = self.order.get(asked.name()).copied().unwrap_or_else(|| self.step_of(&asked));
+        let length = || asked.name().strip_suffix(".angle");
+        let step = self.order.get(asked.name()).or_else(|| self.order.get(length()?)).copied();
+        let step = step.unwrap_or_else(|| self.step_of(&asked));
         Ok(Meant { asked, row, expected, step })
     }
 
@@ -201,18 +203,24 @@ impl<'a> Names<'a> {
     }
 
     /// The number of the step after which a quantity that no step names can be read: that which makes the image of its
-    /// point, or else the last of its sheet. 0 on the scheme.
+    /// point, or the later of a segment's ends, or else the last of its sheet. 0 on the scheme.
     fn step_of(&self, asked: &QuantityRequest) -> usize {
         let sheet = asked.sheet();
         if sheet == Sheet::Scheme {
             return 0;
         }
-        let subject = asked.written.subject();
-        let image = image_name(subject.split(['/', ',']).next().unwrap_or(""));
-        let steps = || self.solution.construction.numbered_steps();
-        let maker = steps().find(|s| s.sheet == sheet && s.action.image() == Some(image.as_str()));
-        let last = steps().filter(|s| s.sheet <= sheet).last();
-        maker.or(last).map_or(0, |s| s.number)
+        let construction = &self.solution.construction;
+        let steps = || construction.numbered_steps();
+        let maker = |image: &str| {
+            let maker = steps().find(|s| s.sheet == sheet && s.action.image() == Some(image));
+            maker.map(|step| step.number)
+        };
+        let made = match &asked.what {
+            What::Segment(_, ends) => ends.iter().filter_map(|end| maker(construction.plan_name(sheet, end))).max(),
+            _ => maker(&image_name(asked.written.subject().split('/').next().unwrap_or(""))),
+        };
+        let last = || steps().filter(|s| s.sheet <= sheet).last().map(|step| step.number);
+        made.or_else(last).unwrap_or(0)
     }
 
     /// A quantity as a person reads it on the sheets: `p b`, `B S3`, `ω_2`.
@@ -222,7 +230,8 @@ impl<'a> Names<'a> {
             format!("{from} {to}")
         };
         match &asked.what {
-            What::Segment(order, [from, to]) => between(order.sheet(), from, to),
+            What::Segment(order, [from, to]) if asked.written.component.is_none() => between(order.sheet(), from, to),
+            What::Segment(order, [from, to]) => format!("∠ {}", between(order.sheet(), from, to)),
             What::Length(from, to) => between(Sheet::Scheme, from.name(), to.name()),
             _ => plain(
                 &asked.symbol(&self.solution.mechanism, self.solution.wording().notation, &|name| self.label(name)),

@@ -9,6 +9,7 @@ use super::measured::{AnswerKey, CheckError, Measured, ON_PAPER, PointsOf};
 use super::mistakes::{Candidate, Site};
 use super::model::{COMPUTING, Model};
 use super::names::Names;
+use super::placed::turned;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
@@ -149,7 +150,8 @@ impl<'a> Prepared<'a> {
             percent: SLIP * hand.errors[COMPUTING],
         });
         let mirrored = mirrored.map(|plan| plan.sheet()).collect();
-        Ok(Checked { values, diagnosis, accuracy, mirrored, missing: self.missing(measured, &entries), scales, common })
+        let (turned, missing) = (turned(measured, &key.solution.construction), self.missing(measured, &entries));
+        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common })
     }
 
     /// The mistakes in the likeliest explanations of the first values of a form, which the construction cut off behind them gives.

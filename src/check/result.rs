@@ -4,6 +4,7 @@ use super::checked::{Accuracy, Checked, Explanation, Finding, Verdict};
 use super::common::CommonError;
 use super::marks::Awarded;
 use super::measured::AnswerKey;
+use super::placed::TurnedPlan;
 use super::sensible::StatedScale;
 use crate::text::Untrusted;
 use schemars::JsonSchema;
@@ -34,6 +35,9 @@ pub struct CheckResult {
     /// Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mirrored: Vec<&'static str>,
+    /// Plans whose places on paper lie turned to the scheme, with all of the sheet; directions are judged without that.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub turned: Vec<TurnedResult>,
     /// What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
     /// exercise's form all that the exercise asks for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -48,6 +52,16 @@ pub struct CheckResult {
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
+}
+
+/// A plan that lies turned to the scheme.
+#[derive(Debug, Serialize, JsonSchema)]
+#[non_exhaustive]
+pub struct TurnedResult {
+    /// The plan: "velocity", "acceleration".
+    pub plan: &'static str,
+    /// By how many degrees, positive counter-clockwise.
+    pub degrees: f64,
 }
 
 /// A scale of a form that is not the one asked for, or at which no sheet can be drawn.
@@ -171,6 +185,8 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         ScaleResult { scale: sheet.facts().scale_key, stated, asked, used }
     };
     let mirrored = checked.mirrored.iter().map(|plan| plan.as_str());
+    let turned =
+        checked.turned.iter().map(|&TurnedPlan { sheet, degrees }| TurnedResult { plan: sheet.as_str(), degrees });
     let diagnosis = &checked.diagnosis;
     CheckResult {
         kinegon_check: 1,
@@ -182,6 +198,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         unexplained: checked.names(&diagnosis.unexplained),
         accuracy: checked.accuracy,
         mirrored: mirrored.collect(),
+        turned: turned.collect(),
         missing: checked.missing.clone(),
         scales: checked.scales.iter().map(scale).collect(),
         common: checked.common,

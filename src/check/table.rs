@@ -7,7 +7,7 @@ use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, quoted, shown};
 
 /// The lines of a table that are no values, beside those of scales.
-const HEAD: [&str; 4] = ["name", "exercise", "positive", "in"];
+const HEAD: [&str; 5] = ["name", "exercise", "positive", "in", "upright"];
 
 impl Measured {
     /// The values of a table; of blanks the names. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
@@ -94,6 +94,7 @@ impl Measured {
                     }
                 };
             }
+            "upright" => self.upright = value == "true",
             _ => self.values.push(Given {
                 name: name.to_owned(),
                 text: value,
@@ -115,6 +116,7 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
     lines.extend(measured.mu.given().map(|(sheet, mu)| format!("{},{mu},", sheet.facts().scale_key)));
     lines.extend(measured.positive.map(|sense| format!("positive,{},", sense.as_str())));
     lines.extend(measured.in_mm.then(|| "in,mm,".to_owned()));
+    lines.extend(measured.upright.then(|| "upright,true,".to_owned()));
     lines.extend(
         values
             .map(|[name, digits, unit]| format!("{},{},{}", quoted(name), cell(digits), blank_or_quoted(&cell(unit)))),

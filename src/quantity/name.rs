@@ -5,7 +5,7 @@ use crate::Problem;
 use crate::construction::{Construction, NumberedStep, Rate, Solution, coincident_name};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
-use crate::scene::{Head, QuantityName};
+use crate::scene::{Component, Head, QuantityName};
 use crate::sheet::{Order, Sheet};
 use crate::text::shown;
 
@@ -79,7 +79,7 @@ impl QuantityError {
 /// relative acceleration of two points of one link; of two links that driven sliders join, without the sliding and
 /// Coriolis parts; of a special point and the outer joint of one of its legs, along and across the cut line. `x(D)` and
 /// `y(D)` are a point's coordinates, `position(3/2)` a slider's. A vector's `.x`, `.y`, `.size` and `.angle` (degrees)
-/// are numbers.
+/// are numbers; so is a segment's `.angle`, from its first end to its second.
 #[derive(Clone, Debug)]
 pub struct QuantityRequest {
     pub(super) name: String,
@@ -154,7 +154,13 @@ impl QuantityRequest {
         // White space is a space: tables and results have the name on one line.
         let name: String = name.chars().map(|c| if c.is_whitespace() { ' ' } else { c }).collect();
         let asked = QuantityRequest { name, written, what };
-        if asked.written.component.is_some() && !asked.is_of_vectors() {
+        let has_component = match asked.written.component {
+            None => true,
+            // A segment's length stands without a component.
+            Some(Component::Angle) => asked.is_of_vectors() || matches!(asked.what, What::Segment(..)),
+            Some(_) => asked.is_of_vectors(),
+        };
+        if !has_component {
             return Err(finder.form());
         }
         Ok(asked)

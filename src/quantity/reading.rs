@@ -110,6 +110,9 @@ impl Reader<'_> {
             What::SlidePosition(id) => self.slide_position(name, *id)?,
             What::Coordinate(axis, spot) => self.coordinate(name, [MeasuredAs::X, MeasuredAs::Y][*axis], spot)?,
             What::Length(a, b) => return self.length(name, a, b),
+            What::Segment(order, ends) if asked.written.component.is_some() => {
+                return self.direction(*order, ends, name);
+            }
             What::Segment(order, ends) => return self.segment(*order, ends),
             What::Motion(order, a, b) => {
                 let drawn = self.vector(*order, a, b.as_ref())?;
@@ -159,12 +162,14 @@ impl Reader<'_> {
         }
     }
 
-    /// Measures a number with errors of its own, as part of the step that gives the quantity `name`.
+    /// Measures a number with errors of its own, as part of the step that gives the quantity `name`, or the length of the segment
+    /// whose direction it is.
     fn measure(&mut self, sheet: impl Into<Sheet>, name: &str, ends: [PlaceId; 2], how: MeasuredAs) -> NumberId {
         let sheet = sheet.into();
         let construction = &self.writer.construction;
         let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());
-        let step = steps.get(name).copied();
+        let length = || name.strip_suffix(".angle");
+        let step = steps.get(name).or_else(|| steps.get(length()?)).copied();
         let number = self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how);
         if let Some(operation) = self.writer.construction.operations.last_mut() {
             operation.step = step.filter(|step| step.sheet == sheet);
@@ -275,9 +280,21 @@ impl Reader<'_> {
         if let Some(number) = self.measured(&NumberKind::Segment(order, [from.clone(), to.clone()])) {
             return Ok((number, Sense::Magnitude));
         }
-        let place = |name: &str| self.writer.construction.place(order, name).ok_or(Unread::NoConstruction);
-        let ends = self.drawn([place(&from)?, place(&to)?])?;
+        let ends = self.ends(order, &from, &to)?;
         Ok((self.measure(order, &order.sheet().segment_name(&from, &to), ends, MeasuredAs::Size), Sense::Distance))
+    }
+
+    /// The direction of a segment, as part of the step that gives its length.
+    fn direction(&mut self, order: Order, ends: &[String; 2], name: &str) -> Result<(NumberId, Sense), Unread> {
+        let [from, to] = ends.each_ref().map(|name| self.writer.construction.plan_name(order, name));
+        let ends = self.ends(order, from, to)?;
+        Ok((self.measure(order, name, ends, MeasuredAs::Direction), Sense::Angle))
+    }
+
+    /// The ends of a segment of a plan that a hand can draw.
+    fn ends(&self, order: Order, from: &str, to: &str) -> Result<[PlaceId; 2], Unread> {
+        let place = |name: &str| self.writer.construction.place(order, name).ok_or(Unread::NoConstruction);
+        self.drawn([place(from)?, place(to)?])
     }
 
     /// The number of this kind that the construction measures.

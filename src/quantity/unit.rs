@@ -75,7 +75,7 @@ impl QuantityRequest {
     /// Whether it is the distance of two places: a length of the scheme, or a segment of a plan.
     #[must_use]
     pub fn is_distance(&self) -> bool {
-        matches!(self.what, What::Segment(..) | What::Length(..))
+        matches!(self.what, What::Segment(..) | What::Length(..)) && self.written.component.is_none()
     }
 
     /// Whether it is a rate that is solved for or given: its sense is written as a sign, or not at all.
@@ -127,6 +127,9 @@ impl QuantityRequest {
                     AccelerationPart::Tangential => notation.tangential,
                 };
                 relative("a", part, a.name(), Some(b.name()))
+            }
+            What::Segment(_, [from, to]) if self.written.component.is_some() => {
+                Symbol { after: format!("({} {})", shown(from), shown(to)), ..plain("", String::new()) }
             }
             What::Segment(order, [from, to]) => Symbol {
                 after: format!(" ({} {})", shown(from), shown(to)),

@@ -91,9 +91,10 @@ impl QuantityRequest {
                     AccelerationPart::Tangential => tangential,
                 })
             }
-            What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?),
+            What::Segment(order, ends) if self.written.component.is_some() => Vector(reader.segment(*order, ends)?),
+            What::Segment(order, ends) if !self.written.on_paper => Number(reader.segment(*order, ends)?.norm()),
             What::Segment(order, ends) => {
-                let length = reader.segment(*order, ends)?;
+                let length = reader.segment(*order, ends)?.norm();
                 let mu = scales.and_then(|scales| scales[order.sheet()]);
                 let mm = length / mu.ok_or_else(|| self.none(says::no_plan_no_scale()))?;
                 Number(if mm.is_finite() { mm } else { return Err(self.none(says::scale_too_small())) })
@@ -166,7 +167,7 @@ impl<S: State> Reader<'_, S> {
     }
 
     /// The length of a plan segment, in the plan's units.
-    fn segment(&self, order: Order, ends: &[String; 2]) -> Result<f64, QuantityError> {
+    fn segment(&self, order: Order, ends: &[String; 2]) -> Result<Vector, QuantityError> {
         let construction = self.construction.ok_or_else(|| self.asked.none(says::no_construction()))?;
         let plan = construction.plan(order).ok_or_else(|| self.asked.none(says::no_plan()))?;
         let [from, to] = ends.each_ref().map(|name| construction.plan_name(order, name));
@@ -176,7 +177,7 @@ impl<S: State> Reader<'_, S> {
                 return Err(unknown(&self.asked.name, Part::PlanPoint, name, known));
             }
         }
-        Ok(plan.segment(from, to).map_or(0.0, |v| v.norm()))
+        Ok(plan.segment(from, to).unwrap_or_default())
     }
 }
 

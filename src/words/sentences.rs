@@ -272,6 +272,8 @@ sentences! {
         "Sense missing: the size is right, but a number without a sign does not tell the sense. Write + or − before \
          it, or \"positive\": \"counter-clockwise\" into the form.";
     check_off = "OFF";
+    /// The verdict on a direction.
+    check_off_turned(degrees) = "OFF: turned by {degrees}°";
     check_unjudged = "not judged: it has no construction";
     check_cannot_tell = "cannot tell";
     check_missing(count, asked, values) = "Missing: {count} of {asked} that are asked for: {values}.";
@@ -331,6 +333,10 @@ sentences! {
     check_mirrored(plan) =
         "The points of your {plan} are the mirror image of the right ones: all senses are turned round. If you \
          measured y downwards on the sheet, measure it upwards.";
+    check_turned_left(plan, degrees) =
+        "Your whole {plan} lies turned to the left by {degrees}°. If the sheet was not laid so, its first vector was.";
+    check_turned_right(plan, degrees) =
+        "Your whole {plan} lies turned to the right by {degrees}°. If the sheet was not laid so, its first vector was.";
 
     // A student's drawing over the right figure.
     check_key_right = "as it should be";

@@ -8,11 +8,11 @@ mod ink;
 mod reading;
 
 use super::checked::BANDS;
-use super::entry::ROUNDING;
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
 use super::model::Model;
 use super::names::form_names;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
+use super::placed::ROUNDING;
 use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, pencil};
 use crate::sheet::Order;
@@ -49,7 +49,7 @@ pub struct Proposal {
 #[must_use]
 pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &AnswerKey<'_>) -> Measured {
     let blank = form_names(&key.solution.construction);
-    let mut measured = Measured { mu: key.scales, blank, ..Measured::default() };
+    let mut measured = Measured { mu: key.scales, blank, upright: true, ..Measured::default() };
     for plan in plans {
         measured.mu[plan.order.sheet()] = Some(plan.mu);
         let mut points = PointsOf::new(plan.order);

@@ -1,0 +1,198 @@
+//! What places of plan points on paper tell: their distances and directions from the pole and from each other, and how a plan lies to
+//! the scheme.
+
+use super::entry::Entry;
+use super::measured::{CheckError, Measured, PlacedPoint, PointsOf};
+use super::names::{Meant, Names};
+use super::says;
+use super::written::{Precision, sheet_told};
+use crate::construction::{Construction, Plan};
+use crate::geometry::{Vector, degrees_of, with_turns};
+use crate::sheet::Sheet;
+use indexmap::IndexMap;
+
+/// Rounding of distances of places, in mm: people write these to a tenth or a hundredth of a millimetre.
+pub(super) const ROUNDING: f64 = 0.05;
+
+/// Least length of a vector that has a direction, in mm.
+const SHORT: f64 = 3.0;
+
+/// How far a point may be off across its vector to show how its plan lies: an angle in degrees, and in mm.
+const NEAR: [f64; 2] = [1.5, 0.6];
+
+/// Least angle by which a plan lies turned that is told, in degrees: less is how a sheet was laid.
+const TOLD: f64 = 3.0;
+
+/// A plan that lies turned to the scheme, sheet and all: lengths alone do not show it, and where the sheet was laid turned nothing is wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct TurnedPlan {
+    /// The plan.
+    pub sheet: Sheet,
+    /// By how much, in degrees, positive counter-clockwise.
+    pub degrees: f64,
+}
+
+/// Adds the distances and directions between plan points whose places are given: of each from the pole, and those that the steps name.
+/// What is written already keeps its value.
+pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'_>) -> Result<(), CheckError> {
+    for points in &measured.points {
+        let sheet = points.order.sheet();
+        let at = |name: &str| format!("points: {name} of {}", sheet.facts().segment);
+        let Some(mu) = measured.mu[sheet] else {
+            let mu = sheet.facts().scale_key;
+            return Err(CheckError::new(says::points_without_scale(mu), says::add_scale_of(mu, sheet_told(sheet))));
+        };
+        let pole = points.order.pole();
+        let construction = &names.solution.construction;
+        if points.pole().is_none() {
+            return Err(CheckError::new(says::no_pole(sheet_told(sheet), pole), says::add_pole(pole)));
+        }
+        let places = usual(points, construction);
+        let lies = Lies::of(points, construction.plan(points.order), measured.upright);
+        // Of each point from the pole, and of points that a step names.
+        let others = || places.keys().map(String::as_str).filter(|name| *name != pole);
+        let between = others().flat_map(|from| others().map(move |to| (from, to)));
+        let between = between.filter(|(from, to)| names.order.contains_key(&sheet.segment_name(from, to)));
+        for (from, to) in others().map(|to| (pole, to)).chain(between) {
+            let vector = Placed::between(places[from], places[to]);
+            let name = sheet.segment_name(from, to);
+            let meant = |name: &str| names.quantity(name).map_err(|e| e.at(at(to)));
+            let length = meant(&name)?;
+            // The image of a point at rest is the pole itself.
+            if length.expected == 0.0 {
+                continue;
+            }
+            let has_direction = vector.mm.min(length.expected / mu) >= SHORT;
+            let direction = lies.degrees().filter(|_| has_direction);
+            let direction = direction.map(|turned| Ok((meant(&format!("{name}.angle"))?, turned))).transpose()?;
+            let is_new = |meant: &Meant| entries.iter().all(|e| e.asked.name() != meant.asked.name());
+            let length = Some(length).filter(is_new).map(|meant| vector.length(meant, mu));
+            let direction = direction.filter(|(meant, _)| is_new(meant)).map(|(meant, by)| vector.direction(meant, by));
+            entries.extend(length.into_iter().chain(direction));
+        }
+    }
+    Ok(())
+}
+
+/// The plans of a form whose places lie turned to the scheme.
+pub(super) fn turned(measured: &Measured, construction: &Construction) -> Vec<TurnedPlan> {
+    let lying = measured.points.iter().filter_map(|points| {
+        let degrees = Lies::of(points, construction.plan(points.order), measured.upright).degrees()?;
+        Some(TurnedPlan { sheet: points.order.sheet(), degrees })
+    });
+    lying.filter(|plan| plan.degrees.abs() >= TOLD).collect()
+}
+
+/// The places by the names that the plan has for its points.
+fn usual(points: &PointsOf, construction: &Construction) -> IndexMap<String, PlacedPoint> {
+    let own_pole = points.pole();
+    let named = |name: &str| match own_pole == Some(name) {
+        true => points.order.pole().to_owned(),
+        false => construction.plan_name(points.order, name).to_owned(),
+    };
+    points.places.iter().map(|(name, &place)| (named(name), place)).collect()
+}
+
+/// A vector between two places on paper, in mm.
+#[derive(Clone, Copy)]
+struct Placed {
+    vector: Vector,
+    mm: f64,
+    /// How far its ends may be off together, in mm.
+    rounding: f64,
+}
+
+impl Placed {
+    fn between(from: PlacedPoint, to: PlacedPoint) -> Placed {
+        let vector = Vector::from(to.at) - Vector::from(from.at);
+        // Places from a photograph have their radii.
+        let rounding = libm::hypot(from.band.unwrap_or(0.0), to.band.unwrap_or(0.0)).max(ROUNDING);
+        Placed { vector, mm: libm::hypot(vector.x, vector.y), rounding }
+    }
+
+    /// Its length as a value of a form.
+    fn length(self, meant: Meant, mu: f64) -> Entry {
+        let entry = of(meant, self.mm * mu, self.rounding * mu);
+        Entry { factor: mu, factor_without_unit: mu, on_paper: true, per_mm: Some(mu), ..entry }
+    }
+
+    /// Its direction as a value of a form, on a plan that lies turned by so many degrees.
+    fn direction(self, meant: Meant, turned: f64) -> Entry {
+        let value = with_turns(degrees_of(self.vector) - turned, 0.0);
+        of(meant, value, libm::atan(self.rounding / self.mm).to_degrees())
+    }
+}
+
+/// A value that nobody has written.
+fn of(Meant { asked, row, expected, step }: Meant, value: f64, rounding: f64) -> Entry {
+    Entry {
+        row,
+        asked,
+        text: String::new(),
+        value,
+        rounding,
+        precision: Precision { decimals: 1, digits: 4 },
+        is_magnitude: false,
+        factor: 1.0,
+        factor_without_unit: 1.0,
+        unit: None,
+        on_paper: false,
+        per_mm: None,
+        step,
+        expected,
+    }
+}
+
+/// How a plan lies on its sheet.
+#[derive(Clone, Copy)]
+enum Lies {
+    /// Turned to the scheme by so many degrees.
+    Turned(f64),
+    /// Mirrored: its directions tell nothing more.
+    Mirrored,
+}
+
+impl Lies {
+    /// How the places of a plan lie: as most of its points show it, if they are not those of an upright sheet. Of two turns that as many
+    /// points show it is the lesser.
+    fn of(points: &PointsOf, plan: Option<&Plan>, is_upright: bool) -> Lies {
+        let (Some(plan), Some(pole)) = (plan, points.pole()) else { return Lies::Mirrored };
+        if points.is_mirrored(plan) {
+            return Lies::Mirrored;
+        }
+        if is_upright {
+            return Lies::Turned(0.0);
+        }
+        let pole = points.places[pole];
+        let seen = points.places.iter().filter_map(|(name, &place)| {
+            let right = plan.points.get(name)?.vector;
+            let own = Placed::between(pole, place);
+            let by = (own.mm >= SHORT && right != Vector::zeros())
+                .then(|| with_turns(degrees_of(own.vector) - degrees_of(right), 0.0))?;
+            let [degrees, mm] = NEAR;
+            Some((by, degrees.max(libm::atan(mm / own.mm).to_degrees()), own.mm))
+        });
+        let seen: Vec<(f64, f64, f64)> = seen.collect();
+        let near = |turn: f64| {
+            seen.iter()
+                .map(move |&(by, near, mm)| (with_turns(by - turn, 0.0), near, mm))
+                .filter(|(off, near, _)| off.abs() <= *near)
+        };
+        let best = seen
+            .iter()
+            .map(|&(by, ..)| by)
+            .max_by(|a, b| near(*a).count().cmp(&near(*b).count()).then_with(|| b.abs().total_cmp(&a.abs())));
+        let Some(best) = best else { return Lies::Turned(0.0) };
+        let (sum, weight) = near(best).fold((0.0, 0.0), |(sum, weight), (off, _, mm)| (sum + mm * off, weight + mm));
+        Lies::Turned(with_turns(best + sum / weight, 0.0))
+    }
+
+    /// By how many degrees it lies turned; `None` where directions tell nothing.
+    fn degrees(self) -> Option<f64> {
+        match self {
+            Lies::Turned(degrees) => Some(degrees),
+            Lies::Mirrored => None,
+        }
+    }
+}
