@@ -65,7 +65,7 @@ pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &
 }
 
 /// What of a place no line tells: where the student set the point of the pencil, as a radius in mm.
-const SET: f64 = 0.15;
+const SET: f64 = 0.27;
 /// By how much the logarithm of the odds of two readings differs for each that speaks more for one of them.
 const ODDS: f64 = 1.5;
 /// Least share of the odds with which a place is proposed.

@@ -37,6 +37,8 @@ const NARROW = "(max-width: 959.9px)";
 /** Under a finger a crossing may be so far away, in pixels of the screen; and most and least, in mm. */
 const FINGER = 16;
 const [NEAR, FAR] = [1.5, 6];
+/** Crossings that are nearer to a mark than this, in mm, are its own; a tap is on a mark that is nearer than the next, in pixels of the screen. */
+const [SAME, ON] = [0.5, 5];
 /** Nobody aims better than this, in mm; nor, with a finger that sees the place magnified, than the next. */
 const [LEAST_AIM, MAGNIFIED] = [0.3, 0.6];
 /** A point that seems to be nearer than this to its right place, in mm, stands at the same letter. */
@@ -115,13 +117,22 @@ export function photoView(app: App, form: FormOf): PhotoView {
     lookAt(own.item(own.chosen));
   }
 
+  /** The place that somebody means who taps there: not that of another point which is marked already, unless the tap is on it. */
+  async function meant(of: Session, one: Item, at: Pixel, within: number): Promise<Tapped | null | undefined> {
+    const tapped = await of.tap(one, at, reach(), aimFor(within));
+    const apart = (a: number[], b: number[]): number => Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!);
+    const other = tapped?.is_snapped === true && of.marks.find((mark) => keyOf(mark.plan, mark.name) !== one.key && apart(mark.pixel, tapped.pixel) < SAME * of.photo.per_mm);
+    if (!other || apart(other.pixel, at) * table.view.now.value.scale < ON) return tapped;
+    return of.tap(one, at, (0.6 * apart(other.pixel, at)) / of.photo.per_mm, aimFor(within));
+  }
+
   async function place(at: Pixel, within: number): Promise<void> {
     const one = own?.item(own.chosen);
     if (own === null || one === undefined) {
       note(say("tap_none"));
       return show();
     }
-    const tapped = await own.tap(one, at, reach(), aimFor(within));
+    const tapped = await meant(own, one, at, within);
     if (tapped === undefined) return;
     if (tapped === null) {
       note(say("outside"));
@@ -174,7 +185,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
   let aimedAt: Pixel | null = null;
   const previews = newest<Pixel>(async (at) => {
     const one = own?.item(own.chosen);
-    const tapped = own === null || one === undefined ? null : await own.tap(one, at, reach(), 0);
+    const tapped = own === null || one === undefined ? null : await meant(own, one, at, 0);
     if (aimedAt !== null && own !== null) glass.show(aimedAt, tapped?.is_snapped ? (tapped.pixel as Pixel) : null, own.photo.per_mm);
   });
   const hands = touch(table, {
