@@ -74,10 +74,11 @@ pub fn read(picture: &Picture, expected: impl FnOnce() -> Vec<SheetCode>) -> Res
 /// Why no sheet is found from these markers.
 fn few(picture: &Picture, found: &[Marker]) -> Refusal {
     let count = markers::most_together(found).min(markers::LEAST - 1);
-    if markers::ends_early(found, picture) {
-        Refusal::CutOff
-    } else if count < 2 && !markers::sheets(&markers::markers(&picture.mirrored())).is_empty() {
+    // Mirrored some markers look like others: whether all stand on a sheet tells.
+    if !markers::sheets(&markers::markers(&picture.mirrored())).is_empty() {
         Refusal::Mirrored
+    } else if markers::ends_early(found, picture) {
+        Refusal::CutOff
     } else {
         Refusal::FewMarkers(count)
     }
