@@ -2,6 +2,7 @@
 
 use super::common::CommonError;
 use super::entry::Entry;
+use super::lesson::Lesson;
 use super::mistakes::Candidate;
 use super::placed::TurnedPlan;
 use super::sensible::StatedScale;
@@ -26,13 +27,37 @@ pub struct Checked {
     /// The rows of what the form asks for and has no value of: boxes left blank, points that a photograph does not show, and all that an
     /// exercise asks for.
     pub missing: Vec<String>,
+    /// The exercise of the class whose values these are, where they are those of another one: then no mistakes are told.
+    pub values_of: Option<String>,
     /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
     pub scales: Vec<StatedScale>,
     /// An error that all measured lengths have in common; it is taken out of the values.
     pub common: Option<CommonError>,
 }
 
+/// Fewest values that show whose they are, and the shares of them that are right there, and here at most.
+const OF_ANOTHER: (usize, f64, f64) = (5, 0.8, 0.5);
+
 impl Checked {
+    /// Whether so many of the values are right as of another exercise that they are its values, and not this one's.
+    #[must_use]
+    pub fn are_rather(&self, other: &[Verdict]) -> bool {
+        let share = |verdicts: &mut dyn Iterator<Item = Verdict>| {
+            let right = verdicts.filter(|v| matches!(v, Verdict::Right | Verdict::WithinTolerance)).count();
+            right as f64 / self.values.len() as f64
+        };
+        let (fewest, there, here) = OF_ANOTHER;
+        self.values.len() >= fewest
+            && share(&mut other.iter().copied()) >= there
+            && share(&mut self.values.iter().map(|value| value.verdict)) <= here
+    }
+
+    /// Says that the values are those of another exercise of the class: its mistakes would explain nothing.
+    pub fn put_down_to(&mut self, exercise: &str) {
+        self.diagnosis = Diagnosis::none(&self.values);
+        self.values_of = Some(exercise.to_owned());
+    }
+
     /// Whether all that is asked for is there and right: no value is missing, off or without information, and no plan
     /// mirrored.
     #[must_use]
@@ -151,6 +176,8 @@ pub struct Finding {
     /// Indices of the values in which the mistake itself was made: written otherwise than meant, or read from the wrong
     /// operation.
     pub written: Vec<usize>,
+    /// What it teaches; nothing yet where it is only weighed.
+    pub(super) lesson: Lesson,
 }
 
 impl Diagnosis {

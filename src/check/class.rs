@@ -64,6 +64,9 @@ pub struct ClassFound {
     pub cannot_tell: usize,
     /// How many are asked for and not there.
     pub missing: usize,
+    /// The exercise of the class whose values these are, where they are those of another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub values_of: Option<Untrusted>,
     /// The first mistake that was probably made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<ClassMistake>,
@@ -144,6 +147,7 @@ impl ClassRow {
                 sense_missing: checked.count(Verdict::SenseMissing),
                 cannot_tell: checked.count(Verdict::TooCoarse) + checked.count(Verdict::Unjudged),
                 missing: checked.missing.len(),
+                values_of: checked.values_of.as_deref().map(Untrusted::from),
                 first: findings.first().map(mistake),
                 told: told.unwrap_or_default(),
                 done,
@@ -213,6 +217,7 @@ impl ClassRow {
         cells.extend([
             ("cannot_tell", found(|f| f.cannot_tell.to_string())),
             ("missing", found(|f| f.missing.to_string())),
+            ("values_of", found(|f| f.values_of.as_ref().map_or_else(String::new, Untrusted::for_cell))),
         ]);
         cells
     }

@@ -4,6 +4,7 @@
 use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
 use super::covariance::Hand;
 use super::fit::Fit;
+use super::lesson::{Lesson, lesson};
 use super::mistakes::{Blank, Candidate, Mistake, tell};
 use super::search::{Search, Tried};
 
@@ -35,6 +36,9 @@ const ALONE: f64 = 0.88;
 
 /// The part of the share where only the place of a mistake is told.
 const UNKNOWN_OUTSIDE: f64 = 0.4;
+
+/// Size of the largest errors of hands for which causes are told, in parts of the tolerance.
+const WORST: f64 = 3.4;
 
 /// Explanations that are told in the same words.
 struct Group<'t> {
@@ -71,6 +75,16 @@ impl Search<'_> {
         while !told.is_empty() && probability(&told) < TOLD {
             told.pop();
         }
+        let explained = |told: &[Finding], entry: usize| {
+            told.iter().any(|f| f.follows.contains(&entry) || f.written.contains(&entry))
+                && !self.is_outside(&first.best.fit, entry)
+        };
+        let off: Vec<usize> = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off).collect();
+        // What leaves most of the wrong values open is no explanation of the drawing, nor is one for a hand that nobody has.
+        let count = off.iter().filter(|&&entry| explained(&told, entry)).count();
+        if 2 * count < off.len() || hand.worst() > WORST {
+            told.clear();
+        }
         // What holds all that is told is counted in its probability already.
         let is_counted = |group: &Group<'_>| !told.is_empty() && told.iter().all(|f| has_cause(group, f));
         let others = groups.iter().filter_map(|group| {
@@ -89,15 +103,26 @@ impl Search<'_> {
             })
         });
         let others = others.take(OTHERS).collect();
-        let explained = |entry: usize| told.iter().any(|f| f.follows.contains(&entry) || f.written.contains(&entry));
-        let off = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off);
-        let unexplained = off.filter(|&entry| !explained(entry) || self.is_outside(&first.best.fit, entry)).collect();
+        let unexplained = off.into_iter().filter(|&entry| !explained(&told, entry)).collect();
         let probability = if told.is_empty() { none_told(&groups) } else { probability(&told) };
+        self.teach(&mut told);
         Diagnosis {
             best: Explanation { findings: told, probability, is_alike: false },
             others,
             unexplained,
             looked_at: values.len(),
+        }
+    }
+
+    /// Adds to mistakes that are told what they teach.
+    fn teach(&self, told: &mut [Finding]) {
+        let candidates: Vec<Candidate> = told.iter().map(|finding| finding.candidate.clone()).collect();
+        let all: Vec<&Candidate> = candidates.iter().collect();
+        let model = self.scorer.model(&all);
+        for (index, finding) in told.iter_mut().enumerate() {
+            let others: Vec<&Candidate> =
+                (0..all.len()).filter(|&other| other != index).map(|other| all[other]).collect();
+            finding.lesson = lesson(model, self.scorer.entries, all[index], &others);
         }
     }
 
@@ -147,8 +172,18 @@ impl Search<'_> {
             let begins_wrong = changed.first().is_none_or(|&entry| self.is_outside(&tried.fit, entry));
             let mut reinterpreted = finding.candidate.reinterpreted.iter();
             let is_written_wrong = reinterpreted.any(|r| self.is_outside(&tried.fit, r.entry));
-            begins_wrong || is_written_wrong || 2 * contradicting > changed.len()
+            begins_wrong || is_written_wrong || 2 * contradicting > changed.len() || self.has_right_sense(finding)
         })
+    }
+
+    /// Whether a rate that was taken with the wrong sense, as a mistake says, is written with the right one.
+    fn has_right_sense(&self, finding: &Finding) -> bool {
+        let mut written = finding.written.iter();
+        finding.candidate.mistake() == Mistake::WrongSense
+            && written.any(|&entry| {
+                let entry = &self.scorer.entries[entry];
+                !entry.is_magnitude && entry.value * entry.expected > 0.0
+            })
     }
 
     /// The values in which a mistake itself was made: those it makes to be written otherwise than meant, and those read
@@ -187,7 +222,7 @@ impl Search<'_> {
                     follows.push(datum.entry);
                 }
             }
-            Finding { follows, contradicts, written, candidate }
+            Finding { follows, contradicts, written, candidate, lesson: Lesson::default() }
         };
         let mut findings: Vec<Finding> = tried.set.iter().map(finding).collect();
         findings.sort_by_key(|f| f.candidate.step);

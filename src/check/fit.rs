@@ -129,7 +129,7 @@ impl Scorer<'_> {
         let same = |index: usize| {
             let (m, n) = (&meant_a[index], &meant_b[index]);
             let [p, q] = [a.predicted[index], b.predicted[index]];
-            let [r, s] = [m.off(p, 0.0) / m.rounding, n.off(q, 0.0) / n.rounding];
+            let [r, s] = [m.seen_apart(m.value, p) / m.rounding, n.seen_apart(n.value, q) / n.rounding];
             let deviation = hand * self.variance(index).sqrt() / m.rounding.max(n.rounding);
             // Where no sign is written, the explanations may differ in it.
             let same_sense = m.is_magnitude || (p * q > 0.0) == (m.value * n.value > 0.0);
@@ -138,9 +138,31 @@ impl Scorer<'_> {
         (a.cost - b.cost).abs() <= SAME_FIT && (0..self.data.len()).all(same)
     }
 
+    /// How well values fit a drawing with these mistakes by a hand that is known. `None` where a predicted value is not finite.
+    pub fn compare_by(&self, set: &[&Candidate], hand: Hand) -> Option<Fit> {
+        self.compared(set, |hands| {
+            hands.consider(hand);
+        })
+    }
+
     /// The complete comparison, with the covariances of a drawing with these mistakes. `like`: a hand from which the
     /// search for the best one starts. `None` where a predicted value is not finite.
     pub fn compare(&self, set: &[&Candidate], like: Option<&Hand>) -> Option<Fit> {
+        let near = |like: &Hand| SIZES.iter().position(|s| *s <= like.worst()).unwrap_or(CAREFUL);
+        self.compared(set, |hands| {
+            let level = hands.search_alike(like.map_or(CAREFUL, near));
+            hands.search_computing();
+            if let Some(like) = like {
+                hands.consider(*like);
+            }
+            if !hands.hand.is_by_hand() {
+                hands.search_each(level);
+            }
+        })
+    }
+
+    /// A comparison by the likeliest of the hands that are tried.
+    fn compared(&self, set: &[&Candidate], try_hands: impl Fn(&mut Hands<'_>)) -> Option<Fit> {
         let predicted = self.predicted(set);
         if predicted.iter().any(|p| !p.is_finite()) {
             return None;
@@ -155,15 +177,7 @@ impl Scorer<'_> {
             cost: f64::INFINITY,
             outside: Vec::new(),
         };
-        let near = |like: &Hand| SIZES.iter().position(|s| *s <= like.worst()).unwrap_or(CAREFUL);
-        let level = hands.search_alike(like.map_or(CAREFUL, near));
-        hands.search_computing();
-        if let Some(like) = like {
-            hands.consider(*like);
-        }
-        if !hands.hand.is_by_hand() {
-            hands.search_each(level);
-        }
+        try_hands(&mut hands);
         let (cost, outside, hand) = (hands.cost, hands.outside, hands.hand);
         Some(Fit { cost, predicted, outside, hand })
     }

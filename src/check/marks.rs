@@ -155,9 +155,14 @@ impl MarkScheme {
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
         let findings = &checked.diagnosis.best.findings;
-        // The value in which a mistake was made; of one of the whole drawing, as a wrong ω of the drive, the first that shows it.
-        let is_made_in = |f: &Finding, value: usize| {
-            f.written.contains(&value) || (f.candidate.step == 0 && f.written.is_empty() && f.first() == Some(value))
+        let is_off = |value: &usize| checked.values[*value].verdict == Verdict::Off;
+        // The value in which a mistake was made; of one in which none was, as of a ray or a wrong ω of the drive, the first that shows it,
+        // and of a point put elsewhere the first two, as it has two numbers.
+        let is_made_in = |f: &Finding, value: usize| match f.written.is_empty() {
+            true => {
+                f.changed().into_iter().filter(is_off).take(f.candidate.free.len().max(1)).any(|first| first == value)
+            }
+            false => f.written.contains(&value),
         };
         let follows = |value: usize| {
             // Beside a prediction of nearly nothing any small number would follow.

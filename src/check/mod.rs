@@ -13,7 +13,7 @@
 //! `model` predicts all values together with their common errors, those of a drawing program among them;
 //! `covariance`, `score` and `fit` compute how well values fit a prediction; `mistakes/` is the catalogue, `settle`
 //! fits the amounts of unknown mistakes, `search` tries all of them, `diagnosis` weighs the explanations and chooses the one
-//! that is told.
+//! that is told, and `lesson` says what is to be learnt from it.
 //!
 //! `report` says it in parts and as text, `result` as JSON, `redrawn/` draws the student's sheets as they probably were,
 //! `marks` gives the marks that values earn, `class` sums up many drawings, `feedback` makes of one what its student gets
@@ -64,6 +64,7 @@ mod entry;
 mod feedback;
 mod fit;
 mod form;
+mod lesson;
 mod marks;
 mod measured;
 mod mistakes;

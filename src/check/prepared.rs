@@ -79,6 +79,18 @@ impl<'a> Prepared<'a> {
         Ok(ready)
     }
 
+    /// The verdicts on the values of a form for a careful hand, without a search for mistakes.
+    ///
+    /// # Errors
+    /// A value is not understood.
+    pub fn verdicts(&self, measured: &Measured) -> Result<Vec<Verdict>, CheckError> {
+        let measured = &self.with_usual_points(measured);
+        let entries = entries_by(measured, &self.key, &self.names)?;
+        let (mu, _) = sensible(&self.key, measured.mu);
+        let ready = self.ready(mu, &entries)?;
+        Ok(judged(&entries, &ready).into_iter().map(|value| value.verdict).collect())
+    }
+
     /// The verdicts on the values of one of many forms, and the mistakes that explain them, as by [`check`].
     ///
     /// # Errors
@@ -151,7 +163,7 @@ impl<'a> Prepared<'a> {
         });
         let mirrored = mirrored.map(|plan| plan.sheet()).collect();
         let (turned, missing) = (turned(measured, &key.solution.construction), self.missing(measured, &entries));
-        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common })
+        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None })
     }
 
     /// The mistakes in the likeliest explanations of the first values of a form, which the construction cut off behind them gives.

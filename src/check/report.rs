@@ -1,6 +1,7 @@
 //! The report in the figure's language: in parts, and as text from them. What its verdict rests on stands in `basis`.
 
 mod basis;
+mod lessons;
 
 use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
 use super::measured::AnswerKey;
@@ -30,7 +31,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>) -> String {
     for (cause, number) in parts.causes.into_iter().zip(1..) {
         lines.push(format!("{number}. {}", cause.done));
         let caption = cause.caption.map(|caption| format!("({caption})"));
-        let more = caption.into_iter().chain([cause.should]).chain(cause.follows);
+        let more = caption.into_iter().chain([cause.should]).chain(cause.worked).chain(cause.follows).chain(cause.redo);
         lines.extend(more.map(|line| format!("   {line}")));
     }
     lines.extend(parts.sure);
@@ -111,6 +112,12 @@ pub struct Cause {
     pub should: String,
     /// Which values follow from it.
     pub follows: Option<String>,
+    /// The step worked out with the student's own numbers; by how much what was drawn is off.
+    pub worked: Vec<String>,
+    /// Which steps are to be done again.
+    pub redo: Option<String>,
+    /// The number of its step; 0 for the whole drawing.
+    pub step: usize,
 }
 
 impl ReportParts {
@@ -118,9 +125,10 @@ impl ReportParts {
     #[must_use]
     pub fn set(mut self, set: impl Fn(String) -> String) -> ReportParts {
         let cells = self.rows.iter_mut().flat_map(|row| &mut row.cells);
-        let causes = self.causes.iter_mut().flat_map(|Cause { done, caption, should, follows }| {
-            [done, should].into_iter().chain(caption).chain(follows)
-        });
+        let causes =
+            self.causes.iter_mut().flat_map(|Cause { done, caption, should, follows, worked, redo, .. }| {
+                [done, should].into_iter().chain(caption).chain(follows).chain(worked).chain(redo)
+            });
         let texts =
             [&mut self.counts, &mut self.heading].into_iter().chain(&mut self.columns).chain(cells).chain(causes);
         let texts = texts
@@ -304,6 +312,9 @@ impl<'a> ReportText<'a> {
             }),
             should,
             follows,
+            worked: self.worked(&finding.lesson),
+            redo: self.redo(&finding.lesson, candidate),
+            step: candidate.step,
         }
     }
 

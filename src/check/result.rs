@@ -42,6 +42,9 @@ pub struct CheckResult {
     /// exercise's form all that the exercise asks for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub missing: Vec<String>,
+    /// The exercise of the class whose values these are, where they are those of another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub values_of: Option<String>,
     /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub scales: Vec<ScaleResult>,
@@ -200,6 +203,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         mirrored: mirrored.collect(),
         turned: turned.collect(),
         missing: checked.missing.clone(),
+        values_of: checked.values_of.clone(),
         scales: checked.scales.iter().map(scale).collect(),
         common: checked.common,
         marks: None,

@@ -28,7 +28,7 @@ pub(super) struct Scorer<'a> {
     nominal: Covariances,
     /// By datum: its value in a right drawing.
     right: Vec<f64>,
-    entries: &'a [Entry],
+    pub entries: &'a [Entry],
 }
 
 impl<'a> Scorer<'a> {

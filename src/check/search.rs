@@ -142,10 +142,17 @@ impl<'a> Search<'a> {
     /// `off`: by datum whether its verdict is off.
     pub fn run(&mut self, none: Fit, off: &[bool], depth: usize) -> Vec<Tried> {
         let mut beam = vec![Tried { set: Vec::new(), cost: none.cost, fit: none }];
+        // A mistake that is passed on looks like a bad hand, for which nothing is left to be explained: as a careful one's it is looked
+        // for, too.
+        if beam[0].fit.hand.worst() > 1.0 {
+            let (cost, careful) = (beam[0].cost, self.scorer.compare_by(&[], Hand::alike(1.0)));
+            beam.extend(careful.map(|fit| Tried { set: Vec::new(), cost, fit }));
+        }
         let mut tried: Vec<Tried> = Vec::new();
         for depth in 0..=depth {
             let best_before = tried.first().map_or(f64::INFINITY, |t: &Tried| t.cost);
-            tried.extend(beam.iter().cloned());
+            let compared = if depth == 0 { &beam[..1] } else { &beam[..] };
+            tried.extend(compared.iter().cloned());
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
             let best = &tried[0];
             let is_last = depth > 0 && (best.cost > best_before - MARGIN || is_explained(best));

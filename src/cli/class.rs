@@ -6,7 +6,7 @@ use super::forms::measured;
 use super::message::{Failure, note, passed, refuse};
 use super::output::{FileSet, is_stream};
 use super::pieces::{Pieces, caught};
-use crate::check::{ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
+use crate::check::{Checked, ClassColumns, ClassRow, ClassSummary, Feedback, MarkScheme, Measured, Prepared};
 use crate::format;
 use crate::text::Untrusted;
 use crate::words::Wording;
@@ -171,7 +171,10 @@ impl Class<'_> {
         // Of an exercise all is asked for, wherever its name stands.
         measured.exercise = measured.exercise.or(subject.name.map(Untrusted::from));
         let checked = subject.key.check(&measured);
-        let checked = checked.map_err(|error| Failure::from(error).line(""))?;
+        let mut checked = checked.map_err(|error| Failure::from(error).line(""))?;
+        if let Some(other) = self.other_exercise(exercise, &measured, &checked) {
+            checked.put_down_to(other);
+        }
         let (name, file) = (measured.name.as_ref(), form.file.clone());
         let row = ClassRow::checked(file, name, &checked, subject.key.key(), subject.scheme.as_ref());
         let page = self.page(index, || {
@@ -182,6 +185,18 @@ impl Class<'_> {
         });
         let page = page.map_err(|failure| format!("its page cannot be made: {}", failure.line("")))?;
         Ok((row, page))
+    }
+
+    /// The name of the exercise whose values a form has, where it is not its own.
+    fn other_exercise(&self, own: usize, measured: &Measured, checked: &Checked) -> Option<&str> {
+        if checked.is_nothing_off() {
+            return None;
+        }
+        let others = self.exercises.iter().enumerate().filter(|(index, _)| *index != own);
+        let others = others.filter_map(|(_, subject)| subject.as_ref().ok());
+        let rather =
+            |subject: &&Subject<'_>| subject.key.verdicts(measured).is_ok_and(|verdicts| checked.are_rather(&verdicts));
+        others.into_iter().find(rather)?.name
     }
 
     /// The row and the page of a form that is not understood.

@@ -324,6 +324,18 @@ sentences! {
     check_instead = "It should be";
     check_follows(values) = "These follow from it and are consistent with it: {values}.";
     check_follows_none = "No other of your values follows from it.";
+    check_values_of(exercise) = "These are the values of another exercise: {exercise}.";
+    check_worked(calculation) = "With your numbers: {calculation}.";
+    check_worked_beside(calculation, own) = "With your numbers: {calculation}; you have {own}.";
+    check_seems_left(degrees) = "It seems turned to the left by {degrees}°.";
+    check_seems_right(degrees) = "It seems turned to the right by {degrees}°.";
+    check_seems_longer(mm) = "It seems {mm} mm too long.";
+    check_seems_shorter(mm) = "It seems {mm} mm too short.";
+    check_seems_elsewhere(mm, first, one, second, other) =
+        "The point seems {mm} mm from where its two lines cross: from {first} it is seen {one}° beside its line, from \
+         {second} {other}°.";
+    check_redo(steps) = "Do steps {steps} again; keep the rest.";
+    check_redo_number = "Correct this number alone; the drawing stays.";
     check_sure(percent) = "How sure: {percent} %";
     check_others = "It could also be";
     /// Behind an explanation that the values cannot tell from the first.

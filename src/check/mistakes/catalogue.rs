@@ -44,6 +44,8 @@ macro_rules! catalogue {
             OmegaOfAnotherLink "omega-of-another-link" 3.0 vectors::omega_of_another {
                 /// `factor` is a length or a velocity.
                 omega_of_another_link(from, to, rate, factor, wrong)
+                /// Those of two links in place of each other.
+                omegas_interchanged(from, to, rate, wrong)
             }
             /// A normal part, or all products of a crank, with the diameter in place of the radius.
             Diameter "diameter" 3.0 vectors::diameter {
@@ -167,7 +169,7 @@ macro_rules! catalogue {
             /// A value in another unit of length than the scene's, and no unit beside it.
             OtherUnit "other-unit" 3.0 copying::other_unit { other_unit(quantity, number, unit, own) }
             /// A value wrong for a reason that the catalogue does not know, and used in later operations.
-            Unknown "unknown" 5.0 unknown::everywhere { unknown(quantity) }
+            Unknown "unknown" 15.0 unknown::everywhere { unknown(quantity) }
         }
     };
 }

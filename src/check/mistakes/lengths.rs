@@ -239,9 +239,10 @@ pub(super) fn other_mode(site: &Site<'_>) -> Vec<Candidate> {
 }
 
 /// A crank drawn at another angle than the given one, in degrees from +x, as a protractor is commonly misread: from its
-/// other end, clockwise, from the vertical, by one of its long marks.
+/// other end, clockwise, from the vertical, by some of its marks; or the crank drawn towards the other side.
 fn misread(angle: f64) -> Vec<f64> {
-    let all = [180.0 - angle, -angle, 90.0 - angle, angle + 10.0, angle - 10.0, angle + 20.0, angle - 20.0];
+    let slipped = [5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 180.0].into_iter().flat_map(|by| [angle + by, angle - by]);
+    let all = [180.0 - angle, -angle, 90.0 - angle].into_iter().chain(slipped);
     // From −180° to 180°.
     let within = |degrees: f64| with_turns(degrees, 0.0);
     let apart = |a: f64, b: f64| within(a - b).abs() > 1.0;

@@ -157,7 +157,7 @@ impl Blank {
 }
 
 /// The symbol of a rate of rotation or of a length: `ω_2` for `omega(2)`, `L_AB` for `L(A,B)`.
-fn symbol(name: &str) -> Option<String> {
+pub(in crate::check) fn symbol(name: &str) -> Option<String> {
     let name = QuantityName::parse(name).filter(QuantityName::is_plain)?;
     let letter = match name.head {
         Head::Omega => "ω",

@@ -177,7 +177,7 @@ fn velocities(site: &Site<'_>, before: usize) -> Vec<(NumberId, String)> {
 
 /// The ω of another link in a normal part, or in a Coriolis acceleration.
 pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
-    let mut found = Vec::new();
+    let mut found = omegas_interchanged(site);
     for term in site.terms(ProductKind::Normal).into_iter().chain(site.terms(ProductKind::Coriolis)) {
         let product = term.product();
         let right = product.of[0];
@@ -190,14 +190,43 @@ pub(super) fn omega_of_another(site: &Site<'_>) -> Vec<Candidate> {
             if wrong == right || (site.exact(wrong) - exact).abs() < 1e-9 * exact.abs() {
                 continue;
             }
-            let mut product = product.clone();
-            product.of.iter_mut().filter(|number| **number == right).for_each(|number| *number = wrong);
+            let product = with(product, right, wrong);
             let [from, to, rate, factor] = term.blanks(site);
             let told = tell::omega_of_another_link(from, to, rate, factor, site.symbol(wrong));
             found.push(term.candidate(site, told, Some(product)));
         }
     }
     found
+}
+
+/// The ω of two links interchanged in their normal parts.
+fn omegas_interchanged(site: &Site<'_>) -> Vec<Candidate> {
+    let terms: Vec<Term<'_>> =
+        site.terms(ProductKind::Normal).into_iter().filter(|term| !site.is_given(term.product().of[0])).collect();
+    let mut found = Vec::new();
+    for (at, first) in terms.iter().enumerate() {
+        for second in &terms[at + 1..] {
+            let [one, other] = [first, second].map(|term| term.product().of[0]);
+            let is_known = |rate: NumberId, at: usize| site.omegas_before(at).any(|known| known == rate);
+            if one == other || !is_known(other, first.vector.maker) || !is_known(one, second.vector.maker) {
+                continue;
+            }
+            let [from, to, ..] = first.blanks(site);
+            let told = tell::omegas_interchanged(from, to, site.symbol(one), site.symbol(other));
+            let edits = [(first, one, other), (second, other, one)]
+                .map(|(term, right, wrong)| term.instead(Some(with(term.product(), right, wrong))));
+            let step = site.model.steps[first.vector.operation];
+            found.push(Candidate { edits: edits.to_vec(), ..Candidate::at(told, step) });
+        }
+    }
+    found
+}
+
+/// A product with one number in place of another.
+fn with(product: &Product, right: NumberId, wrong: NumberId) -> Product {
+    let mut product = product.clone();
+    product.of.iter_mut().filter(|number| **number == right).for_each(|number| *number = wrong);
+    product
 }
 
 /// A normal part or a Coriolis acceleration laid off from the pole, or from the start of a vector beside it.

@@ -37,8 +37,9 @@ impl ReportText<'_> {
         let small = (!small.is_empty()).then(|| self.own.check_too_small(&self.names(&small)));
         let scales = scales.iter().map(|scale| self.scale(scale));
         let common = self.checked.common.map(|common| self.common(common));
+        let values_of = self.checked.values_of.as_ref().map(|exercise| self.own.check_values_of(exercise));
         let turned = self.checked.turned.iter().map(|plan| self.turned(plan));
-        common.into_iter().chain(coarse).chain(small).chain(scales).chain(turned).collect()
+        values_of.into_iter().chain(common).chain(coarse).chain(small).chain(scales).chain(turned).collect()
     }
 
     /// The error that all measured lengths have in common.
