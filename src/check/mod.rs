@@ -107,7 +107,7 @@ pub use photographs::{Aimed, PencilledPlan, PointVerdict, hundredths};
 pub use placed::TurnedPlan;
 pub use prepared::{Prepared, check};
 #[cfg(feature = "photo")]
-pub use proposed::{Found, Proposal, proposed, proposed_form};
+pub use proposed::{Found, Proposal, common_scale, proposed, proposed_form};
 pub use redrawn::redrawn;
 #[cfg(feature = "cli")]
 pub(crate) use report::aligned;

@@ -335,6 +335,7 @@ sentences! {
         "The point seems {mm} mm from where its two lines cross: from {first} it is seen {one}° beside its line, from \
          {second} {other}°.";
     check_redo(steps) = "Do steps {steps} again; keep the rest.";
+    check_redo_one(step) = "Do step {step} again; keep the rest.";
     check_redo_number = "Correct this number alone; the drawing stays.";
     check_sure(percent) = "How sure: {percent} %";
     check_others = "It could also be";
