@@ -202,17 +202,18 @@ impl MarkScheme {
     /// wrong ω of the drive; of a point put elsewhere two, as it has two numbers. A value of its step that is asked for and missing is
     /// charged already.
     fn charged(&self, finding: &Finding, checked: &Checked) -> Vec<usize> {
-        if !finding.written.is_empty() {
-            return finding.written.clone();
-        }
         let step = finding.candidate.step;
         let is_worth = |value: &Judged| self.worth.values().any(|own| own.row == value.entry.row);
         let is_off = |value: &Judged| value.verdict == Verdict::Off && is_worth(value);
-        let off = finding.changed().into_iter().filter(|value| is_off(&checked.values[*value]));
+        let off = |all: Vec<usize>| all.into_iter().filter(move |value| is_off(&checked.values[*value]));
+        let written: Vec<usize> = off(finding.written.clone()).collect();
+        if !written.is_empty() {
+            return written;
+        }
         let is_missing =
             self.worth.values().any(|own| own.step == step && step > 0 && place_of(&own.row, checked).is_none());
         let numbers = finding.candidate.free.len().max(1);
-        off.take(numbers - usize::from(is_missing)).collect()
+        off(finding.changed()).take(numbers - usize::from(is_missing)).collect()
     }
 }
 
