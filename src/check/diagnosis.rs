@@ -81,7 +81,7 @@ impl Search<'_> {
         };
         let off: Vec<usize> = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off).collect();
         // What leaves most of the wrong values open is no explanation of the drawing, nor is one for a hand that nobody has.
-        let count = off.iter().filter(|&&entry| explained(&told, entry)).count();
+        let count = off.iter().filter(|&&entry| explained(&first.findings, entry)).count();
         if 2 * count < off.len() || hand.worst() > WORST {
             told.clear();
         }

@@ -7,7 +7,7 @@ use crate::sheet::Order;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Radius that holds a place at which a hand has aimed with 95 %, in mm.
+/// Radius that holds a place that a hand has written or set by keys with 95 %, in mm.
 const AIMED: f64 = 0.5;
 
 /// A plan on a photographed sheet, with the pencil lines there.
@@ -84,11 +84,12 @@ impl<'a> PencilledPlan<'a> {
         [x + self.pole[0], self.pole[1] - y]
     }
 
-    /// The place that somebody means who points at one on the sheet: where pencil lines cross within `reach` mm, else that place itself.
+    /// The place that somebody means who points at one on the sheet: where pencil lines cross within `reach` mm, else that place itself, which
+    /// the hand meets within `aim` mm with 95 %.
     #[must_use]
-    pub fn aimed(&self, at: [f64; 2], reach: f64) -> Aimed {
+    pub fn aimed(&self, at: [f64; 2], reach: f64, aim: f64) -> Aimed {
         let found = crossing(self.strokes, Point::from(at), reach);
-        let (at, own) = found.map_or((at, AIMED), |found| (found.at.into(), found.band));
+        let (at, own) = found.map_or((at, aim), |found| (found.at.into(), found.band));
         Aimed { at, band: libm::hypot(own, self.sheet.band(at)), is_crossing: found.is_some() }
     }
 

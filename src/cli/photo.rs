@@ -5,13 +5,16 @@ use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
 use super::output::FileSet;
 use super::pieces::caught;
-use crate::check::{AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, aligned, proposed, proposed_form};
+use crate::check::{
+    AnswerKey, Measured, PencilledPlan, PointVerdict, Proposal, aligned, common_scale, proposed, proposed_form,
+};
 use crate::construction::Solution;
 use crate::drawing::markers::SheetCode;
 use crate::drawing::{Drawing, SeenPoint, over_photo};
 use crate::format::Backdrop;
-use crate::photo::{PhotoSheet, Picture, Stroke, read};
-use crate::text::shown;
+use crate::message::Message;
+use crate::photo::{PhotoSheet, Picture, Stroke, read, says};
+use crate::text::{cell, quoted, shown};
 use crate::words::NumberStyle;
 use image::{DynamicImage, GrayImage, ImageDecoder, ImageError, ImageReader, Limits};
 use std::fmt::Display;
@@ -36,6 +39,8 @@ pub(super) struct PhotoResult {
     pub points: Vec<Proposal>,
     /// The places that were found, as a form has them.
     pub measured: Measured,
+    /// What makes the photographs of less use, and what to do.
+    pub warnings: Vec<(Message, Message)>,
     /// By photograph: the code of its sheet, and that sheet, straightened out, with the right plans over it.
     sheets: Vec<(PathBuf, SheetCode, Backdrop, Drawing)>,
 }
@@ -45,7 +50,7 @@ impl Photo {
     pub(super) fn read(path: &Path, expected: impl FnOnce() -> Vec<SheetCode>) -> Result<Photo, Failure> {
         let picture = read_picture(path)?;
         let sheet = read(&picture, expected)
-            .map_err(|refusal| Failure::misuse(format!("{}: {refusal}", path.display()), refusal.hint().to_owned()))?;
+            .map_err(|refusal| Failure::misuse(format!("{}: {refusal}", path.display()), refusal.hint()))?;
         Ok(Photo { path: path.to_owned(), strokes: sheet.strokes(&picture), picture, sheet })
     }
 
@@ -114,7 +119,7 @@ impl PhotoResult {
             (photo.path.clone(), code.clone(), photo.backdrop(), over_photo(key.solution, code, &seen))
         };
         let sheets = photos.iter().map(sheet).collect();
-        Ok(PhotoResult { points: proposals, measured, sheets })
+        Ok(PhotoResult { warnings: warnings(&photos, &proposals), points: proposals, measured, sheets })
     }
 
     /// Adds the pictures and the form to a set of files in a folder; `name` is that of the form.
@@ -143,6 +148,17 @@ impl PhotoResult {
     /// How many points have this verdict; `None` for those that are left to the student.
     pub(super) fn count(&self, verdict: Option<PointVerdict>) -> usize {
         self.points.iter().filter(|point| point.found.map(|found| found.verdict) == verdict).count()
+    }
+
+    /// A line of the table of a class.
+    pub(super) fn row(&self, name: &str) -> String {
+        let verdicts = [Some(PointVerdict::Right), Some(PointVerdict::Off), Some(PointVerdict::CannotTell), None];
+        let [right, wrong, unclear, left] = verdicts.map(|verdict| self.count(verdict));
+        let said = self.warnings.iter().map(|(message, hint)| format!("{message} ({hint})"));
+        let said = said.collect::<Vec<_>>().join("; ");
+        let said = if said.is_empty() { said } else { quoted(&cell(&said)) };
+        let name = quoted(&cell(name));
+        format!("{name},{},{right},{wrong},{unclear},{left},{said}\n", self.sheets.len())
     }
 
     /// Which sheets these are, and the table of their points, which have the names of the form.
@@ -175,6 +191,35 @@ impl PhotoResult {
         sheets.chain(aligned(&rows).into_iter().map(|line| line + "\n")).collect()
     }
 }
+
+/// What makes photographs of less use, and what to do.
+fn warnings(photos: &[Photo], points: &[Proposal]) -> Vec<(Message, Message)> {
+    let named =
+        |photo: &Photo, message: Message| Message::list([format!("{}: ", photo.path.display()).into(), message], "");
+    let crowded = photos.iter().filter(|photo| !photo.sheet.is_alone);
+    let mut all: Vec<(Message, Message)> =
+        crowded.map(|photo| (named(photo, says::second_sheet()), says::each_by_itself())).collect();
+    for photo in photos {
+        let mut own = points.iter().filter(|point| photo.plans().any(|plan| plan.order == point.order)).peekable();
+        if own.peek().is_some() && own.all(|point| point.found.is_none()) {
+            let width = photo.sheet.edge_width();
+            let message = match width > SOFT {
+                true => says::nothing_in_blur(format!("{width:.1}")),
+                false => says::nothing_drawn(),
+            };
+            all.push((named(photo, message), says::mark_by_hand()));
+        }
+    }
+    if let Some(scale) = common_scale(points) {
+        let percent = format!("{:.1}", 100.0 * (scale - 1.0).abs());
+        let message = if scale > 1.0 { says::scaled(percent) } else { says::scaled_down(percent) };
+        all.push((message, says::measure_ruler()));
+    }
+    all
+}
+
+/// Width of edges from which blur hides pencil lines, in mm.
+const SOFT: f64 = 0.45;
 
 /// A drawing over its picture in the formats that are built in: endings and bytes.
 fn pictures(backdrop: &Backdrop, drawing: &Drawing) -> Result<Vec<(&'static str, Vec<u8>)>, String> {
@@ -243,22 +288,39 @@ pub(super) fn is_photograph(path: &Path) -> bool {
 /// The picture in a file, upright as the file says, in grey.
 pub(super) fn read_picture(path: &Path) -> Result<Picture, Failure> {
     let name = path.display().to_string();
-    let refuse = |message: String, hint: &str| Failure::misuse(format!("{name} {message}"), hint);
+    let refuse = |message: String, hint: Message| Failure::misuse(format!("{name} {message}"), hint);
     let mut bytes = Vec::new();
     let opened = fs::File::open(path).and_then(|file| file.take(LARGEST + 1).read_to_end(&mut bytes));
-    opened.map_err(|error| refuse(format!("cannot be read: {error}"), "give the path of a photograph"))?;
+    opened.map_err(|error| refuse(format!("cannot be read: {error}"), "give the path of a photograph".into()))?;
     if bytes.len() as u64 > LARGEST {
-        return Err(refuse(format!("is larger than {} MB", LARGEST >> 20), "send the photograph in a smaller size"));
+        return Err(refuse(
+            format!("is larger than {} MB", LARGEST >> 20),
+            "send the photograph in a smaller size".into(),
+        ));
     }
     if bytes.get(4..8) == Some(b"ftyp") {
         return Err(refuse(
             "is a HEIC or AVIF picture, which is not read".to_owned(),
-            "save or send it as JPEG (on an iPhone: Settings, Camera, Formats, Most Compatible)",
+            "save or send it as JPEG (on an iPhone: Settings, Camera, Formats, Most Compatible)".into(),
         ));
+    }
+    if is_cut_short(&bytes) {
+        return Err(refuse(says::cut_short().to_string(), says::send_again()));
     }
     // The decoders are not ours: whatever a broken file does to them is a message.
     let decoded = caught(|| decoded(&bytes)).unwrap_or_else(|panic| Err(broken(panic)));
-    decoded.map_err(|(message, hint)| refuse(message, hint))
+    decoded.map_err(|(message, hint)| refuse(message, hint.into()))
+}
+
+/// Whether a JPEG or PNG file lacks its end: decoders show the rest as grey.
+fn is_cut_short(bytes: &[u8]) -> bool {
+    let last = |mark: &[u8]| bytes.windows(mark.len()).rposition(|at| at == mark);
+    if bytes.starts_with(b"\xff\xd8") {
+        // The pixels follow the last start of a scan; a preview before them has an end of its own.
+        last(b"\xff\xda") > last(b"\xff\xd9")
+    } else {
+        bytes.starts_with(b"\x89PNG") && last(b"IEND").is_none()
+    }
 }
 
 /// Why a file is no picture, and what to try.

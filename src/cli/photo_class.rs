@@ -54,7 +54,13 @@ impl Check {
     fn one_student(&self, paths: &[PathBuf]) -> Result<(), Failure> {
         let subjects = self.subjects()?;
         let name = student(&paths[0]);
-        let ((exercise, solution), result) = self.result(paths, &name, &subjects)?;
+        let mut results = self.results(paths, &name, &subjects)?;
+        let Some(((exercise, solution), result)) = results.pop().filter(|_| results.is_empty()) else {
+            return refuse(
+                "the photographs show sheets of several exercises",
+                "give those of one exercise, or put all of them into a folder",
+            );
+        };
         show_warnings(solution);
         let mut files = FileSet::default();
         let mut form = None;
@@ -69,6 +75,10 @@ impl Check {
         }
         files::print_text(&result.table(solution))?;
         files.finish()?;
+        for (message, hint) in &result.warnings {
+            let language = &solution.wording().language;
+            warn(&format!("{}; {}", language.says(message), language.says(hint)));
+        }
         if self.accept {
             let source = Source { name: paths[0].display().to_string(), text: String::new() };
             return self.form(exercise, solution, &source, &result.measured);
@@ -77,37 +87,42 @@ impl Check {
         passed(result.count(Some(PointVerdict::Off)), 0)
     }
 
-    /// What the photographs of the student of that name tell, and of which scene they are.
-    fn result<'s>(
+    /// What the photographs of the student of that name tell, for each exercise that they show.
+    fn results<'s>(
         &self,
         paths: &[PathBuf],
         name: &str,
         subjects: &'s [Subject],
-    ) -> Result<(&'s Subject, PhotoResult), Failure> {
+    ) -> Result<Vec<(&'s Subject, PhotoResult)>, Failure> {
         // Of one scene its sheets are known, so that a blurred code is read; those of many are told apart by their codes alone.
         let codes = || match subjects {
             [(exercise, solution)] => expected(solution, &exercise.scene),
             _ => Vec::new(),
         };
-        let photos: Vec<Photo> = paths.iter().map(|path| Photo::read(path, codes)).collect::<Result<_, _>>()?;
-        let code = &photos[0].sheet.code;
-        let found = match subjects {
-            [subject] => Some(subject),
-            _ => subjects.iter().find(|(_, solution)| solution.scene.fingerprint() == code.scene),
+        let mut of_subjects: Vec<Vec<Photo>> = subjects.iter().map(|_| Vec::new()).collect();
+        for path in paths {
+            let photo = Photo::read(path, codes)?;
+            let code = &photo.sheet.code;
+            let own = subjects.iter().position(|(_, solution)| solution.scene.fingerprint() == code.scene);
+            let Some(index) = own.or((subjects.len() == 1).then_some(0)) else {
+                let [path, scene] = [path, &self.scene].map(|path| path.display());
+                return refuse(
+                    format!("{path} shows a sheet of `{}`, which is not in {scene}", code.name),
+                    "name the folder with the exercise from which it was printed",
+                );
+            };
+            of_subjects[index].push(photo);
+        }
+        let shown = subjects.iter().zip(of_subjects).filter(|(_, photos)| !photos.is_empty());
+        let result = |(subject, photos): (&'s Subject, Vec<Photo>)| {
+            let mut result = PhotoResult::of(photos, &self.key(&subject.1))?;
+            result.measured.name = Some(Untrusted::from(name));
+            // So that a folder with exercises knows the form again.
+            let exercise = &subject.0.name;
+            result.measured.exercise = (!exercise.is_empty()).then(|| Untrusted::from(exercise.as_str()));
+            Ok((subject, result))
         };
-        let Some(subject) = found else {
-            let [path, scene] = [&paths[0], &self.scene].map(|path| path.display());
-            return refuse(
-                format!("{path} shows a sheet of `{}`, which is not in {scene}", code.name),
-                "name the folder with the exercise from which it was printed",
-            );
-        };
-        let mut result = PhotoResult::of(photos, &self.key(&subject.1))?;
-        result.measured.name = Some(Untrusted::from(name));
-        // So that a folder with exercises knows the form again.
-        let exercise = &subject.0.name;
-        result.measured.exercise = (!exercise.is_empty()).then(|| Untrusted::from(exercise.as_str()));
-        Ok((subject, result))
+        shown.map(result).collect()
     }
 
     /// Reads the photographs of a class and writes a form for each student, with pictures; with `--accept` the forms are checked.
@@ -134,25 +149,30 @@ impl Check {
         let (mut files, mut broken, mut off) = (FileSet::default(), 0, 0);
         // A few at a time: each has pictures of many megabytes.
         for some in students.chunks(4) {
-            let results = on_all_cores(some, |(name, paths)| self.result(paths, name, &subjects));
-            for ((name, paths), result) in some.iter().zip(results) {
-                let written = result.and_then(|((_, solution), result)| {
-                    result.write(&mut files, output, name, &self.key(solution))?;
-                    Ok(result)
+            let results = on_all_cores(some, |(name, paths)| self.results(paths, name, &subjects));
+            for ((name, paths), results) in some.iter().zip(results) {
+                let written = results.and_then(|results| {
+                    let is_only = results.len() == 1;
+                    let write = |((exercise, solution), result): (&Subject, PhotoResult)| {
+                        let form = if is_only { name.clone() } else { format!("{name}-{}", exercise.name) };
+                        result.write(&mut files, output, &form, &self.key(solution))?;
+                        Ok((form, result))
+                    };
+                    results.into_iter().map(write).collect::<Result<Vec<_>, Failure>>()
                 });
-                let row = match written {
-                    Ok(result) => {
-                        let verdicts = [PointVerdict::Right, PointVerdict::Off, PointVerdict::CannotTell].map(Some);
-                        let [right, wrong, unclear] = verdicts.map(|verdict| result.count(verdict));
-                        off += usize::from(wrong > 0);
-                        format!("{right},{wrong},{unclear},{},", result.count(None))
+                match written {
+                    Ok(results) => {
+                        for (form, result) in results {
+                            off += usize::from(result.count(Some(PointVerdict::Off)) > 0);
+                            table += &result.row(&form);
+                        }
                     }
                     Err(failure) => {
                         broken += 1;
-                        format!(",,,,{}", quoted(&cell(&failure.line(""))))
+                        let [name, said] = [name, &failure.line("")].map(|text| quoted(&cell(text)));
+                        table += &format!("{name},{},,,,,{said}\n", paths.len());
                     }
-                };
-                table += &format!("{},{},{row}\n", quoted(&cell(name)), paths.len());
+                }
             }
         }
         files.finish()?;

@@ -16,7 +16,7 @@ use super::text::{CAPTION, PlacedText, RichText};
 use super::view::{Extent, Series};
 use crate::construction::Solution;
 use crate::scene::{Figure, StyleName};
-use crate::sheet::Sheet;
+use crate::sheet::{Scales, Sheet};
 use crate::text::Untrusted;
 use kurbo::{Affine, Point, Rect, Vec2};
 
@@ -28,6 +28,8 @@ struct Division<'a> {
     place: WordsPlace,
     sheet: Composition<'a>,
     layout: Layout,
+    /// How many of the student's points and ends of lines are outside of their panels.
+    outside: usize,
 }
 
 /// A student's drawing over the right figure, with sentences about it; last a table of the values.
@@ -38,7 +40,12 @@ struct Division<'a> {
 #[must_use]
 pub fn overlay(solution: &Solution, overlay: &Overlay) -> Vec<Drawing> {
     let context = SheetContext::new(solution, Purpose::Drawing);
-    let Division { place, mut sheet, layout } = best_division(&context, overlay);
+    let at_scale = best_division(&context, overlay);
+    // Where a page is too small for the student's points at the scale that the scene gives, a finer one is better: a vector turned round is seen by where it ends.
+    let free = context.on_page(context.surface.page, Scales::default());
+    let smaller = (at_scale.outside > 0).then(|| best_division(&free, overlay));
+    let smaller = smaller.filter(|other| other.layout.shows_all() && other.outside < at_scale.outside);
+    let Division { place, mut sheet, layout, .. } = smaller.unwrap_or(at_scale);
     if overlay.values.is_empty() {
         return vec![sheet.draw(&layout)];
     }
@@ -92,7 +99,8 @@ fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Div
     let notes = |place| Notes { context, overlay, place };
     let division = |extents: &Extents, place: WordsPlace| {
         let sheet = sheet(context, overlay, extents, notes(place));
-        Division { place, layout: sheet.layout(), sheet }
+        let outside = extents.iter().map(|(panel, extent)| overlay.outside(*panel, *extent)).sum();
+        Division { place, layout: sheet.layout(), sheet, outside }
     };
     let divisions_for = |extents: &Extents| {
         let mut words = division(extents, WordsPlace::Below);
@@ -115,7 +123,7 @@ fn best_division<'a>(context: &'a SheetContext<'a>, overlay: &'a Overlay) -> Div
     let mut tried: Vec<Extents> = Vec::new();
     for panels in kept {
         let extents = right_extents.iter().enumerate().map(|(index, &(panel, extent))| {
-            let is_given = context.figure().mu[panel].is_some();
+            let is_given = context.surface.mu[panel].is_some();
             let is_kept = panels & (1 << index) != 0;
             (panel, if is_kept { overlay.extended(panel, extent, is_given) } else { extent })
         });

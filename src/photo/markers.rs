@@ -42,6 +42,13 @@ pub(super) struct Seen {
     pub plane: Homography,
 }
 
+impl Seen {
+    /// Whether a marker is one of these, or where one of these is.
+    pub(super) fn has(&self, marker: &Marker) -> bool {
+        self.markers.iter().any(|own| (own.corners[0] - marker.corners[0]).norm() < 2.0 * own.side())
+    }
+}
+
 impl Marker {
     /// The pairs of corners on a page and in the picture.
     fn pairs(&self, page: Page) -> impl Iterator<Item = (Point, Point)> {
@@ -207,6 +214,22 @@ fn largest(markers: &[Marker], page: Page) -> Option<Seen> {
 /// How many markers with different numbers there are.
 pub(super) fn most_together(markers: &[Marker]) -> usize {
     (0..CODES.len()).filter(|number| markers.iter().any(|marker| marker.number == *number)).count()
+}
+
+/// Whether markers that are too few to be a sheet let expect most of the others outside of the picture.
+pub(super) fn ends_early(found: &[Marker], picture: &Picture) -> bool {
+    let is_single = |marker: &&Marker| found.iter().filter(|other| other.number == marker.number).count() == 1;
+    let own: Vec<&Marker> = found.iter().filter(is_single).collect();
+    let ends = |page: Page| {
+        let pairs: Vec<(Point, Point)> = own.iter().flat_map(|marker| marker.pairs(page)).collect();
+        let Some(plane) = Homography::through(&pairs) else { return false };
+        let fits = pairs.iter().all(|(mm, px)| (plane.at(*mm) - px).norm() < APART * own[0].side());
+        let missing = (0..CODES.len()).filter(|number| own.iter().all(|marker| marker.number != *number));
+        let is_outside = |number: &usize| corners(page, *number).iter().any(|corner| !picture.holds(plane.at(*corner)));
+        let (outside, inside): (Vec<usize>, Vec<usize>) = missing.partition(is_outside);
+        fits && outside.len() > inside.len()
+    };
+    own.len() > 1 && pages().any(ends)
 }
 
 /// Places of one plane to places of another, with straight lines kept straight: a homography.

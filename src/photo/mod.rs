@@ -10,14 +10,15 @@
 //! paper. Edges are the middle of their rise, which blur does not move. A marker that does not fit the others is left
 //! out; corners that leave more than 0.15 mm are a refusal. A code that is too blurred goes through an equalizer that
 //! learns from the modules all codes share; else it is compared with the codes that the scene's sheets have.
-//! `check/proposed/` carries the construction out along the pencil lines, with and without each mistake of the
-//! catalogue, and proposes a place only where all explanations that come into question agree.
+//! `check/proposed/` carries the construction out along the pencil lines in many ways, and proposes a place only where
+//! nearly all that speaks for any of them speaks for it.
 
 mod camera;
 mod code;
 mod edges;
 mod markers;
 mod picture;
+pub mod says;
 mod sheet;
 mod squares;
 mod strokes;

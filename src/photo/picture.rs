@@ -61,6 +61,12 @@ impl Picture {
         upper * (1.0 - v) + (grey(below) * (1.0 - u) + grey(below + right) * u) * v
     }
 
+    /// The picture as a mirror shows it.
+    pub(super) fn mirrored(&self) -> Picture {
+        let grey = self.grey.chunks(self.width.max(1)).flat_map(|row| row.iter().rev().copied()).collect();
+        Picture { grey, ..*self }
+    }
+
     /// The picture with means of `factor` × `factor` pixels; what is left over at its right and lower edges is cut off.
     pub(super) fn smaller(&self, factor: usize) -> Picture {
         if factor <= 1 {

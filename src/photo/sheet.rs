@@ -2,11 +2,14 @@
 
 use super::camera::{Fitted, fitted};
 use super::code;
-use super::markers::{self, Seen};
+use super::markers::{self, Marker, Seen};
 use super::picture::{Paper, Picture};
+use super::says;
 use super::strokes::{Stroke, strokes};
 use crate::drawing::markers::{SheetCode, code_place};
 use crate::geometry::Point;
+use crate::message::Message;
+use std::fmt;
 
 /// Largest residual of the markers' corners, in mm: a camera over an evenly bent sheet leaves 0.02 to 0.05 mm.
 const UNEVEN: f64 = 0.18;
@@ -33,6 +36,8 @@ pub struct PhotoSheet {
     pub code: SheetCode,
     /// How many of its eight markers were found.
     pub markers: usize,
+    /// Whether the picture shows no other sheet beside it.
+    pub is_alone: bool,
     fitted: Fitted,
 }
 
@@ -48,18 +53,35 @@ pub fn read(picture: &Picture, expected: impl FnOnce() -> Vec<SheetCode>) -> Res
         together.into_iter().filter_map(|seen| Some((seen.clone(), fitted(picture, &seen)?))).collect();
     fitted.sort_by(|a, b| a.1.residual.total_cmp(&b.1.residual));
     let Some((seen, best)) = fitted.first() else {
-        return Err(Refusal::FewMarkers(markers::most_together(&found).min(markers::LEAST - 1)));
+        return Err(few(picture, &found));
     };
     even(best)?;
     let (page, place) = (seen.page, code_place(seen.page.size_mm()));
     let pixel = |u, v| best.camera.pixel(Point::new(place.x0 + place.width() * u, place.y0 + place.height() * v));
     let of_page = || expected().into_iter().filter(|code| code.page == page).collect();
-    let code = code::code(picture, pixel, of_page).ok_or(Refusal::NoCode)?;
+    let is_inside = picture.holds(pixel(0.0, 0.0)) && picture.holds(pixel(1.0, 1.0));
+    let no_code = if is_inside { Refusal::NoCode } else { Refusal::CutOff };
+    let code = code::code(picture, pixel, of_page).ok_or(no_code)?;
     // Folded a sheet may look like one of another size.
     let own = fitted.into_iter().find(|(seen, _)| seen.page == code.page);
     let (seen, fitted) = own.ok_or(Refusal::OtherPage)?;
     even(&fitted)?;
-    Ok(PhotoSheet { code, markers: seen.markers.len(), fitted })
+    let others: Vec<Marker> = found.iter().filter(|marker| !seen.has(marker)).copied().collect();
+    let is_alone = markers::most_together(&others) < markers::LEAST || markers::sheets(&others).is_empty();
+    Ok(PhotoSheet { code, markers: seen.markers.len(), is_alone, fitted })
+}
+
+/// Why no sheet is found from these markers.
+fn few(picture: &Picture, found: &[Marker]) -> Refusal {
+    let count = markers::most_together(found).min(markers::LEAST - 1);
+    // Mirrored some markers look like others: whether all stand on a sheet tells.
+    if !markers::sheets(&markers::markers(&picture.mirrored())).is_empty() {
+        Refusal::Mirrored
+    } else if markers::ends_early(found, picture) {
+        Refusal::CutOff
+    } else {
+        Refusal::FewMarkers(count)
+    }
 }
 
 /// Refuses what lies too unevenly, and what is too blurred to know.
@@ -101,6 +123,12 @@ impl PhotoSheet {
         self.fitted.residual
     }
 
+    /// How wide edges on the sheet are in the picture, in mm.
+    #[must_use]
+    pub fn edge_width(&self) -> f64 {
+        WIDTH * self.fitted.blur
+    }
+
     /// How far the sheet's middle is above or below its edges, in mm.
     #[must_use]
     pub fn bend(&self) -> f64 {
@@ -122,59 +150,65 @@ impl PhotoSheet {
 }
 
 /// Why no sheet is read from a picture, and what to do.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Refusal {
     /// No sheet is there, or too little of it: how many different markers were found.
-    #[error("{}", few(*.0))]
     FewMarkers(usize),
+    /// The picture ends before the sheet does: markers are outside.
+    CutOff,
+    /// The picture is mirrored.
+    Mirrored,
     /// The markers are not where any camera would see those of a flat or evenly bent sheet: root of the mean square of
     /// their distances from there, in mm.
-    #[error("the sheet is not flat: its markers are {0:.1} mm from where they would be on an even sheet")]
     NotEven(f64),
     /// The picture is so blurred that the markers are not where any camera would see them: width of edges, in mm.
-    #[error("the picture is blurred: edges on the sheet are {0:.1} mm wide in it")]
     Blurred(f64),
     /// The sheet is rolled too much: height of the bend, in mm.
-    #[error("the sheet is bent: its middle is {0:.0} mm above or below its edges")]
     Bent(f64),
     /// The small code cannot be read.
-    #[error("the small code at the lower right corner of the sheet cannot be read")]
     NoCode,
     /// The code is of a sheet of another size.
-    #[error(
-        "the small code is of a page that is not that of the markers: the picture shows parts of two sheets, or a sheet that was cut"
-    )]
     OtherPage,
 }
 
-impl Refusal {
-    /// What to do.
-    #[must_use]
-    pub fn hint(&self) -> &'static str {
-        match self {
-            Refusal::FewMarkers(_) => {
-                "take the picture from above, with the whole sheet and all eight black squares in it, sharp and without a hand over them"
-            }
-            Refusal::NotEven(_) | Refusal::Bent(_) => {
-                "press the sheet flat, under a sheet of glass or with weights on its edges, and take the picture again"
-            }
-            Refusal::Blurred(_) => {
-                "take the picture nearer, so that the sheet fills it, in more light, and hold the camera still"
-            }
-            Refusal::NoCode => {
-                "take the picture nearer and sharper, with light on the code; nothing may be drawn over it"
-            }
-            Refusal::OtherPage => "photograph one whole sheet as it was printed",
-        }
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(f)
     }
 }
 
-/// What is said of that many markers.
-fn few(markers: usize) -> String {
-    match markers {
-        0 => "no sheet with markers is found in the picture".to_owned(),
-        1 => "only one of the sheet's eight markers is found in the picture".to_owned(),
-        few => format!("only {few} of the sheet's eight markers are found together in the picture"),
+impl std::error::Error for Refusal {}
+
+impl Refusal {
+    /// What is wrong.
+    #[must_use]
+    pub fn message(&self) -> Message {
+        match self {
+            Refusal::FewMarkers(0) => says::no_sheet(),
+            Refusal::FewMarkers(1) => says::one_marker(),
+            Refusal::FewMarkers(count) => says::few_markers(*count),
+            Refusal::CutOff => says::cut_off(),
+            Refusal::Mirrored => says::mirrored(),
+            Refusal::NotEven(mm) => says::not_even(format!("{mm:.1}")),
+            Refusal::Blurred(mm) => says::blurred(format!("{mm:.1}")),
+            Refusal::Bent(mm) => says::bent(format!("{mm:.0}")),
+            Refusal::NoCode => says::no_code(),
+            Refusal::OtherPage => says::other_page(),
+        }
+    }
+
+    /// What to do.
+    #[must_use]
+    pub fn hint(&self) -> Message {
+        match self {
+            Refusal::FewMarkers(_) => says::whole_sheet(),
+            Refusal::CutOff => says::step_back(),
+            Refusal::Mirrored => says::unmirror(),
+            Refusal::NotEven(_) | Refusal::Bent(_) => says::flatten(),
+            Refusal::Blurred(_) => says::nearer(),
+            Refusal::NoCode => says::light_on_code(),
+            Refusal::OtherPage => says::one_whole_sheet(),
+        }
     }
 }

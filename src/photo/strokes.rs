@@ -17,9 +17,14 @@ const WIDE: f64 = 0.32;
 /// Least length of a line, in mm.
 const SHORT: f64 = 1.6;
 /// Most gap between two parts of one line, in mm: where others cross it.
-const GAP: f64 = 3.0;
+const GAP: f64 = 5.0;
 /// Most distance of two parts of one line from their common line, in mm.
 const ASIDE: f64 = 0.22;
+
+/// Steps along a line in which its ink is followed to where it ends, in mm; how far at most; and how dark it is still, as a part of the line's.
+const STEP: f64 = 0.1;
+const FARTHEST: f64 = 4.0;
+const STILL_DARK: f64 = 0.35;
 
 /// A straight line drawn by pencil; places in mm on the sheet.
 #[derive(Clone, Copy, Debug)]
@@ -325,7 +330,17 @@ impl Segment {
         let dark = found.iter().map(|f| f.2).sum::<f64>() / found.len().max(1) as f64;
         // Samples 0.2 mm apart share the grain of one pencil line.
         let deviation = 2.0 * spread / (found.len() as f64 / 3.0).max(1.0).sqrt();
-        Some(Stroke { ends: [at(self.from), at(self.to)], deviation, dark })
+        // In the tip of an arrowhead three lines are one blot: the ink goes on where no line is seen any more.
+        let is_dark = |x: f64| {
+            let places = [-0.15, 0.0, 0.15].map(|aside| at(x) + normal * aside);
+            places.iter().any(|place| paper.at(place.x, place.y) > STILL_DARK * dark)
+        };
+        let beyond = |from: f64, step: f64| {
+            let steps = (1..=(FARTHEST / STEP) as usize).take_while(|i| is_dark(from + step * *i as f64)).count();
+            from + step * steps as f64
+        };
+        let ends = [at(beyond(self.from, -STEP)), at(beyond(self.to, STEP))];
+        Some(Stroke { ends, deviation, dark })
     }
 }
 

@@ -5,7 +5,7 @@ use kinegon::message::Declared;
 use kinegon::scene::{LanguageName, Scene};
 use kinegon::words::catalogue::read;
 use kinegon::words::{Language, catalogue_of};
-use kinegon::{check, cycle, drawing, editing, exercise, mechanism, motion, position, quantity, scene};
+use kinegon::{check, cycle, drawing, editing, exercise, mechanism, motion, photo, position, quantity, scene};
 use std::collections::{BTreeMap, BTreeSet};
 use support::files::refused;
 
@@ -22,6 +22,7 @@ pub fn declared() -> BTreeMap<&'static str, &'static Declared> {
         drawing::says::DECLARED,
         check::says::DECLARED,
         exercise::says::DECLARED,
+        photo::says::DECLARED,
     ];
     let by_key: BTreeMap<_, _> = all.into_iter().flatten().map(|declared| (declared.key, declared)).collect();
     assert_eq!(by_key.len(), all.iter().map(|messages| messages.len()).sum::<usize>(), "a key stands twice");

@@ -1,5 +1,7 @@
 //! Photographs of sheets, taken by the camera of `tests/support/camera`, which shares nothing with the reader: where points are on paper, what is refused, which points are proposed.
 
+use kinegon::Order;
+use kinegon::check::{self, PointVerdict, Proposal, common_scale};
 use kinegon::drawing::markers::SheetCode;
 use kinegon::photo::{self, Picture, Refusal};
 use support::camera::Photograph;
@@ -173,6 +175,49 @@ fn no_sheet_is_seen_in_other_things() {
         let read = photo::read(&decoded(&shot.jpeg), Vec::new);
         assert!(matches!(read, Err(Refusal::FewMarkers(_))), "{wrong:?} {number}: {read:?}");
     }
+}
+
+/// A picture of that size, with the brightness that a function gives.
+fn made(width: usize, height: usize, grey: impl Fn(usize, usize) -> u8) -> Picture {
+    let grey = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| grey(x, y)).collect();
+    Picture::new(width, height, grey).expect("as many pixels")
+}
+
+#[test]
+fn what_is_wrong_with_a_picture_is_told() {
+    let given = given(8).expect("an exercise");
+    let sheet = &given.sheets[0];
+    let drawing = drawn(&given.task, None, SKILLS[1], 8, &panels(&sheet.0));
+    let picture = decoded(&photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, 8, 1800)).jpeg);
+    let (width, height) = (picture.width(), picture.height());
+    let grey = |x: usize, y: usize| picture.grey()[y * width + x];
+    assert!(photo::read(&picture, Vec::new).expect("a sheet").is_alone);
+    let mirrored = made(width, height, |x, y| grey(width - 1 - x, y));
+    assert_eq!(photo::read(&mirrored, Vec::new).expect_err("no sheet"), Refusal::Mirrored);
+    for part in [0.35, 0.6] {
+        let cut = made((part * width as f64) as usize, height, grey);
+        assert_eq!(photo::read(&cut, Vec::new).expect_err("no whole sheet"), Refusal::CutOff, "{part}");
+    }
+    let two = made(2 * width, height, |x, y| grey(x % width, y));
+    assert!(!photo::read(&two, Vec::new).expect("one of the sheets").is_alone);
+}
+
+/// Points that were found at these places, in mm, in place of (60, 0), (0, 80) and (−50, 30).
+fn found_at(places: [[f64; 2]; 3]) -> Vec<Proposal> {
+    let rights = [[60.0, 0.0], [0.0, 80.0], [-50.0, 30.0]];
+    let found = |at| Some(check::Found { at, band: 0.3, verdict: PointVerdict::Off });
+    let point =
+        |(right, at)| Proposal { order: Order::Velocity, name: "b".into(), right, tolerance: 0.5, found: found(at) };
+    rights.into_iter().zip(places).map(point).collect()
+}
+
+#[test]
+fn a_sheet_that_was_printed_to_fit_is_told_by_its_points() {
+    // 3 % larger, within 0.3 mm; a hand's errors; one point that is elsewhere.
+    let larger = common_scale(&found_at([[61.9, 0.2], [-0.2, 82.4], [-51.6, 30.8]])).expect("a scale");
+    assert!((larger - 1.03).abs() < 0.004, "{larger}");
+    assert_eq!(common_scale(&found_at([[60.3, 0.2], [-0.2, 79.8], [-50.2, 30.1]])), None);
+    assert_eq!(common_scale(&found_at([[61.9, 0.2], [-0.2, 82.4], [-40.0, 30.8]])), None);
 }
 
 #[test]

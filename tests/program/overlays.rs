@@ -144,14 +144,13 @@ fn a_turned_ray_ends_where_geometry_says() {
     let want = crossing([v_b, along], [[0.0, 0.0], normal]);
 
     let measured = with_mistake(&solution, Mistake::TurnedRay, 0);
-    let mu = answer_key(&solution, 1).scales[Sheet::Velocity].expect("a panel");
     let Drawings { sheets, own, .. } = drawn(solution, &measured, 1);
     let mut found = own.points.iter();
     let found = found.find(|p| p.panel == Sheet::Velocity && p.name == "c");
     let at = found.expect("c is elsewhere").at;
     let apart = libm::hypot(at.x - want[0], at.y - want[1]);
     assert!(apart < 1e-6, "{at:?} for {want:?}");
-    // The line from b to it is drawn to scale, as far as the panel reaches.
+    // The line from b to it is drawn to scale and whole: the scale of the sheet is finer than the scene's, so that it has room.
     let marks = &sheets[0].marks;
     let own_lines = marks.iter().filter_map(|mark| match mark.shape {
         Shape::Line(p, q) | Shape::Arrow { from: p, to: q, .. } if mark.pen == Pen::Student => {
@@ -159,9 +158,11 @@ fn a_turned_ray_ends_where_geometry_says() {
         }
         _ => None,
     });
-    let pole = circle(&sheets[0], "velocity-point-p");
-    let b = pole + Vec2::new(v_b[0] / mu, -v_b[1] / mu);
-    let mut from_b = own_lines.filter(|(p, q)| (*p - b).hypot().min((*q - b).hypot()) < 1e-6);
+    let [pole, b] = ["p", "b"].map(|name| circle(&sheets[0], &format!("velocity-point-{name}")));
+    let per_unit = (b - pole).hypot() / libm::hypot(v_b[0], v_b[1]);
+    let end = pole + Vec2::new(want[0], -want[1]) * per_unit;
+    let is_at = |p: &Point, q: &Point| (*p - *q).hypot() < 1e-6;
+    let mut from_b = own_lines.filter(|(p, q)| is_at(p, &b) && is_at(q, &end) || is_at(p, &end) && is_at(q, &b));
     let (p, q) = from_b.next().expect("the ray from b");
     let slope = (q - p).cross(Vec2::new(along[0], -along[1])).abs();
     assert!(slope < 1e-6 * (q - p).hypot() * libm::hypot(along[0], along[1]));

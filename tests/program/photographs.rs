@@ -123,6 +123,39 @@ fn a_folder_of_photographs_is_a_class() {
 }
 
 #[test]
+fn photographs_of_several_exercises_are_a_class() {
+    let folder = scratch("photo-exercises");
+    let [class, photos] = ["class", "photos"].map(|name| folder.join(name));
+    std::fs::create_dir_all(&photos).expect("a folder");
+    let other = given(NUMBER + 1).expect("an exercise");
+    let sheet = other.sheets.iter().rfind(|sheet| !panels(&sheet.0).is_empty()).expect("a sheet for plans");
+    let drawing = drawn(&other.task, None, SKILLS[1], NUMBER, &panels(&sheet.0));
+    let jpeg = photographed(sheet, &drawing, &by_lot(sheet, Kind::Flat, NUMBER, 1600)).jpeg;
+    let first = &taken().photos[0].1;
+    // Ana hands in sheets of both exercises, Bo of the other one.
+    for (name, bytes) in [("Ana-1.jpg", first), ("Ana-2.jpg", &jpeg), ("Bo.jpg", &jpeg)] {
+        std::fs::write(photos.join(name), bytes).expect("it is written");
+    }
+    for (name, text) in [("one", taken().scene.as_str()), ("other", other.task.text())] {
+        std::fs::create_dir_all(class.join(name)).expect("a folder");
+        std::fs::write(class.join(name).join("scene.json"), text).expect("it is written");
+    }
+    let forms = folder.join("forms");
+    let [photos, forms_text] = [&photos, &forms].map(|path| path.to_str().expect("a path"));
+    let output = check(&class, &[photos, "-o", forms_text]);
+    assert!(matches!(output.status.code(), Some(0 | 1)), "{}{}", stdout(&output), stderr(&output));
+    for (form, exercise) in [("Ana-one", "one"), ("Ana-other", "other"), ("Bo", "other")] {
+        let text = std::fs::read_to_string(forms.join(format!("{form}.json"))).expect("a form");
+        assert!(text.contains(&format!("\"exercise\": \"{exercise}\"")), "{text}");
+    }
+    // The forms are a class, and so are the photographs at once.
+    let checked = stdout(&check(&class, &[forms_text]));
+    assert_eq!(checked.lines().count(), 4, "{checked}");
+    let accepted = check(&class, &[photos, "-o", forms_text, "--accept"]);
+    assert_eq!(stdout(&accepted), checked, "{}", stderr(&accepted));
+}
+
+#[test]
 fn files_that_are_no_pictures_get_one_message() {
     let (folder, scene, photos) = photographs("photo-hostile");
     let good = std::fs::read(&photos[0]).expect("a picture");
@@ -157,11 +190,12 @@ fn files_that_are_no_pictures_get_one_message() {
         let output = check(&scene, &[path.to_str().expect("a path"), "-o", out.to_str().expect("a path")]);
         let said = stderr(&output);
         match output.status.code() {
-            Some(0 | 1) => assert!(name.starts_with("broken") || name == "exif" || name == "cut", "{name} is read"),
+            Some(0 | 1) => assert!(name.starts_with("broken") || name == "exif", "{name} is read"),
             Some(2) => {
                 assert_eq!(said.matches("error:").count(), 1, "{name}: {said}");
                 assert!(said.contains("hint") || said.contains("help"), "{name}: {said}");
                 assert!(!out.exists(), "{name} leaves something");
+                assert!(name != "cut" || said.contains("is cut short"), "{name}: {said}");
             }
             other => panic!("{name}: {other:?} {said}"),
         }

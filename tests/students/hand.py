@@ -131,10 +131,12 @@ HANDS = {
 
 class Plan:
     """A velocity or acceleration plan: its name, the head of its segments' names, its pole, its scale (units per mm) and the images in
-    it, in mm of paper from the pole. What is at rest has its image in the pole."""
+    it, in mm of paper from the pole. What is at rest has its image in the pole. What the pencil draws (camera.py): rays by where they
+    start and their direction, and vectors and sides of similar figures by their ends."""
 
     def __init__(self, name, head, pole, scale):
         self.name, self.head, self.pole, self.scale, self.images = name, head, pole, scale, {pole: 0j}
+        self.rays, self.vectors, self.sides = [], [], []
 
     def at(self, image):
         return self.images.get(image, 0j)
@@ -181,6 +183,8 @@ class Drawing:
     def measure(self, plan, start, end):
         """Measures a segment of a plan and writes it down; its size in units."""
         quantity = f"{plan.head}({start},{end})"
+        if start == plan.pole:
+            plan.vectors.append((0j, plan.at(end)))
         size = self.act(f"measure {quantity}", self.hand.measured(plan.at(end) - plan.at(start)) * plan.scale)
         self.write(quantity, self.hand.computed(size))
         return size
@@ -243,16 +247,19 @@ def crank(d):
     laid = d.hand.laid_off(abs(speed) / d.velocity.scale)
     towards = d.hand.drawn(d.act("v_B direction", d.across("A", "B")))
     d.velocity.images["b"] = laid * math.copysign(1, speed) * unit(towards)
+    d.velocity.vectors.append((0j, d.velocity.at("b")))
     d.write("vplan(p,b)", d.hand.computed(d.act("measure vplan(p,b)", laid * d.velocity.scale)))
 
     normal = d.hand.computed(d.act("a_B normal", omega**2 * length))
     laid = d.hand.laid_off(normal / d.acceleration.scale)
     end = laid * unit(d.hand.drawn(d.act("a_B direction", d.along("B", "A"))))
+    d.acceleration.vectors.append((0j, end))
     alpha = d.act("crank alpha", d.rates["alpha(1)"])
     tangential = d.act("a_B tangential", d.hand.computed(alpha * length))
     if tangential:
         aside = d.hand.laid_off(abs(tangential) / d.acceleration.scale) * math.copysign(1, tangential)
         end += aside * unit(d.hand.drawn(d.across("A", "B")))
+        d.acceleration.vectors += [(d.acceleration.vectors[-1][1], end), (0j, end)]
         laid = d.hand.measured(end)
     d.acceleration.images["b"] = end
     d.write("aplan(π,b)", d.hand.computed(d.act("measure aplan(π,b)", laid * d.acceleration.scale)))
@@ -267,7 +274,9 @@ def normal_part(d, p, c, link, length):
     size = d.hand.computed(d.act(f"normal {link}", omega**2 * length))
     laid = d.hand.laid_off(size / plan.scale)
     towards = d.hand.drawn(d.act(f"normal {link} direction", d.along(c[0], p)))
-    plan.images[end] = d.act(f"normal {link} from", plan.at(start)) + laid * unit(towards)
+    start_at = d.act(f"normal {link} from", plan.at(start))
+    plan.images[end] = start_at + laid * unit(towards)
+    plan.vectors.append((start_at, plan.at(end)))
     d.write(f"aplan({start},{end})", d.hand.computed(d.act(f"measure aplan({start},{end})", laid * plan.scale)))
     return end
 
@@ -275,7 +284,8 @@ def normal_part(d, p, c, link, length):
 def ray(d, plan, name, start, towards):
     """A ray: the place that it is drawn from, and its direction."""
     start = d.act(f"{plan.name} ray {name} from", plan.at(start))
-    return start, d.hand.drawn(d.act(f"{plan.name} ray {name}", towards))
+    plan.rays.append((start, d.hand.drawn(d.act(f"{plan.name} ray {name}", towards))))
+    return plan.rays[-1]
 
 
 def turning(d, plan, link, size, vector, across, length):
@@ -311,6 +321,7 @@ def guided(d, plan, p, c, link, slider):
         coriolis = d.act("guide coriolis", 0.0)
         if coriolis:
             plan.images[rest] = coriolis / plan.scale * unit(along + QUARTER)
+            plan.vectors.append((0j, plan.at(rest)))
             d.write(f"aplan({ground},{rest})", d.hand.computed(abs(coriolis)))
         else:
             rest = ground
@@ -366,6 +377,7 @@ def coriolis_part(d, pin, under, block, lever, across):
     laid = d.hand.laid_off(abs(part) / plan.scale)
     towards = d.hand.drawn(d.act("coriolis direction", across))
     plan.images[end] = plan.at(b) - math.copysign(laid, part) * unit(towards)
+    plan.vectors.append((plan.at(b), plan.at(end)))
     d.write(f"aplan({b},{end})", d.hand.computed(laid * plan.scale))
     return end
 
@@ -377,6 +389,8 @@ def image(d, plan, p, c, e, image_c=None):
     ratio = d.act(f"image {plan.name} {own}", ratio)
     ratio = abs(ratio) * (1 + d.hand.error(d.hand.mm) / 100) * unit(d.hand.drawn(direction(ratio)))
     plan.images[own] = d.hand.placed(start + (plan.at(image_c or c.lower()) - start) * ratio)
+    # In line with the others it is marked on their line, else a triangle is drawn.
+    plan.sides += [(end, plan.at(own)) for end in (start, plan.at(image_c or c.lower())) if abs(ratio.imag) > 0.01 * abs(ratio)]
     d.measure(plan, plan.pole, own)
 
 

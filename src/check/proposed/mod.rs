@@ -1,21 +1,22 @@
 //! Plan points proposed from the pencil lines of a photograph, and what each of them tells.
 //!
-//! The construction is carried out once more, as the student did: where pencil lines are that an operation would have drawn, its result is where they are, and later
-//! operations go on from there. So errors of the hand do not add up, and a mistake shows as lines that only it leads to.
+//! The construction is carried out once more along the pencil lines, from the poles on: where lines are that an operation may have drawn, its result is where they are, and later
+//! operations go on from there. Where the right plan has its points is not asked: what an operation asks for is one way to read the lines among others, and what it cannot
+//! begin at is not looked for. So errors of the hand do not add up, and a mistake shows as lines that only it leads to.
 
-mod track;
+mod ink;
+mod reading;
 
 use super::checked::BANDS;
 use super::measured::{AnswerKey, CheckError, Measured, PointsOf};
-use super::mistakes::{Candidate, Site};
 use super::model::Model;
 use super::names::form_names;
 use super::photographs::{PencilledPlan, PointVerdict, hundredths};
 use super::placed::ROUNDING;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, cross};
 use crate::quantity::{QuantityRequest, pencil};
 use crate::sheet::Order;
-use track::{Track, Tracker};
+use reading::{Reader, Reading};
 
 /// Where a point seems to be, by the pencil lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,16 +64,12 @@ pub fn proposed_form(proposals: &[Proposal], plans: &[PencilledPlan<'_>], key: &
     measured
 }
 
-/// Cost of a mistake, in lines that must agree with it: most sheets have none.
-const MISTAKE: f64 = 3.0;
-/// Most that may be missing where a mistake is supposed, as a part of what agrees.
-const MISSING: f64 = 0.3;
 /// What of a place no line tells: where the student set the point of the pencil, as a radius in mm.
-const SET: f64 = 0.15;
-/// Explanations with less than this behind the best one have a say in where points are.
-const RIVAL: f64 = 1.2;
-/// How much better than none a mistake explains the lines at least.
-const CLEARLY: f64 = 1.5;
+const SET: f64 = 0.27;
+/// By how much the logarithm of the odds of two readings differs for each that speaks more for one of them.
+const ODDS: f64 = 1.5;
+/// Least share of the odds with which a place is proposed.
+const SURE: f64 = 0.95;
 /// Distance of two places that are not the same point, in mm.
 const APART: f64 = 0.5;
 
@@ -88,59 +85,29 @@ pub fn proposed(key: &AnswerKey<'_>, plans: &[PencilledPlan<'_>]) -> Result<Vec<
         mu[plan.order.sheet()] = Some(plan.mu);
     }
     let model = Model::new(key, key.solution, mu, &[])?;
-    let tracker = Tracker::new(&model, plans);
-    let site = Site { model: &model, key, entries: &[], other_modes: 0 };
-    let right = Tried::new(&tracker, None);
-    let (without, is_open) = (right.worth, right.track.missing > 0.0);
-    let mut all = vec![right];
-    // Where the right plans leave nothing open no mistake is looked for.
-    if is_open {
-        let candidates = site.candidates().into_iter().filter(is_drawn);
-        all.extend(candidates.map(|candidate| Tried::new(&tracker, Some(&candidate))));
-        all.sort_by(|a, b| b.worth.total_cmp(&a.worth));
-    }
-    // A mistake that leaves much unexplained is none, and one that explains little more than none.
-    all.retain(|Tried { worth, has_mistake, track }| {
-        !has_mistake || (track.missing <= MISSING * track.agreeing && *worth > without + CLEARLY)
-    });
-    let best = all[0].worth;
-    let rivals: Vec<&Track> =
-        all.iter().take_while(|tried| tried.worth > best - RIVAL).map(|tried| &tried.track).collect();
+    let readings = Reader::new(&model, plans).readings();
     for point in &mut points {
-        point.found = agreed(&rivals, &model, plans, point);
+        point.found = agreed(&readings, &model, plans, point);
     }
     leave_coincident(&mut points);
     Ok(points)
 }
 
-/// Whether a mistake shows in what is drawn, by an amount that is known.
-fn is_drawn(candidate: &Candidate) -> bool {
-    !candidate.edits.is_empty() && candidate.free.is_empty() && candidate.mode == 0
-}
-
-/// The construction as it is, or with a mistake, carried out along the lines, with what speaks for that.
-struct Tried {
-    worth: f64,
-    has_mistake: bool,
-    track: Track,
-}
-
-impl Tried {
-    fn new(tracker: &Tracker<'_>, mistake: Option<&Candidate>) -> Tried {
-        let (track, has_mistake) = (tracker.follow(mistake), mistake.is_some());
-        let worth = track.agreeing - track.missing - if has_mistake { MISTAKE } else { 0.0 };
-        Tried { worth, has_mistake, track }
-    }
-}
-
-/// Where all explanations that come into question have a point: `None` where they disagree, or the best one has not found
-/// it.
-fn agreed(rivals: &[&Track], model: &Model, plans: &[PencilledPlan<'_>], point: &Proposal) -> Option<Found> {
+/// Where nearly all that speaks for any reading has a point: `None` where too much speaks for other places, or for none.
+fn agreed(readings: &[Reading], model: &Model, plans: &[PencilledPlan<'_>], point: &Proposal) -> Option<Found> {
     let place = model.construction.place(point.order, model.construction.plan_name(point.order, &point.name))?;
     let plan = plans.iter().find(|plan| plan.order == point.order)?;
-    let spot = rivals.first()?.spot(place)?;
-    let mut others = rivals[1..].iter().filter_map(|rival| rival.spot(place));
-    if others.any(|other| (other.at - spot.at).norm() > APART) {
+    let best = readings.first()?.worth;
+    let spot = readings.iter().find_map(|reading| reading.sure_spot(place))?;
+    let (mut here, mut all) = (0.0, 0.0);
+    for reading in readings {
+        let odds = libm::exp(ODDS * (reading.worth - best));
+        all += odds;
+        if reading.place(place).is_some_and(|other| (other - spot.at).norm() <= APART) {
+            here += odds;
+        }
+    }
+    if here < SURE * all {
         return None;
     }
     let at = [spot.at.x, spot.at.y];
@@ -162,6 +129,32 @@ fn leave_coincident(points: &mut [Proposal]) {
             points[i].found = None;
         }
     }
+}
+
+/// Factors, less one, that common scales have: less is a hand's own, more is no sheet that was printed to fit.
+const SCALES: [f64; 2] = [0.012, 0.12];
+/// Least distance from a pole at which a point shows a scale, in mm.
+const FAR: f64 = 20.0;
+
+/// By which factor all points that were found are farther from their poles than they should be, as on a sheet that was not printed at 100 %, whose
+/// squares are as much smaller as all else that is printed; `None` where they do not agree in one.
+#[must_use]
+pub fn common_scale(points: &[Proposal]) -> Option<f64> {
+    let far = points.iter().filter_map(|point| {
+        let (found, right) = (point.found?, Vector::from(point.right));
+        (right.norm() > FAR).then(|| (Vector::from(found.at), right))
+    });
+    let pairs: Vec<(Vector, Vector)> = far.collect();
+    let sum = |of: fn(&(Vector, Vector)) -> f64| pairs.iter().map(of).sum::<f64>();
+    let scale = sum(|(found, right)| found.dot(right)) / sum(|(_, right)| right.norm_squared());
+    // Each by itself: a quarter of the difference is a hand's.
+    let agrees = |(found, right): &(Vector, Vector)| {
+        let (own, across) = (found.dot(right) / right.norm_squared(), cross(*right, *found) / right.norm_squared());
+        (own - scale).abs() < 0.25 * (scale - 1.0).abs() + 0.3 / right.norm()
+            && across.abs() < 0.01 + 0.3 / right.norm()
+    };
+    let is_told = pairs.len() > 2 && (SCALES[0]..SCALES[1]).contains(&(scale - 1.0).abs());
+    (is_told && pairs.iter().all(agrees)).then_some(scale)
 }
 
 /// The points of the plans with their right places and the tolerances of these, without those at rest.

@@ -15,7 +15,7 @@ use crate::text::Untrusted;
 
 /// Largest size of a panel with the student's points over that of its own content: where the scale follows the size,
 /// and where the scale is given.
-const REACH: [f64; 2] = [1.6, 4.0];
+const REACH: [f64; 2] = [2.6, 4.0];
 
 /// The differences of a student's drawing from the right one, and the words about them.
 #[derive(Clone, Debug, Default)]
@@ -109,15 +109,24 @@ impl Overlay {
     /// gives the panel's scale.
     pub(in crate::drawing) fn extended(&self, panel: Sheet, content: Extent, is_given: bool) -> Extent {
         let reach = REACH[usize::from(is_given)];
-        let points = self.points.iter().filter(|p| p.panel == panel);
-        let ends = self.lines.iter().filter(|l| l.panel == panel).flat_map(|l| l.ends);
         let mut extent = content;
-        for place in points.map(|p| p.at).chain(ends) {
+        for place in self.places(panel) {
             let all = extent.with(place);
             if all.size().norm() <= reach * content.size().norm() {
                 extent = all;
             }
         }
         extent
+    }
+
+    /// How many of the student's points and ends of lines on a panel are outside of an extent.
+    pub(in crate::drawing) fn outside(&self, panel: Sheet, extent: Extent) -> usize {
+        self.places(panel).filter(|place| extent.with(*place) != extent).count()
+    }
+
+    /// The places of a panel at which the student has something.
+    fn places(&self, panel: Sheet) -> impl Iterator<Item = geometry::Point> {
+        let points = self.points.iter().filter(move |p| p.panel == panel).map(|p| p.at);
+        points.chain(self.lines.iter().filter(move |l| l.panel == panel).flat_map(|l| l.ends))
     }
 }

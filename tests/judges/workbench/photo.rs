@@ -77,6 +77,12 @@ impl Taken {
         file
     }
 
+    /// Pixels of the picture per mm.
+    fn per_mm(&self) -> f64 {
+        let [a, b] = [[100.0, 100.0], [110.0, 100.0]].map(|mm| self.photograph.truth().pixel(mm));
+        0.1 * libm::hypot(b[0] - a[0], b[1] - a[1])
+    }
+
     /// Where a point of a plan is: on the screen, and in mm from the pole with y up.
     fn place(&self, bench: &mut Bench, plan: usize, name: &str) -> ([f64; 2], [f64; 2]) {
         let mm = self.drawing.place(plan, name).unwrap_or_else(|| panic!("no {name}"));
@@ -186,6 +192,33 @@ fn points_of_a_photograph_are_checked() {
     until_judged(&mut bench, "velocity/c", "right");
     bench.click("#photo-close");
     assert_eq!(bench.value("document.querySelector('#photo').hidden"), true);
+    bench.assert_quiet();
+}
+
+#[test]
+fn a_point_is_marked_beside_another() {
+    let Some(mut bench) = Bench::of("photo-beside", &files::read("templates/four-bar.json")) else { return };
+    bench.panel("check");
+    let file = four_bar().file(&bench);
+    show(&mut bench, &file);
+    let ([x, y], _) = four_bar().place(&mut bench, 1, "b");
+    bench.until("document.querySelector('#photo .guess') !== null");
+    bench.drag(&[[x + 2.0, y - 3.0]]);
+    until_judged(&mut bench, "velocity/b", "right");
+    let b = places(&mut bench, "velocity")["b"].clone();
+    // The next point lies nine pixels beside the first: the tap is for it, and the first stays.
+    assert!(said(&mut bench).contains("point c"), "{}", said(&mut bench));
+    bench.drag(&[[x, y + 9.0]]);
+    bench.until("document.querySelector('#photo .mark[data-key=\"velocity/c\"]') !== null");
+    let own = places(&mut bench, "velocity");
+    assert_eq!(own["b"], b);
+    let [c, first] = ["c", "b"].map(|name| [0, 1].map(|k| own[name][k].as_f64().expect("a number")));
+    assert!(libm::hypot(c[0] - first[0], c[1] - first[1]) > 0.5, "{own}");
+    // What a mouse does at this size is stated: four pixels.
+    let pixels = 4.0 / bench.number("document.querySelector('#photo .stage g').getScreenCTM().a");
+    let per_mm = four_bar().per_mm();
+    let band = own["c"][2].as_f64().expect("a band");
+    assert!(band >= 0.9 * pixels / per_mm && band < 1.5 * (pixels / per_mm).max(0.3), "{band} {pixels} {per_mm}");
     bench.assert_quiet();
 }
 

@@ -331,14 +331,14 @@ impl Engine {
     }
 
     /// The place in a plan, `velocity` or `acceleration`, that is tapped in the picture: where pencil lines cross at most
-    /// `reach` mm from there, else there.
+    /// `reach` mm from there, else there, which the hand meets within `aim` mm with 95 %.
     ///
     /// # Errors
     /// A [`Refused`] as JSON.
-    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64) -> Result<String, String> {
+    pub fn photo_tap(&mut self, plan: &str, x: f64, y: f64, reach: f64, aim: f64) -> Result<String, String> {
         let plan = Sheet::from_word(plan);
         let tapped = |(photo, desk): (&mut Photograph, &mut Desk)| match plan {
-            Some(plan) => photo.tapped(desk, plan, [x, y], reach),
+            Some(plan) => photo.tapped(desk, plan, [x, y], [reach, aim]),
             None => Ok(None),
         };
         answer(self.desk.language(), self.photograph().and_then(tapped))

@@ -6,14 +6,14 @@ use crate::photo_answers::{
     Photo, PhotoPlan, PhotoPoint, PhotoRead, PhotoRefused, PlacedPoint, PointVerdict, Proposed, Tapped,
 };
 use crate::refused::Refused;
-use kinegon::Sheet;
-use kinegon::Solution;
 use kinegon::check::{self, BANDS, PencilledPlan, hundredths, plan_points};
 use kinegon::construction::{Plan, PointRole, Teller, Tolerance};
 use kinegon::drawing::markers::{PlacedPanel, SheetCode};
 use kinegon::format::html_text;
 use kinegon::geometry::Vector;
-use kinegon::photo::{self, PhotoSheet, Picture, Stroke};
+use kinegon::photo::{self, PhotoSheet, Picture, Stroke, says};
+use kinegon::words::Language;
+use kinegon::{Message, Sheet, Solution};
 
 /// Length of the straight pieces by which a line of the plan follows the picture, in mm of paper.
 const PIECE: f64 = 8.0;
@@ -121,12 +121,13 @@ pub fn read(
 ) -> Result<(PhotoRead, Option<Photograph>), Refused> {
     let picture = Picture::new(size[0], size[1], grey)
         .ok_or_else(|| Refused::whole("the picture has not as many pixels as its width and height say"))?;
+    let language = desk.language();
     let solution = desk.solution(text)?;
     let own = || solution.drawing_sheets(name).into_iter().filter_map(|sheet| sheet.code).collect();
     let read = photo::read(&picture, own);
     let sheet = match read {
         Ok(sheet) => sheet,
-        Err(why) => return Ok((PhotoRead { photo: None, refused: Some(PhotoRefused::of(&why)) }, None)),
+        Err(why) => return Ok((PhotoRead { photo: None, refused: Some(PhotoRefused::of(&why, language)) }, None)),
     };
     let sheet = Upright::new(sheet, &picture);
     let code = &sheet.sheet.code;
@@ -140,6 +141,7 @@ pub fn read(
         turn: sheet.turn,
         per_mm: sheet.per_mm(),
         bend: sheet.sheet.bend(),
+        warning: (!sheet.sheet.is_alone).then(|| told(language, &[says::second_sheet(), says::each_by_itself()])),
         band: plans.iter().flat_map(|plan| plan.bands(&sheet)).fold(0.0, f64::max),
         plans: shown,
     };
@@ -266,17 +268,21 @@ impl Photograph {
     }
 
     /// The place of a point that is tapped in the picture, in pixels: the crossing of pencil lines within `reach` mm, else the
-    /// place itself.
+    /// place itself, which the hand meets within `aim` mm with 95 %; none outside of the sheet.
     pub fn tapped(
         &mut self,
         desk: &mut Desk,
         plan: Sheet,
         pixel: [f64; 2],
-        reach: f64,
+        [reach, aim]: [f64; 2],
     ) -> Result<Option<Tapped>, Refused> {
         self.find(desk)?;
         let (Some((_, plan)), Some(paper)) = (self.plan(plan), self.sheet.paper(pixel)) else { return Ok(None) };
-        let aimed = plan.aimed(paper, reach);
+        let [width, height] = self.sheet.sheet.code.page.size_mm();
+        if !((0.0..width).contains(&paper[0]) && (0.0..height).contains(&paper[1])) {
+            return Ok(None);
+        }
+        let aimed = plan.aimed(paper, reach, aim);
         Ok(Some(self.place(plan.from_pole(aimed.at), aimed.at, aimed.band, aimed.is_crossing)))
     }
 
@@ -317,6 +323,16 @@ impl Photograph {
         };
         Ok(placed.iter().filter_map(verdict).collect())
     }
+}
+
+/// Sentences, one after the other.
+fn told(language: &Language, sentences: &[Message]) -> String {
+    let said = sentences.iter().map(|sentence| {
+        let said = language.says(sentence);
+        let mut letters = said.chars();
+        letters.next().map_or(said.clone(), |first| first.to_uppercase().chain(letters).collect::<String>()) + "."
+    });
+    said.collect::<Vec<_>>().join(" ")
 }
 
 fn hypot(a: f64, b: f64) -> f64 {

@@ -1,4 +1,5 @@
 use kinegon::photo::Refusal;
+use kinegon::words::Language;
 use kinegon::{Sheet, check};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,28 +16,16 @@ pub struct PhotoRead {
 /// Why no sheet is read from a photograph.
 #[derive(Debug, Serialize, JsonSchema)]
 pub struct PhotoRefused {
-    /// `few-markers`, `not-even`, `blurred`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
-    pub why: &'static str,
-    /// The number in the message: of markers, of mm; 0 where there is none.
-    pub number: f64,
-    /// What is wrong, in English.
+    /// What is wrong.
     pub message: String,
-    /// What to do, in English.
+    /// What to do.
     pub hint: String,
 }
 
 impl PhotoRefused {
-    pub fn of(why: &Refusal) -> PhotoRefused {
-        let (kind, number) = match why {
-            Refusal::FewMarkers(markers) => ("few-markers", *markers as f64),
-            Refusal::NotEven(millimetres) => ("not-even", *millimetres),
-            Refusal::Blurred(millimetres) => ("blurred", *millimetres),
-            Refusal::Bent(millimetres) => ("bent", *millimetres),
-            Refusal::NoCode => ("no-code", 0.0),
-            Refusal::OtherPage => ("other-page", 0.0),
-            _ => ("other", 0.0),
-        };
-        PhotoRefused { why: kind, number, message: why.to_string(), hint: why.hint().to_owned() }
+    /// It in the words of a language.
+    pub fn of(why: &Refusal, language: &Language) -> PhotoRefused {
+        PhotoRefused { message: language.says(&why.message()), hint: language.says(&why.hint()) }
     }
 }
 
@@ -55,6 +44,8 @@ pub struct Photo {
     pub per_mm: f64,
     /// How far the sheet's middle is above or below its edges, in mm.
     pub bend: f64,
+    /// What makes it of less use, and what to do; none where nothing does.
+    pub warning: Option<String>,
     /// Radius within which places on the sheet are known with 95 %, at the plans' points, in mm.
     pub band: f64,
     /// The plans on it; none of another scene's sheet.

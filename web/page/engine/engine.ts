@@ -78,7 +78,7 @@ export interface Engine {
   /** The points that its pencil lines show; they are looked for once, which takes a moment. */
   photo_proposed(): Proposed[];
   /** The place in a plan that is tapped in the picture: where pencil lines cross at most `reach` mm from there, else there; null where that is not on the sheet. */
-  photo_tap(plan: Panel, x: number, y: number, reach: number): Tapped | null;
+  photo_tap(plan: Panel, x: number, y: number, reach: number, aim: number): Tapped | null;
   /** How points of the student's plans stand in it. */
   photo_points(placed: MarkedPoint[]): PointVerdict[];
 }

@@ -1514,6 +1514,10 @@ export interface Photo {
    */
   bend: number;
   /**
+   * What makes it of less use, and what to do; none where nothing does.
+   */
+  warning: string | null;
+  /**
    * Radius within which places on the sheet are known with 95 %, at the plans' points, in mm.
    */
   band: number;
@@ -1568,19 +1572,11 @@ export interface PhotoPoint {
  */
 export interface PhotoRefused {
   /**
-   * `few-markers`, `not-even`, `blurred`, `bent`, `no-code`, `other-page`; another word where the page has no words of its own.
-   */
-  why: string;
-  /**
-   * The number in the message: of markers, of mm; 0 where there is none.
-   */
-  number: number;
-  /**
-   * What is wrong, in English.
+   * What is wrong.
    */
   message: string;
   /**
-   * What to do, in English.
+   * What to do.
    */
   hint: string;
 }

@@ -70,9 +70,6 @@ export function row(of: FormRow, events: RowEvents): Row {
     if (of.on_paper) options.push(new Option(say("on_paper"), "/mu"));
     unit.replaceChildren(...options);
     unit.value = own.onPaper ? "/mu" : own.unit === null || own.unit === of.unit ? "" : own.unit;
-    const isPaper = file.in === "mm" && of.is_segment && !own.onPaper && own.unit === null;
-    unit.hidden = isPaper;
-    paper.hidden = !isPaper;
   }
 
   input.oninput = () => put(true);
@@ -90,9 +87,13 @@ export function row(of: FormRow, events: RowEvents): Row {
     const isSame = document.activeElement === input && value().digits === own.digits;
     if (!isSame) input.value = size;
     if (!isSame || document.activeElement !== input) showUnits(own);
+    // What points give is in the value's own unit.
+    const isFromPoints = own.digits === "" && fromPoints !== null;
+    const isPaper = file.in === "mm" && of.is_segment && !own.onPaper && own.unit === null && !isFromPoints;
+    unit.hidden = isPaper;
+    paper.hidden = !isPaper;
     senses?.show(own.digits === "" && chosen !== "" ? chosen : sense);
     input.placeholder = fromPoints ?? "";
-    const isFromPoints = own.digits === "" && fromPoints !== null;
     note.title = isFromPoints ? say("from_points") : "";
     note.replaceChildren(...(isFromPoints ? [element("span", { "aria-hidden": "true" }, "⌖"), element("span", { class: "unseen" }, say("from_points"))] : []));
   }

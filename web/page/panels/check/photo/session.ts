@@ -59,7 +59,7 @@ export interface Session {
   /** Asks how the points in the form stand. */
   judge(): Promise<void>;
   /** The place at a place in the picture, as {@link Engine.photo_tap}; `undefined` where the engine fell. */
-  tap(one: Item, at: [number, number], reach: number): Promise<Tapped | null | undefined>;
+  tap(one: Item, at: [number, number], reach: number, aim: number): Promise<Tapped | null | undefined>;
 }
 
 /** How the engine gets a photograph. */
@@ -133,7 +133,7 @@ export function session(app: App, form: FormOf, original: Photograph, read: Phot
       const labels = new Map(own.items.map(({ key, label }) => [key, label]));
       own.marks = found.map((verdict) => ({ ...verdict, label: labels.get(keyOf(verdict.plan, verdict.name)) ?? verdict.name, isChosen: false }));
     },
-    tap: (one, [x, y], reach) => ask(() => app.engine.photo_tap(one.plan.plan, x, y, reach)),
+    tap: (one, [x, y], reach, aim) => ask(() => app.engine.photo_tap(one.plan.plan, x, y, reach, aim)),
   };
   own.chosen = own.next("");
   return own;

@@ -6,16 +6,21 @@ const HOLD = 220;
 /** A finger that goes farther than this, in pixels, does not tap. */
 const STILL = 8;
 
+/** How far from where it is meant a tap is, in pixels, with 95 %: of a finger, and of a mouse or a pen. */
+const MISSES = { touch: 22, mouse: 4 };
+
 /** What hands do on the photograph; places are in its pixels. */
 export interface Hands {
+  /** Whether a point is asked for that has no place yet: it comes before the mark of another that is tapped. */
+  isAsked(): boolean;
   /** A finger goes down on a mark. */
   held(key: string): void;
   /** A guess is tapped. */
   guessed(key: string): void;
   /** Somebody aims, and the place under the finger; null as soon as nobody does. */
   aimed(at: Pixel | null): void;
-  /** A place is chosen. */
-  placed(at: Pixel): void;
+  /** A place is chosen, which the hand meets within so many pixels of the screen; 0 where it is seen magnified. */
+  placed(at: Pixel, within: number): void;
 }
 
 /** Mouse, pen and fingers: tap, hold and aim, pull a mark, pan, pinch; and the wheel. */
@@ -26,7 +31,7 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
   let start: Pixel = [0, 0];
   /** From the finger to the place that it pulls. */
   let off: Pixel = [0, 0];
-  let key: { name: string; isGuess: boolean } | null = null;
+  let key: { name: string; isGuess: boolean; at: Pixel } | null = null;
   let doing: "nothing" | "press" | "aim" | "look" = "nothing";
   let clock = 0;
 
@@ -53,22 +58,29 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
     start = now = down.at(event);
     off = [0, 0];
     const found = (event.target as Element).closest<SVGElement>("[data-key]");
-    key = found === null ? null : { name: found.dataset["key"] ?? "", isGuess: found.classList.contains("guess") };
-    if (key !== null && !key.isGuess) {
-      const [x = 0, y = 0] = (/translate\(([-\d.e]+) ([-\d.e]+)\)/.exec(found?.getAttribute("transform") ?? "") ?? []).slice(1).map(Number);
-      off = [x - start[0], y - start[1]];
-    }
+    const [x = 0, y = 0] = (/translate\(([-\d.e]+) ([-\d.e]+)\)/.exec(found?.getAttribute("transform") ?? "") ?? []).slice(1).map(Number);
+    key = found === null ? null : { name: found.dataset["key"] ?? "", isGuess: found.classList.contains("guess"), at: [x, y] };
     doing = "press";
     clock = window.setTimeout(aim, HOLD);
-    if (key !== null && !key.isGuess) hands.held(key.name);
+    if (!hands.isAsked()) take();
   });
+
+  /** Takes hold of the mark under the hand. */
+  function take(): void {
+    if (key === null || key.isGuess) return;
+    off = [key.at[0] - start[0], key.at[1] - start[1]];
+    hands.held(key.name);
+  }
 
   root.addEventListener("pointermove", (event) => {
     const before = down.move(event);
     if (before === null) return;
     now = down.at(event);
     if (doing === "press" && Math.hypot(now[0] - start[0], now[1] - start[1]) > STILL) {
-      if (key !== null && !key.isGuess) return aim();
+      if (key !== null && !key.isGuess) {
+        take();
+        return aim();
+      }
       stop();
       doing = "look";
       root.classList.add("panning");
@@ -85,7 +97,9 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
     if (event.type === "pointercancel") return;
     const at = down.at(event);
     // A mark that is only tapped is chosen, and stays.
-    if (was === "aim" || (was === "press" && key === null)) hands.placed(target(at));
+    const isFree = key === null || (!key.isGuess && hands.isAsked());
+    if (was === "aim") hands.placed(target(at), 0);
+    else if (was === "press" && isFree) hands.placed(target(at), event.pointerType === "touch" ? MISSES.touch : MISSES.mouse);
     else if (was === "press" && key?.isGuess) hands.guessed(key.name);
   };
   root.addEventListener("pointerup", up);

@@ -37,6 +37,10 @@ const NARROW = "(max-width: 959.9px)";
 /** Under a finger a crossing may be so far away, in pixels of the screen; and most and least, in mm. */
 const FINGER = 16;
 const [NEAR, FAR] = [1.5, 6];
+/** Crossings that are nearer to a mark than this, in mm, are its own; a tap is on a mark that is nearer than the next, in pixels of the screen. */
+const [SAME, ON] = [0.5, 5];
+/** Nobody aims better than this, in mm; nor, with a finger that sees the place magnified, than the next. */
+const [LEAST_AIM, MAGNIFIED] = [0.3, 0.6];
 /** A point that seems to be nearer than this to its right place, in mm, stands at the same letter. */
 const BESIDE = 3;
 /** A sheet that is bent by more, in mm, is worth a word. */
@@ -59,7 +63,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
 
   const table = stage();
   const glass = loupe(table);
-  const aim = aiming(table, () => own, { place: (at) => void place(at), next: () => own !== null && choose(own.next(own.chosen)), moved, left: form.left });
+  const aim = aiming(table, () => own, { place: (at) => void place(at, 0), next: () => own !== null && choose(own.next(own.chosen)), moved, left: form.left });
   table.root.append(aim.root, glass.root);
   const bar = pointsBar((key) => choose(key));
   const shell = frame(table.root, bar.root, {
@@ -75,6 +79,9 @@ export function photoView(app: App, form: FormOf): PhotoView {
   const isNarrow = (): boolean => window.matchMedia(NARROW).matches;
   /** How far a tap reaches for a crossing, in mm. */
   const reach = (): number => Math.min(FAR, Math.max(NEAR, FINGER / (table.view.now.value.scale * (own?.photo.per_mm ?? 1))));
+
+  /** Within how many mm a hand meets a place, in pixels of the screen or, under the magnifier, of that. */
+  const aimFor = (within: number): number => Math.max(LEAST_AIM, within === 0 ? MAGNIFIED : within / (table.view.now.value.scale * (own?.photo.per_mm ?? 1)));
 
   const note = (text: string): void => void (noted = { text, form: app.history.now.value.form });
 
@@ -110,13 +117,22 @@ export function photoView(app: App, form: FormOf): PhotoView {
     lookAt(own.item(own.chosen));
   }
 
-  async function place(at: Pixel): Promise<void> {
+  /** The place that somebody means who taps there: not that of another point which is marked already, unless the tap is on it. */
+  async function meant(of: Session, one: Item, at: Pixel, within: number): Promise<Tapped | null | undefined> {
+    const tapped = await of.tap(one, at, reach(), aimFor(within));
+    const apart = (a: number[], b: number[]): number => Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!);
+    const other = tapped?.is_snapped === true && of.marks.find((mark) => keyOf(mark.plan, mark.name) !== one.key && apart(mark.pixel, tapped.pixel) < SAME * of.photo.per_mm);
+    if (!other || apart(other.pixel, at) * table.view.now.value.scale < ON) return tapped;
+    return of.tap(one, at, (0.6 * apart(other.pixel, at)) / of.photo.per_mm, aimFor(within));
+  }
+
+  async function place(at: Pixel, within: number): Promise<void> {
     const one = own?.item(own.chosen);
     if (own === null || one === undefined) {
       note(say("tap_none"));
       return show();
     }
-    const tapped = await own.tap(one, at, reach());
+    const tapped = await meant(own, one, at, within);
     if (tapped === undefined) return;
     if (tapped === null) {
       note(say("outside"));
@@ -125,7 +141,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
     // Who corrects a point stays there; who goes through them goes on.
     const isFirst = own.placeOf(one) === undefined;
     own.put([[one, tapped]]);
-    note(tapped.is_snapped ? "" : say("not_snapped"));
+    note(tapped.is_snapped ? "" : say("not_snapped", { mm: millimetres(tapped.band) }));
     if (isFirst && !one.isPole) go(one.key);
     show();
   }
@@ -169,7 +185,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
   let aimedAt: Pixel | null = null;
   const previews = newest<Pixel>(async (at) => {
     const one = own?.item(own.chosen);
-    const tapped = own === null || one === undefined ? null : await own.tap(one, at, reach());
+    const tapped = own === null || one === undefined ? null : await meant(own, one, at, 0);
     if (aimedAt !== null && own !== null) glass.show(aimedAt, tapped?.is_snapped ? (tapped.pixel as Pixel) : null, own.photo.per_mm);
   });
   const hands = touch(table, {
@@ -185,7 +201,8 @@ export function photoView(app: App, form: FormOf): PhotoView {
       glass.show(aimedAt, null, own?.photo.per_mm ?? 1);
       if (aimedAt !== null) previews.want(aimedAt);
     },
-    placed: (at) => void (own !== null && place(at)),
+    isAsked: () => own !== null && own.chosen !== "" && own.item(own.chosen)?.isPole === false && own.isOpen(own.item(own.chosen)!),
+    placed: (at, within) => void (own !== null && place(at, within)),
   });
 
   root.addEventListener("keydown", (event) => {
@@ -278,7 +295,8 @@ export function photoView(app: App, form: FormOf): PhotoView {
     lookAt(begun.item(begun.chosen) ?? begun.items[0]);
     aim.middle();
     isThere.set(true);
-    if (read.bend > BENT) note(say("bent", { mm: millimetres(read.bend) }));
+    if (read.warning !== null) note(read.warning);
+    else if (read.bend > BENT) note(say("bent", { mm: millimetres(read.bend) }));
     show();
     aim.root.focus({ preventScroll: true });
     // While the eye looks, so that the first tap waits for nothing.
