@@ -62,7 +62,7 @@ def test_notebooks(path, tmp_path, monkeypatch):
             run("".join(cell["source"]), names)
 
 
-@pytest.mark.parametrize("page", ["docs/python.md", "python/README.md", "README.md"])
+@pytest.mark.parametrize("page", ["docs/python.md", "docs/courses.md", "python/README.md", "README.md"])
 def test_pages(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "examples").symlink_to(ROOT / "examples")

@@ -16,12 +16,13 @@ use serde::{Deserialize, Serialize};
 const MARKS: FileKind = FileKind { what: crate::scene::says::marks, key: "kinegon_marks", version: 1 };
 
 /// Most marks that a quantity may be worth.
-const MOST: f64 = 1e6;
+const MOST: f64 = crate::scene::MOST_MARKS;
 
 /// How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is
 /// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
-/// A value in which a mistake was made itself earns none, whatever else it follows from; nor does one that cannot be judged. What is too
-/// small on the sheet to be judged does not count.
+/// Every mistake is charged once: in the value in which it was made, whatever else that follows from, or where no value of its step shows it,
+/// as that of a line, in the first that does. A value that cannot be judged earns none. What is too small on the sheet to be judged does
+/// not count.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
 #[schemars(rename = "marks")]
@@ -34,8 +35,8 @@ pub struct Marks {
     #[schemars(skip)]
     #[serde(rename = "$schema")]
     _schema: Option<String>,
-    /// Marks of every quantity of the scene's form that `values` does not name. Left out: 1 where `values` is left out, too, else only the
-    /// quantities in `values` count.
+    /// Marks of every quantity of the scene's form that `values` does not name. Left out: what the scene's `form` says, else 1, where `values`
+    /// is left out, too, else only the quantities in `values` count.
     #[schemars(range(min = 0, max = MOST))]
     each: Option<f64>,
     /// Marks of single quantities by their names, as in the form.
@@ -85,14 +86,16 @@ impl Marks {
             true => Ok(marks),
             false => Err(CheckError::new(says::no_marks(marks), says::marks_from_0(MOST)).at(key)),
         };
-        let each = match self.each {
-            Some(each) => Some(marks("each", each)?),
-            None => self.values.is_empty().then_some(1.0),
-        };
+        let each = self.each.map(|each| marks("each", each)).transpose()?;
         let names = Names::new(key.solution);
-        let mut worth: IndexMap<String, (String, f64)> = IndexMap::new();
-        if let Some(each) = each {
-            worth.extend(names.rows().map(|name| (name.to_owned(), (name.to_owned(), each))));
+        let mut worth: IndexMap<String, Worth> = IndexMap::new();
+        let of = |row: &str, marks: f64| Worth {
+            marks,
+            step: names.order.get(row).copied().unwrap_or(0),
+            row: row.to_owned(),
+        };
+        if each.is_some() || self.values.is_empty() {
+            worth.extend(names.worths().map(|(name, own)| (name.to_owned(), of(name, each.unwrap_or(own)))));
         }
         let mut given: IndexMap<String, &str> = IndexMap::new();
         for (written, value) in &self.values {
@@ -106,9 +109,9 @@ impl Marks {
             if let Some(other) = given.insert(name.clone(), written) {
                 return Err(CheckError::new(says::marks_twice(shown(other)), says::keep_one()).at(&place));
             }
-            worth.insert(name, (row, value));
+            worth.insert(name, of(&row, value));
         }
-        if worth.values().map(|(_, marks)| marks).sum::<f64>() == 0.0 {
+        if worth.values().map(|worth| worth.marks).sum::<f64>() == 0.0 {
             return Err(CheckError::new(says::no_marks_at_all(), says::add_each()));
         }
         Ok(MarkScheme {
@@ -133,10 +136,20 @@ fn entry_of(written: &str, place: &str, key: &AnswerKey<'_>, names: &Names<'_>) 
 /// The marks that the quantities of a scene are worth.
 #[derive(Clone, Debug)]
 pub struct MarkScheme {
-    /// By the quantities' names: the row of the form that asks for each, and its marks.
-    worth: IndexMap<String, (String, f64)>,
+    /// By the quantities' names.
+    worth: IndexMap<String, Worth>,
     follow_through: f64,
     missing: f64,
+}
+
+/// What a quantity is worth.
+#[derive(Clone, Debug)]
+struct Worth {
+    /// The row of the form that asks for it.
+    row: String,
+    /// The number of the step that gives it.
+    step: usize,
+    marks: f64,
 }
 
 /// The marks that somebody's values earn.
@@ -155,29 +168,21 @@ impl MarkScheme {
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
         let findings = &checked.diagnosis.best.findings;
-        let is_off = |value: &usize| checked.values[*value].verdict == Verdict::Off;
-        // The value in which a mistake was made; of one in which none was, as of a ray or a wrong ω of the drive, the first that shows it,
-        // and of a point put elsewhere the first two, as it has two numbers.
-        let is_made_in = |f: &Finding, value: usize| match f.written.is_empty() {
-            true => {
-                f.changed().into_iter().filter(is_off).take(f.candidate.free.len().max(1)).any(|first| first == value)
-            }
-            false => f.written.contains(&value),
-        };
+        let charged: Vec<usize> = findings.iter().flat_map(|finding| self.charged(finding, checked)).collect();
         let follows = |value: usize| {
             // Beside a prediction of nearly nothing any small number would follow.
             let Judged { entry, tolerance, .. } = &checked.values[value];
             let is_later = |f: &&Finding| f.candidate.step < entry.step;
             tolerance.is_none_or(|tolerance| entry.value.abs() > tolerance || entry.asked.kind() == QuantityKind::Angle)
                 && findings.iter().filter(is_later).any(|f| f.follows.contains(&value))
-                && !findings.iter().any(|f| is_made_in(f, value))
+                && !charged.contains(&value)
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
-        let mut of: f64 = self.worth.values().map(|(_, marks)| marks).sum();
-        for (name, (row, worth)) in &self.worth {
+        let mut of: f64 = self.worth.values().map(|worth| worth.marks).sum();
+        for (name, own) in &self.worth {
+            let worth = own.marks;
             let by_name = checked.values.iter().position(|v| v.entry.asked.name() == name);
-            let of_row = || checked.values.iter().position(|v| v.entry.row == *row);
-            let Some(index) = by_name.or_else(of_row) else {
+            let Some(index) = by_name.or_else(|| place_of(&own.row, checked)) else {
                 earned += self.missing * worth;
                 continue;
             };
@@ -192,6 +197,28 @@ impl MarkScheme {
         let tidy = |marks: f64| libm::round(marks * 1e6) / 1e6;
         Awarded { earned: tidy(earned + follow_through), of: tidy(of), follow_through: tidy(follow_through) }
     }
+
+    /// The values in which a mistake is charged: where it was written, else the first that show it, as of a line in a wrong direction or a
+    /// wrong ω of the drive; of a point put elsewhere two, as it has two numbers. A value of its step that is asked for and missing is
+    /// charged already.
+    fn charged(&self, finding: &Finding, checked: &Checked) -> Vec<usize> {
+        if !finding.written.is_empty() {
+            return finding.written.clone();
+        }
+        let step = finding.candidate.step;
+        let is_worth = |value: &Judged| self.worth.values().any(|own| own.row == value.entry.row);
+        let is_off = |value: &Judged| value.verdict == Verdict::Off && is_worth(value);
+        let off = finding.changed().into_iter().filter(|value| is_off(&checked.values[*value]));
+        let is_missing =
+            self.worth.values().any(|own| own.step == step && step > 0 && place_of(&own.row, checked).is_none());
+        let numbers = finding.candidate.free.len().max(1);
+        off.take(numbers - usize::from(is_missing)).collect()
+    }
+}
+
+/// The index of the value of a row.
+fn place_of(row: &str, checked: &Checked) -> Option<usize> {
+    checked.values.iter().position(|value| value.entry.row == row)
 }
 
 impl Awarded {

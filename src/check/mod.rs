@@ -101,7 +101,7 @@ pub use form::{FormBox, form_boxes, further_boxes, plan_points};
 pub use marks::{Awarded, MarkScheme, Marks};
 pub use measured::{AnswerKey, CheckError, DEPTH, Given, LENIENCY, Measured, PlacedPoint, PointsOf, Positive};
 pub use mistakes::{Blank, Candidate, Mistake, Told};
-pub use names::form_names;
+pub use names::{asked_names, form_names};
 #[cfg(feature = "photo")]
 pub use photographs::{Aimed, PencilledPlan, PointVerdict, hundredths};
 pub use placed::TurnedPlan;

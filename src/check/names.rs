@@ -23,12 +23,20 @@ pub fn form_names(construction: &Construction) -> Vec<String> {
     rows(construction).into_iter().map(|row| row.name).collect()
 }
 
+/// The names of the quantities for which a scene's form has boxes: of [`form_names`] those that its key `form` names, where it has one.
+#[must_use]
+pub fn asked_names(solution: &Solution) -> Vec<String> {
+    Names::new(solution).rows().map(str::to_owned).collect()
+}
+
 /// A row of a form.
 #[derive(Debug)]
 struct FormRow {
     name: String,
     segment: Option<Segment>,
     is_measured: bool,
+    /// What it is worth, in marks; none where the scene's form has no box for it.
+    worth: Option<f64>,
 }
 
 impl FormRow {
@@ -70,7 +78,7 @@ fn rows(construction: &Construction) -> Vec<FormRow> {
                 Some(_) => continue,
                 None => {}
             }
-            rows.push(FormRow { name, segment, is_measured });
+            rows.push(FormRow { name, segment, is_measured, worth: Some(1.0) });
         }
     }
     rows
@@ -82,7 +90,7 @@ pub(super) struct Names<'a> {
     pub solution: &'a Solution,
     /// All quantities of the steps, in order, with the numbers of their steps.
     pub order: IndexMap<String, usize>,
-    /// Those that the form asks for.
+    /// Those that a form may ask for.
     rows: Vec<FormRow>,
 }
 
@@ -102,16 +110,27 @@ impl<'a> Names<'a> {
     pub fn new(solution: &'a Solution) -> Names<'a> {
         let construction = &solution.construction;
         let steps = construction.steps_of_quantities().into_iter();
-        Names {
+        let mut names = Names {
             solution,
             order: steps.map(|(name, step)| (name, construction.step_number(step))).collect(),
             rows: rows(construction),
+        };
+        if let Some(form) = &solution.scene.form {
+            let asked = form.iter().map(|(name, marks)| (names.row_of(&names.usual(name)).to_owned(), *marks));
+            let asked: IndexMap<String, f64> = asked.collect();
+            names.rows.iter_mut().for_each(|row| row.worth = asked.get(&row.name).copied());
         }
+        names
     }
 
-    /// The names of the form's rows, in their order.
+    /// The names of the rows of the scene's form, in their order.
     pub fn rows(&self) -> impl Iterator<Item = &str> {
-        self.rows.iter().map(|row| row.name.as_str())
+        self.worths().map(|(name, _)| name)
+    }
+
+    /// The same with what each is worth, in marks.
+    pub fn worths(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.rows.iter().filter_map(|row| Some((row.name.as_str(), row.worth?)))
     }
 
     /// The row of a segment from the image of the ground under a slider, for a name that has the pole in its place: the
@@ -127,7 +146,7 @@ impl<'a> Names<'a> {
         let construction = &self.solution.construction;
         let name = construction.same_rates.get(name).map_or(name, String::as_str);
         // No two rows ask for one segment, so a row of that very name is the one.
-        if self.rows().any(|row| row == name) {
+        if self.rows.iter().any(|row| row.name == name) {
             return name;
         }
         let segment = segment(construction, name);

@@ -26,10 +26,15 @@ pub struct Prepared<'a> {
     key: AnswerKey<'a>,
     names: Names<'a>,
     ready: Mutex<BTreeMap<Asking, Arc<Ready>>>,
+    /// The exact values of the form's rows.
+    exact: OnceLock<BTreeMap<String, f64>>,
 }
 
 /// The quantities of a form in their order, and the bits of its scales.
 type Asking = (Vec<String>, PerSheet<Option<u64>>);
+
+/// How near an exact value most values are that may be of another exercise, in parts of it.
+const NEAR: f64 = 0.15;
 
 /// Most sets of quantities that are kept: forms are alike, or blanks are left in each at other places.
 const KEPT: usize = 50;
@@ -51,7 +56,7 @@ impl<'a> Prepared<'a> {
     /// Makes an answer key ready for many forms.
     #[must_use]
     pub fn new(key: &AnswerKey<'a>) -> Prepared<'a> {
-        Prepared { key: *key, names: Names::new(key.solution), ready: Mutex::default() }
+        Prepared { key: *key, names: Names::new(key.solution), ready: Mutex::default(), exact: OnceLock::new() }
     }
 
     /// The answer key.
@@ -79,11 +84,27 @@ impl<'a> Prepared<'a> {
         Ok(ready)
     }
 
+    /// Whether values that were checked against another exercise are rather this one's.
+    #[must_use]
+    pub fn has_rather(&self, measured: &Measured, other: &Checked) -> bool {
+        let exact = self.exact.get_or_init(|| {
+            let value = |row: &str| Some((row.to_owned(), self.names.quantity(row).ok()?.expected));
+            self.names.rows().filter_map(value).collect()
+        });
+        // Most exercises are ruled out at a glance.
+        let is_near = |value: &&Judged| {
+            let right = exact.get(&value.entry.row).map(|exact| exact.abs());
+            right.is_some_and(|right| (value.entry.value.abs() - right).abs() <= NEAR * right)
+        };
+        2 * other.values.iter().filter(is_near).count() >= other.values.len()
+            && self.verdicts(measured).is_ok_and(|verdicts| other.are_rather(&verdicts))
+    }
+
     /// The verdicts on the values of a form for a careful hand, without a search for mistakes.
     ///
     /// # Errors
     /// A value is not understood.
-    pub fn verdicts(&self, measured: &Measured) -> Result<Vec<Verdict>, CheckError> {
+    fn verdicts(&self, measured: &Measured) -> Result<Vec<Verdict>, CheckError> {
         let measured = &self.with_usual_points(measured);
         let entries = entries_by(measured, &self.key, &self.names)?;
         let (mu, _) = sensible(&self.key, measured.mu);

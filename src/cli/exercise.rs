@@ -47,6 +47,9 @@ pub(super) struct ExerciseCommand {
     /// Write one file for a learning management system in place of folders.
     #[arg(long, value_name = "SYSTEM", value_enum)]
     lms: Option<Lms>,
+    /// Marks that must be reached, in per cent: the course then says passed or failed. With `--lms scorm`.
+    #[arg(long, value_name = "PERCENT", value_parser = clap::value_parser!(u8).range(0..=100))]
+    pass: Option<u8>,
     /// Drawing style: paper, print, lecture, board, or the path of a style file.
     #[arg(long, value_name = "NAME|FILE", value_parser = style_names(), hide_possible_values = true)]
     style: Option<String>,
@@ -70,6 +73,12 @@ impl ExerciseCommand {
         let mut exercises = Exercises::new(&solution, page, self.seed).map_err(|error| {
             Failure::misuse(format!("{}: {error}", source.name), "`kinegon new --list` shows other kinds")
         })?;
+        if self.pass.is_some() && self.lms != Some(Lms::Scorm) {
+            return refuse(
+                "only a SCORM package says what must be reached".to_owned(),
+                "add `--lms scorm`, or leave `--pass` out",
+            );
+        }
         if let Some(lms) = self.lms {
             return self.write_course(lms, &mut exercises, &name, &style, &source.name);
         }
@@ -102,14 +111,16 @@ impl ExerciseCommand {
         for number in 1..=self.count {
             let mut exercise = exercises.next().map_err(|error| Failure::outside(format!("{source}: {error}")))?;
             style.put_on([&mut exercise.sheet]);
-            let name = format!("{}-{}-{number}", plain(name), self.seed);
-            let question = Question::new(&exercise, &name, &|key| style.put_on([key]));
+            let of = format!("{}-{}", plain(name), self.seed);
+            let width = self.count.to_string().len();
+            let (name, listed) = (format!("{of}-{number}"), format!("{of}-{number:0width$}"));
+            let question = Question::new(&exercise, &name, &listed, &|key| style.put_on([key]));
             questions.push(question.map_err(|error| Failure::unclear(format!("{source}: {error}")))?);
         }
         let written = match lms {
             Lms::Moodle => moodle(name, &questions),
             Lms::Canvas => canvas(&questions),
-            Lms::Scorm => scorm(name, &questions),
+            Lms::Scorm => scorm(name, &questions, self.pass),
         };
         files::write(&self.output, &written.map_err(Failure::outside)?)
     }

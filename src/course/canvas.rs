@@ -1,10 +1,9 @@
 use super::package::{CourseError, Element, MANIFEST, element, identifier, package, text};
-use super::question::{Field, Question, head, number};
+use super::question::{Field, Question, head, number, read};
 use crate::text::xml;
-use crate::words::{Medium, NumberStyle};
 
-/// The exercises as a QTI 1.2 package for Canvas: a quiz for each, with a numerical question for each box of its form. Each question has the
-/// picture of the scheme and the sheet to print.
+/// The exercises as a QTI 1.2 package for Canvas: a quiz for each, first a text with the picture of the scheme and the sheet to print, then a
+/// numerical question for each box of its form.
 ///
 /// Canvas gives all marks or none for a number, and says the same of every wrong one: so what known mistakes give is listed there.
 ///
@@ -53,28 +52,44 @@ fn resource(name: &str, kind: &str, path: &str) -> Element {
 }
 
 fn quiz(question: &Question) -> Result<Vec<u8>, CourseError> {
-    let items = question.fields.iter().zip(1..).map(|(field, number)| item(question, field, number)).collect();
-    let section = element("section", &[("ident", "root_section")], items);
-    let (ident, title) = (identifier(&question.name), question.title.for_pdf());
+    let items = question.fields.iter().zip(1..).map(|(field, number)| item(question, field, number));
+    let section = element("section", &[("ident", "root_section")], [told(question)].into_iter().chain(items).collect());
+    let (ident, title) = (identifier(&question.name), question.list_name());
     let quiz = element("assessment", &[("ident", &ident), ("title", &title)], vec![section]);
     element("questestinterop", &[("xmlns", "http://www.imsglobal.org/xsd/ims_qtiasiv1p2")], vec![quiz]).document()
+}
+
+/// What Canvas is to know of a question: its type, and its points.
+fn about(kind: &str, points: f64) -> Element {
+    let about = [("question_type", kind), ("points_possible", &points.to_string())].map(|(label, entry)| {
+        element("qtimetadatafield", &[], vec![text("fieldlabel", &[], label), text("fieldentry", &[], entry)])
+    });
+    element("itemmetadata", &[], vec![element("qtimetadata", &[], about.into())])
+}
+
+/// What is given, before the questions.
+fn told(question: &Question) -> Element {
+    let ident = format!("{}-0", identifier(&question.name));
+    let shown = element("presentation", &[], vec![material(&head(question, FILES))]);
+    element(
+        "item",
+        &[("ident", &ident), ("title", &question.title.for_pdf())],
+        vec![about("text_only_question", 0.0), shown],
+    )
 }
 
 /// A numerical question.
 fn item(question: &Question, field: &Field, number: usize) -> Element {
     let ident = format!("{}-{number}", identifier(&question.name));
-    let title = format!("{number}. {}", field.name);
+    let title = format!("{number:02}. {}", field.name);
     let (sheet, label, unit) = (xml(question.words.language.sheet(field.sheet)), &field.label, xml(&field.unit));
-    let asked = head(question, FILES) + &format!("<p>{sheet}: <strong>{label} = ?</strong> {unit}</p>");
-    let about = [("question_type", "numerical_question"), ("points_possible", "1")].map(|(label, entry)| {
-        element("qtimetadatafield", &[], vec![text("fieldlabel", &[], label), text("fieldentry", &[], entry)])
-    });
+    let asked = format!("<p>{sheet}: <strong>{label} = ?</strong> {unit}</p>");
     let blank = element("response_label", &[("ident", "answer1")], Vec::new());
     let blank = element("render_fib", &[("fibtype", "Decimal")], vec![blank]);
     let response = element("response_str", &[("ident", "response1"), ("rcardinality", "Single")], vec![blank]);
     let causes = causes(question, field);
     let mut parts = vec![
-        element("itemmetadata", &[], vec![element("qtimetadata", &[], about.into())]),
+        about("numerical_question", field.worth),
         element("presentation", &[], vec![material(&asked), response]),
         element("resprocessing", &[], conditions(field, !causes.is_empty())),
     ];
@@ -113,14 +128,10 @@ fn conditions(field: &Field, is_wrong_told: bool) -> Vec<Element> {
 fn causes(question: &Question, field: &Field) -> String {
     let words = &question.words;
     let other_sense = field.answers.first().map(|right| -right.value);
-    let wrong = field.answers.iter().filter(|answer| Some(answer.value) != other_sense);
+    let wrong = field.answers.iter().filter(|answer| answer.percent == 0 && Some(answer.value) != other_sense);
     let wrong = wrong.filter_map(|answer| Some((answer.value, answer.said.as_ref()?)));
     let lines = wrong.map(|(value, said)| {
-        let value = format!(
-            "{} {}",
-            words.write(value, NumberStyle::significant(3).trimmed().in_full(-5, 12).on(Medium::Figure)),
-            field.unit
-        );
+        let value = read(value, &field.unit, 3, words);
         format!("<li>{} {}</li>\n", xml(&words.language.course_if(&value)), xml(said))
     });
     let lines: String = lines.collect();

@@ -13,5 +13,5 @@ mod scorm;
 pub use canvas::canvas;
 pub use moodle::moodle;
 pub use package::CourseError;
-pub use question::{Answer, Field, PART, Question};
+pub use question::{Answer, Field, Question};
 pub use scorm::scorm;

@@ -1,5 +1,5 @@
 use super::package::{CourseError, Element, element, html, text};
-use super::question::{Field, Question, head, linked_picture, number, tables};
+use super::question::{Field, Question, head, linked_picture, number, read, tables};
 use crate::text::xml;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -12,39 +12,59 @@ use base64::engine::general_purpose::STANDARD;
 /// # Errors
 /// The XML cannot be written.
 pub fn moodle(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> {
-    let path = format!("$course$/Kinegon/{}", crate::text::clean(kind).replace('/', "//"));
+    let kind = crate::text::clean(kind);
+    let path = format!("$course$/Kinegon/{}", kind.replace('/', "//"));
     let path = element("category", &[], vec![text("text", &[], &path)]);
     let category = element("question", &[("type", "category")], vec![path]);
-    element("quiz", &[], [category].into_iter().chain(questions.iter().map(question)).collect()).document()
+    let questions = questions.iter().map(|asked| question(asked, &kind));
+    element("quiz", &[], [category].into_iter().chain(questions).collect()).document()
 }
 
 /// In the text of a question: the folder of its files.
 const FILES: &str = "@@PLUGINFILE@@/";
 
-fn question(question: &Question) -> Element {
-    let asked = harmless(&head(question, FILES)) + &tables(question, &field);
-    let key = linked_picture(&(FILES.to_owned() + &question.key_name()), question.words.language.course_key(), 900);
+fn question(question: &Question, kind: &str) -> Element {
+    // Weights of Moodle are whole.
+    let is_whole = question.fields.iter().all(|field| field.worth.fract() == 0.0);
+    let weight = |worth: f64| libm::round(if is_whole { worth } else { 100.0 * worth });
+    let asked = harmless(&head(question, FILES)) + &tables(question, &|own| field(own, weight(own.worth)));
+    let key = key(question);
     let told = vec![
         html(&asked),
         file(&question.scheme_name(), &question.scheme),
         file(&question.print_name(), &question.print),
     ];
+    let tags = ["Kinegon", kind].map(|tag| element("tag", &[], vec![text("text", &[], tag)]));
     let parts = vec![
-        element("name", &[], vec![text("text", &[], &question.title.for_pdf())]),
+        element("name", &[], vec![text("text", &[], &question.list_name())]),
         element("questiontext", &[("format", "html")], told),
         element("generalfeedback", &[("format", "html")], vec![html(&key), file(&question.key_name(), &question.key)]),
         text("penalty", &[], "0.3333333"),
         text("hidden", &[], "0"),
+        text("idnumber", &[], &question.name),
+        element("tags", &[], tags.into()),
     ];
     element("question", &[("type", "cloze")], parts)
+}
+
+/// The key: its picture, and all values with what a careful hand may be off by.
+fn key(question: &Question) -> String {
+    let words = &question.words;
+    let cell = |field: &Field| {
+        let right = field.answers.first().map_or(0.0, |right| right.value);
+        let [right, allowed] = [(right, 4), (field.allowed, 2)].map(|(value, digits)| read(value, "", digits, words));
+        xml(&format!("{}\u{a0}±\u{a0}{}", right.trim_end(), allowed.trim_end())).into_owned()
+    };
+    let picture = linked_picture(&(FILES.to_owned() + &question.key_name()), words.language.course_key(), 900);
+    format!("{picture}{}<p>{}</p>\n", tables(question, &cell), xml(words.language.exercise_allowed()))
 }
 
 fn file(name: &str, bytes: &[u8]) -> Element {
     text("file", &[("name", name), ("path", "/"), ("encoding", "base64")], &STANDARD.encode(bytes))
 }
 
-/// The field of a cloze question, as `{1:NUMERICAL:=-3.00113:0.0616~%50%3.00113:0.0616#other sense}`.
-fn field(field: &Field) -> String {
+/// The field of a cloze question, as `{2:NUMERICAL:=-3.00113:0.0616~%0%3.00113:0.0616#other sense}`; before the kind its weight.
+fn field(field: &Field, weight: f64) -> String {
     let answers = field.answers.iter().map(|answer| {
         let part = match answer.percent {
             100 => "=".to_owned(),
@@ -53,7 +73,7 @@ fn field(field: &Field) -> String {
         let said = answer.said.as_ref().map(|said| format!("#{}", feedback(said)));
         format!("{part}{}:{}{}", number(answer.value), number(answer.tolerance), said.unwrap_or_default())
     });
-    format!("{{1:NUMERICAL:{}}}", answers.collect::<Vec<String>>().join("~"))
+    format!("{{{weight}:NUMERICAL:{}}}", answers.collect::<Vec<String>>().join("~"))
 }
 
 /// A text of HTML in which nothing opens or ends a field.

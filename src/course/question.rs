@@ -5,17 +5,19 @@ use super::package::CourseError;
 use crate::check::{AnswerKey, Mistake, Student};
 use crate::construction::Tolerance;
 use crate::drawing::{Drawing, RichText, SheetLabels};
-use crate::exercise::{Exercise, KeyValue};
+use crate::exercise::{Exercise, KeyValue, MEASURABLE};
 use crate::format::{Text, html_text, panels_svg};
 use crate::sheet::Sheet;
 use crate::text::{Untrusted, xml};
-use crate::words::Wording;
+use crate::words::{Medium, NumberStyle, Wording};
 
 /// An exercise as a question: what is told, and a field for each box of its form.
 #[derive(Clone, Debug)]
 pub struct Question {
     /// Its name, from which those of its files are made: letters that a path may have.
     pub name: String,
+    /// Its name as lists show it, which sort by it: its number has leading zeros.
+    pub listed: String,
     /// The title of its scene.
     pub title: Untrusted,
     /// How it is told.
@@ -43,21 +45,30 @@ pub struct Field {
     pub name: String,
     /// Its name on the sheets, as HTML.
     pub label: String,
+    /// By how much a careful hand may be off.
+    pub allowed: f64,
     /// The unit in which the number is written.
     pub unit: String,
     /// The sheet from which it is read.
     pub sheet: Sheet,
+    /// What it is worth, in marks.
+    pub worth: f64,
     /// The numbers that it knows: the right one first, then those for which there are marks or feedback. No two overlap that earn or say
     /// different things.
     pub answers: Vec<Answer>,
 }
 
 impl Question {
-    /// The question of an exercise with that name. `styled` gives the sheets and the key their looks.
+    /// The question of an exercise with that name, listed by the other. `styled` gives the sheets and the key their looks.
     ///
     /// # Errors
     /// The exercise's figure lacks a sheet, or its sheet cannot be written as PDF.
-    pub fn new(exercise: &Exercise, name: &str, styled: &dyn Fn(&mut Drawing)) -> Result<Question, CourseError> {
+    pub fn new(
+        exercise: &Exercise,
+        name: &str,
+        listed: &str,
+        styled: &dyn Fn(&mut Drawing),
+    ) -> Result<Question, CourseError> {
         let (mut key, mut sheets) = (exercise.key_sheet(), exercise.sheets(name));
         sheets.iter_mut().chain([&mut key]).for_each(styled);
         let words = exercise.solution.wording();
@@ -66,6 +77,7 @@ impl Question {
         let told = exercise.given().into_iter().chain(notes).chain([digits]);
         Ok(Question {
             name: name.to_owned(),
+            listed: listed.to_owned(),
             title: exercise.solution.scene.title.clone().unwrap_or_else(|| words.language.title().into()),
             words,
             told: told.map(|text| html_text(&text)).collect(),
@@ -76,6 +88,11 @@ impl Question {
             scene: exercise.text.clone(),
             form: exercise.form(name).json(&exercise.solution),
         })
+    }
+
+    /// Its name in lists, with its title.
+    pub(super) fn list_name(&self) -> String {
+        format!("{}: {}", self.listed, self.title.for_pdf())
     }
 
     /// The name of the file of the scheme's picture.
@@ -116,26 +133,33 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
     let key = AnswerKey::new(solution, Some(Tolerance::default()));
     let student = Student::new(&key)?;
     let right = student.exact(None);
+    let values = exercise.key().values;
+    // As `Marks` says: a mistake that no value of its step shows is charged in the first that does.
+    let shows = |place: usize, value: Option<f64>| {
+        let own = values.get(student.names()[place].as_str());
+        let off = value.zip(right[place]).map(|(value, right)| (value - right).abs());
+        own.and_then(|own| own.allowed).zip(off).is_some_and(|(allowed, off)| off > allowed)
+    };
     let mut wrong: Vec<Vec<Wrong>> = vec![Vec::new(); right.len()];
     for mistake in Mistake::all() {
         let ways = student.ways(mistake);
         let share = mistake.share() / ways.len().max(1) as f64;
         for way in &ways {
             let told = student.told(way).join(" ");
-            for (place, value) in student.exact(Some(way)).into_iter().enumerate() {
+            let found = student.exact(Some(way));
+            let showing = || (0..found.len()).filter(|place| shows(*place, found[*place]));
+            let is_own = showing().any(|place| student.step(place) <= way.step);
+            let first = if is_own { None } else { showing().next() };
+            for (place, value) in found.into_iter().enumerate() {
                 if let Some(value) = value.filter(|value| Some(*value) != right[place]) {
-                    wrong[place].push(Wrong {
-                        value,
-                        share,
-                        told: told.clone(),
-                        is_earlier: way.step < student.step(place),
-                    });
+                    let follows = way.step < student.step(place) && first != Some(place);
+                    wrong[place].push(Wrong { value, share, told: told.clone(), follows });
                 }
             }
         }
     }
     let labels = SheetLabels::of(solution);
-    let values = exercise.key().values;
+    let worth = solution.scene.form.clone().unwrap_or_default();
     let largest = |unit: &str| values.values().filter(|v| v.unit == unit).map(|v| v.value.abs()).fold(0.0, f64::max);
     let fields = exercise.pencil.quantities.iter().filter_map(|(asked, _)| {
         let value = values.get(asked.name())?;
@@ -143,8 +167,10 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
         Some(Field {
             name: asked.name().to_owned(),
             label: html_text(&labels.quantity(asked)),
+            allowed: value.allowed.unwrap_or(0.0),
             unit: value.unit.clone(),
             sheet: asked.sheet(),
+            worth: worth.get(asked.name()).copied().unwrap_or(1.0),
             answers: answers(value, largest(&value.unit), student.is_size(place), &wrong[place], words),
         })
     });
@@ -155,6 +181,12 @@ fn fields(exercise: &Exercise, words: &Wording) -> Result<Vec<Field>, CourseErro
 pub(super) fn number(x: f64) -> String {
     let rounded: f64 = format!("{x:.8e}").parse().unwrap_or(x);
     (rounded + 0.0).to_string()
+}
+
+/// A number as people read it, with its unit.
+pub(super) fn read(value: f64, unit: &str, digits: usize, words: &Wording) -> String {
+    let style = NumberStyle::significant(digits).trimmed().in_full(-5, 12).on(Medium::Figure);
+    format!("{} {unit}", words.write(value, style))
 }
 
 /// The picture of the scheme and what is told, with `address` in front of the files' names.
@@ -209,9 +241,6 @@ pub struct Answer {
     pub said: Option<String>,
 }
 
-/// The part of the marks, in per cent, for a rate of the right size with the wrong sense, and for a value that follows from an earlier mistake.
-pub const PART: u8 = 50;
-
 /// Least share, of all mistakes that give about the same number, of one that is named: as the check tells a cause.
 const TOLD: f64 = 0.6;
 
@@ -225,7 +254,11 @@ const NOTHING: f64 = 1e-9;
 const DIGITS: i32 = 3;
 
 /// Most wrong numbers that a field knows: Moodle reads a field with one regular expression, whose work grows with its length.
-const MOST: usize = 8;
+const MOST: usize = 24;
+
+/// How much of the two decades around the right value wrong numbers may hold that are paid for, in decades: so whoever guesses hits one in
+/// a quarter of all cases at most.
+const PAID: f64 = 0.5;
 
 /// A number that a known mistake gives in place of the right one.
 #[derive(Clone, Debug)]
@@ -235,19 +268,26 @@ struct Wrong {
     share: f64,
     /// What the check says of it.
     told: String,
-    /// Whether it was made at an earlier step than the value's.
-    is_earlier: bool,
+    /// Whether the value follows from it: it was made at an earlier step, and shows before.
+    follows: bool,
 }
 
 impl Answer {
+    /// How much it holds of the numbers within a factor of ten of the right one, in decades.
+    fn decades(&self, right: f64) -> f64 {
+        let [value, right] = [self.value, right].map(f64::abs);
+        let [from, to] = [(value - self.tolerance).max(0.1 * right), (value + self.tolerance).min(10.0 * right)];
+        if to > from { libm::log10(to / from) } else { 0.0 }
+    }
+
     /// Whether a number can be within the tolerances of both.
     fn overlaps(&self, other: &Answer) -> bool {
         (self.value - other.value).abs() <= self.tolerance + other.tolerance
     }
 }
 
-/// The answers of a field: the right number, for a size also with a minus; for a rate the other sense; then the commonest of the numbers that
-/// known mistakes give and nothing else does. `largest` is the largest number of the unit, `is_size` whether a sign says nothing.
+/// The answers of a field: the right number, for a size also with a minus; for a rate the other sense, which earns nothing; then the commonest
+/// of the numbers that known mistakes give and nothing else does: one that follows earns what the right one does. `largest` is the largest number of the unit, `is_size` whether a sign says nothing.
 ///
 /// A tolerance is that of a careful hand and half a unit of the last digit that is asked for; that of a wrong number, which has grown, has grown
 /// with it. Numbers that overlap a better one are left out, and those that other mistakes give, too, unless one is clearly the commonest.
@@ -260,37 +300,52 @@ fn answers(right: &KeyValue, largest: f64, is_size: bool, wrong: &[Wrong], words
     let mut answers = vec![answer(right.value, 100, None)];
     let other = match is_size {
         true => answer(-right.value, 100, None),
-        false => answer(-right.value, PART, Some(words.language.course_other_sense().to_owned())),
+        false => answer(-right.value, 0, Some(words.language.course_other_sense().to_owned())),
     };
     if right.value != 0.0 && (is_size || !other.overlaps(&answers[0])) {
         answers.push(other);
     }
     let expected = wrong.iter().filter(|wrong| (NOTHING * largest..=GROWN * largest).contains(&wrong.value.abs()));
-    let known = |wrong: &Wrong| {
-        let cause = words.language.course_cause(&wrong.told);
-        let (part, said) = match wrong.is_earlier {
-            true => (PART, format!("{cause} {}", words.language.course_follows())),
-            false => (0, cause),
-        };
-        (wrong.share, answer(wrong.value, part, Some(said)))
-    };
-    let wrong: Vec<(f64, Answer)> = expected.map(known).collect();
-    let is_sure = |own: &Answer| {
-        let near = || wrong.iter().filter(|(_, other)| other.overlaps(own));
-        let all: f64 = near().map(|(share, _)| share).sum();
-        let alike: f64 = near().filter(|(_, other)| other.said == own.said).map(|(share, _)| share).sum();
-        answers.iter().all(|better| !better.overlaps(own)) && alike >= TOLD * all
-    };
-    let mut sure: Vec<&(f64, Answer)> = wrong.iter().filter(|(_, own)| is_sure(own)).collect();
+    let all: Vec<(&Wrong, Answer)> = expected.map(|wrong| (wrong, answer(wrong.value, 0, None))).collect();
+    let mut sure: Vec<(f64, Answer)> = all.iter().filter_map(|(wrong, own)| told(wrong, own, &all, words)).collect();
+    sure.retain(|(_, own)| answers.iter().all(|better| !better.overlaps(own)));
     sure.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut known: Vec<Answer> = Vec::new();
+    let mut paid = 0.0;
     for (_, own) in sure {
-        if known.len() < MOST && known.iter().all(|other| !other.overlaps(own)) {
-            known.push(own.clone());
+        let decades = if own.percent > 0 { own.decades(right.value) } else { 0.0 };
+        let is_telling = own.percent == 0 || own.tolerance <= MEASURABLE * own.value.abs();
+        if is_telling && known.len() < MOST && paid + decades <= PAID && known.iter().all(|other| !other.overlaps(&own))
+        {
+            paid += decades;
+            known.push(own);
         }
     }
     answers.extend(known);
     answers
+}
+
+/// What a number that a mistake gives earns and what is said of it, with how common the mistake is: where nearly all mistakes that give such a
+/// number are earlier ones, the marks of the right one, whichever it was; where nearly all are the same one, its name. None where neither
+/// is so.
+fn told(wrong: &Wrong, own: &Answer, all: &[(&Wrong, Answer)], words: &Wording) -> Option<(f64, Answer)> {
+    let near = || all.iter().filter(|(_, other)| other.overlaps(own));
+    let share = |is_it: &dyn Fn(&Wrong) -> bool| -> f64 {
+        near().filter(|(other, _)| is_it(other)).map(|(other, _)| other.share).sum()
+    };
+    let whole = share(&|_| true);
+    let is_named = share(&|other| other.told == wrong.told) >= TOLD * whole;
+    let follows = share(&|other| other.follows) >= TOLD * whole;
+    if !(follows || is_named && !wrong.follows) {
+        return None;
+    }
+    let cause = || words.language.course_cause(&wrong.told);
+    let said = match is_named {
+        true if wrong.follows => Some(format!("{} {}", cause(), words.language.course_follows())),
+        true => Some(cause()),
+        false => None,
+    };
+    Some((wrong.share, Answer { percent: if follows { 100 } else { 0 }, said, ..own.clone() }))
 }
 
 /// Half a unit of the last significant digit that is asked for; of nearly nothing beside the largest number of its unit that of a thousandth of it.

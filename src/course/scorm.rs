@@ -17,18 +17,18 @@ const PAGE: &str = "index.html";
 const WORKBENCH: &str = "workbench.html";
 
 /// The exercises as a SCORM 1.2 package: the workbench as a student gets it, with one of the exercises, the same for a student each time, and
-/// what is given above it. After
-/// each check it reports how much of the form is right. There is no key in it.
+/// what is given above it. After each check it reports how much of the form is right; with `pass`, in per cent of the marks, that is passed or
+/// failed. There is no key in it.
 ///
 /// Source: ADL, *SCORM 1.2 Content Aggregation Model* and *Run-Time Environment*.
 ///
 /// # Errors
 /// The package cannot be written.
-pub fn scorm(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> {
+pub fn scorm(kind: &str, questions: &[Question], pass: Option<u8>) -> Result<Vec<u8>, CourseError> {
     let exercises: io::Result<String> = questions.iter().map(exercise).collect();
     let page = START.replace("{{exercises}}", &exercises?);
     let mut files = vec![
-        (MANIFEST.to_owned(), manifest(kind, questions)?),
+        (MANIFEST.to_owned(), manifest(kind, questions, pass)?),
         (PAGE.to_owned(), page.into_bytes()),
         (WORKBENCH.to_owned(), workbench(None).into_bytes()),
     ];
@@ -68,7 +68,7 @@ fn begun(form: &str) -> String {
     crate::format::json(&form)
 }
 
-fn manifest(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> {
+fn manifest(kind: &str, questions: &[Question], pass: Option<u8>) -> Result<Vec<u8>, CourseError> {
     let title = match questions {
         [one] => one.title.for_pdf(),
         _ => crate::text::clean(kind),
@@ -82,7 +82,9 @@ fn manifest(kind: &str, questions: &[Question]) -> Result<Vec<u8>, CourseError> 
     ];
     let metadata = vec![text("schema", &[], "ADL SCORM"), text("schemaversion", &[], "1.2")];
     let item = [("identifier", "exercise"), ("identifierref", "page")];
-    let course = vec![text("title", &[], &title), element("item", &item, vec![text("title", &[], &title)])];
+    let pass = pass.map(|percent| text("adlcp:masteryscore", &[], &percent.to_string()));
+    let item = element("item", &item, [text("title", &[], &title)].into_iter().chain(pass).collect());
+    let course = vec![text("title", &[], &title), item];
     let course = element("organization", &[("identifier", "course")], course);
     let sheets = questions.iter().map(Question::print_name);
     let files = [PAGE, WORKBENCH].map(str::to_owned).into_iter().chain(sheets);

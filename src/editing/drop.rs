@@ -145,6 +145,10 @@ fn remove_named(document: &mut Document<'_>, names: &Names, what: Named, name: &
     for (label, _) in labels.filter(|(label, _)| renamer.plan_name(label).is_some()) {
         document.remove(&["figure", "labels", label])?;
     }
+    let asked = scene["form"].as_object().into_iter().flatten();
+    for (quantity, _) in asked.filter(|(quantity, _)| renamer.quantity(quantity).is_some()) {
+        document.remove(&["form", quantity])?;
+    }
     remove_entries(document, &["want"], &|quantity| {
         quantity.as_str().is_some_and(|name| renamer.quantity(name).is_some())
     })

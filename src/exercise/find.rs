@@ -11,8 +11,14 @@ use crate::quantity::Quantity;
 use crate::scene::{ConstructionShown, Figure, Page, PageSize, figure_keys};
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
-use serde_json::{Value, json};
+use indexmap::IndexMap;
+use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
+
+/// What a form asks for, with its marks, as a scene says it.
+fn marks_of(asked: &IndexMap<String, f64>) -> Value {
+    asked.iter().map(|(name, marks)| (name.clone(), json_number(*marks))).collect::<Map<String, Value>>().into()
+}
 
 /// Most variants that are tried for each exercise.
 const TRIES: usize = 1000;
@@ -183,6 +189,7 @@ impl Exercises {
         };
         file.shift_remove("want");
         file.shift_remove("$schema");
+        file.insert("form".into(), marks_of(&found.to_ask));
         file.insert("figure".into(), Value::Object(figure_keys(&figure)));
         let number = format!("{}-{}", self.seed, self.number);
         file.insert("title".into(), json!(self.title.numbered(&number)));

@@ -1,8 +1,9 @@
 //! Decides which variants are exercises: those that a careful hand draws well.
 
+use super::asked::to_ask;
 use super::says;
 use super::sheets::{key_rows, sentences};
-use crate::check::{BANDS, form_names};
+use crate::check::{BANDS, asked_names, form_names};
 use crate::construction::{Action, Construction, Rate, Solution, Tolerance};
 use crate::drawing::{
     Drawing, FigureSheets, KeyRow, RichText, drawing_sheets, exercise_scale, exercise_sheet, key_scales,
@@ -14,6 +15,7 @@ use crate::position::{pose, with_nearest_sides};
 use crate::quantity::{Pencil, QuantityRequest, What, pencil};
 use crate::scene::{Figure, Page, PageSize, ScalesFor, Scene};
 use crate::sheet::{Order, Scales, Sheet};
+use indexmap::IndexMap;
 
 /// Largest condition number of a group: near singular positions an error of a length is enlarged many times.
 const CONDITION: f64 = 40.0;
@@ -45,6 +47,8 @@ pub struct Exercise {
     /// The sheet that the student gets: the scheme without special points, the given numbers, boxes for the results.
     /// [`Exercise::sheets`] are the same with markers.
     pub sheet: Drawing,
+    /// The values that it should ask for, with their marks.
+    pub(super) to_ask: IndexMap<String, f64>,
     /// The page of the student's sheets.
     page: Page,
     /// Whether they have markers; never in a projector's proportions.
@@ -139,14 +143,21 @@ impl Exercise {
         if !(FigureSheets::new(&solution).overflow_warnings().is_empty() && shows_special_points(&solution)) {
             return Err(Refusal::Sheet);
         }
-        let pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
+        let mut pencil = pencil(&solution, &scales, Tolerance::default(), quantities.clone());
         let rows = key_rows(&solution, &pencil);
         is_sure(&rows)?;
         key_scales(&solution, &rows).ok_or(Refusal::Sheet)?;
+        // Whether a variant is an exercise does not hang on what it asks for.
+        let names = asked_names(&solution);
+        let asked: Vec<KeyRow<'_>> =
+            rows.into_iter().filter(|row| names.iter().any(|name| name == row.asked.name())).collect();
+        let to_ask = to_ask(&asked, &solution);
+        pencil.quantities.retain(|(quantity, _)| names.iter().any(|name| name == quantity.name()));
+        let quantities: Vec<QuantityRequest> = pencil.quantities.iter().map(|(asked, _)| asked.clone()).collect();
         let given = sentences(&solution.scene, &scales);
         let sheet = exercise_sheet(&students, &quantities, &given).ok_or(Refusal::Sheet)?;
         let has_markers = students.scene.figure.has_markers();
-        Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution, page, has_markers })
+        Ok(Exercise { text: text.to_owned(), scales, pencil, sheet, solution, to_ask, page, has_markers })
     }
 
     /// The sheets on which a student draws: the scheme's, then those for the plans, all with markers and a small code by

@@ -4,7 +4,7 @@
 //! conditions.
 //!
 //! In reading order: `vary` finds the numbers of a scene file and replaces them, `judge` accepts or refuses a variant,
-//! `find` looks for accepted ones, `sheets` writes what stands on the sheets of a student and of a teacher, also for a scene
+//! `asked` chooses the values that it asks for, `find` looks for accepted ones, `sheets` writes what stands on the sheets of a student and of a teacher, also for a scene
 //! as it stands, `key` the values for the teacher. Nothing is read or written here.
 //!
 //! # An exercise is a scene that passes an examination
@@ -13,6 +13,7 @@
 //! crossings, room, lengths on paper, bands. The accepted file says its own position and scales, and is judged again
 //! as it stands, so that nothing depends on how it was found.
 
+mod asked;
 mod find;
 mod judge;
 mod key;
@@ -21,6 +22,7 @@ pub mod says;
 mod sheets;
 mod vary;
 
+pub(crate) use asked::MEASURABLE;
 pub use find::{ExerciseError, Exercises};
 pub use judge::{Exercise, Refusal};
 pub use key::{KeyResult, KeyScales, KeyValue, key_schema};

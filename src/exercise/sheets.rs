@@ -1,6 +1,6 @@
 //! What the sheets of a student and of a teacher have beside the figure: the given numbers in sentences, and the rows of the key.
 
-use crate::check::{BANDS, form_names};
+use crate::check::{BANDS, asked_names};
 use crate::construction::Solution;
 use crate::drawing::{Drawing, KeyRow, drawing_sheets};
 use crate::quantity::{Pencil, QuantityKind, QuantityRequest};
@@ -35,7 +35,7 @@ impl Solution {
         figure.worksheet = false;
         // A sheet for the hand has letters for the hand, in a style for the hall too.
         figure.sizes.get_or_insert_default();
-        let names = form_names(&own.construction);
+        let names = asked_names(&own);
         let asked: Vec<QuantityRequest> =
             names.iter().filter_map(|name| QuantityRequest::new(name, &own.mechanism).ok()).collect();
         let given = sentences(&own.scene, &scales);

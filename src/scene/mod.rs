@@ -45,6 +45,7 @@ pub use kinds::Kind;
 pub use link::{Length, Link, Shape};
 pub use points::Near;
 pub use quantity_name::{Argument, Component, Head, QuantityName};
+pub(crate) use read::MOST_MARKS;
 pub use read::{Scene, SizeLimit};
 #[doc(hidden)] // for tests
 pub use read::{folded, signs};

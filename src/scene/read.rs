@@ -12,6 +12,7 @@ use super::joint::{Slider, SliderFile, sliders};
 use super::link::{Link, LinkFile, links};
 use super::names::Names;
 use super::points::{Ground, Near, check_given_once, check_motions, check_points, ground, known, near};
+use super::quantity_name::QuantityName;
 use super::says;
 use super::schema::schema_of;
 use super::text::FileKind;
@@ -19,7 +20,7 @@ use super::typed::read_as;
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
 use crate::message::Message;
-use crate::text::Untrusted;
+use crate::text::{Untrusted, shown};
 
 /// A planar mechanism: x right, y up, counter-clockwise positive, angles in degrees.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -51,9 +52,12 @@ pub(super) struct SceneFile {
     pub figure: Option<Figure>,
     /// Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
     pub want: Option<Vec<String>>,
+    /// The quantities for which the forms and sheets of students have boxes, as "omega(2)" or "vplan(p,b)", with the marks that each is
+    /// worth; left out: all that the steps of the construction give, one mark each. What no step gives has no box.
+    pub form: Option<IndexMap<String, f64>>,
 }
 
-write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want });
+write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want, form });
 
 /// A mechanism as its scene file describes it: checked, in the file's order and units, angles in degrees.
 ///
@@ -82,6 +86,9 @@ pub struct Scene {
     pub figure: Figure,
     /// Names of the quantities asked for; `None` for all. They are not checked here.
     pub want: Option<Vec<String>>,
+    /// The quantities for which a student's form has boxes, with the marks that each is worth; `None` for all that the steps give, one mark
+    /// each. One that no step gives has none.
+    pub form: Option<IndexMap<String, f64>>,
     /// The scene's text, for the places of errors of later stages.
     text: String,
 }
@@ -226,6 +233,27 @@ pub fn signs(number: u64) -> String {
     digits.map(char::from).collect()
 }
 
+/// Most marks that a value of a form may be worth.
+pub(crate) const MOST_MARKS: f64 = 1e6;
+
+/// Whether what a form asks for has names of quantities, is worth something, and is anything at all.
+fn check_form(form: Option<&IndexMap<String, f64>>) -> Result<(), Wrong> {
+    let Some(asked) = form else { return Ok(()) };
+    if asked.is_empty() {
+        return Err(Wrong::value(&["form"], says::form_asks_nothing()).hint(says::leave_key_out()));
+    }
+    for (name, marks) in asked {
+        let wrong = |message| Wrong::value(&["form", name], message);
+        if QuantityName::parse(name).is_none() {
+            return Err(wrong(says::form_no_quantity(shown(name))).hint(says::form_names_quantities()));
+        }
+        if !(0.0..=MOST_MARKS).contains(marks) {
+            return Err(wrong(says::form_no_marks(*marks)).hint(says::form_marks_from_0(MOST_MARKS)));
+        }
+    }
+    Ok(())
+}
+
 /// Checks the parts of the file, in the order in which errors are reported.
 fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
@@ -241,6 +269,7 @@ fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
     let figure = file.figure.unwrap_or_default();
     figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
+    check_form(file.form.as_ref())?;
     Ok(Scene {
         title: file.title,
         units: file.units,
@@ -253,6 +282,7 @@ fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
         near,
         figure,
         want: file.want,
+        form: file.form,
         text: text.to_owned(),
     })
 }

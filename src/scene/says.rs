@@ -109,6 +109,13 @@ messages! { "scene":
         "links are joined by pins and straight sliders: gears, belts, chains, racks and cams are out of scope";
     forces_out_of_scope = "motions follow from the drives: forces, masses, springs and friction are out of scope";
 
+    // What a form asks for.
+    form_asks_nothing = "this form asks for nothing";
+    form_no_quantity(name) = "{name} is no name of a quantity";
+    form_no_marks(marks) = "{marks} are no marks";
+    form_marks_from_0(most) = "marks are 0 to {most}";
+    form_names_quantities = "write names as an empty form has them: \"omega(2)\", \"vplan(p,b)\"";
+
     // Names.
     a_point = "a point";
     a_link = "a link";

@@ -335,6 +335,7 @@ sentences! {
         "The point seems {mm} mm from where its two lines cross: from {first} it is seen {one}° beside its line, from \
          {second} {other}°.";
     check_redo(steps) = "Do steps {steps} again; keep the rest.";
+    check_redo_one(step) = "Do step {step} again; keep the rest.";
     check_redo_number = "Correct this number alone; the drawing stays.";
     check_sure(percent) = "How sure: {percent} %";
     check_others = "It could also be";
@@ -419,7 +420,7 @@ sentences! {
     course_follows = "This value follows from it.";
     course_picture = "The mechanism, true to scale";
     course_print = "Sheet to print at its true size";
-    course_key = "The mechanism with both plans and all values";
+    course_key = "The mechanism with both plans";
     course_if(value) = "If you found {value}:";
 }
 

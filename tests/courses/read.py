@@ -64,7 +64,8 @@ def moodle(path):
         feedback = question.findtext("generalfeedback/text")
         used = re.findall(r"@@PLUGINFILE@@/([^\"]+)", text + feedback)
         name = question.findtext("name/text")
-        read["questions"].append({"name": name, "text": text, "fields": fields, "files": files, "used": used})
+        about = {"idnumber": question.findtext("idnumber"), "tags": [tag.findtext("text") for tag in question.iterfind("tags/tag")]}
+        read["questions"].append({"name": name, **about, "text": text, "fields": fields, "files": files, "used": used})
     return read
 
 
@@ -112,6 +113,7 @@ def scorm(path):
         "version": manifest.findtext("m:metadata/m:schemaversion", None, space),
         "default": manifest.find("m:organizations", space).get("default") == organization.get("identifier"),
         "title": organization.findtext("m:title", None, space),
+        "pass": organization.findtext("m:item/{http://www.adlnet.org/xsd/adlcp_rootv1p2}masteryscore", None, space),
         "starts": organization.find("m:item", space).get("identifierref") == resource.get("identifier"),
         "kind": resource.get("{http://www.adlnet.org/xsd/adlcp_rootv1p2}scormtype"),
         "files": [file.get("href") for file in resource.iterfind("m:file", space)],
@@ -120,4 +122,5 @@ def scorm(path):
     }
 
 
-print(json.dumps({"moodle": moodle, "canvas": canvas, "scorm": scorm}[sys.argv[1]](sys.argv[2])))
+if __name__ == "__main__":
+    print(json.dumps({"moodle": moodle, "canvas": canvas, "scorm": scorm}[sys.argv[1]](sys.argv[2])))

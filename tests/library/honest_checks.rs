@@ -174,3 +174,19 @@ fn a_slip_at_any_vector_is_found_and_followed() {
     assert!(finding.follows.len() >= 5, "{:?}", finding.follows);
     assert!(checked.diagnosis.unexplained.is_empty());
 }
+
+#[test]
+fn a_point_put_elsewhere_is_not_taken_for_a_bad_hand() {
+    // An independent hand (`tests/students/second.py`) has put c of a Watt linkage 10 mm from where its rays cross and gone on from there: all
+    // later values are off, as a blunt pencil's would be.
+    let file: serde_json::Value = serde_json::from_str(&files::read("tests/files/point-elsewhere.json")).expect("JSON");
+    let solution = solved(&file["scene"].to_string()).expect("a sound scene");
+    let key = answer_key(&solution, 5);
+    let measured = Measured::read_json(&file["form"].to_string()).expect("a form");
+    let checked = check(&measured, &key).expect("values that are understood");
+    assert!(!checked.is_passed());
+    let [finding] = checked.diagnosis.best.findings.as_slice() else { panic!("{:?}", told(&checked)) };
+    assert_eq!(finding.candidate.mistake(), Mistake::Unknown);
+    // The rays to c are steps 3 and 4, and c is marked in step 5.
+    assert!((3..=5).contains(&finding.candidate.step), "{}", finding.candidate.step);
+}

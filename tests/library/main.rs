@@ -26,10 +26,12 @@
 //!   extremes and tips to closed forms, `point_paths` paths, their cusps and double points. `films` reads films back.
 //! - The pencil: `pencil` holds the replayed construction to the numeric solution and simulated drawings to their
 //!   bands; `planted_mistakes` draws with mistakes put in.
+//!   `directions` holds directions of plan points to closed forms.
 //! - Students: `students` draws exercises of all kinds once more, by a construction that shares nothing with the
 //!   check's (`tests/support/students`), with hands that err and mistakes of which many are in no catalogue;
 //!   `published_sets` prints one number of a textbook wrong. What is told must be true, and no surer than it is
 //!   right.
+//! - Marks: `marks` counts by hand what a mistake costs, and what a form asks for.
 //! - Photographs: `tests/support/camera` takes pictures of sheets as telephones do (paper bent, lens, light, sensor,
 //!   JPEG), knows where each point of the page is in them, and draws the plans of the students above on sheets with a
 //!   pencil; it shares nothing with what reads photographs. `camera` holds it to mathematics: edges to 0.02 pixels,
@@ -51,6 +53,7 @@ mod complete_plans;
 mod coriolis;
 mod curves;
 mod cycle;
+mod directions;
 mod drafts;
 mod drawing;
 mod driven_cycles;
@@ -72,6 +75,7 @@ mod lectured;
 mod legible;
 mod levers;
 mod markers;
+mod marks;
 mod messages;
 mod paper_facts;
 mod pencil;

@@ -382,3 +382,31 @@ fn ctrl_c_leaves_no_report() {
     assert!(start.elapsed() < Duration::from_secs(60), "it goes on");
     assert!(names().is_empty(), "{:?}", names());
 }
+
+#[test]
+fn the_values_of_another_exercise_are_told() {
+    let [exercises, forms] = ["class-others", "class-others-forms"].map(scratch);
+    let mut command = kinegon();
+    command.args(["exercise", "four-bar", "--seed", "5", "--count", "2", "-o"]).arg(&exercises);
+    assert!(command.output().expect("the program starts").status.success());
+    // The right values of the second exercise, handed in for the first, and those of the first.
+    let [own, other] = ["four-bar-5-1", "four-bar-5-2"];
+    let values = |name: &str| {
+        let text = std::fs::read_to_string(exercises.join(name).join("key.json")).expect("a key");
+        let key: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        let values = key["values"].as_object().expect("values").iter();
+        values.map(|(name, row)| (name.clone(), row["value"].clone())).collect::<serde_json::Map<_, _>>()
+    };
+    for (file, of) in [("copied.json", other), ("own.json", own)] {
+        let form = serde_json::json!({
+            "kinegon_measured": 1, "name": file, "exercise": own, "positive": "counter-clockwise", "values": values(of),
+        });
+        std::fs::write(forms.join(file), form.to_string()).expect("written");
+    }
+    let mut command = kinegon();
+    let output = command.arg("check").arg(&exercises).arg(&forms).output().expect("the program starts");
+    let rows = rows(&stdout(&output));
+    let [copied, right] = rows.as_slice() else { panic!("{}", stderr(&output)) };
+    assert_eq!((copied["values_of"].as_str(), copied["mistake"].as_str()), (other, ""), "{copied:?}");
+    assert_eq!((right["values_of"].as_str(), right["passed"].as_str()), ("", "true"), "{right:?}");
+}

@@ -55,16 +55,16 @@ fn half(value: f64) -> f64 {
     0.5 * 10f64.powi(exponent - 2)
 }
 
-/// Holds a field to the key's value: the right number, both signs of a size, part marks for the other sense of a rate.
-fn hold_to_key(name: &str, value: &Value, answers: &[Value], has_parts: bool) {
+/// Holds a field to the key's value: the right number, both signs of a size, no marks for the other sense of a rate.
+fn hold_to_key(name: &str, value: &Value, answers: &[Value], names_sense: bool) {
     let (right, allowed) = (number(value, "value"), number(value, "allowed"));
     let (first, other) = (&answers[0], &answers[1]);
     assert!(close(number(first, "value"), right) && number(first, "percent") == 100.0, "{name}: {first}, not {right}");
     assert!(close(number(first, "tolerance"), allowed + half(right)), "{name}: {first}, allowed {allowed}");
     let is_size = name.contains("plan(") || name.starts_with("L(");
-    if is_size || has_parts {
+    if is_size || names_sense {
         assert!(close(number(other, "value"), -right), "{name}: {other}");
-        assert_eq!(number(other, "percent"), if is_size { 100.0 } else { 50.0 }, "{name}");
+        assert_eq!(number(other, "percent"), if is_size { 100.0 } else { 0.0 }, "{name}");
     }
     for (place, wrong) in answers.iter().enumerate().skip(1) {
         for better in &answers[..place] {
@@ -87,12 +87,16 @@ fn moodle_accepts_what_the_keys_allow() {
         for (question, number) in questions.iter().zip(1..) {
             let own = folder.join(format!("{kind}-7-{number}"));
             let key = json(&own.join("key.json"));
-            assert_eq!(question["name"], key["title"]);
+            let own_name = format!("{kind}-7-{number}");
+            assert_eq!(question["name"], format!("{own_name}: {}", key["title"].as_str().expect("a title")));
+            assert_eq!(question["idnumber"], own_name);
+            assert_eq!(question["tags"], json!(["Kinegon", kind]));
+            let worth = json(&own.join("scene.json"))["form"].clone();
             let (values, fields) = (key["values"].as_object().expect("values"), list(&question["fields"]));
             assert_eq!(values.len(), fields.len(), "{kind}");
             let mut named = 0;
             for ((name, value), field) in values.iter().zip(fields) {
-                assert_eq!(field["weight"], 1);
+                assert_eq!(self::number(field, "weight"), self::number(&worth, name), "{name}");
                 hold_to_key(name, value, list(&field["answers"]), true);
                 named += list(&field["answers"]).iter().skip(2).filter(|answer| answer["said"].is_string()).count();
             }
@@ -154,6 +158,14 @@ fn a_wrong_number_has_the_name_of_its_mistake() {
     let said = own["said"].as_str().expect("feedback");
     assert!(said.contains("ω_3") && said.contains("not divided by L_DC"), "{said}");
     assert_eq!(own["percent"], 0.0);
+    // The crank's diameter in place of its radius doubles all velocities: charged in the first, and paid for in those that follow.
+    for (name, percent) in [("vplan(p,b)", 0.0), ("vplan(b,c)", 100.0)] {
+        let place = key["values"].as_object().expect("values").keys().position(|own| own == name);
+        let answers = list(&quiz["questions"][0]["fields"][place.expect("it is asked for")]["answers"]);
+        let double = 2.0 * number(&key["values"][name], "value");
+        let own = answers.iter().find(|answer| close(number(answer, "value"), double));
+        assert_eq!(own.unwrap_or_else(|| panic!("no {double} among {answers:#?}"))["percent"], percent, "{name}");
+    }
 }
 
 #[test]
@@ -169,11 +181,18 @@ fn canvas_accepts_what_the_keys_allow() {
     assert_eq!(quizzes.len(), 2);
     for (quiz, number_of) in quizzes.iter().zip(1..) {
         let key = json(&folder.join(format!("slider-crank-7-{number_of}/key.json")));
-        assert_eq!(quiz["title"], key["title"]);
+        let title = key["title"].as_str().expect("a title");
+        assert_eq!(quiz["title"], format!("slider-crank-7-{number_of}: {title}"));
         let (values, items) = (key["values"].as_object().expect("values"), list(&quiz["items"]));
-        assert_eq!(values.len(), items.len());
-        for ((name, value), item) in values.iter().zip(items) {
-            assert_eq!(item["metadata"], json!({ "question_type": "numerical_question", "points_possible": "1" }));
+        assert_eq!(values.len() + 1, items.len());
+        // Picture and sheet stand once, before the questions.
+        assert_eq!(items[0]["metadata"], json!({ "question_type": "text_only_question", "points_possible": "0" }));
+        let used = list(&items[0]["used"]);
+        assert!(used.len() == 2 && used.iter().all(|file| names.contains(file)), "{used:?}");
+        let scene = json(&folder.join(format!("slider-crank-7-{number_of}/scene.json")));
+        for ((name, value), item) in values.iter().zip(&items[1..]) {
+            let points = number(&scene["form"], name).to_string();
+            assert_eq!(item["metadata"], json!({ "question_type": "numerical_question", "points_possible": points }));
             let answers = list(&item["answers"]);
             hold_to_key(
                 name,
@@ -194,8 +213,7 @@ fn canvas_accepts_what_the_keys_allow() {
             // All see what is said of any wrong number: it must not give the right one away.
             let said = item["said"].as_str().unwrap_or_default();
             assert!(!said.contains("sense is wrong"), "{name}: {said}");
-            let used = list(&item["used"]);
-            assert!(!used.is_empty() && used.iter().all(|file| names.contains(file)), "{used:?}");
+            assert_eq!(item["used"], json!([]));
         }
     }
 }
@@ -210,6 +228,7 @@ fn a_scorm_package_has_the_exercise_and_no_key() {
     assert_eq!(package["names"], json!([&["imsmanifest.xml"], &files[..]].concat()));
     assert_eq!([&package["version"], &package["kind"]], ["1.2", "sco"]);
     assert_eq!([&package["default"], &package["starts"]], [true, true]);
+    assert_eq!(package["pass"], Value::Null, "nothing that a student must reach, unless the teacher says so");
     let opened = list(&package["opened"]);
     assert_eq!(opened.len(), 2);
     for (opened, number) in opened.iter().zip(1..) {
@@ -225,6 +244,53 @@ fn a_scorm_package_has_the_exercise_and_no_key() {
         assert_eq!(asked["values"], *given, "an empty form");
         assert!(form["positive"].is_null() && form["in"] == "mm");
     }
+}
+
+#[test]
+fn what_must_be_reached_stands_in_the_manifest() {
+    let file = scratch("courses-pass").join("page.zip");
+    exercise(Path::new("dyad-rrr"), &["--lms", "scorm", "--pass", "60"], &file);
+    let Some(package) = read("scorm", &file) else { return };
+    assert_eq!(package["pass"], "60");
+}
+
+/// Whoever guesses within a factor of ten of the right value hits what is paid for as following in a quarter of all cases at most: in half a
+/// decade of two.
+#[test]
+fn a_field_does_not_pay_for_every_number() {
+    let mut paid = 0;
+    for kind in ["four-bar", "third-class"] {
+        let Some((_, quiz)) = both(&format!("guessed-{kind}"), kind, "moodle", "1") else { return };
+        for field in list(&quiz["questions"][0]["fields"]) {
+            let answers = list(&field["answers"]);
+            let right = number(&answers[0], "value");
+            let follows = answers[1..]
+                .iter()
+                .filter(|answer| number(answer, "percent") > 0.0 && !close(number(answer, "value"), -right));
+            let decades: Vec<f64> = follows
+                .map(|answer| {
+                    let [value, tolerance] = ["value", "tolerance"].map(|key| number(answer, key).abs());
+                    let from = (value - tolerance).max(0.1 * right.abs());
+                    let to = (value + tolerance).min(10.0 * right.abs());
+                    (to / from).log10().max(0.0)
+                })
+                .collect();
+            let all: f64 = decades.iter().sum();
+            assert!(all < 0.51, "{kind}: {all} decades of {}", answers[0]);
+            paid += decades.len();
+        }
+    }
+    assert!(paid > 30, "only {paid} numbers that follow are paid for");
+}
+
+/// A list sorts names letter by letter.
+#[test]
+fn ten_questions_are_listed_in_their_order() {
+    let file = scratch("courses-ten").join("quiz.xml");
+    exercise(Path::new("dyad-rrp"), &["--count", "10", "--lms", "moodle"], &file);
+    let Some(quiz) = read("moodle", &file) else { return };
+    let names: Vec<&str> = list(&quiz["questions"]).iter().map(|one| one["name"].as_str().expect("a name")).collect();
+    assert!(names.is_sorted() && names[0].starts_with("dyad-rrp-7-01: "), "{names:?}");
 }
 
 #[test]
@@ -259,7 +325,7 @@ fn a_hostile_title_stays_a_title() {
                 let question = &read["questions"][0];
                 assert_eq!(read["category"], "$course$/Kinegon/a}b~c");
                 assert_eq!(list(&read["questions"]).len(), 1);
-                assert_eq!(list(&question["fields"]).len(), 13, "no field more than boxes");
+                assert_eq!(list(&question["fields"]).len(), 11, "no field more than boxes");
                 let name = question["name"].as_str().expect("a name");
                 assert!(name.starts_with("]]></text><x a=\"'>}{1:NUMERICAL:=0:9}~#%50%\\}"), "{name}");
                 assert!(!name.contains('\u{202e}') && !name.contains('\u{1b}'));
@@ -268,7 +334,7 @@ fn a_hostile_title_stays_a_title() {
             }
             "canvas" => {
                 let items = list(&read["quizzes"][0]["items"]);
-                assert_eq!(items.len(), 13);
+                assert_eq!(items.len(), 12, "what is told, and the boxes");
                 assert!(items.iter().all(|item| !item["text"].as_str().expect("a text").contains("<x a")));
             }
             _ => assert!(list(&read["opened"])[0]["text"].as_str().expect("a scene").contains("NUMERICAL")),
@@ -287,6 +353,9 @@ fn what_cannot_be_a_course_is_refused() {
         (&["four-bar", "--lms", "scorm", "-o", "quiz.xml"], "end in `.zip`"),
         (&["four-bar", "--lms", "blackboard", "-o", "quiz.xml"], "moodle, canvas, scorm"),
         (&["no-such-kind", "--lms", "moodle", "-o", "quiz.xml"], "no kind of mechanism"),
+        (&["four-bar", "--lms", "scorm", "--pass", "101", "-o", "quiz.zip"], "0..=100"),
+        (&["four-bar", "--lms", "moodle", "--pass", "60", "-o", "quiz.xml"], "add `--lms scorm`"),
+        (&["four-bar", "--pass", "60", "-o", "class/"], "add `--lms scorm`"),
     ] {
         let refused = kinegon().args(["exercise", "--seed", "1"]).args(arguments).current_dir(&folder).output();
         let refused = refused.expect("the program starts");

@@ -157,7 +157,9 @@ def judge(drawn, report):
     if not told:
         if not off:
             return "silent" if not report.get("missing") else "honest", None
-        return ("pointed" if off[0] == drawn.first() else "honest"), None
+        first = next(v["step"] for v in report["values"] if v["verdict"] == "off")
+        pointed = off[0] == drawn.first() or all(drawn.at_place({"mistake": "", "step": first}, m) for m in drawn.mistakes)
+        return ("pointed" if pointed else "honest"), None
     alternatives = [told] + [list(o["mistakes"]) for o in report["others"] if o.get("indistinguishable")]
     best = None
     for alternative in alternatives:
@@ -203,8 +205,7 @@ def check_variants(options, table, folder):
     for line in out.read_text().splitlines():
         entry = json.loads(line)
         told = [m["mistake"] for m in [entry.get("first") or {}, *entry.get("further", [])] if m]
-        named = told and any(word in told[0] for word in ("exercise", "variant"))
-        row["named" if named else "wrong" if told else "silent" if entry["passed"] else "honest"] += 1
+        row["named" if entry.get("values_of") else "wrong" if told else "silent" if entry["passed"] else "honest"] += 1
     return row
 
 

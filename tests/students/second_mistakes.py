@@ -41,8 +41,9 @@ class Mistake:
             self.places.append(where)
             if kind == "rate":  # the segment is taken by its scale there
                 self.places += [f"{f['plan']}:segment:{a}-{b}" for a, b in [f.get("ends") or (None, None)] if a]
-            if kind == "ray":  # values do not tell a ray from the vector at whose end it begins
-                self.places += [w for k, w, g in sheet.acts if k == "vector" and w[0] == f["plan"] and w.endswith(">" + where.split(":")[2].split(">")[0])]
+            if kind in ("ray", "vector"):  # lengths do not tell it from the vector at whose end it begins
+                start = ">" + where.split(":")[2].split(">")[0]
+                self.places += [w for k, w, g in sheet.acts if k == "vector" and w[0] == f["plan"] and w.endswith(start)]
             if kind == "mark":  # a point is where its rays are
                 self.places += [w for k, w, _ in sheet.acts if k == "ray" and w.startswith(f["plan"]) and w.endswith(">" + f["to"])]
 
@@ -157,7 +158,7 @@ def _(s, f, rng):
         f["from"] = "π"
 
 
-@kind("normal-outward", "vector", "normal-outward", of("normal"))
+@kind("normal-outward", "vector", "normal-outward reversed-vector", of("normal"))
 def _(s, f, rng):
     f["direction"] += math.pi
 
@@ -298,7 +299,7 @@ def _(s, f, rng):
     factor(f, other / mu)
 
 
-@kind("other-mode", "whole", "other-mode")
+@kind("other-mode", "whole", "other-mode senses-reversed")  # a boom mirrored as a whole has the same sizes
 def _(s, f, rng):
     s.position = s.task.position(mode=1)
 

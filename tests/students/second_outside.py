@@ -103,7 +103,7 @@ def _(s, f, rng):
     f["direction"] = math.pi - f["direction"]
 
 
-@kind("times-cosine", "vector", only=of("normal", "coriolis"))
+@kind("times-cosine", "vector", "component", only=of("normal", "coriolis"))
 def _(s, f, rng):
     f["size"] *= abs(math.cos(f["direction"]))
 

@@ -6,6 +6,7 @@ import type { Shared, Task } from "./state/address.ts";
 import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
+import type { Asked } from "./state/storage.ts";
 import type { Language } from "./words.ts";
 
 /** What the engine says of the present text. */
@@ -49,6 +50,8 @@ export interface App {
   task: Signal<Task | null>;
   /** The course that has opened the page; null where none has. */
   course: Course | null;
+  /** What that course asks. */
+  asked: Asked;
   /** Says something aloud and for a moment on the page. */
   tell(message: string): void;
   /** Shows the panel of this id. */

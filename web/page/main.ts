@@ -60,9 +60,13 @@ async function firstKind(engine: EngineClient): Promise<Shared> {
   return { text: (kinds.find((kind) => kind.name === "watt-1") ?? kinds[0])?.text ?? "" };
 }
 
-function application(shared: Shared, past: Document[], engine: EngineClient, tell: App["tell"]): App {
+function application(shared: Shared & Partial<Kept>, past: Document[], engine: EngineClient, tell: App["tell"]): App {
+  const asked = shared.asked ?? { text: shared.text, form: shared.form ?? "" };
+  const hears = course(asked.form);
+  // What this very tab has is newer than what the course has kept.
+  const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");
   const app: App = {
-    history: history({ text: shared.text, form: shared.form ?? "" }, past),
+    history: history({ text: shared.text, form }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
     typing: signal(false),
@@ -77,7 +81,8 @@ function application(shared: Shared, past: Document[], engine: EngineClient, tel
     card: signal<App["card"]["value"]>(null),
     student: signal(shared.student ?? false),
     task: signal<Task | null>(shared.task ?? null),
-    course: course(),
+    course: hears,
+    asked,
     tell,
     shown: signal(""),
     show: (panel) => app.shown.set(panel),
@@ -92,6 +97,7 @@ function application(shared: Shared, past: Document[], engine: EngineClient, tel
     link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
     print: printer(),
   };
+  hears?.follow(() => app.history.now.value.form);
   return app;
 }
 

@@ -73,6 +73,7 @@ impl ReportText<'_> {
         match lesson.redo.as_slice() {
             _ if candidate.step == 0 => None,
             [] => Some(self.own.check_redo_number().to_owned()),
+            [step] => Some(self.own.check_redo_one(&step.to_string())),
             steps => Some(self.own.check_redo(&ranges(steps))),
         }
     }

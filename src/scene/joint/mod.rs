@@ -68,7 +68,7 @@ pub(crate) fn meaning(path: &[&str], is_key: bool) -> Option<Meaning> {
         (["near"], true) => Meaning::PointOrAngle,
         (["links", _, "lengths"], true) => Meaning::PairOfLink,
         (["figure", "labels"], true) => Meaning::OfPlan,
-        (["want", _], false) => Meaning::Quantity,
+        (["want", _], false) | (["form"], true) => Meaning::Quantity,
         ([list, _, key] | [list, _, key, _], false) => {
             return JointKind::of_list(list)?.keys.iter().find(|(own, _)| own == key)?.1;
         }
@@ -81,7 +81,7 @@ pub(crate) fn key_order(path: &[&str]) -> Vec<&'static str> {
     match path {
         [] => {
             let before = ["$schema", "kinegon", "title", "units", "ground", "points", "known", "links"];
-            before.into_iter().chain(JOINTS.map(|kind| kind.list)).chain(["near", "figure", "want"]).collect()
+            before.into_iter().chain(JOINTS.map(|kind| kind.list)).chain(["near", "figure", "want", "form"]).collect()
         }
         ["links", _] => vec!["points", "lengths", "shape", "drive", "angle", "motion"],
         [.., "drive"] => vec!["angle", "omega", "rpm", "alpha", "position", "speed", "acceleration"],

@@ -5,7 +5,8 @@ import type { Kept, Store } from "./storage.ts";
 /** The document as it is kept. */
 export function asKept(app: App): Kept {
   const title = app.solved.value.opened?.title ?? "";
-  return { ...app.history.now.value, title, student: app.student.value, task: app.task.value, page: thisPage(), time: Date.now() };
+  const asked = app.course === null ? {} : { asked: app.asked };
+  return { ...app.history.now.value, title, student: app.student.value, task: app.task.value, ...asked, page: thisPage(), time: Date.now() };
 }
 
 /** Keeps the document a moment after each change, and at once when the page is left. */

@@ -2,6 +2,12 @@ import type { Task } from "./address.ts";
 import type { Document } from "./history.ts";
 import { thisPage, type Page } from "./lesson.ts";
 
+/** What a course asks: the scene, and the form when it was empty. */
+export interface Asked {
+  text: string;
+  form: string;
+}
+
 /** A document as it is kept. */
 export interface Kept extends Document {
   title: string;
@@ -9,6 +15,8 @@ export interface Kept extends Document {
   student?: boolean;
   /** The exercise that it is. */
   task?: Task | null;
+  /** What it was asked for with, where a course has asked. */
+  asked?: Asked;
   /** The page in which it was made; those of older versions do not say. */
   page?: Page;
   /** When it was kept, in ms since 1970. */

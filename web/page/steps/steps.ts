@@ -53,6 +53,7 @@ export function steps(app: App): Steps {
     if (opened !== null && step !== null && step > count()) set(null);
   });
   on.on((is) => is || set(null));
+  app.view.on(({ step }) => step !== null && on.set(true));
   app.student.on((is) => is && on.set(false));
 
   return {

@@ -2,7 +2,7 @@ import type { App } from "../../app.ts";
 import type { Checked, Refused } from "../../engine/types.ts";
 import { newest } from "../../state/newest.ts";
 import { signal, type Signal } from "../../state/signal.ts";
-import { filledNames, type FormFile, formFile, hasValues } from "./form.ts";
+import { formFile, hasValues } from "./form.ts";
 
 /** What the check says of the form. */
 export interface Verdicts {
@@ -51,18 +51,19 @@ export function checking(app: App): Checking {
       const checked = await app.engine.check(good, form, options);
       settle();
       verdicts.set({ checked, refused: null, isChecking: false });
-      tell(file, checked);
+      if (good === app.asked.text && file.exercise === formFile(app.asked.form)?.exercise) tell(checked);
     } catch (why) {
       settle();
       verdicts.set({ checked: null, refused: why as Refused, isChecking: false });
     }
   });
 
-  /** Tells a course the marks; those of a scheme that somebody brings are none of its. */
-  function tell(file: FormFile, { result }: Checked): void {
+  /** Tells a course the marks of its exercise; those of a scheme that somebody brings are none of its. */
+  function tell({ result, faults }: Checked): void {
     const marks = result?.marks;
     if (marks == null || scheme.value !== null) return;
-    app.course?.report(marks.earned, marks.of, filledNames(file).length >= Object.keys(file.values ?? {}).length);
+    const isFull = (result?.missing ?? []).length === 0 && faults.length === 0 && result?.values.every((value) => value.verdict !== "too-coarse") === true;
+    app.course?.report({ earned: marks.earned, of: marks.of, isFull, isRight: result?.passed === true });
   }
 
   function run(): void {

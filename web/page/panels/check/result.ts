@@ -17,16 +17,25 @@ function folded(summary: string, ...contents: Node[]): HTMLDetailsElement {
   return element("details", {}, element("summary", {}, summary), ...contents);
 }
 
-/** What was probably done, one after the other; what it should be is folded, so that somebody may think first. */
-function causes(parts: ReportParts): HTMLElement {
+/** What was probably done, one after the other; what it should be, worked out, is folded, so that somebody may think first. */
+function causes(app: App, parts: ReportParts): HTMLElement {
   const items = parts.causes.map((cause) => {
     const item = element("li", {}, fragment("p", cause.done, "done"));
     if (cause.caption !== null) item.append(fragment("p", cause.caption, "caption"));
-    item.append(folded(say("should"), fragment("p", cause.should)));
+    item.append(folded(say("should"), ...[cause.should, ...cause.worked].map((text) => fragment("p", text))));
     if (cause.follows !== null) item.append(fragment("p", cause.follows, "follows"));
+    if (cause.redo !== null) item.append(fragment("p", cause.redo, "redo"));
+    if (cause.step > 0 && !app.student.value) item.append(element("p", {}, stepButton(app, cause.step)));
     return item;
   });
   return element("ol", { class: "causes" }, ...items);
+}
+
+/** Goes to the step at which a mistake was made. */
+function stepButton(app: App, step: number): HTMLButtonElement {
+  const button = element("button", { type: "button" }, say("show_step"));
+  button.onclick = () => app.view.set({ ...app.view.value, coarse: false, step });
+  return button;
 }
 
 /** All values beside the right ones. */
@@ -82,7 +91,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     return [
       ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),
       fragment("p", parts.heading, `heading ${kind}`),
-      ...(parts.causes.length === 0 ? [] : [causes(parts)]),
+      ...(parts.causes.length === 0 ? [] : [causes(app, parts)]),
       ...(parts.sure === null ? [] : [fragment("p", parts.sure, "quiet")]),
       ...more.map((text) => fragment("p", text)),
       ...(parts.others.length === 0 ? [] : [folded(say("others"), element("ul", {}, ...parts.others.map((text) => fragment("li", text))))]),

@@ -1,0 +1,66 @@
+//! Marks: every mistake is charged once, and what follows from it is paid for; the numbers of marks are counted by hand from that rule.
+
+use kinegon::check::{AnswerKey, LENIENCY, Marks, Mistake, Prepared, Student, Verdict, asked_names};
+use kinegon::construction::Tolerance;
+use kinegon::{Scene, Solution, solve};
+use serde_json::json;
+
+fn key(solution: &Solution) -> AnswerKey<'_> {
+    let tolerance = Tolerance::default();
+    AnswerKey { solution, scales: solution.scales(), tolerance, leniency: LENIENCY, depth: 1 }
+}
+
+fn solution(text: &str) -> Solution {
+    solve(&Scene::read(text).expect("a scene")).expect("it can be solved")
+}
+
+const FOUR_BAR: &str = include_str!("../../templates/four-bar.json");
+
+/// All drawings of the four-bar with one mistake that is told: whatever it is, it costs something; one in which no written value is wrong
+/// by itself, as a line, costs one value.
+#[test]
+fn every_mistake_that_is_told_costs_something() {
+    let solution = solution(FOUR_BAR);
+    let (key, mut told, mut lines) = (key(&solution), 0, 0);
+    let (student, prepared) = (Student::new(&key).expect("a student"), Prepared::new(&key));
+    let scheme = Marks::read(r#"{ "kinegon_marks": 1 }"#).expect("a scheme").of(&key).expect("of this scene");
+    for way in Mistake::all().flat_map(|mistake| student.ways(mistake)) {
+        let checked = prepared.check(&student.draw(&[&way], [0.0; 2], &mut || 0.0, &[])).expect("a form");
+        let is_off =
+            |step: usize| checked.values.iter().any(|value| value.verdict == Verdict::Off && value.entry.step == step);
+        let [finding] = checked.diagnosis.best.findings.as_slice() else { continue };
+        if !checked.diagnosis.unexplained.is_empty() || !checked.values.iter().any(|v| v.verdict == Verdict::Off) {
+            continue;
+        }
+        let marks = scheme.award(&checked);
+        told += 1;
+        assert!(marks.earned < marks.of, "{:?} at step {} costs nothing", way.mistake(), way.step);
+        if finding.written.is_empty() && finding.candidate.mistake() == way.mistake() && !is_off(finding.candidate.step)
+        {
+            lines += 1;
+            assert!((marks.of - marks.earned - 1.0).abs() < 1e-9, "{:?}: {marks:?}", way.mistake());
+        }
+    }
+    assert!(told > 30 && lines > 8, "{told} told, {lines} of them of lines");
+}
+
+/// What a scene says of its form: which boxes there are, and what they are worth.
+#[test]
+fn a_form_asks_for_what_its_scene_says() {
+    let mut scene: serde_json::Value = serde_json::from_str(FOUR_BAR).expect("JSON");
+    scene["form"] = json!({ "omega(3)": 2.5, "vplan(c,b)": 1, "omega(9)": 4 });
+    let solution = solution(&scene.to_string());
+    // In the order of the steps, whichever way a segment is written; what no step gives has no box.
+    assert_eq!(asked_names(&solution), ["vplan(b,c)", "omega(3)"]);
+    let key = key(&solution);
+    let of = |scheme: &str| {
+        let scheme = Marks::read(scheme).expect("a scheme").of(&key).expect("of this scene");
+        let student = Student::new(&key).expect("a student");
+        let right = student.draw(&[], [0.0; 2], &mut || 0.0, &[]);
+        scheme.award(&Prepared::new(&key).check(&right).expect("a form"))
+    };
+    let marks = of(r#"{ "kinegon_marks": 1 }"#);
+    assert_eq!([marks.earned, marks.of], [3.5, 3.5]);
+    let marks = of(r#"{ "kinegon_marks": 1, "each": 1 }"#);
+    assert_eq!([marks.earned, marks.of], [2.0, 2.0]);
+}
