@@ -154,6 +154,7 @@ impl<'a> Prepared<'a> {
         if let Some(none) = none
             && has_off(&values)
             && !is_all_alike(&entries)
+            && !is_coarse(&entries)
         {
             let pool = match first == all {
                 true => Site { model: &models[0], key, entries: &entries[..all], other_modes: models.len() - 1 }
@@ -276,6 +277,11 @@ fn off(scorer: &Scorer<'_>, values: &[Judged]) -> Vec<bool> {
 /// Whether one number is written everywhere: nothing was measured, so no mistake is looked for.
 fn is_all_alike(entries: &[Entry]) -> bool {
     entries.len() > 2 && entries.iter().all(|entry| entry.text == entries[0].text && !entry.text.is_empty())
+}
+
+/// Whether most values are written with so few digits that any mistake could explain them.
+fn is_coarse(entries: &[Entry]) -> bool {
+    2 * entries.iter().filter(|entry| entry.has_one_digit()).count() > entries.len()
 }
 
 /// The verdicts at the key's tolerance.
