@@ -40,8 +40,7 @@ const OF_ANOTHER: (usize, f64, f64) = (5, 0.8, 0.5);
 
 impl Checked {
     /// Whether so many of the values are right as of another exercise that they are its values, and not this one's.
-    #[must_use]
-    pub fn are_rather(&self, other: &[Verdict]) -> bool {
+    pub(super) fn are_rather(&self, other: &[Verdict]) -> bool {
         let share = |verdicts: &mut dyn Iterator<Item = Verdict>| {
             let right = verdicts.filter(|v| matches!(v, Verdict::Right | Verdict::WithinTolerance)).count();
             right as f64 / self.values.len() as f64

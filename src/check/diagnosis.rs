@@ -40,6 +40,9 @@ const UNKNOWN_OUTSIDE: f64 = 0.4;
 /// Size of the largest errors of hands for which causes are told, in parts of the tolerance.
 const WORST: f64 = 3.4;
 
+/// Values that slips may leave open, beside what is explained.
+const FEW: usize = 5;
+
 /// Explanations that are told in the same words.
 struct Group<'t> {
     /// The likeliest of them.
@@ -82,7 +85,8 @@ impl Search<'_> {
         let off: Vec<usize> = (0..values.len()).filter(|&entry| values[entry].verdict == Verdict::Off).collect();
         // What leaves most of the wrong values open is no explanation of the drawing, nor is one for a hand that nobody has.
         let count = off.iter().filter(|&&entry| explained(&first.findings, entry)).count();
-        if 2 * count < off.len() || hand.worst() > WORST {
+        let open = off.len() - count;
+        if open > FEW.max(off.len() / 2) || hand.worst() > WORST {
             told.clear();
         }
         // What holds all that is told is counted in its probability already.

@@ -26,10 +26,15 @@ pub struct Prepared<'a> {
     key: AnswerKey<'a>,
     names: Names<'a>,
     ready: Mutex<BTreeMap<Asking, Arc<Ready>>>,
+    /// The exact values of the form's rows.
+    exact: OnceLock<BTreeMap<String, f64>>,
 }
 
 /// The quantities of a form in their order, and the bits of its scales.
 type Asking = (Vec<String>, PerSheet<Option<u64>>);
+
+/// How near an exact value most values are that may be of another exercise, in parts of it.
+const NEAR: f64 = 0.15;
 
 /// Most sets of quantities that are kept: forms are alike, or blanks are left in each at other places.
 const KEPT: usize = 50;
@@ -51,7 +56,7 @@ impl<'a> Prepared<'a> {
     /// Makes an answer key ready for many forms.
     #[must_use]
     pub fn new(key: &AnswerKey<'a>) -> Prepared<'a> {
-        Prepared { key: *key, names: Names::new(key.solution), ready: Mutex::default() }
+        Prepared { key: *key, names: Names::new(key.solution), ready: Mutex::default(), exact: OnceLock::new() }
     }
 
     /// The answer key.
@@ -79,11 +84,27 @@ impl<'a> Prepared<'a> {
         Ok(ready)
     }
 
+    /// Whether values that were checked against another exercise are rather this one's.
+    #[must_use]
+    pub fn has_rather(&self, measured: &Measured, other: &Checked) -> bool {
+        let exact = self.exact.get_or_init(|| {
+            let value = |row: &str| Some((row.to_owned(), self.names.quantity(row).ok()?.expected));
+            self.names.rows().filter_map(value).collect()
+        });
+        // Most exercises are ruled out at a glance.
+        let is_near = |value: &&Judged| {
+            let right = exact.get(&value.entry.row).map(|exact| exact.abs());
+            right.is_some_and(|right| (value.entry.value.abs() - right).abs() <= NEAR * right)
+        };
+        2 * other.values.iter().filter(is_near).count() >= other.values.len()
+            && self.verdicts(measured).is_ok_and(|verdicts| other.are_rather(&verdicts))
+    }
+
     /// The verdicts on the values of a form for a careful hand, without a search for mistakes.
     ///
     /// # Errors
     /// A value is not understood.
-    pub fn verdicts(&self, measured: &Measured) -> Result<Vec<Verdict>, CheckError> {
+    fn verdicts(&self, measured: &Measured) -> Result<Vec<Verdict>, CheckError> {
         let measured = &self.with_usual_points(measured);
         let entries = entries_by(measured, &self.key, &self.names)?;
         let (mu, _) = sensible(&self.key, measured.mu);
@@ -133,6 +154,7 @@ impl<'a> Prepared<'a> {
         if let Some(none) = none
             && has_off(&values)
             && !is_all_alike(&entries)
+            && !is_coarse(&entries)
         {
             let pool = match first == all {
                 true => Site { model: &models[0], key, entries: &entries[..all], other_modes: models.len() - 1 }
@@ -145,7 +167,8 @@ impl<'a> Prepared<'a> {
             let tried = search.run(none, &off(&scorer, &values), key.depth);
             if let Some(hand) = hand(&tried) {
                 hand_found = Some(hand);
-                widen(&mut values, &entries, &scorer, &hand, key);
+                let outside = tried.first().map_or(&[][..], |best| &best.fit.outside);
+                widen(&mut values, &entries, &scorer, &hand, outside, key);
             }
             diagnosis = if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) };
         }
@@ -257,6 +280,11 @@ fn is_all_alike(entries: &[Entry]) -> bool {
     entries.len() > 2 && entries.iter().all(|entry| entry.text == entries[0].text && !entry.text.is_empty())
 }
 
+/// Whether most values are written with so few digits that any mistake could explain them.
+fn is_coarse(entries: &[Entry]) -> bool {
+    2 * entries.iter().filter(|entry| entry.has_one_digit()).count() > entries.len()
+}
+
 /// The verdicts at the key's tolerance.
 fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
     let judged = entries.iter().zip(&ready.bands).zip(&ready.right.readings);
@@ -338,8 +366,16 @@ fn largest(entries: &[Entry], kind: QuantityKind) -> f64 {
     if kind == QuantityKind::Angle { 180.0 } else { same.map(|entry| entry.expected.abs()).fold(0.0, f64::max) }
 }
 
-/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows.
-fn widen(values: &mut [Judged], entries: &[Entry], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
+/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows. `outside`: by datum whether even that hand
+/// does not come to it beside the others, as where values contradict those from which they were computed.
+fn widen(
+    values: &mut [Judged],
+    entries: &[Entry],
+    scorer: &Scorer<'_>,
+    hand: &Hand,
+    outside: &[bool],
+    key: &AnswerKey<'_>,
+) {
     let mut allowed = *hand;
     allowed.errors.iter_mut().for_each(|size| *size = size.min(key.leniency));
     // A few values do not show how good a hand is.
@@ -350,7 +386,8 @@ fn widen(values: &mut [Judged], entries: &[Entry], scorer: &Scorer<'_>, hand: &H
     for (place, datum) in scorer.data.iter().enumerate() {
         let value = &mut values[datum.entry];
         let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
-        if value.tolerance.is_some_and(|usual| usual < tolerance) {
+        let is_outside = outside.get(place).is_some_and(|outside| *outside);
+        if !is_outside && value.tolerance.is_some_and(|usual| usual < tolerance) {
             value.tolerance = Some(tolerance);
             if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
                 let Entry { asked, expected, .. } = &value.entry;

@@ -246,14 +246,17 @@ impl Check {
         };
         let forms: Vec<Form> = on_all_cores(&forms(folder, true, &others)?, form);
         let pages = self.feedback.pages(forms.iter().map(|form| form.file.for_comparing()))?;
-        let solved = self.all_solved(exercises, &forms);
+        let used: BTreeSet<usize> = forms.iter().filter_map(|form| form.exercise.clone().ok()).collect();
+        let solved = self.all_solved(exercises, &used);
         let usual = self.marks.as_deref().map(GivenMarks::read).transpose()?;
         let mut subjects = Vec::new();
-        for (exercise, solution) in exercises.all.iter().zip(&solved) {
+        for ((index, exercise), solution) in exercises.all.iter().enumerate().zip(&solved) {
             subjects.push(match solution {
                 Ok(solution) => {
-                    let own = exercise.marks().map(|own| GivenMarks::read(&own)).transpose()?;
-                    Ok(self.subject(Some(&exercise.name), solution, own.as_ref().or(usual.as_ref()))?)
+                    let is_used = used.contains(&index);
+                    let own = exercise.marks().filter(|_| is_used).map(|own| GivenMarks::read(&own)).transpose()?;
+                    let marks = own.as_ref().or(usual.as_ref()).filter(|_| is_used);
+                    Ok(self.subject(Some(&exercise.name), solution, marks)?)
                 }
                 Err(message) => Err(message.clone()),
             });
@@ -261,21 +264,19 @@ impl Check {
         self.write_report(folder, report, &forms, &subjects, pages)
     }
 
-    /// The exercises that forms belong to, solved; of the others and of those that cannot be solved a message.
-    fn all_solved(&self, exercises: &ExerciseFolder, forms: &[Form]) -> Vec<Result<Solution, String>> {
-        let used: BTreeSet<usize> = forms.iter().filter_map(|form| form.exercise.clone().ok()).collect();
+    /// The exercises, solved; of those that cannot be solved a message. Those that no form is `used` for are there because somebody may
+    /// have handed in their values for another one.
+    fn all_solved(&self, exercises: &ExerciseFolder, used: &BTreeSet<usize>) -> Vec<Result<Solution, String>> {
         let all: Vec<usize> = (0..exercises.all.len()).collect();
         let solved = on_all_cores(&all, |index| {
             let exercise = &exercises.all[*index];
-            if !used.contains(index) {
-                return Err(String::new());
-            }
             let place = exercise.scene.display().to_string();
             let solved = caught(|| self.solved(&exercise.scene));
             let solved = solved.and_then(|solved| solved.map_err(|failure| failure.line(&place)));
             solved.map_err(|why| format!("its exercise {} cannot be solved: {why}", exercise.name))
         });
-        for (exercise, solution) in exercises.all.iter().zip(&solved) {
+        for index in used {
+            let (exercise, solution) = (&exercises.all[*index], &solved[*index]);
             let warnings = solution.iter().flat_map(Solution::warnings);
             warnings.for_each(|warning| warn(&format!("{}: {warning}", exercise.name)));
         }

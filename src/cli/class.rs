@@ -193,10 +193,8 @@ impl Class<'_> {
             return None;
         }
         let others = self.exercises.iter().enumerate().filter(|(index, _)| *index != own);
-        let others = others.filter_map(|(_, subject)| subject.as_ref().ok());
-        let rather =
-            |subject: &&Subject<'_>| subject.key.verdicts(measured).is_ok_and(|verdicts| checked.are_rather(&verdicts));
-        others.into_iter().find(rather)?.name
+        let mut others = others.filter_map(|(_, subject)| subject.as_ref().ok());
+        others.find(|subject| subject.key.has_rather(measured, checked))?.name
     }
 
     /// The row and the page of a form that is not understood.

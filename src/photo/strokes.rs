@@ -24,7 +24,7 @@ const ASIDE: f64 = 0.22;
 /// Steps along a line in which its ink is followed to where it ends, in mm; how far at most; and how dark it is still, as a part of the line's.
 const STEP: f64 = 0.1;
 const FARTHEST: f64 = 4.0;
-const STILL_DARK: f64 = 0.35;
+const STILL_DARK: f64 = 0.45;
 
 /// A straight line drawn by pencil; places in mm on the sheet.
 #[derive(Clone, Copy, Debug)]

@@ -47,8 +47,8 @@ fn products(
     site.terms(kind).into_iter().map(changed).collect()
 }
 
-/// Normal parts one by one, and as a habit, which `tell_all` tells: those of all links that are solved for, and with
-/// `also_crank` those of the crank besides.
+/// Normal parts one by one, two behind each other, and as a habit, which `tell_all` tells: those of all links that are solved for, and
+/// with `also_crank` those of the crank besides.
 fn normals(
     site: &Site<'_>,
     tell: OfTerm,
@@ -60,6 +60,10 @@ fn normals(
     let all = site.terms(ProductKind::Normal);
     let links: Vec<Term<'_>> = all.iter().filter(|term| !site.is_of_crank(term.product())).copied().collect();
     found.extend(all_of(site, tell_all, &links, &change));
+    // Those of one pair of rays, too: both are laid off for one point.
+    if links.len() > 2 {
+        found.extend(links.windows(2).filter_map(|pair| all_of(site, tell_all, pair, &change)));
+    }
     if also_crank && links.len() < all.len() {
         found.extend(all_of(site, tell_all, &all, &change));
     }

@@ -32,7 +32,7 @@ const SAME: f64 = 0.6;
 const OWN: f64 = 0.55;
 /// How much a leg of an arrowhead does, and how far before and behind a place it may point.
 const LEG_STRENGTH: f64 = 0.4;
-const POINTS: [f64; 2] = [2.0, 0.9];
+const POINTS: [f64; 2] = [1.6, 0.9];
 /// Longest leg of an arrowhead, in mm, how far from the tip it may begin, and how far it may be turned from the vector, as sines.
 const LEG: f64 = 6.0;
 const TIP: f64 = 2.2;
