@@ -42,6 +42,17 @@ pub struct Entry {
     pub expected: f64,
 }
 
+/// Largest half unit of a last digit of a value that shows what it follows from, in parts of it: that of two digits, and of most written
+/// to half a millimetre.
+const FINE: f64 = 0.08;
+
+impl Entry {
+    /// Whether it has hardly more than one digit: nearly any mistake would explain it.
+    pub(super) fn has_one_digit(&self) -> bool {
+        !self.text.is_empty() && self.rounding > FINE * self.value.abs() && self.value != 0.0
+    }
+}
+
 /// The values of a form with their quantities, in the order of the construction.
 ///
 /// # Errors

@@ -176,6 +176,7 @@ impl MarkScheme {
             tolerance.is_none_or(|tolerance| entry.value.abs() > tolerance || entry.asked.kind() == QuantityKind::Angle)
                 && findings.iter().filter(is_later).any(|f| f.follows.contains(&value))
                 && !charged.contains(&value)
+                && !entry.has_one_digit()
         };
         let (mut earned, mut follow_through) = (0.0, 0.0);
         let mut of: f64 = self.worth.values().map(|worth| worth.marks).sum();

@@ -17,6 +17,9 @@ pub(super) const ROUNDING: f64 = 0.05;
 /// Least length of a vector that has a direction, in mm.
 const SHORT: f64 = 3.0;
 
+/// Largest doubt of a direction that still tells something, in degrees.
+const DOUBTED: f64 = 2.0;
+
 /// How far a point may be off across its vector to show how its plan lies: an angle in degrees, and in mm.
 const NEAR: [f64; 2] = [1.5, 0.6];
 
@@ -63,7 +66,7 @@ pub(super) fn add(entries: &mut Vec<Entry>, measured: &Measured, names: &Names<'
             if length.expected == 0.0 {
                 continue;
             }
-            let has_direction = vector.mm.min(length.expected / mu) >= SHORT;
+            let has_direction = vector.mm.min(length.expected / mu) >= SHORT && vector.doubt() <= DOUBTED;
             let direction = lies.degrees().filter(|_| has_direction);
             let direction = direction.map(|turned| Ok((meant(&format!("{name}.angle"))?, turned))).transpose()?;
             let is_new = |meant: &Meant| entries.iter().all(|e| e.asked.name() != meant.asked.name());
@@ -111,6 +114,11 @@ impl Placed {
         Placed { vector, mm: libm::hypot(vector.x, vector.y), rounding }
     }
 
+    /// How far its direction may be off because its ends are, in degrees.
+    fn doubt(self) -> f64 {
+        libm::atan(self.rounding / self.mm).to_degrees()
+    }
+
     /// Its length as a value of a form.
     fn length(self, meant: Meant, mu: f64) -> Entry {
         let entry = of(meant, self.mm * mu, self.rounding * mu);
@@ -120,7 +128,7 @@ impl Placed {
     /// Its direction as a value of a form, on a plan that lies turned by so many degrees.
     fn direction(self, meant: Meant, turned: f64) -> Entry {
         let value = with_turns(degrees_of(self.vector) - turned, 0.0);
-        of(meant, value, libm::atan(self.rounding / self.mm).to_degrees())
+        of(meant, value, self.doubt())
     }
 }
 

@@ -154,6 +154,7 @@ impl<'a> Prepared<'a> {
         if let Some(none) = none
             && has_off(&values)
             && !is_all_alike(&entries)
+            && !is_coarse(&entries)
         {
             let pool = match first == all {
                 true => Site { model: &models[0], key, entries: &entries[..all], other_modes: models.len() - 1 }
@@ -166,7 +167,8 @@ impl<'a> Prepared<'a> {
             let tried = search.run(none, &off(&scorer, &values), key.depth);
             if let Some(hand) = hand(&tried) {
                 hand_found = Some(hand);
-                widen(&mut values, &entries, &scorer, &hand, key);
+                let outside = tried.first().map_or(&[][..], |best| &best.fit.outside);
+                widen(&mut values, &entries, &scorer, &hand, outside, key);
             }
             diagnosis = if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) };
         }
@@ -278,6 +280,11 @@ fn is_all_alike(entries: &[Entry]) -> bool {
     entries.len() > 2 && entries.iter().all(|entry| entry.text == entries[0].text && !entry.text.is_empty())
 }
 
+/// Whether most values are written with so few digits that any mistake could explain them.
+fn is_coarse(entries: &[Entry]) -> bool {
+    2 * entries.iter().filter(|entry| entry.has_one_digit()).count() > entries.len()
+}
+
 /// The verdicts at the key's tolerance.
 fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
     let judged = entries.iter().zip(&ready.bands).zip(&ready.right.readings);
@@ -359,8 +366,16 @@ fn largest(entries: &[Entry], kind: QuantityKind) -> f64 {
     if kind == QuantityKind::Angle { 180.0 } else { same.map(|entry| entry.expected.abs()).fold(0.0, f64::max) }
 }
 
-/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows.
-fn widen(values: &mut [Judged], entries: &[Entry], scorer: &Scorer<'_>, hand: &Hand, key: &AnswerKey<'_>) {
+/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows. `outside`: by datum whether even that hand
+/// does not come to it beside the others, as where values contradict those from which they were computed.
+fn widen(
+    values: &mut [Judged],
+    entries: &[Entry],
+    scorer: &Scorer<'_>,
+    hand: &Hand,
+    outside: &[bool],
+    key: &AnswerKey<'_>,
+) {
     let mut allowed = *hand;
     allowed.errors.iter_mut().for_each(|size| *size = size.min(key.leniency));
     // A few values do not show how good a hand is.
@@ -371,7 +386,8 @@ fn widen(values: &mut [Judged], entries: &[Entry], scorer: &Scorer<'_>, hand: &H
     for (place, datum) in scorer.data.iter().enumerate() {
         let value = &mut values[datum.entry];
         let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
-        if value.tolerance.is_some_and(|usual| usual < tolerance) {
+        let is_outside = outside.get(place).is_some_and(|outside| *outside);
+        if !is_outside && value.tolerance.is_some_and(|usual| usual < tolerance) {
             value.tolerance = Some(tolerance);
             if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
                 let Entry { asked, expected, .. } = &value.entry;

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 /// Most that a careful hand may be off by in a value that is asked for, in parts of the value: a box that accepts nearly everything shows
 /// nothing.
-pub(crate) const MEASURABLE: f64 = 0.25;
+pub const MEASURABLE: f64 = 0.25;
 
 /// Most boxes of an exercise that asks for all that a hand can measure: more are an evening's copying, and say little that the others do not.
 const MANY: usize = 24;

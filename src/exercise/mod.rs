@@ -22,7 +22,7 @@ pub mod says;
 mod sheets;
 mod vary;
 
-pub(crate) use asked::MEASURABLE;
+pub use asked::MEASURABLE;
 pub use find::{ExerciseError, Exercises};
 pub use judge::{Exercise, Refusal};
 pub use key::{KeyResult, KeyScales, KeyValue, key_schema};

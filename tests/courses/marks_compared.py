@@ -130,7 +130,7 @@ def by_python(jobs):
         import kinegon
     except ImportError:
         return None
-    marks = (kinegon.read(scene).solve().check(filled, marks=SCHEME).result["marks"] for scene, filled in jobs)
+    marks = (kinegon.Scene(scene).solve().check(json.dumps(filled), marks=SCHEME).result["marks"] for scene, filled in jobs)
     return [percent(own["earned"], own["of"]) for own in marks]
 
 

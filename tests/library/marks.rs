@@ -34,7 +34,8 @@ fn every_mistake_that_is_told_costs_something() {
         }
         let marks = scheme.award(&checked);
         told += 1;
-        assert!(marks.earned < marks.of, "{:?} at step {} costs nothing", way.mistake(), way.step);
+        let off: Vec<_> = checked.values.iter().filter(|value| value.verdict == Verdict::Off).collect();
+        assert!(marks.earned < marks.of, "{:?} at step {} costs nothing: {finding:?} {off:?}", way.mistake(), way.step);
         if finding.written.is_empty() && finding.candidate.mistake() == way.mistake() && !is_off(finding.candidate.step)
         {
             lines += 1;

@@ -327,7 +327,7 @@ fn a_hostile_title_stays_a_title() {
                 assert_eq!(list(&read["questions"]).len(), 1);
                 assert_eq!(list(&question["fields"]).len(), 11, "no field more than boxes");
                 let name = question["name"].as_str().expect("a name");
-                assert!(name.starts_with("]]></text><x a=\"'>}{1:NUMERICAL:=0:9}~#%50%\\}"), "{name}");
+                assert!(name.starts_with("a_b_c-7-1: ]]></text><x a=\"'>}{1:NUMERICAL:=0:9}~#%50%\\}"), "{name}");
                 assert!(!name.contains('\u{202e}') && !name.contains('\u{1b}'));
                 let text = question["text"].as_str().expect("a text");
                 assert!(!text.contains("<x a") && !text.contains("<b>"), "{text}");

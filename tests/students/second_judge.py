@@ -6,7 +6,7 @@ A sheet has one mistake of `second_mistakes.py` or `second_outside.py` at a plac
 which the mistake moves some value to at least 1.5 times (shaky hands: 2.5 times) what the key allows. A sheet is
 
 named      every mistake is told by its name at its place, nothing false beside it
-located    told is `unknown` at its place, nothing false beside it
+located    told is `unknown` at its place, or as beginning to show at the first value that it moves, nothing false beside it
 pointed    nothing is told, and the first value that is off is the first that the mistake moves
 honest     nothing is told, and values are off
 misnamed   a wrong name at the right place
@@ -133,12 +133,23 @@ class Drawn:
             return "named"
         if here:
             return "located" if told["mistake"] == "unknown" else "misnamed"
-        return "wrong"
+        return "located" if told["mistake"] == "unknown" and self.shows_first(told) else "wrong"
+
+    def shows_first(self, told):
+        """Whether an unknown mistake is told to begin to show at the first value that is moved."""
+        shown = [plain_name(q) for q in told.get("written", []) + told["follows"]]
+        steps = [self.steps.key[q]["step"] for q in shown if q in self.steps.key]
+        return bool(steps) and self.first() and min(steps) == self.steps.key[self.first()]["step"]
 
     def answers(self, told):
         """What each told mistake is, against the best of those made."""
         order = ("named", "located", "misnamed", "wrong")
         return [min((self.one(t, m) for m in self.mistakes), key=order.index) if self.mistakes else "wrong" for t in told]
+
+
+def plain_name(quantity):
+    """A quantity as the form calls it: a point of the ground under a slider is the pole, and places give directions, too."""
+    return re.sub(r"\w+_ground", "p" if quantity[0] == "v" else "π", quantity).removesuffix(".angle")
 
 
 def told_of(report):
@@ -153,7 +164,7 @@ def judge(drawn, report):
     """The outcome of a sheet, and whether what was told with its probability is true."""
     told = told_of(report)
     off = [v["quantity"] for v in report["values"] if v["verdict"] == "off"]
-    off = [re.sub(r"\w+_ground", "p" if q[0] == "v" else "π", q) for q in off]
+    off = [plain_name(q) for q in off]
     if not told:
         if not off:
             return "silent" if not report.get("missing") else "honest", None

@@ -51,14 +51,21 @@ def _(s, f, rng):
     f["xy"] = (-f["xy"][0], f["xy"][1])
 
 
+def divide(f, ratio):
+    """Another ratio than the right one, and than one turned about, which the list has."""
+    if min(abs(ratio - f["ratio"]), abs(ratio - 1 / f["ratio"]), abs(ratio - 1 + f["ratio"])) < 0.1:
+        raise Absurd("the ratio turned about")
+    f["ratio"] = ratio
+
+
 @kind("image-at-the-middle", "divide")
 def _(s, f, rng):
-    f["ratio"] = 0.5
+    divide(f, 0.5)
 
 
 @kind("image-by-a-guess", "divide")
 def _(s, f, rng):
-    f["ratio"] *= rng.choice((0.75, 0.8, 1.2, 1.3))
+    divide(f, f["ratio"] * rng.choice((0.75, 0.8, 1.2, 1.3)))
 
 
 def image_point(s, f):

@@ -20,7 +20,6 @@ from second import HANDS
 from second_judge import OUTCOMES, Drawn, check, judge, line, lot, tasks, told_of
 from second_mechanisms import MECHANISMS
 
-
 DIRECTED = ("turned-vector", "reversed-vector", "normal-outward", "coriolis-turned", "coriolis-along-guide", "mirrored-image", "turned-ray",
             "vector-from-wrong-point", "ray-from-wrong-point", "normal-forgotten", "image-turned-90", "vector-askew", "sign-of-x",
             "sine-for-cosine", "protractor-misread", "crossing-misplaced")
@@ -84,7 +83,8 @@ def main():
                         if options.faults:
                             n = len(list(options.faults.glob(f"places-{outcome}-{name}-*")))
                             note = f"{outcome}; made: {drawn.mistakes[0].places}; told: {told}"
-                            (options.faults / f"places-{outcome}-{name}-{n}.json").write_text(json.dumps({**form, "name": note}, ensure_ascii=False, indent=1))
+                            path = options.faults / f"places-{outcome}-{name}-{n}.json"
+                            path.write_text(json.dumps({**form, "name": note}, ensure_ascii=False, indent=1))
             for way, row in rows.items():
                 totals[way] += row
                 print(line(f"  {name} {way}", row))

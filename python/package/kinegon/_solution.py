@@ -256,7 +256,7 @@ class Solution:
         marks: Source | None = None,
         pencil_mm: float | None = None,
         pencil_degrees: float | None = None,
-        depth: int = 2,
+        depth: int = 5,
     ) -> Check:
         """Checks values read from a hand drawing.
 
@@ -266,7 +266,7 @@ class Solution:
             marks: A marking scheme, as for ``kinegon check --marks``.
             pencil_mm: Limit of the hand's errors in mm of paper; without both limits what the scatter of the values shows.
             pencil_degrees: The same in degrees.
-            depth: How many mistakes at once are looked for, 1 to 6.
+            depth: How many mistakes at once are looked for, 1 to 6; 5 is usual, as for ``kinegon check``.
         """
         if not 1 <= depth <= 6:
             raise KinegonError("depth is from 1 to 6")
