@@ -326,7 +326,7 @@ impl<'a> Reader<'a> {
                 };
                 let on: Vec<&Point> = reading.places[sheet].iter().filter(|at| is_on(at, line)).collect();
                 let joins = on.iter().any(|a| on.iter().any(|b| (**a - **b).norm() > 3.0));
-                joins || reading.used.iter().filter(|(of, _)| *of == sheet).any(|used| continues(used))
+                joins || reading.used.iter().filter(|(of, _)| *of == sheet).any(continues)
             };
             let meant = (0..ink.is_meant.len()).filter(|index| ink.is_meant[*index]);
             meant.filter(|index| !own(index) && !is_explained(*index)).count()

@@ -37,6 +37,16 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
 
   const target = (at: Pixel): Pixel => view.toSheet([at[0] + off[0], at[1] + off[1]]);
 
+  /** What stands nearest: where several lie over each other the last one would take every tap. */
+  function nearest(at: Pixel): typeof key {
+    const all = [...root.querySelectorAll<SVGElement>("[data-key]")].map((node) => {
+      const [x = 0, y = 0] = (/translate\(([-\d.e]+) ([-\d.e]+)\)/.exec(node.getAttribute("transform") ?? "") ?? []).slice(1).map(Number);
+      return { name: node.dataset["key"] ?? "", isGuess: node.classList.contains("guess"), at: [x, y] as Pixel };
+    });
+    const away = (one: { at: Pixel }): number => Math.hypot(one.at[0] - at[0], one.at[1] - at[1]);
+    return all.sort((a, b) => away(a) - away(b))[0] ?? null;
+  }
+
   function aim(): void {
     doing = "aim";
     clearTimeout(clock);
@@ -57,9 +67,7 @@ export function touch({ root, view }: Stage, hands: Hands): { cancel(): boolean 
     }
     start = now = down.at(event);
     off = [0, 0];
-    const found = (event.target as Element).closest<SVGElement>("[data-key]");
-    const [x = 0, y = 0] = (/translate\(([-\d.e]+) ([-\d.e]+)\)/.exec(found?.getAttribute("transform") ?? "") ?? []).slice(1).map(Number);
-    key = found === null ? null : { name: found.dataset["key"] ?? "", isGuess: found.classList.contains("guess"), at: [x, y] };
+    key = (event.target as Element).closest("[data-key]") === null ? null : nearest(start);
     doing = "press";
     clock = window.setTimeout(aim, HOLD);
     if (!hands.isAsked()) take();

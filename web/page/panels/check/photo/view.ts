@@ -295,7 +295,7 @@ export function photoView(app: App, form: FormOf): PhotoView {
     lookAt(begun.item(begun.chosen) ?? begun.items[0]);
     aim.middle();
     isThere.set(true);
-    if (read.warning !== null) note(read.warning);
+    if (read.warning) note(read.warning);
     else if (read.bend > BENT) note(say("bent", { mm: millimetres(read.bend) }));
     show();
     aim.root.focus({ preventScroll: true });
