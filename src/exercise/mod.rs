@@ -22,6 +22,7 @@ pub mod says;
 mod sheets;
 mod vary;
 
+#[cfg(feature = "courses")]
 pub use asked::MEASURABLE;
 pub use find::{ExerciseError, Exercises};
 pub use judge::{Exercise, Refusal};

@@ -1082,10 +1082,18 @@ export interface CheckResult {
    */
   mirrored?: string[];
   /**
+   * Plans whose places on paper lie turned to the scheme, with all of the sheet; directions are judged without that.
+   */
+  turned?: TurnedResult[];
+  /**
    * What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
    * exercise's form all that the exercise asks for.
    */
   missing?: string[];
+  /**
+   * The exercise of the class whose values these are, where they are those of another one.
+   */
+  values_of?: string | null;
   /**
    * Scales of the form that are not those asked for, or at which no sheet can be drawn.
    */
@@ -1210,6 +1218,19 @@ export interface AccuracyResult {
    * Limit of the errors of computed numbers, in per cent; 0 where no slips are seen.
    */
   percent: number;
+}
+/**
+ * A plan that lies turned to the scheme.
+ */
+export interface TurnedResult {
+  /**
+   * The plan: "velocity", "acceleration".
+   */
+  plan: string;
+  /**
+   * By how many degrees, positive counter-clockwise.
+   */
+  degrees: number;
 }
 /**
  * A scale of a form that is not the one asked for, or at which no sheet can be drawn.
@@ -1342,6 +1363,18 @@ export interface Cause {
    * Which values follow from it.
    */
   follows: string | null;
+  /**
+   * The step worked out with the student's own numbers; by how much what was drawn is off.
+   */
+  worked: string[];
+  /**
+   * Which steps are to be done again.
+   */
+  redo: string | null;
+  /**
+   * The number of its step; 0 for the whole drawing.
+   */
+  step: number;
 }
 /**
  * A value that is not understood.
@@ -1742,6 +1775,13 @@ export interface SceneFile {
    * Names of the quantities asked for, as "omega(2)" or "a(S3)"; left out: everything.
    */
   want?: string[];
+  /**
+   * The quantities for which the forms and sheets of students have boxes, as "omega(2)" or "vplan(p,b)", with the marks that each is
+   * worth; left out: all that the steps of the construction give, one mark each. What no step gives has no box.
+   */
+  form?: {
+    [k: string]: number;
+  };
   /**
    * Where an editor finds this schema; ignored
    */
