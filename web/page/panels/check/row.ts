@@ -1,4 +1,5 @@
 import { element } from "../../dom/element.ts";
+import { icon } from "../../dom/icon.ts";
 import type { FormRow } from "../../engine/types.ts";
 import { type FormFile, type Value, valueOf } from "./form.ts";
 import { type Sense, sensed, signed } from "./sense.ts";
@@ -95,7 +96,7 @@ export function row(of: FormRow, events: RowEvents): Row {
     senses?.show(own.digits === "" && chosen !== "" ? chosen : sense);
     input.placeholder = fromPoints ?? "";
     note.title = isFromPoints ? say("from_points") : "";
-    note.replaceChildren(...(isFromPoints ? [element("span", { "aria-hidden": "true" }, "⌖"), element("span", { class: "unseen" }, say("from_points"))] : []));
+    note.replaceChildren(...(isFromPoints ? [icon("pin"), element("span", { class: "unseen" }, say("from_points"))] : []));
   }
 
   return {
