@@ -7,7 +7,7 @@
 //! has the names of a form's boxes, those on the sheets, and what a written name means; `form` reads and writes forms as
 //! JSON and lists their boxes for a page, `table` as a table. `entry` makes of each value a quantity with its number, with
 //! what `written` knows of digits and units, and `placed` what places of points tell; `sensible` has the scales at which a sheet can be drawn,
-//! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `prepared` carries it out and keeps what many
+//! `common` the error that all lengths of a sheet share. `checked` is what a check finds; `verdicts` judges the values, `prepared` carries it out and keeps what many
 //! forms of one scene have in common.
 //!
 //! `model` predicts all values together with their common errors, those of a drawing program among them;
@@ -89,6 +89,7 @@ mod sensible;
 mod settle;
 mod student;
 mod table;
+mod verdicts;
 #[doc(hidden)] // for tests
 pub mod written;
 

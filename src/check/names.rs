@@ -177,8 +177,8 @@ impl<'a> Names<'a> {
         let value = asked.value(&solution.snapshot(), Some(&solution.construction), None);
         let expected = value.map_err(wrong)?.as_number();
         let row = self.row_of(asked.name()).to_owned();
-        let length = || asked.name().strip_suffix(".angle");
-        let step = self.order.get(asked.name()).or_else(|| self.order.get(length()?)).copied();
+        let named = self.order.get(asked.name());
+        let step = named.or_else(|| self.order.get(QuantityName::of_direction(asked.name())?)).copied();
         let step = step.unwrap_or_else(|| self.step_of(&asked));
         Ok(Meant { asked, row, expected, step })
     }

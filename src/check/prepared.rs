@@ -1,9 +1,9 @@
 //! The check of a form, and what the forms of a class have in common, worked out once: the names of the scene's quantities,
 //! and for each set of quantities that forms have the constructions and the bands with which their values are compared.
 
-use super::checked::{Accuracy, BANDS, Checked, Diagnosis, Judged, Verdict};
+use super::checked::{Accuracy, Checked, Diagnosis, Judged, Verdict};
 use super::common::CommonError;
-use super::covariance::{Groups, Hand, SLIP};
+use super::covariance::{Groups, SLIP};
 use super::entry::{Entry, entries_by};
 use super::measured::{AnswerKey, CheckError, Measured, ON_PAPER, PointsOf};
 use super::mistakes::{Candidate, Site};
@@ -13,10 +13,10 @@ use super::placed::turned;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
+use super::verdicts::{ENOUGH, judged, widen};
 use crate::construction::Tolerance;
-use crate::geometry::with_turns;
-use crate::quantity::{Band, QuantityRequest, Unread, What};
-use crate::sheet::{PerSheet, QuantityKind, Scales};
+use crate::quantity::{Band, QuantityRequest, What};
+use crate::sheet::{PerSheet, Scales};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -109,7 +109,7 @@ impl<'a> Prepared<'a> {
         let entries = entries_by(measured, &self.key, &self.names)?;
         let (mu, _) = sensible(&self.key, measured.mu);
         let ready = self.ready(mu, &entries)?;
-        Ok(judged(&entries, &ready).into_iter().map(|value| value.verdict).collect())
+        Ok(judged(&entries, &ready.right, &ready.bands).into_iter().map(|value| value.verdict).collect())
     }
 
     /// The verdicts on the values of one of many forms, and the mistakes that explain them, as by [`check`].
@@ -126,7 +126,7 @@ impl<'a> Prepared<'a> {
         if let Some(common) = common {
             common.take_out(&mut entries, &ready.right);
         }
-        let mut values = judged(&entries, &ready);
+        let mut values = judged(&entries, &ready.right, &ready.bands);
         let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
         let with_other_modes = || {
             let others = other_modes(key, mu, &entries);
@@ -284,123 +284,3 @@ fn is_all_alike(entries: &[Entry]) -> bool {
 fn is_coarse(entries: &[Entry]) -> bool {
     2 * entries.iter().filter(|entry| entry.has_one_digit()).count() > entries.len()
 }
-
-/// The verdicts at the key's tolerance.
-fn judged(entries: &[Entry], ready: &Ready) -> Vec<Judged> {
-    let judged = entries.iter().zip(&ready.bands).zip(&ready.right.readings);
-    let judged = judged.map(|((entry, band), reading)| {
-        // Segments and lengths have no sign, whatever sign is written.
-        let is_size = entry.is_magnitude || reading.is_ok_and(|r| r.is_size());
-        let [value, expected] = [entry.value, entry.expected].map(|x| if is_size { x.abs() } else { x });
-        let mut difference = value - expected;
-        if entry.asked.kind() == QuantityKind::Angle {
-            difference = with_turns(difference, 0.0);
-        }
-        let tolerance = band.map(|band| BANDS * band.band + entry.rounding);
-        let drawn = band.map_or(0.0, |band| BANDS * band.band);
-        let telling = Telling::new(&entry.asked, expected, largest(entries, entry.asked.kind()));
-        let is_too_coarse = telling.is_too_coarse(entry.rounding, drawn);
-        let is_given = *reading == Err(Unread::Given);
-        let has_no_sense = entry.is_magnitude && entry.value != 0.0;
-        let off = difference.abs();
-        // The factor 1.001 lets a last digit be rounded either way where the next is a five.
-        let verdict = match tolerance {
-            _ if off <= tolerance.unwrap_or(0.0).max(1.001 * entry.rounding) && is_too_coarse => Verdict::TooCoarse,
-            _ if off <= 1.001 * entry.rounding => Verdict::Right,
-            Some(tolerance) if off <= tolerance && telling.is_too_small(drawn, off) => Verdict::Unjudged,
-            Some(tolerance) if off <= tolerance => Verdict::WithinTolerance,
-            None if !is_given => Verdict::Unjudged,
-            _ => Verdict::Off,
-        };
-        let verdict = match verdict {
-            Verdict::Right | Verdict::WithinTolerance if has_no_sense => Verdict::SenseMissing,
-            judged => judged,
-        };
-        Judged { entry: entry.clone(), verdict, difference, tolerance }
-    });
-    judged.collect()
-}
-
-/// What values of one kind must show to tell that somebody has found them.
-#[derive(Clone, Copy, Debug)]
-struct Telling {
-    /// The exact value; 0 where it is nothing beside the largest of its kind.
-    expected: f64,
-    /// Largest half unit of a last digit that still tells something.
-    fine: f64,
-    is_angle: bool,
-}
-
-/// Largest half unit of a last digit with which a number still tells something, in parts of the exact value: one digit.
-const ONE_DIGIT: f64 = 0.25;
-
-/// The same of angles, and where the exact value is nothing, in parts of the largest value of its kind.
-const OF_LARGEST: f64 = 0.02;
-
-/// Size of a value that is nothing, in parts of the largest one of its kind.
-const NOTHING: f64 = 1e-9;
-
-impl Telling {
-    fn new(asked: &QuantityRequest, expected: f64, largest: f64) -> Telling {
-        let is_angle = asked.kind() == QuantityKind::Angle;
-        let expected = if expected.abs() <= NOTHING * largest { 0.0 } else { expected };
-        let fine = if is_angle || expected == 0.0 { OF_LARGEST * largest } else { ONE_DIGIT * expected.abs() };
-        Telling { expected, fine, is_angle }
-    }
-
-    /// Whether the digits hold so much that they tell nothing, where honest hands are off by `drawn`.
-    fn is_too_coarse(&self, rounding: f64, drawn: f64) -> bool {
-        rounding > self.fine.max(drawn)
-    }
-
-    /// Whether an honest hand, off by up to `tolerance`, could as well find nothing there, and a value that is `off` is not so near that
-    /// it tells something all the same.
-    fn is_too_small(&self, tolerance: f64, off: f64) -> bool {
-        !self.is_angle && self.expected != 0.0 && tolerance >= self.expected.abs() && off > self.fine
-    }
-}
-
-/// The largest exact value of a kind in a form; of angles half a turn.
-fn largest(entries: &[Entry], kind: QuantityKind) -> f64 {
-    let same = entries.iter().filter(|entry| entry.asked.kind() == kind);
-    if kind == QuantityKind::Angle { 180.0 } else { same.map(|entry| entry.expected.abs()).fold(0.0, f64::max) }
-}
-
-/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows. `outside`: by datum whether even that hand
-/// does not come to it beside the others, as where values contradict those from which they were computed.
-fn widen(
-    values: &mut [Judged],
-    entries: &[Entry],
-    scorer: &Scorer<'_>,
-    hand: &Hand,
-    outside: &[bool],
-    key: &AnswerKey<'_>,
-) {
-    let mut allowed = *hand;
-    allowed.errors.iter_mut().for_each(|size| *size = size.min(key.leniency));
-    // A few values do not show how good a hand is.
-    if key.leniency <= 1.0 || !hand.is_by_hand() || scorer.data.len() < ENOUGH {
-        return;
-    }
-    let largest: Vec<f64> = values.iter().map(|value| largest(entries, value.entry.asked.kind())).collect();
-    for (place, datum) in scorer.data.iter().enumerate() {
-        let value = &mut values[datum.entry];
-        let tolerance = BANDS * BAND * scorer.spread(place, &allowed) + value.entry.rounding;
-        let is_outside = outside.get(place).is_some_and(|outside| *outside);
-        if !is_outside && value.tolerance.is_some_and(|usual| usual < tolerance) {
-            value.tolerance = Some(tolerance);
-            if value.verdict == Verdict::Off && value.difference.abs() <= tolerance {
-                let Entry { asked, expected, .. } = &value.entry;
-                let is_too_small = Telling::new(asked, *expected, largest[datum.entry])
-                    .is_too_small(tolerance, value.difference.abs());
-                value.verdict = if is_too_small { Verdict::Unjudged } else { Verdict::WithinTolerance };
-            }
-        }
-    }
-}
-
-/// Least number of drawn values whose scatter shows how accurate a hand is.
-const ENOUGH: usize = 8;
-
-/// Half a band, in standard deviations: 95 of 100 values are within.
-const BAND: f64 = 1.96;

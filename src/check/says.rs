@@ -57,6 +57,8 @@ messages! { "check":
     no_sense(text) = "`{text}` is no sense of rotation";
     write_sense = "write `clockwise` or `counter-clockwise`";
     values_in(unit) = "values in `{unit}` are not understood";
+    not_upright(text) = "`{text}` does not say whether the sheets lie upright";
+    true_or_false = "write `true` if they lie as they were printed, else `false`";
     mm_or_units = "write `mm` for millimetres of paper, or `units` for those of the scene";
     no_coordinate(text) = "`{text}` is no coordinate";
     write_coordinates = "write x and y in millimetres of paper, as velocity:b,114,-2.7";

@@ -94,7 +94,10 @@ impl Measured {
                     }
                 };
             }
-            "upright" => self.upright = value == "true",
+            "upright" => {
+                let wrong = || CheckError::new(says::not_upright(shown(&value)), says::true_or_false());
+                self.upright = value.parse().map_err(|_| wrong())?;
+            }
             _ => self.values.push(Given {
                 name: name.to_owned(),
                 text: value,

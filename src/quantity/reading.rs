@@ -6,7 +6,7 @@ use crate::construction::{
     ProductKind, Rate, Solution, SpecialId, StepId, Writer, image_name, normal_name,
 };
 use crate::mechanism::{BodyId, PointId, SliderId};
-use crate::scene::Component;
+use crate::scene::{Component, QuantityName};
 use crate::sheet::{Order, Sheet};
 use indexmap::IndexMap;
 
@@ -168,8 +168,7 @@ impl Reader<'_> {
         let sheet = sheet.into();
         let construction = &self.writer.construction;
         let steps = self.steps.get_or_insert_with(|| construction.steps_of_quantities());
-        let length = || name.strip_suffix(".angle");
-        let step = steps.get(name).or_else(|| steps.get(length()?)).copied();
+        let step = steps.get(name).or_else(|| steps.get(QuantityName::of_direction(name)?)).copied();
         let number = self.writer.measure(sheet, NumberKind::Reading(name.to_owned()), ends, how);
         if let Some(operation) = self.writer.construction.operations.last_mut() {
             operation.step = step.filter(|step| step.sheet == sheet);

@@ -173,6 +173,12 @@ impl QuantityName {
         key.strip_prefix(Head::Angle.word())?.strip_prefix('(')?.strip_suffix(')')
     }
 
+    /// The name of the segment whose direction a name asks for: `vplan(p,b)` for `vplan(p,b).angle`.
+    #[must_use]
+    pub fn of_direction(name: &str) -> Option<&str> {
+        name.strip_suffix(".angle")
+    }
+
     /// The kind of its value; a vector's size and components are of the vector's kind, its angle is an angle.
     #[must_use]
     pub fn kind(&self) -> QuantityKind {

@@ -166,4 +166,6 @@ fn a_form_says_whether_its_sheets_lie_upright() {
         assert_eq!(Measured::read_json(&json).expect("a form").upright, is_upright, "{json}");
         assert_eq!(Measured::read_csv(&csv).expect("a table").upright, is_upright, "{csv}");
     }
+    let unclear = Measured::read_csv("quantity,value\nupright,perhaps\n").expect("a table");
+    assert_eq!(unclear.faults.len(), 1);
 }
