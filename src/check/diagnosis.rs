@@ -4,7 +4,8 @@
 use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
 use super::covariance::Hand;
 use super::fit::Fit;
-use super::lesson::{Lesson, lesson};
+use super::entry::Entry;
+use super::lesson::{Lesson, lesson, of_value};
 use super::mistakes::{Blank, Candidate, Mistake, tell};
 use super::search::{Search, Tried};
 
@@ -64,6 +65,14 @@ impl Search<'_> {
     /// What is told of the values, after the explanations that were tried, the best first.
     pub fn diagnosis(&self, tried: &[Tried], values: &[Judged]) -> Diagnosis {
         let groups = self.groups(tried);
+        if std::env::var("KDBG").is_ok() {
+            for t in tried.iter().take(std::env::var("KDBG").unwrap_or_default().parse().unwrap_or(12)) {
+                eprintln!("cost {:.1} fit {:.1} hand {:.2} out {:?} set {:?}", t.cost, t.fit.cost, t.fit.hand.worst(),
+                    t.fit.outside.iter().enumerate().filter(|x| *x.1).map(|x| x.0).collect::<Vec<_>>(),
+                    t.set.iter().map(|&i| (self.pool[i].step, self.pool[i].mistake().id(), format!("{:?}", self.pool[i].told.blanks.iter().map(|b| b.1.text().to_owned()).collect::<Vec<_>>()))).collect::<Vec<_>>());
+            }
+            for g in groups.iter().take(8) { eprintln!("group {:.3} {} {:?}", g.probability, g.is_alike, g.findings.iter().map(|f| (f.candidate.mistake().id(), f.candidate.step)).collect::<Vec<_>>()); }
+        }
         let Some(first) = groups.first() else {
             return Diagnosis::none(values);
         };
@@ -89,14 +98,30 @@ impl Search<'_> {
         if open > FEW.max(off.len() / 2) || hand.worst() > WORST {
             told.clear();
         }
+        let open = |told: &[Finding]| off.iter().copied().filter(|&entry| !explained(told, entry)).collect::<Vec<usize>>();
+        let mut unexplained = open(&told);
+        let mut begins = self.begins(first, &told, &unexplained, values);
+        if begins.is_some() && !told.iter().all(names_cause) {
+            // One place to look at first is enough.
+            told.retain(names_cause);
+            unexplained = open(&told);
+            begins = self.begins(first, &told, &unexplained, values);
+        }
+        unexplained.retain(|&entry| begins.as_ref().is_none_or(|begins| !begins.written.contains(&entry)));
         // What holds all that is told is counted in its probability already.
-        let is_counted = |group: &Group<'_>| !told.is_empty() && told.iter().all(|f| has_cause(group, f));
+        let all = || begins.iter().chain(&told);
+        let is_counted = |group: &Group<'_>| all().count() > 0 && all().all(|f| has_cause(group, f));
+        let is_place = all().any(|f| f.candidate.mistake() == Mistake::Unknown);
         let others = groups.iter().filter_map(|group| {
-            let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.told == f.candidate.told));
+            let is_new = group.findings.iter().any(|f| !all().any(|t| t.candidate.told == f.candidate.told));
             // What the values cannot tell from an explanation that is told whole.
             let is_told =
                 group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
-            (is_new && (is_told || group.probability >= LEAST && !is_counted(group))).then(|| Explanation {
+            // Where only the place of a mistake is told, the mistakes that may have been made there.
+            let is_within =
+                (is_counted(group) && is_place || begins.is_some()) && group.findings.iter().any(names_cause);
+            let is_shown = is_told || group.probability >= LEAST && (is_within || !is_counted(group));
+            (is_new && is_shown).then(|| Explanation {
                 findings: group.findings.clone(),
                 probability: if is_told {
                     probability(&told)
@@ -104,18 +129,43 @@ impl Search<'_> {
                     honest(group.probability, &group.findings, hand)
                 },
                 is_alike: is_told,
+                is_within: is_within && !is_told,
             })
         });
         let others = others.take(OTHERS).collect();
-        let unexplained = off.into_iter().filter(|&entry| !explained(&told, entry)).collect();
-        let probability = if told.is_empty() { none_told(&groups) } else { probability(&told) };
+        let certain = begins.as_ref().map_or(1.0, |begins| honest(1.0, core::slice::from_ref(begins), hand));
+        let probability = match (told.is_empty(), &begins) {
+            (true, None) => none_told(&groups),
+            (true, Some(_)) => certain,
+            (false, _) => certain * probability(&told),
+        };
         self.teach(&mut told);
+        told.splice(0..0, begins);
         Diagnosis {
-            best: Explanation { findings: told, probability, is_alike: false },
+            best: Explanation { findings: told, probability, is_alike: false, is_within: false },
             others,
             unexplained,
             looked_at: values.len(),
         }
+    }
+
+    /// The first value that is off and that nothing of what is told explains, where it comes before all that: a mistake was made in it or
+    /// at a step before, behind the last value that is right. `None` where an honest hand, the one that was found, comes to it.
+    fn begins(&self, best: &Group<'_>, told: &[Finding], open: &[usize], values: &[Judged]) -> Option<Finding> {
+        let fit = &best.best.fit;
+        let &entry = open.first()?;
+        let is_first = told.first().and_then(Finding::first).is_none_or(|first| entry < first);
+        let is_mistake = fit.hand.worst() <= WORST && (!best.findings.is_empty() || self.is_outside(fit, entry));
+        if !is_first || !is_mistake {
+            return None;
+        }
+        let Entry { asked, step, .. } = &values[entry].entry;
+        let quantity = Blank::Quantity(asked.name().to_owned());
+        let is_alone = open.len() == 1;
+        let tell = if is_alone { tell::unknown_alone } else { tell::unknown_first };
+        let (follows, contradicts, written) = (Vec::new(), Vec::new(), vec![entry]);
+        let lesson = of_value(&self.scorer.models[0], self.scorer.entries, entry, is_alone);
+        Some(Finding { candidate: Candidate::at(tell(quantity), *step), follows, contradicts, written, lesson })
     }
 
     /// Adds to mistakes that are told what they teach.
@@ -234,12 +284,17 @@ impl Search<'_> {
     }
 }
 
+/// Whether a finding tells what was done, and not only where.
+fn names_cause(finding: &Finding) -> bool {
+    finding.candidate.mistake() != Mistake::Unknown
+}
+
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
 fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
-    if finding.candidate.mistake() == Mistake::Unknown {
-        group.findings.iter().any(|f| f.first() == finding.first())
-    } else {
+    if names_cause(finding) {
         group.tells(&finding.candidate)
+    } else {
+        group.findings.iter().any(|f| f.first() == finding.first())
     }
 }
 
@@ -269,13 +324,13 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
     // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
     let mut told: Vec<Finding> = told.collect();
     let mut is_first = true;
-    told.retain(|finding| finding.candidate.mistake() != Mistake::Unknown || core::mem::take(&mut is_first));
+    told.retain(|finding| names_cause(finding) || core::mem::take(&mut is_first));
     // Nor is it said that something begins at a value where an earlier one is off and unexplained.
     let explained: Vec<usize> = told.iter().flat_map(Finding::changed).collect();
     let first_open = (0..values.len()).find(|i| values[*i].verdict == Verdict::Off && !explained.contains(i));
     told.retain(|finding| {
         let begins = finding.first();
-        finding.candidate.mistake() != Mistake::Unknown
+        names_cause(finding)
             || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
     });
     told
@@ -286,11 +341,11 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
 fn honest(probability: f64, findings: &[Finding], hand: &Hand) -> f64 {
     let is_by_hand = hand.is_by_hand();
     let [first, further] = OUTSIDE[usize::from(!is_by_hand)];
-    let names_any = findings.iter().any(|f| f.candidate.mistake() != Mistake::Unknown);
+    let names_any = findings.iter().any(names_cause);
     let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
     let others = findings.len().saturating_sub(1) as i32;
     let rivals = if is_by_hand && names_any { libm::pow(probability, RIVALS) } else { probability };
-    let is_alone = |f: &&Finding| f.follows.is_empty() && f.candidate.mistake() != Mistake::Unknown;
+    let is_alone = |f: &&Finding| f.follows.is_empty() && names_cause(f);
     let alone = if is_by_hand { findings.iter().filter(is_alone).count() as i32 } else { 0 };
     rivals * libm::pow(ALONE, f64::from(alone)) * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }

@@ -126,6 +126,10 @@ pub struct ExplanationResult {
     /// Whether the given values alone cannot tell it from the diagnosis.
     #[serde(skip_serializing_if = "core::ops::Not::not")]
     pub indistinguishable: bool,
+    /// Whether it is one way in which what the diagnosis tells as "unknown", only by its place, may have happened: its probability is a part
+    /// of the diagnosis's.
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    pub within: bool,
 }
 
 /// A mistake that was probably made.
@@ -182,6 +186,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         mistakes: explanation.findings.iter().map(mistake).collect(),
         probability: explanation.probability,
         indistinguishable: explanation.is_alike,
+        within: explanation.is_within,
     };
     let scale = |scale: &StatedScale| {
         let StatedScale { sheet, stated, asked, used } = *scale;

@@ -218,6 +218,11 @@ impl<'a> Search<'a> {
                 }));
             }
         }
+        if std::env::var("KDBG").is_ok() {
+            for c in children.iter().filter(|c| ["wrong-sense","reversed-vector","wrong-lines","wrong-length","omega-of-another-link"].contains(&self.pool[c.index].mistake().id())) {
+                eprintln!("look {:.1} {} {:?}", c.cost, self.pool[c.index].step, self.pool[c.index].told);
+            }
+        }
         children.retain(|child| child.cost.is_finite());
         children.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         self.chosen(children)
@@ -269,7 +274,7 @@ impl<'a> Search<'a> {
             let mut set = parent.set.clone();
             set.push(candidate);
             let meant = self.scorer.meant(&set);
-            let look = self.scorer.look(&parent.metrics, &meant, &self.scorer.predicted(&set));
+            let look = self.scorer.look(&parent.metrics, &parent.tried.fit.predicted, &meant, &self.scorer.predicted(&set));
             look + self.costs[index] + FURTHER + FITTED * candidate.free.len() as f64
         };
         if candidate.free.is_empty() {

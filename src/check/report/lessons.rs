@@ -70,7 +70,7 @@ impl ReportText<'_> {
 
     /// Which steps are to be done again.
     pub(super) fn redo(&self, lesson: &Lesson, candidate: &Candidate) -> Option<String> {
-        match lesson.redo.as_slice() {
+        match lesson.redo.as_deref()? {
             _ if candidate.step == 0 => None,
             [] => Some(self.own.check_redo_number().to_owned()),
             [step] => Some(self.own.check_redo_one(&step.to_string())),
