@@ -59,20 +59,17 @@ impl Group<'_> {
     fn tells(&self, candidate: &Candidate) -> bool {
         self.findings.iter().any(|finding| finding.candidate.told == candidate.told)
     }
+
+    /// Whether it tells of the mistake, at one place or at more.
+    fn has(&self, candidate: &Candidate) -> bool {
+        self.findings.iter().any(|f| f.candidate.told == candidate.told || is_repeated(&f.candidate, candidate))
+    }
 }
 
 impl Search<'_> {
     /// What is told of the values, after the explanations that were tried, the best first.
     pub fn diagnosis(&self, tried: &[Tried], values: &[Judged]) -> Diagnosis {
         let groups = self.groups(tried);
-        if std::env::var("KDBG").is_ok() {
-            for t in tried.iter().take(std::env::var("KDBG").unwrap_or_default().parse().unwrap_or(12)) {
-                eprintln!("cost {:.1} fit {:.1} hand {:.2} out {:?} set {:?}", t.cost, t.fit.cost, t.fit.hand.worst(),
-                    t.fit.outside.iter().enumerate().filter(|x| *x.1).map(|x| x.0).collect::<Vec<_>>(),
-                    t.set.iter().map(|&i| (self.pool[i].step, self.pool[i].mistake().id(), format!("{:?}", self.pool[i].told.blanks.iter().map(|b| b.1.text().to_owned()).collect::<Vec<_>>()))).collect::<Vec<_>>());
-            }
-            for g in groups.iter().take(8) { eprintln!("group {:.3} {} {:?}", g.probability, g.is_alike, g.findings.iter().map(|f| (f.candidate.mistake().id(), f.candidate.step)).collect::<Vec<_>>()); }
-        }
         let Some(first) = groups.first() else {
             return Diagnosis::none(values);
         };
@@ -98,12 +95,21 @@ impl Search<'_> {
         if open > FEW.max(off.len() / 2) || hand.worst() > WORST {
             told.clear();
         }
+        // In a drawing by hand a slip that moves no value out of its tolerance is a chance.
+        if hand.is_by_hand() {
+            told.retain(|finding| finding.changed().iter().any(|&entry| values[entry].verdict == Verdict::Off));
+        }
+        // Beside a mistake without a name one with a name fits by chance too often: the place of the first is told.
+        if told.len() > 1 && !told.iter().all(names_cause) {
+            told.truncate(1);
+            told = told.iter().filter_map(|finding| only_placed(finding, values)).collect();
+        }
         let open = |told: &[Finding]| off.iter().copied().filter(|&entry| !explained(told, entry)).collect::<Vec<usize>>();
         let mut unexplained = open(&told);
         let mut begins = self.begins(first, &told, &unexplained, values);
-        if begins.is_some() && !told.iter().all(names_cause) {
-            // One place to look at first is enough.
-            told.retain(names_cause);
+        if begins.is_some() && unexplained.len() > 1 {
+            // What comes later may follow from it.
+            told.clear();
             unexplained = open(&told);
             begins = self.begins(first, &told, &unexplained, values);
         }
@@ -120,7 +126,8 @@ impl Search<'_> {
             // Where only the place of a mistake is told, the mistakes that may have been made there.
             let is_within =
                 (is_counted(group) && is_place || begins.is_some()) && group.findings.iter().any(names_cause);
-            let is_shown = is_told || group.probability >= LEAST && (is_within || !is_counted(group));
+            let is_other = is_within || !is_counted(group) && begins.is_none();
+            let is_shown = is_told || group.probability >= LEAST && is_other;
             (is_new && is_shown).then(|| Explanation {
                 findings: group.findings.clone(),
                 probability: if is_told {
@@ -292,10 +299,18 @@ fn names_cause(finding: &Finding) -> bool {
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
 fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
     if names_cause(finding) {
-        group.tells(&finding.candidate)
+        group.has(&finding.candidate)
     } else {
         group.findings.iter().any(|f| f.first() == finding.first())
     }
+}
+
+/// Whether two candidates are one mistake, made once or at more places from the same step on: what is told of one holds for both.
+fn is_repeated(one: &Candidate, other: &Candidate) -> bool {
+    let within = |a: &Candidate, b: &Candidate| {
+        a.operations().count() < b.operations().count() && a.operations().all(|o| b.operations().any(|p| p == o))
+    };
+    one.mistake() == other.mistake() && one.step == other.step && (within(one, other) || within(other, one))
 }
 
 /// The probability that no mistake was made, or none that the catalogue has.
@@ -311,15 +326,12 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
         groups.iter().filter(|g| g.is_alike || is(g)).map(|g| g.probability).sum()
     };
     let told = groups[0].findings.iter().filter_map(|finding| {
-        if sum(&|g| g.tells(&finding.candidate)) >= TOLD {
+        if sum(&|g| g.has(&finding.candidate)) >= TOLD {
             return Some(finding.clone());
         }
-        let first = finding.first()?;
-        let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
-        // Its place and what follows from it are told without a cause.
-        let unknown = || tell::unknown(Blank::Quantity(values[first].entry.asked.name().to_owned()));
-        let candidate = || Candidate { told: unknown(), ..finding.candidate.clone() };
-        (sum(&begins) >= TOLD).then(|| Finding { candidate: candidate(), ..finding.clone() })
+        let first = finding.first();
+        let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == first);
+        only_placed(finding, values).filter(|_| sum(&begins) >= TOLD)
     });
     // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
     let mut told: Vec<Finding> = told.collect();
@@ -334,6 +346,13 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
             || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
     });
     told
+}
+
+/// A mistake told by its place and what follows from it, without a cause.
+fn only_placed(finding: &Finding, values: &[Judged]) -> Option<Finding> {
+    let first = &values[finding.first()?].entry;
+    let told = tell::unknown(Blank::Quantity(first.asked.name().to_owned()));
+    Some(Finding { candidate: Candidate { told, ..finding.candidate.clone() }, ..finding.clone() })
 }
 
 /// The share of students that made these mistakes, of those for whom they have this probability among all that was

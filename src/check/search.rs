@@ -218,11 +218,6 @@ impl<'a> Search<'a> {
                 }));
             }
         }
-        if std::env::var("KDBG").is_ok() {
-            for c in children.iter().filter(|c| ["wrong-sense","reversed-vector","wrong-lines","wrong-length","omega-of-another-link"].contains(&self.pool[c.index].mistake().id())) {
-                eprintln!("look {:.1} {} {:?}", c.cost, self.pool[c.index].step, self.pool[c.index].told);
-            }
-        }
         children.retain(|child| child.cost.is_finite());
         children.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         self.chosen(children)
