@@ -33,6 +33,8 @@ pub struct Checked {
     pub scales: Vec<StatedScale>,
     /// An error that all measured lengths have in common; it is taken out of the values.
     pub common: Option<CommonError>,
+    /// How many stages of hints the student opened, as the form says.
+    pub hints: u64,
 }
 
 /// Fewest values that show whose they are, and the shares of them that are right there, and here at most.

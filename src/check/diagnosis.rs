@@ -3,8 +3,8 @@
 
 use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
 use super::covariance::Hand;
-use super::fit::Fit;
 use super::entry::Entry;
+use super::fit::Fit;
 use super::lesson::{Lesson, lesson, of_value};
 use super::mistakes::{Blank, Candidate, Mistake, tell};
 use super::search::{Search, Tried};
@@ -82,7 +82,9 @@ impl Search<'_> {
         };
         // Together they must be probable, too: the later ones are left out first.
         while !told.is_empty() && probability(&told) < TOLD {
-            told.pop();
+            // Of the first its place is told at least.
+            let last = told.pop().filter(|last| told.is_empty() && names_cause(last));
+            told.extend(last.and_then(|last| only_placed(&last, values)));
         }
         let explained = |told: &[Finding], entry: usize| {
             told.iter().any(|f| f.follows.contains(&entry) || f.written.contains(&entry))
@@ -104,7 +106,8 @@ impl Search<'_> {
             told.truncate(1);
             told = told.iter().filter_map(|finding| only_placed(finding, values)).collect();
         }
-        let open = |told: &[Finding]| off.iter().copied().filter(|&entry| !explained(told, entry)).collect::<Vec<usize>>();
+        let open =
+            |told: &[Finding]| off.iter().copied().filter(|&entry| !explained(told, entry)).collect::<Vec<usize>>();
         let mut unexplained = open(&told);
         let mut begins = self.begins(first, &told, &unexplained, values);
         if begins.is_some() && unexplained.len() > 1 {
@@ -342,8 +345,7 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
     let first_open = (0..values.len()).find(|i| values[*i].verdict == Verdict::Off && !explained.contains(i));
     told.retain(|finding| {
         let begins = finding.first();
-        names_cause(finding)
-            || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
+        names_cause(finding) || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
     });
     told
 }

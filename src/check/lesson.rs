@@ -71,7 +71,8 @@ pub(super) fn of_value(model: &Model, entries: &[Entry], entry: usize, is_alone:
     let maker = model.readings[entry].ok().and_then(|reading| model.makers[reading.number.0]);
     let worked = maker.and_then(|maker| worked(model, entries, maker));
     // What the student's own numbers give was computed rightly.
-    let is_other = |worked: &Worked| worked.own.is_some_and(|own| (own - worked.result).abs() > COMPUTED * worked.result.abs());
+    let is_other =
+        |worked: &Worked| worked.own.is_some_and(|own| (own - worked.result).abs() > COMPUTED * worked.result.abs());
     Lesson { worked: worked.filter(is_other), off: None, redo: is_alone.then(Vec::new) }
 }
 

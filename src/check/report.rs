@@ -7,7 +7,7 @@ use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::names::Names;
-use crate::construction::{Teller, shown_text};
+use crate::construction::{NumberedStep, Teller, shown_text};
 use crate::sheet::QuantityKind;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use schemars::JsonSchema;
@@ -84,6 +84,8 @@ pub struct ReportParts {
     pub heading: String,
     /// The mistakes that were probably made.
     pub causes: Vec<Cause>,
+    /// How many stages of a hint a student may open, of those of a cause and of all that it tells.
+    pub hints: usize,
     /// How sure these are.
     pub sure: Option<String>,
     /// Which values nothing explains, and which plans are mirrored.
@@ -118,6 +120,8 @@ pub struct Cause {
     pub worked: Vec<String>,
     /// Which steps are to be done again.
     pub redo: Option<String>,
+    /// The stages of a hint before all this is told: the plan, the first wrong value, the step.
+    pub hints: Vec<String>,
     /// The number of its step; 0 for the whole drawing.
     pub step: usize,
 }
@@ -184,6 +188,7 @@ impl<'a> ReportText<'a> {
             rows: self.checked.values.iter().map(row).collect(),
             senses: (self.checked.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned()),
             heading: self.heading(),
+            hints: self.key.solution.scene.hints,
             causes: best.findings.iter().map(|finding| self.cause(finding)).collect(),
             sure: (!best.findings.is_empty()).then(|| self.sure(best)),
             further: self.unexplained().into_iter().chain(self.looked_at()).chain(mirrored).collect(),
@@ -310,16 +315,19 @@ impl<'a> ReportText<'a> {
         };
         Cause {
             done,
-            caption: step.map(|step| {
-                let caption = Teller::new(self.key.solution, &self.words).caption(&step);
-                shown_text(&caption, step.plan, &self.words)
-            }),
+            caption: step.as_ref().map(|step| self.caption(step)),
             should,
             follows,
             worked: self.worked(&finding.lesson),
             redo: self.redo(&finding.lesson, candidate),
+            hints: self.hints(finding, step.as_ref()),
             step: candidate.step,
         }
+    }
+
+    fn caption(&self, step: &NumberedStep<'_>) -> String {
+        let caption = Teller::new(self.key.solution, &self.words).caption(step);
+        shown_text(&caption, step.plan, &self.words)
     }
 
     fn names(&self, values: &[usize]) -> String {
@@ -333,7 +341,12 @@ impl<'a> ReportText<'a> {
 pub(super) fn told_alone(candidate: &Candidate, names: &Names<'_>, words: &Wording) -> [String; 2] {
     let [done, should] = candidate.told.sentences_with(words, &|name| names.named(name));
     let own = words.language;
-    [format!("{}: {done}.", step(candidate, own)), format!("{}: {should}.", own.check_instead())]
+    let should = match candidate.mistake() {
+        // Not how it should be, but where to look.
+        Mistake::Unknown => format!("{should}."),
+        _ => format!("{}: {should}.", own.check_instead()),
+    };
+    [format!("{}: {done}.", step(candidate, own)), should]
 }
 
 /// The words for the step at which a mistake was made.

@@ -52,6 +52,9 @@ pub struct CheckResult {
     /// large, `{ "zero": 2 }` where they are 2 mm too long.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub common: Option<CommonError>,
+    /// How many stages of hints the student opened in the workbench.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hints: Option<u64>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
@@ -211,6 +214,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         values_of: checked.values_of.clone(),
         scales: checked.scales.iter().map(scale).collect(),
         common: checked.common,
+        hints: Some(checked.hints).filter(|hints| *hints > 0),
         marks: None,
     }
 }

@@ -340,6 +340,9 @@ sentences! {
     check_others = "It could also be";
     /// In place of `check_others` where only the place of a mistake is told.
     check_perhaps = "Perhaps it was this";
+    check_hint_plan(plan) = "Look at your {plan}.";
+    check_hint_whole = "Look at the whole drawing: its position, its scale, its senses.";
+    check_hint_value(value) = "The first value that is off is {value}.";
     /// Behind an explanation that the values cannot tell from the first.
     check_alike = "your values alone cannot tell this from the above";
     check_unexplained(values) = "Without an explanation: {values}.";

@@ -149,12 +149,17 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
                 taken[side] = wrong;
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
                 let edit = instead(index, OperationKind::Cross { place, lines: taken });
-                found.push(measured_there(site, site.candidate(tell::wrong_lines(name.into(), wrong, right), edit), place));
+                found.push(measured_there(
+                    site,
+                    site.candidate(tell::wrong_lines(name.into(), wrong, right), edit),
+                    place,
+                ));
             }
             // A side of a link that the construction does not draw.
             let kept = site.model.exact.line(lines[1 - side]);
             for (names, side_of_link) in sides(site) {
-                let is_drawn = lines.iter().chain(&drawn).any(|line| is_same(site.model.exact.line(*line), side_of_link));
+                let is_drawn =
+                    lines.iter().chain(&drawn).any(|line| is_same(site.model.exact.line(*line), side_of_link));
                 let Some(at) = crossing(kept, side_of_link).filter(|_| !is_drawn) else { continue };
                 let wrong = Blank::LineThrough(names);
                 let edit = instead(index, OperationKind::Plot { place, at });
@@ -170,7 +175,9 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
 fn measured_there(site: &Site<'_>, mut candidate: Candidate, place: PlaceId) -> Candidate {
     let drawn = site.model.replay(&candidate.edits);
     for (index, operation) in site.operations() {
-        let OperationKind::Measure { number, from, to, how: MeasuredAs::Along(line) } = operation.kind else { continue };
+        let OperationKind::Measure { number, from, to, how: MeasuredAs::Along(line) } = operation.kind else {
+            continue;
+        };
         if to == place {
             let sense = (drawn.place(to) - drawn.place(from)).dot(&drawn.line(line).1).signum();
             let kind = OperationKind::Measure { number, from, to, how: MeasuredAs::Size };
