@@ -536,9 +536,9 @@ fn guide(given: &Value, links: &[Link], is_drawn: bool) -> Guide {
         (_, Value::String(key)) => ends(key)[0].clone(),
         _ => links[on].points.first().map_or([exactly(0.0), exactly(0.0)], |(_, own)| own.clone()),
     };
-    let turned = given.get("turned").map_or([exactly(1.0), exactly(0.0)], |turned| direction(turned));
+    let turned = given.get("turned").map_or([exactly(1.0), exactly(0.0)], direction);
     let drive = given.get("drive").map(|drive| {
-        ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), |x| number(x)))
+        ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), number))
     });
     let sliding = link.unwrap_or(&at);
     Guide {
