@@ -33,6 +33,8 @@ pub struct Checked {
     pub scales: Vec<StatedScale>,
     /// An error that all measured lengths have in common; it is taken out of the values.
     pub common: Option<CommonError>,
+    /// How many stages of hints the student opened, as the form says.
+    pub hints: u64,
 }
 
 /// Fewest values that show whose they are, and the shares of them that are right there, and here at most.
@@ -160,6 +162,8 @@ pub struct Explanation {
     pub probability: f64,
     /// Whether the given values alone cannot tell it from the best one.
     pub is_alike: bool,
+    /// Whether it is one way in which what the best one tells only by its place may have happened: its probability is a part of that one's.
+    pub is_within: bool,
 }
 
 /// A mistake that was probably made.
@@ -183,7 +187,7 @@ impl Diagnosis {
     /// No mistake is told; values that are off remain without an explanation.
     pub(super) fn none(values: &[Judged]) -> Diagnosis {
         Diagnosis {
-            best: Explanation { findings: Vec::new(), probability: 1.0, is_alike: false },
+            best: Explanation { findings: Vec::new(), probability: 1.0, is_alike: false, is_within: false },
             others: Vec::new(),
             unexplained: (0..values.len()).filter(|&i| values[i].verdict == Verdict::Off).collect(),
             looked_at: values.len(),

@@ -64,6 +64,8 @@ pub struct ClassFound {
     pub cannot_tell: usize,
     /// How many are asked for and not there.
     pub missing: usize,
+    /// How many stages of hints were opened in the workbench.
+    pub hints: u64,
     /// The exercise of the class whose values these are, where they are those of another one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub values_of: Option<Untrusted>,
@@ -147,6 +149,7 @@ impl ClassRow {
                 sense_missing: checked.count(Verdict::SenseMissing),
                 cannot_tell: checked.count(Verdict::TooCoarse) + checked.count(Verdict::Unjudged),
                 missing: checked.missing.len(),
+                hints: checked.hints,
                 values_of: checked.values_of.as_deref().map(Untrusted::from),
                 first: findings.first().map(mistake),
                 told: told.unwrap_or_default(),
@@ -218,6 +221,7 @@ impl ClassRow {
             ("cannot_tell", found(|f| f.cannot_tell.to_string())),
             ("missing", found(|f| f.missing.to_string())),
             ("values_of", found(|f| f.values_of.as_ref().map_or_else(String::new, Untrusted::for_cell))),
+            ("hints", found(|f| f.hints.to_string())),
         ]);
         cells
     }

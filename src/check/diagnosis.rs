@@ -3,8 +3,9 @@
 
 use super::checked::{Diagnosis, Explanation, Finding, Judged, Verdict};
 use super::covariance::Hand;
+use super::entry::Entry;
 use super::fit::Fit;
-use super::lesson::{Lesson, lesson};
+use super::lesson::{Lesson, lesson, of_value};
 use super::mistakes::{Blank, Candidate, Mistake, tell};
 use super::search::{Search, Tried};
 
@@ -58,6 +59,11 @@ impl Group<'_> {
     fn tells(&self, candidate: &Candidate) -> bool {
         self.findings.iter().any(|finding| finding.candidate.told == candidate.told)
     }
+
+    /// Whether it tells of the mistake, at one place or at more.
+    fn has(&self, candidate: &Candidate) -> bool {
+        self.findings.iter().any(|f| f.candidate.told == candidate.told || is_repeated(&f.candidate, candidate))
+    }
 }
 
 impl Search<'_> {
@@ -76,7 +82,9 @@ impl Search<'_> {
         };
         // Together they must be probable, too: the later ones are left out first.
         while !told.is_empty() && probability(&told) < TOLD {
-            told.pop();
+            // Of the first its place is told at least.
+            let last = told.pop().filter(|last| told.is_empty() && names_cause(last));
+            told.extend(last.and_then(|last| only_placed(&last, values)));
         }
         let explained = |told: &[Finding], entry: usize| {
             told.iter().any(|f| f.follows.contains(&entry) || f.written.contains(&entry))
@@ -89,14 +97,41 @@ impl Search<'_> {
         if open > FEW.max(off.len() / 2) || hand.worst() > WORST {
             told.clear();
         }
+        // In a drawing by hand a slip that moves no value out of its tolerance is a chance.
+        if hand.is_by_hand() {
+            told.retain(|finding| finding.changed().iter().any(|&entry| values[entry].verdict == Verdict::Off));
+        }
+        // Beside a mistake without a name one with a name fits by chance too often: the place of the first is told.
+        if told.len() > 1 && !told.iter().all(names_cause) {
+            told.truncate(1);
+            told = told.iter().filter_map(|finding| only_placed(finding, values)).collect();
+        }
+        let open =
+            |told: &[Finding]| off.iter().copied().filter(|&entry| !explained(told, entry)).collect::<Vec<usize>>();
+        let mut unexplained = open(&told);
+        let mut begins = self.begins(first, &told, &unexplained, values);
+        if begins.is_some() && unexplained.len() > 1 {
+            // What comes later may follow from it.
+            told.clear();
+            unexplained = open(&told);
+            begins = self.begins(first, &told, &unexplained, values);
+        }
+        unexplained.retain(|&entry| begins.as_ref().is_none_or(|begins| !begins.written.contains(&entry)));
         // What holds all that is told is counted in its probability already.
-        let is_counted = |group: &Group<'_>| !told.is_empty() && told.iter().all(|f| has_cause(group, f));
+        let all = || begins.iter().chain(&told);
+        let is_counted = |group: &Group<'_>| all().count() > 0 && all().all(|f| has_cause(group, f));
+        let is_place = all().any(|f| f.candidate.mistake() == Mistake::Unknown);
         let others = groups.iter().filter_map(|group| {
-            let is_new = group.findings.iter().any(|f| !told.iter().any(|t| t.candidate.told == f.candidate.told));
+            let is_new = group.findings.iter().any(|f| !all().any(|t| t.candidate.told == f.candidate.told));
             // What the values cannot tell from an explanation that is told whole.
             let is_told =
                 group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
-            (is_new && (is_told || group.probability >= LEAST && !is_counted(group))).then(|| Explanation {
+            // Where only the place of a mistake is told, the mistakes that may have been made there.
+            let is_within =
+                (is_counted(group) && is_place || begins.is_some()) && group.findings.iter().any(names_cause);
+            let is_other = is_within || !is_counted(group) && begins.is_none();
+            let is_shown = is_told || group.probability >= LEAST && is_other;
+            (is_new && is_shown).then(|| Explanation {
                 findings: group.findings.clone(),
                 probability: if is_told {
                     probability(&told)
@@ -104,18 +139,43 @@ impl Search<'_> {
                     honest(group.probability, &group.findings, hand)
                 },
                 is_alike: is_told,
+                is_within: is_within && !is_told,
             })
         });
         let others = others.take(OTHERS).collect();
-        let unexplained = off.into_iter().filter(|&entry| !explained(&told, entry)).collect();
-        let probability = if told.is_empty() { none_told(&groups) } else { probability(&told) };
+        let certain = begins.as_ref().map_or(1.0, |begins| honest(1.0, core::slice::from_ref(begins), hand));
+        let probability = match (told.is_empty(), &begins) {
+            (true, None) => none_told(&groups),
+            (true, Some(_)) => certain,
+            (false, _) => certain * probability(&told),
+        };
         self.teach(&mut told);
+        told.splice(0..0, begins);
         Diagnosis {
-            best: Explanation { findings: told, probability, is_alike: false },
+            best: Explanation { findings: told, probability, is_alike: false, is_within: false },
             others,
             unexplained,
             looked_at: values.len(),
         }
+    }
+
+    /// The first value that is off and that nothing of what is told explains, where it comes before all that: a mistake was made in it or
+    /// at a step before, behind the last value that is right. `None` where an honest hand, the one that was found, comes to it.
+    fn begins(&self, best: &Group<'_>, told: &[Finding], open: &[usize], values: &[Judged]) -> Option<Finding> {
+        let fit = &best.best.fit;
+        let &entry = open.first()?;
+        let is_first = told.first().and_then(Finding::first).is_none_or(|first| entry < first);
+        let is_mistake = fit.hand.worst() <= WORST && (!best.findings.is_empty() || self.is_outside(fit, entry));
+        if !is_first || !is_mistake {
+            return None;
+        }
+        let Entry { asked, step, .. } = &values[entry].entry;
+        let quantity = Blank::Quantity(asked.name().to_owned());
+        let is_alone = open.len() == 1;
+        let tell = if is_alone { tell::unknown_alone } else { tell::unknown_first };
+        let (follows, contradicts, written) = (Vec::new(), Vec::new(), vec![entry]);
+        let lesson = of_value(&self.scorer.models[0], self.scorer.entries, entry, is_alone);
+        Some(Finding { candidate: Candidate::at(tell(quantity), *step), follows, contradicts, written, lesson })
     }
 
     /// Adds to mistakes that are told what they teach.
@@ -234,13 +294,26 @@ impl Search<'_> {
     }
 }
 
+/// Whether a finding tells what was done, and not only where.
+fn names_cause(finding: &Finding) -> bool {
+    finding.candidate.mistake() != Mistake::Unknown
+}
+
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
 fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
-    if finding.candidate.mistake() == Mistake::Unknown {
-        group.findings.iter().any(|f| f.first() == finding.first())
+    if names_cause(finding) {
+        group.has(&finding.candidate)
     } else {
-        group.tells(&finding.candidate)
+        group.findings.iter().any(|f| f.first() == finding.first())
     }
+}
+
+/// Whether two candidates are one mistake, made once or at more places from the same step on: what is told of one holds for both.
+fn is_repeated(one: &Candidate, other: &Candidate) -> bool {
+    let within = |a: &Candidate, b: &Candidate| {
+        a.operations().count() < b.operations().count() && a.operations().all(|o| b.operations().any(|p| p == o))
+    };
+    one.mistake() == other.mistake() && one.step == other.step && (within(one, other) || within(other, one))
 }
 
 /// The probability that no mistake was made, or none that the catalogue has.
@@ -256,29 +329,32 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
         groups.iter().filter(|g| g.is_alike || is(g)).map(|g| g.probability).sum()
     };
     let told = groups[0].findings.iter().filter_map(|finding| {
-        if sum(&|g| g.tells(&finding.candidate)) >= TOLD {
+        if sum(&|g| g.has(&finding.candidate)) >= TOLD {
             return Some(finding.clone());
         }
-        let first = finding.first()?;
-        let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == Some(first));
-        // Its place and what follows from it are told without a cause.
-        let unknown = || tell::unknown(Blank::Quantity(values[first].entry.asked.name().to_owned()));
-        let candidate = || Candidate { told: unknown(), ..finding.candidate.clone() };
-        (sum(&begins) >= TOLD).then(|| Finding { candidate: candidate(), ..finding.clone() })
+        let first = finding.first();
+        let begins = |g: &Group<'_>| g.findings.iter().any(|f| f.first() == first);
+        only_placed(finding, values).filter(|_| sum(&begins) >= TOLD)
     });
     // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
     let mut told: Vec<Finding> = told.collect();
     let mut is_first = true;
-    told.retain(|finding| finding.candidate.mistake() != Mistake::Unknown || core::mem::take(&mut is_first));
+    told.retain(|finding| names_cause(finding) || core::mem::take(&mut is_first));
     // Nor is it said that something begins at a value where an earlier one is off and unexplained.
     let explained: Vec<usize> = told.iter().flat_map(Finding::changed).collect();
     let first_open = (0..values.len()).find(|i| values[*i].verdict == Verdict::Off && !explained.contains(i));
     told.retain(|finding| {
         let begins = finding.first();
-        finding.candidate.mistake() != Mistake::Unknown
-            || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
+        names_cause(finding) || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
     });
     told
+}
+
+/// A mistake told by its place and what follows from it, without a cause.
+fn only_placed(finding: &Finding, values: &[Judged]) -> Option<Finding> {
+    let first = &values[finding.first()?].entry;
+    let told = tell::unknown(Blank::Quantity(first.asked.name().to_owned()));
+    Some(Finding { candidate: Candidate { told, ..finding.candidate.clone() }, ..finding.clone() })
 }
 
 /// The share of students that made these mistakes, of those for whom they have this probability among all that was
@@ -286,11 +362,11 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
 fn honest(probability: f64, findings: &[Finding], hand: &Hand) -> f64 {
     let is_by_hand = hand.is_by_hand();
     let [first, further] = OUTSIDE[usize::from(!is_by_hand)];
-    let names_any = findings.iter().any(|f| f.candidate.mistake() != Mistake::Unknown);
+    let names_any = findings.iter().any(names_cause);
     let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
     let others = findings.len().saturating_sub(1) as i32;
     let rivals = if is_by_hand && names_any { libm::pow(probability, RIVALS) } else { probability };
-    let is_alone = |f: &&Finding| f.follows.is_empty() && f.candidate.mistake() != Mistake::Unknown;
+    let is_alone = |f: &&Finding| f.follows.is_empty() && names_cause(f);
     let alone = if is_by_hand { findings.iter().filter(is_alone).count() as i32 } else { 0 };
     rivals * libm::pow(ALONE, f64::from(alone)) * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }

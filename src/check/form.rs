@@ -38,6 +38,8 @@ struct FormFile {
     points: Option<IndexMap<Order, IndexMap<String, PlacedPoint>>>,
     #[serde(default)]
     upright: bool,
+    #[serde(default)]
+    hints: u64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
@@ -166,6 +168,7 @@ impl Measured {
             blank: blank.into_iter().map(|(name, _)| name).collect(),
             points: points.collect(),
             upright: file.upright,
+            hints: file.hints,
         })
     }
 
@@ -242,6 +245,7 @@ fn written(measured: &Measured, values: &IndexMap<String, Value>) -> String {
     put("positive", json!(measured.positive));
     put("in", json!(measured.in_mm.then_some(Paper::Mm)));
     put("upright", json!(measured.upright.then_some(true)));
+    put("hints", json!((measured.hints > 0).then_some(measured.hints)));
     put("values", json!(values));
     let places_of = |order: Order| -> IndexMap<&String, &PlacedPoint> {
         measured.points.iter().filter(|plan| plan.order == order).flat_map(|plan| &plan.places).collect()

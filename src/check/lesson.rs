@@ -16,8 +16,8 @@ pub(super) struct Lesson {
     pub worked: Option<Worked>,
     /// By how much what was drawn is off, where no cause is known.
     pub off: Option<Off>,
-    /// The numbers of the steps whose results it changes.
-    pub redo: Vec<usize>,
+    /// The numbers of the steps whose results it changes, where that is known.
+    pub redo: Option<Vec<usize>>,
 }
 
 /// A number worked out: a sum of products, over a product or 1.
@@ -62,9 +62,22 @@ pub(super) fn lesson(model: &Model, entries: &[Entry], candidate: &Candidate, ot
     Lesson {
         worked: candidate.edits.first().and_then(|edit| worked(model, entries, edit.operation)),
         off: (candidate.mistake() == Mistake::Unknown).then(|| off(model, candidate, &before)).flatten(),
-        redo: redo(model, [&before, &behind], candidate),
+        redo: Some(redo(model, [&before, &behind], candidate)),
     }
 }
+
+/// What a wrong value teaches whose cause is not known. `is_alone`: whether nothing else is off.
+pub(super) fn of_value(model: &Model, entries: &[Entry], entry: usize, is_alone: bool) -> Lesson {
+    let maker = model.readings[entry].ok().and_then(|reading| model.makers[reading.number.0]);
+    let worked = maker.and_then(|maker| worked(model, entries, maker));
+    // What the student's own numbers give was computed rightly.
+    let is_other =
+        |worked: &Worked| worked.own.is_some_and(|own| (own - worked.result).abs() > COMPUTED * worked.result.abs());
+    Lesson { worked: worked.filter(is_other), off: None, redo: is_alone.then(Vec::new) }
+}
+
+/// Difference of a number from what others give, in parts of it, up to which it was computed from them.
+const COMPUTED: f64 = 0.02;
 
 /// The number that an operation makes, or that gives its vector its size, from the numbers that the student has.
 fn worked(model: &Model, entries: &[Entry], operation: usize) -> Option<Worked> {

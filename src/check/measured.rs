@@ -70,6 +70,8 @@ pub struct Measured {
     pub points: Vec<PointsOf>,
     /// Whether the places are those of sheets that lie as they were printed, x along the scheme's; else each plan may lie turned.
     pub upright: bool,
+    /// How many stages of hints the student opened in the workbench.
+    pub hints: u64,
     /// Lines of the file that are not understood; a check tells them together with its own.
     pub faults: Vec<CheckError>,
 }

@@ -186,7 +186,8 @@ impl<'a> Prepared<'a> {
         });
         let mirrored = mirrored.map(|plan| plan.sheet()).collect();
         let (turned, missing) = (turned(measured, &key.solution.construction), self.missing(measured, &entries));
-        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None })
+        let hints = measured.hints;
+        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None, hints })
     }
 
     /// The mistakes in the likeliest explanations of the first values of a form, which the construction cut off behind them gives.

@@ -7,7 +7,7 @@ use super::checked::{Checked, Explanation, Finding, Judged, Verdict};
 use super::measured::AnswerKey;
 use super::mistakes::{Candidate, Mistake};
 use super::names::Names;
-use crate::construction::{Teller, shown_text};
+use crate::construction::{NumberedStep, Teller, shown_text};
 use crate::sheet::QuantityKind;
 use crate::words::{Language, Medium, NumberStyle, Wording};
 use schemars::JsonSchema;
@@ -38,7 +38,7 @@ pub fn report(checked: &Checked, key: &AnswerKey<'_>) -> String {
     lines.extend(parts.further);
     if !parts.others.is_empty() {
         lines.push(String::new());
-        lines.push(text.own.check_others().to_owned());
+        lines.push(parts.others_heading);
         lines.extend(parts.others.iter().map(|other| format!("  - {other}")));
     }
     lines.join("\n") + "\n"
@@ -84,11 +84,15 @@ pub struct ReportParts {
     pub heading: String,
     /// The mistakes that were probably made.
     pub causes: Vec<Cause>,
+    /// How many stages of a hint a student may open, of those of a cause and of all that it tells.
+    pub hints: usize,
     /// How sure these are.
     pub sure: Option<String>,
     /// Which values nothing explains, and which plans are mirrored.
     pub further: Vec<String>,
-    /// What else explains the values.
+    /// The heading of these.
+    pub others_heading: String,
+    /// What else explains the values, or what may have been done where only the place of a mistake is told.
     pub others: Vec<String>,
 }
 
@@ -116,6 +120,8 @@ pub struct Cause {
     pub worked: Vec<String>,
     /// Which steps are to be done again.
     pub redo: Option<String>,
+    /// The stages of a hint before all this is told: the plan, the first wrong value, the step.
+    pub hints: Vec<String>,
     /// The number of its step; 0 for the whole drawing.
     pub step: usize,
 }
@@ -182,9 +188,14 @@ impl<'a> ReportText<'a> {
             rows: self.checked.values.iter().map(row).collect(),
             senses: (self.checked.count(Verdict::SenseMissing) > 0).then(|| self.own.check_senses().to_owned()),
             heading: self.heading(),
+            hints: self.key.solution.scene.hints,
             causes: best.findings.iter().map(|finding| self.cause(finding)).collect(),
             sure: (!best.findings.is_empty()).then(|| self.sure(best)),
             further: self.unexplained().into_iter().chain(self.looked_at()).chain(mirrored).collect(),
+            others_heading: match others.iter().any(|other| other.is_within) {
+                true => self.own.check_perhaps().to_owned(),
+                false => self.own.check_others().to_owned(),
+            },
             others: others.iter().map(|other| self.other(other)).collect(),
         }
     }
@@ -241,19 +252,15 @@ impl<'a> ReportText<'a> {
             (0, _) if self.has_nothing_to_explain() => self.nothing_off(),
             (0, Some(&first)) => {
                 let entry = &self.checked.values[first].entry;
-                let (step, name) = (entry.step.to_string(), self.names.shown(&entry.asked));
-                let tell = if self.is_alone() { Language::check_none_alone } else { Language::check_none };
-                tell(self.own, &step, &name)
+                self.own.check_none(&entry.step.to_string(), &self.names.shown(&entry.asked))
             }
             (0 | 1, _) => self.own.check_probably().to_owned(),
+            // Then no one says that they explain all.
+            _ if diagnosis.best.findings.iter().any(|f| f.candidate.mistake() == Mistake::Unknown) => {
+                self.own.check_probably().to_owned()
+            }
             _ => self.own.check_no_single().to_owned(),
         }
-    }
-
-    /// Whether one value alone is off and nothing explains it: the heading says all of it.
-    fn is_alone(&self) -> bool {
-        let diagnosis = &self.checked.diagnosis;
-        diagnosis.best.findings.is_empty() && diagnosis.unexplained.len() == 1 && self.checked.count(Verdict::Off) == 1
     }
 
     fn has_nothing_to_explain(&self) -> bool {
@@ -278,7 +285,7 @@ impl<'a> ReportText<'a> {
     /// The sentence about the unexplained values, if there are any.
     fn unexplained(&self) -> Option<String> {
         let values = &self.checked.diagnosis.unexplained;
-        (!values.is_empty() && !self.is_alone()).then(|| self.own.check_unexplained(&self.names(values)))
+        (!values.is_empty()).then(|| self.own.check_unexplained(&self.names(values)))
     }
 
     /// How many values the search for causes looked at, where not all.
@@ -301,21 +308,26 @@ impl<'a> ReportText<'a> {
         let follows = match follows.as_slice() {
             // This mistake is in every value.
             _ if candidate.mistake() == Mistake::Truncated => None,
+            // That is said already, or not known.
+            [] if candidate.mistake() == Mistake::Unknown => None,
             [] => Some(self.own.check_follows_none().to_owned()),
             some => Some(self.own.check_follows(&self.names(some))),
         };
         Cause {
             done,
-            caption: step.map(|step| {
-                let caption = Teller::new(self.key.solution, &self.words).caption(&step);
-                shown_text(&caption, step.plan, &self.words)
-            }),
+            caption: step.as_ref().map(|step| self.caption(step)),
             should,
             follows,
             worked: self.worked(&finding.lesson),
             redo: self.redo(&finding.lesson, candidate),
+            hints: self.hints(finding, step.as_ref()),
             step: candidate.step,
         }
+    }
+
+    fn caption(&self, step: &NumberedStep<'_>) -> String {
+        let caption = Teller::new(self.key.solution, &self.words).caption(step);
+        shown_text(&caption, step.plan, &self.words)
     }
 
     fn names(&self, values: &[usize]) -> String {
@@ -329,7 +341,12 @@ impl<'a> ReportText<'a> {
 pub(super) fn told_alone(candidate: &Candidate, names: &Names<'_>, words: &Wording) -> [String; 2] {
     let [done, should] = candidate.told.sentences_with(words, &|name| names.named(name));
     let own = words.language;
-    [format!("{}: {done}.", step(candidate, own)), format!("{}: {should}.", own.check_instead())]
+    let should = match candidate.mistake() {
+        // Not how it should be, but where to look.
+        Mistake::Unknown => format!("{should}."),
+        _ => format!("{}: {should}.", own.check_instead()),
+    };
+    [format!("{}: {done}.", step(candidate, own)), should]
 }
 
 /// The words for the step at which a mistake was made.

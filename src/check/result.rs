@@ -52,6 +52,9 @@ pub struct CheckResult {
     /// large, `{ "zero": 2 }` where they are 2 mm too long.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub common: Option<CommonError>,
+    /// How many stages of hints the student opened in the workbench.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub hints: Option<u64>,
     /// The marks that the values earn, where a marking scheme is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub marks: Option<Awarded>,
@@ -126,6 +129,10 @@ pub struct ExplanationResult {
     /// Whether the given values alone cannot tell it from the diagnosis.
     #[serde(skip_serializing_if = "core::ops::Not::not")]
     pub indistinguishable: bool,
+    /// Whether it is one way in which what the diagnosis tells as "unknown", only by its place, may have happened: its probability is a part
+    /// of the diagnosis's.
+    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    pub within: bool,
 }
 
 /// A mistake that was probably made.
@@ -182,6 +189,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         mistakes: explanation.findings.iter().map(mistake).collect(),
         probability: explanation.probability,
         indistinguishable: explanation.is_alike,
+        within: explanation.is_within,
     };
     let scale = |scale: &StatedScale| {
         let StatedScale { sheet, stated, asked, used } = *scale;
@@ -206,6 +214,7 @@ pub fn check_result(checked: &Checked, key: &AnswerKey<'_>, name: Option<Untrust
         values_of: checked.values_of.clone(),
         scales: checked.scales.iter().map(scale).collect(),
         common: checked.common,
+        hints: Some(checked.hints).filter(|hints| *hints > 0),
         marks: None,
     }
 }

@@ -58,6 +58,8 @@ messages! { "check":
     write_sense = "write `clockwise` or `counter-clockwise`";
     values_in(unit) = "values in `{unit}` are not understood";
     not_upright(text) = "`{text}` does not say whether the sheets lie upright";
+    no_count(text) = "`{text}` is no number of hints";
+    whole_number = "write a whole number from 0 on, or leave the line out";
     true_or_false = "write `true` if they lie as they were printed, else `false`";
     mm_or_units = "write `mm` for millimetres of paper, or `units` for those of the scene";
     no_coordinate(text) = "`{text}` is no coordinate";

@@ -26,8 +26,6 @@ pub(super) struct Scorer<'a> {
     pub tolerance: Tolerance,
     /// The covariances of a right drawing.
     nominal: Covariances,
-    /// By datum: its value in a right drawing.
-    right: Vec<f64>,
     pub entries: &'a [Entry],
 }
 
@@ -71,9 +69,7 @@ impl<'a> Scorer<'a> {
         let all = [(Changes::new(), (0..count).collect())];
         let nominal = Covariances::new(model, &tolerance, &data, &all, &[], groups.get());
         groups.get_or_init(|| nominal.groups.clone());
-        let mut right = vec![f64::NAN; count];
-        read(model, &model.exact, &data, &all[0].1, &mut right);
-        Scorer { models, without: data.iter().map(Without::of).collect(), tolerance, nominal, right, entries, data }
+        Scorer { models, without: data.iter().map(Without::of).collect(), tolerance, nominal, entries, data }
     }
 
     pub fn model(&self, set: &[&Candidate]) -> &'a Model {
@@ -183,17 +179,18 @@ impl<'a> Scorer<'a> {
         all.filter(is_changed).collect()
     }
 
-    /// How well values fit a prediction at a first look, by the likeliest of these metrics.
-    pub fn look(&self, metrics: &[Metric], meant: &[Datum], predicted: &[f64]) -> f64 {
+    /// How well values fit a prediction at a first look, by the likeliest of these metrics, which are of a drawing that predicts `before`.
+    pub fn look(&self, metrics: &[Metric], before: &[f64], meant: &[Datum], predicted: &[f64]) -> f64 {
         if predicted.iter().any(|p| !p.is_finite()) {
             return f64::INFINITY;
         }
         let compared = Compared { meant, predicted, without: &self.without };
-        // Errors are assumed to grow in proportion to the value.
+        // Errors are assumed to grow in proportion to the value, and to turn round with its sign.
         let grown = |index: usize| {
             let small = 0.05 * self.data[index].span;
-            let grown = (predicted[index].abs() + small) / (self.right[index].abs() + small);
-            grown.clamp(1.0, 1000.0)
+            let grown = (predicted[index].abs() + small) / (before[index].abs() + small);
+            let is_turned = self.data[index].kind != QuantityKind::Angle && predicted[index] * before[index] < 0.0;
+            grown.clamp(1.0, 1000.0) * if is_turned { -1.0 } else { 1.0 }
         };
         let mut deviations = Vec::with_capacity(predicted.len());
         let costs = metrics.iter().map(|metric| metric.look(compared, grown, &mut deviations));
@@ -368,7 +365,8 @@ impl Metric {
         metric
     }
 
-    /// The cost of the values at a first look. `grown`: how many times as large as usual a value's errors are.
+    /// The cost of the values at a first look. `grown`: how many times as large as usual a value's errors are, negative where their signs are
+    /// the other way round.
     pub fn look(&self, compared: Compared<'_>, grown: impl Fn(usize) -> f64, deviations: &mut Vec<f64>) -> f64 {
         let count = compared.meant.len();
         let mut cost = Cost::ZERO;
@@ -376,8 +374,9 @@ impl Metric {
         for (index, datum) in compared.meant.iter().enumerate() {
             let row = &self.lower[index * count..index * count + index];
             let mean: f64 = row.iter().zip(deviations.iter()).map(|(part, deviation)| part * deviation).sum();
-            let off = datum.off(compared.predicted[index], mean) - mean;
             let grown = grown(index);
+            let sign = grown.signum();
+            let off = sign * datum.off(compared.predicted[index], sign * mean) - mean;
             let variance = self.variances[index] + (grown * grown - 1.0) * self.drawn[index];
             let without = &compared.without[index];
             let is_inside = cost.add_deviate(off * off / variance, variance / datum.variance(), without);

@@ -269,7 +269,8 @@ impl<'a> Search<'a> {
             let mut set = parent.set.clone();
             set.push(candidate);
             let meant = self.scorer.meant(&set);
-            let look = self.scorer.look(&parent.metrics, &meant, &self.scorer.predicted(&set));
+            let look =
+                self.scorer.look(&parent.metrics, &parent.tried.fit.predicted, &meant, &self.scorer.predicted(&set));
             look + self.costs[index] + FURTHER + FITTED * candidate.free.len() as f64
         };
         if candidate.free.is_empty() {

@@ -7,7 +7,7 @@ use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, quoted, shown};
 
 /// The lines of a table that are no values, beside those of scales.
-const HEAD: [&str; 5] = ["name", "exercise", "positive", "in", "upright"];
+const HEAD: [&str; 6] = ["name", "exercise", "positive", "in", "upright", "hints"];
 
 impl Measured {
     /// The values of a table; of blanks the names. Beside quantities it may have lines `name`, `exercise`, `mu_l`,
@@ -98,6 +98,10 @@ impl Measured {
                 let wrong = || CheckError::new(says::not_upright(shown(&value)), says::true_or_false());
                 self.upright = value.parse().map_err(|_| wrong())?;
             }
+            "hints" => {
+                let wrong = || CheckError::new(says::no_count(shown(&value)), says::whole_number());
+                self.hints = value.parse().map_err(|_| wrong())?;
+            }
             _ => self.values.push(Given {
                 name: name.to_owned(),
                 text: value,
@@ -120,6 +124,7 @@ pub(super) fn written<'v>(measured: &Measured, values: impl Iterator<Item = [&'v
     lines.extend(measured.positive.map(|sense| format!("positive,{},", sense.as_str())));
     lines.extend(measured.in_mm.then(|| "in,mm,".to_owned()));
     lines.extend(measured.upright.then(|| "upright,true,".to_owned()));
+    lines.extend((measured.hints > 0).then(|| format!("hints,{},", measured.hints)));
     lines.extend(
         values
             .map(|[name, digits, unit]| format!("{},{},{}", quoted(name), cell(digits), blank_or_quoted(&cell(unit)))),

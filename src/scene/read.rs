@@ -57,9 +57,27 @@ pub(super) struct SceneFile {
     /// The quantities for which the forms and sheets of students have boxes, as "omega(2)" or "vplan(p,b)", with the marks that each is
     /// worth; left out: all that the steps of the construction give, one mark each. What no step gives has no box.
     pub form: Option<IndexMap<String, f64>>,
+    /// How many stages of a hint somebody may open who solves this as an exercise in the workbench: 1 the plan, 2 the first wrong value,
+    /// 3 the step, 4 what was done; left out: all.
+    #[schemars(range(min = 0, max = MOST_HINTS))]
+    pub hints: Option<usize>,
 }
 
-write_keys!(SceneFile { kinegon, title, units, ground, points, known, links, sliders, near, figure, want, form });
+write_keys!(SceneFile {
+    kinegon,
+    title,
+    units,
+    ground,
+    points,
+    known,
+    links,
+    sliders,
+    near,
+    figure,
+    want,
+    form,
+    hints
+});
 
 /// A mechanism as its scene file describes it: checked, in the file's order and units, angles in degrees.
 ///
@@ -91,6 +109,8 @@ pub struct Scene {
     /// The quantities for which a student's form has boxes, with the marks that each is worth; `None` for all that the steps give, one mark
     /// each. One that no step gives has none.
     pub form: Option<IndexMap<String, f64>>,
+    /// How many stages of a hint a student may open in the workbench.
+    pub hints: usize,
     /// The scene's text, for the places of errors of later stages.
     text: String,
     /// Its numbers as they are written there.
@@ -248,6 +268,9 @@ pub fn signs(number: u64) -> String {
     digits.map(char::from).collect()
 }
 
+/// The stages of a hint: the plan, the first wrong value, the step, what was done.
+pub(crate) const MOST_HINTS: usize = 4;
+
 /// Most marks that a value of a form may be worth.
 pub(crate) const MOST_MARKS: f64 = 1e6;
 
@@ -285,6 +308,10 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     figure.check().map_err(|wrong| wrong.inside(&["figure"]))?;
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
+    if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
+        return Err(Wrong::value(&["hints"], says::no_hints(hints))
+            .hint(says::hints_from_0(MOST_HINTS)));
+    }
     Ok(Scene {
         title: file.title,
         units: file.units,
@@ -298,6 +325,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
         figure,
         want: file.want,
         form: file.form,
+        hints: file.hints.unwrap_or(MOST_HINTS),
         text: text.to_owned(),
         digits,
     })

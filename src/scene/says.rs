@@ -114,6 +114,8 @@ messages! { "scene":
     form_no_quantity(name) = "{name} is no name of a quantity";
     form_no_marks(marks) = "{marks} are no marks";
     form_marks_from_0(most) = "marks are 0 to {most}";
+    no_hints(count) = "{count} is no number of stages of a hint";
+    hints_from_0(most) = "write 0 (no hints) to {most} (all)";
     form_names_quantities = "write names as an empty form has them: \"omega(2)\", \"vplan(p,b)\"";
 
     // Names.

@@ -317,7 +317,6 @@ sentences! {
     check_no_single = "No single mistake explains this. Together these do:";
     check_none(number, value) =
         "Something is wrong from step {number} on: {value} is the first value that is off. I cannot tell the cause.";
-    check_none_alone(number, value) = "Step {number}: {value} is off, and no other value is. I cannot tell the cause.";
     check_step(number) = "Step {number}";
     /// In place of a step.
     check_whole = "Whole drawing";
@@ -339,6 +338,11 @@ sentences! {
     check_redo_number = "Correct this number alone; the drawing stays.";
     check_sure(percent) = "How sure: {percent} %";
     check_others = "It could also be";
+    /// In place of `check_others` where only the place of a mistake is told.
+    check_perhaps = "Perhaps it was this";
+    check_hint_plan(plan) = "Look at your {plan}.";
+    check_hint_whole = "Look at the whole drawing: its position, its scale, its senses.";
+    check_hint_value(value) = "The first value that is off is {value}.";
     /// Behind an explanation that the values cannot tell from the first.
     check_alike = "your values alone cannot tell this from the above";
     check_unexplained(values) = "Without an explanation: {values}.";

@@ -62,6 +62,7 @@ mod driven_sliders;
 mod editing;
 mod error_bounds;
 mod films;
+mod first_wrong;
 mod forms;
 mod fuzzed;
 mod gallery_measured;

@@ -191,7 +191,8 @@ def judge(drawn, report):
 
 def probabilities(report):
     total = report["diagnosis"]["probability"] if report["diagnosis"]["mistakes"] else 0.0
-    return total + sum(o["probability"] for o in report["others"] if not o.get("indistinguishable") and o["mistakes"])
+    return total + sum(o["probability"] for o in report["others"]
+                       if not o.get("indistinguishable") and not o.get("within") and o["mistakes"])
 
 
 def check(kinegon, drawn, folder, number):

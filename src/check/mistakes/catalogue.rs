@@ -169,7 +169,13 @@ macro_rules! catalogue {
             /// A value in another unit of length than the scene's, and no unit beside it.
             OtherUnit "other-unit" 3.0 copying::other_unit { other_unit(quantity, number, unit, own) }
             /// A value wrong for a reason that the catalogue does not know, and used in later operations.
-            Unknown "unknown" 10.0 unknown::everywhere { unknown(quantity) }
+            Unknown "unknown" 10.0 unknown::everywhere {
+                unknown(quantity)
+                /// Nothing else is off.
+                unknown_alone(quantity)
+                /// More is off, and whether it follows is not known.
+                unknown_first(quantity)
+            }
         }
     };
 }

@@ -88,7 +88,7 @@ pub(super) struct Length<'s> {
 }
 
 /// Most lengths among which any is taken for any other; of more only neighbours are.
-const FEW: usize = 4;
+const FEW: usize = 12;
 
 /// The lengths of the scheme, then the links' other lengths.
 pub(super) fn lengths<'s>(site: &'s Site<'_>) -> Vec<Length<'s>> {

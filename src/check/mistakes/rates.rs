@@ -24,7 +24,7 @@ fn rates<'a>(site: &'a Site<'a>) -> impl Iterator<Item = (usize, NumberId, Rate)
 /// A rate taken with the wrong sense: in all that follows, or only as it is written.
 pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
     let taken = rates(site).filter_map(|(operation, number, _)| {
-        let mut candidate = site.candidate(tell::wrong_sense(site.symbol(number)), times(operation, number, -1.0));
+        let mut candidate = site.candidate(tell::wrong_sense(as_asked(site, number)), times(operation, number, -1.0));
         if site.is_given(number) {
             let first = site.all_terms().find(|term| term.product().of.contains(&number))?.vector;
             candidate.step = site.model.steps[first.operation];
@@ -43,6 +43,12 @@ pub(super) fn wrong_sense(site: &Site<'_>) -> Vec<Candidate> {
         }
     }
     found
+}
+
+/// A rate as the form asks for it: of links that turn together, that of any.
+fn as_asked(site: &Site<'_>, number: NumberId) -> Blank {
+    let reads = |index: &usize| site.model.readings[*index].is_ok_and(|reading| reading.number == number);
+    (0..site.entries.len()).find(reads).map_or_else(|| site.symbol(number), |index| entry_symbol(&site.entries[index]))
 }
 
 /// The senses of all rates of rotation reversed on the form, as by somebody who counts clockwise as positive.

@@ -2,7 +2,8 @@
 
 use super::site::{Candidate, Site, instead, times};
 use super::told::{Blank, Told, tell};
-use crate::construction::{Action, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole};
+use crate::construction::{Action, LineId, MeasuredAs, NumberId, Operation, OperationKind, OperationRole, PlaceId};
+use crate::geometry::{Vector, cross, unit};
 use crate::sheet::Sheet;
 
 /// The plan points that a ray goes through and leads to; `None` if the operation draws no ray.
@@ -148,11 +149,69 @@ pub(super) fn wrong_lines(site: &Site<'_>) -> Vec<Candidate> {
                 taken[side] = wrong;
                 let [wrong, right] = [wrong, lines[side]].map(|line| line_name(site, line));
                 let edit = instead(index, OperationKind::Cross { place, lines: taken });
-                found.push(site.candidate(tell::wrong_lines(name.into(), wrong, right), edit));
+                found.push(measured_there(
+                    site,
+                    site.candidate(tell::wrong_lines(name.into(), wrong, right), edit),
+                    place,
+                ));
+            }
+            // A side of a link that the construction does not draw.
+            let kept = site.model.exact.line(lines[1 - side]);
+            for (names, side_of_link) in sides(site) {
+                let is_drawn =
+                    lines.iter().chain(&drawn).any(|line| is_same(site.model.exact.line(*line), side_of_link));
+                let Some(at) = crossing(kept, side_of_link).filter(|_| !is_drawn) else { continue };
+                let wrong = Blank::LineThrough(names);
+                let edit = instead(index, OperationKind::Plot { place, at });
+                let told = tell::wrong_lines(name.into(), wrong, line_name(site, lines[side]));
+                found.push(measured_there(site, site.candidate(told, edit), place));
             }
         }
     }
     found
+}
+
+/// A candidate that puts a point beside the lines along which distances to it are measured: these are distances then.
+fn measured_there(site: &Site<'_>, mut candidate: Candidate, place: PlaceId) -> Candidate {
+    let drawn = site.model.replay(&candidate.edits);
+    for (index, operation) in site.operations() {
+        let OperationKind::Measure { number, from, to, how: MeasuredAs::Along(line) } = operation.kind else {
+            continue;
+        };
+        if to == place {
+            let sense = (drawn.place(to) - drawn.place(from)).dot(&drawn.line(line).1).signum();
+            let kind = OperationKind::Measure { number, from, to, how: MeasuredAs::Size };
+            candidate.edits.extend([instead(index, kind), times(index, number, sense)]);
+        }
+    }
+    candidate
+}
+
+/// The lines through two pins of a link, by the pins' names: a point of each and its direction.
+fn sides(site: &Site<'_>) -> Vec<(String, (Vector, Vector))> {
+    let solution = site.key.solution;
+    let place = |point| solution.pose.point(point) - site.model.construction.origin;
+    let mut found = Vec::new();
+    for (_, link) in solution.mechanism.links() {
+        for (at, &from) in link.points.iter().enumerate() {
+            for &to in &link.points[at + 1..] {
+                let names = [from, to].map(|point| solution.mechanism.point_name(point)).concat();
+                found.extend(unit(place(to) - place(from)).map(|along| (names, (place(from), along))));
+            }
+        }
+    }
+    found
+}
+
+/// Whether two lines are one on paper.
+fn is_same((a, u): (Vector, Vector), (b, v): (Vector, Vector)) -> bool {
+    cross(u, v).abs() < 1e-6 && cross(u, b - a).abs() < 1e-6 * (b - a).norm().max(f64::MIN_POSITIVE)
+}
+
+/// Where two lines cross; `None` if they are parallel.
+fn crossing((a, u): (Vector, Vector), (b, v): (Vector, Vector)) -> Option<Vector> {
+    let sine = cross(u, v);
+    (sine.abs() > 0.05).then(|| a + u * (cross(b - a, v) / sine))
 }
 
 /// A line of the scheme: its role, or two of its points.

@@ -34,7 +34,7 @@ pub struct Candidate {
 
 impl Candidate {
     /// A mistake at a step, without anything that it changes.
-    pub(super) fn at(told: Told, step: usize) -> Candidate {
+    pub(in crate::check) fn at(told: Told, step: usize) -> Candidate {
         Candidate {
             told,
             step,

@@ -136,17 +136,17 @@ pub(super) fn from_absolute(site: &Site<'_>) -> Vec<Candidate> {
             continue;
         }
         let factor = product.factor / site.exact(length);
-        let end = match site.number_kind(length) {
-            NumberKind::Length([_, end]) => image_name(solution.construction.end_name(&solution.mechanism, *end)),
-            _ => continue,
-        };
+        let NumberKind::Length(ends) = site.number_kind(length) else { continue };
+        let ends = ends.map(|end| image_name(solution.construction.end_name(&solution.mechanism, end)));
         let images = &solution.construction.plans[Order::Velocity].points;
-        let absolute = images.get(&end).map(|point| point.vector.norm());
         let segments = velocities(site, term.vector.maker);
         let is_there = |velocity: f64| segments.iter().any(|(number, _)| !differ(site.exact(*number).abs(), velocity));
-        if let Some(velocity) = absolute.filter(|v| differ(*v, right) && !is_there(*v)) {
-            let size = Product::new(product.kind, factor * velocity * velocity, &[]);
-            found.push(term.candidate(site, told(&term, &format!("p – {end}")), Some(size)));
+        for end in ends {
+            let absolute = images.get(&end).map(|point| point.vector.norm()).filter(|velocity| *velocity > 0.0);
+            if let Some(velocity) = absolute.filter(|v| differ(*v, right) && !is_there(*v)) {
+                let size = Product::new(product.kind, factor * velocity * velocity, &[]);
+                found.push(term.candidate(site, told(&term, &format!("p – {end}")), Some(size)));
+            }
         }
         for (number, name) in segments.iter().filter(|(number, _)| differ(site.exact(*number).abs(), right)) {
             let size = Product::new(product.kind, factor, &[*number, *number]);

@@ -51,8 +51,8 @@ pub fn redrawn(measured: &Measured, key: &AnswerKey<'_>, checked: &Checked) -> R
     if mode > 0 {
         sheets.draw_links();
     }
-    let unknown = found.iter().filter(|c| c.mistake() == Mistake::Unknown).flat_map(|c| &c.reinterpreted);
-    for index in checked.diagnosis.unexplained.iter().copied().chain(unknown.map(|r| r.entry)) {
+    let unknown = findings.iter().filter(|f| f.candidate.mistake() == Mistake::Unknown && f.candidate.edits.is_empty());
+    for index in checked.diagnosis.unexplained.iter().copied().chain(unknown.flat_map(|f| f.written.iter().copied())) {
         sheets.draw_value(index, &checked.values[index]);
     }
     let (points, lines) = sheets.finish();
@@ -83,7 +83,9 @@ fn said(parts: &ReportParts, checked: &Checked, turns: &[(Sheet, f64)], words: &
         // Beside a figure there is no room to repeat what a slipped number should be.
         let [done, should] = finding.candidate.told.sentences(words);
         let should = (!done.contains(&should)).then_some(told.should.clone());
-        let sentences: Vec<String> = [told.done.clone()].into_iter().chain(should).chain(follows).collect();
+        let worked = told.worked.iter().chain(&told.redo).cloned();
+        let sentences: Vec<String> =
+            [told.done.clone()].into_iter().chain(should).chain(follows).chain(worked).collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
     }
     said.extend(parts.senses.iter().chain(&parts.further).cloned());

@@ -1,8 +1,10 @@
 //! What is said of a mistake for a student who wants to learn from it.
 
 use super::ReportText;
+use crate::check::checked::{Finding, Verdict};
 use crate::check::lesson::{Factors, Lesson, Off, Worked};
 use crate::check::mistakes::{Candidate, symbol};
+use crate::construction::NumberedStep;
 use crate::words::{Language, NumberStyle};
 
 impl ReportText<'_> {
@@ -68,9 +70,23 @@ impl ReportText<'_> {
         })
     }
 
+    /// The stages of a hint, from the plan to the step.
+    pub(super) fn hints(&self, finding: &Finding, step: Option<&NumberedStep<'_>>) -> Vec<String> {
+        let plan = match step {
+            Some(step) => self.own.check_hint_plan(&self.own.sheet(step.sheet).to_lowercase()),
+            None => self.own.check_hint_whole().to_owned(),
+        };
+        let values = &self.checked.values;
+        let first = finding.changed().into_iter().find(|&value| values[value].verdict == Verdict::Off);
+        let first = first.map(|value| self.own.check_hint_value(&self.names.shown(&values[value].entry.asked)));
+        let step =
+            step.map(|step| format!("{}: {}", self.own.check_step(&step.number.to_string()), self.caption(step)));
+        [plan].into_iter().chain(first).chain(step).collect()
+    }
+
     /// Which steps are to be done again.
     pub(super) fn redo(&self, lesson: &Lesson, candidate: &Candidate) -> Option<String> {
-        match lesson.redo.as_slice() {
+        match lesson.redo.as_deref()? {
             _ if candidate.step == 0 => None,
             [] => Some(self.own.check_redo_number().to_owned()),
             [step] => Some(self.own.check_redo_one(&step.to_string())),

@@ -1104,6 +1104,10 @@ export interface CheckResult {
    */
   common?: CommonErrorResult | null;
   /**
+   * How many stages of hints the student opened in the workbench.
+   */
+  hints?: number | null;
+  /**
    * The marks that the values earn, where a marking scheme is given.
    */
   marks?: Awarded | null;
@@ -1172,6 +1176,11 @@ export interface ExplanationResult {
    * Whether the given values alone cannot tell it from the diagnosis.
    */
   indistinguishable?: boolean;
+  /**
+   * Whether it is one way in which what the diagnosis tells as "unknown", only by its place, may have happened: its probability is a part
+   * of the diagnosis's.
+   */
+  within?: boolean;
 }
 /**
  * A mistake that was probably made.
@@ -1315,6 +1324,10 @@ export interface ReportParts {
    */
   causes: Cause[];
   /**
+   * How many stages of a hint a student may open, of those of a cause and of all that it tells.
+   */
+  hints: number;
+  /**
    * How sure these are.
    */
   sure: string | null;
@@ -1323,7 +1336,11 @@ export interface ReportParts {
    */
   further: string[];
   /**
-   * What else explains the values.
+   * The heading of these.
+   */
+  others_heading: string;
+  /**
+   * What else explains the values, or what may have been done where only the place of a mistake is told.
    */
   others: string[];
 }
@@ -1371,6 +1388,10 @@ export interface Cause {
    * Which steps are to be done again.
    */
   redo: string | null;
+  /**
+   * The stages of a hint before all this is told: the plan, the first wrong value, the step.
+   */
+  hints: string[];
   /**
    * The number of its step; 0 for the whole drawing.
    */
@@ -1782,6 +1803,11 @@ export interface SceneFile {
   form?: {
     [k: string]: number;
   };
+  /**
+   * How many stages of a hint somebody may open who solves this as an exercise in the workbench: 1 the plan, 2 the first wrong value,
+   * 3 the step, 4 what was done; left out: all.
+   */
+  hints?: number;
   /**
    * Where an editor finds this schema; ignored
    */

@@ -15,6 +15,8 @@ export interface FormFile extends Partial<Record<Scale, number>> {
   exercise?: string;
   positive?: "counter-clockwise" | "clockwise";
   in?: "mm" | "units";
+  /** How many stages of hints were opened. */
+  hints?: number;
   values?: Record<string, Written>;
   points?: Partial<Record<Sheet, Record<string, Place>>>;
 }

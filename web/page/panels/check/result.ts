@@ -1,8 +1,9 @@
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
-import type { Checked, ReportParts } from "../../engine/types.ts";
+import type { Cause, Checked, ReportParts } from "../../engine/types.ts";
 import type { Verdicts } from "./checking.ts";
 import type { Overlay } from "./overlay.ts";
+import { formFile, formText, withHead } from "./form.ts";
 import { refusal } from "./refusal.ts";
 import { say } from "./words.ts";
 
@@ -17,19 +18,39 @@ function folded(summary: string, ...contents: Node[]): HTMLDetailsElement {
   return element("details", {}, element("summary", {}, summary), ...contents);
 }
 
-/** What was probably done, one after the other; what it should be, worked out, is folded, so that somebody may think first. */
-function causes(app: App, parts: ReportParts): HTMLElement {
-  const items = parts.causes.map((cause) => {
-    const item = element("li", {}, fragment("p", cause.done, "done"));
-    if (cause.caption !== null) item.append(fragment("p", cause.caption, "caption"));
-    item.append(folded(say("should"), ...[cause.should, ...cause.worked].map((text) => fragment("p", text))));
-    if (cause.follows !== null) item.append(fragment("p", cause.follows, "follows"));
-    if (cause.redo !== null) item.append(fragment("p", cause.redo, "redo"));
-    if (cause.step > 0 && !app.student.value) item.append(element("p", {}, stepButton(app, cause.step)));
-    return item;
-  });
+/** What was probably done; what it should be, worked out, is folded, so that somebody may think first. */
+function whole(app: App, cause: Cause): Node[] {
+  const caption = cause.caption === null ? [] : [fragment("p", cause.caption, "caption")];
+  const should = folded(say("should"), ...[cause.should, ...cause.worked].map((text) => fragment("p", text)));
+  const behind = [cause.follows, cause.redo].filter((text) => text !== null).map((text) => fragment("p", text));
+  const step = cause.step > 0 && !app.student.value ? [element("p", {}, stepButton(app, cause.step))] : [];
+  return [fragment("p", cause.done, "done"), ...caption, should, ...behind, ...step];
+}
+
+/** How many stages of a cause a student has opened, by what it says. */
+const opened = new Map<string, number>();
+
+/** What was probably done, one after the other: to a student by stages, as many as the teacher allows; the form counts them. */
+function causes(app: App, parts: ReportParts, again: () => void): HTMLElement {
+  const staged = (cause: Cause): Node[] => {
+    const stages = [...cause.hints.map((hint) => [fragment("p", hint)]), whole(app, cause)];
+    const open = opened.get(cause.done) ?? 0;
+    const next = element("button", { type: "button" }, say(open === 0 ? "hint" : "next_hint"));
+    next.onclick = () => {
+      opened.set(cause.done, open + 1);
+      const file = formFile(app.history.now.value.form);
+      if (file !== null) app.history.change({ form: formText(withHead(file, "hints", (file.hints ?? 0) + 1)) });
+      again();
+    };
+    const allowed = parts.hints >= MOST_HINTS ? stages.length : Math.min(parts.hints, cause.hints.length);
+    return [...stages.slice(0, open).flat(), ...(open < allowed ? [element("p", {}, next)] : [])];
+  };
+  const items = parts.causes.map((cause) => element("li", {}, ...(app.student.value ? staged(cause) : whole(app, cause))));
   return element("ol", { class: "causes" }, ...items);
 }
+
+/** All stages of a hint: the plan, the value, the step, what was done. */
+const MOST_HINTS = 4;
 
 /** Goes to the step at which a mistake was made. */
 function stepButton(app: App, step: number): HTMLButtonElement {
@@ -81,7 +102,7 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     return [buttons, folded(say("right_values"), table(parts))];
   }
 
-  function told(checked: Checked, isFull: boolean): Node[] {
+  function told(checked: Checked, isFull: boolean, again: () => void): Node[] {
     const { parts } = checked;
     if (parts === null) return [];
     const isOff = checked.result?.values.some((value) => value.verdict === "off") === true || (checked.result?.mirrored ?? []).length > 0;
@@ -91,19 +112,21 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
     return [
       ...(checked.marks === null ? [] : [fragment("p", checked.marks, "marks")]),
       fragment("p", parts.heading, `heading ${kind}`),
-      ...(parts.causes.length === 0 ? [] : [causes(app, parts)]),
-      ...(parts.sure === null ? [] : [fragment("p", parts.sure, "quiet")]),
+      ...(parts.causes.length === 0 ? [] : [causes(app, parts, again)]),
+      ...(parts.sure === null || app.student.value ? [] : [fragment("p", parts.sure, "quiet")]),
       ...more.map((text) => fragment("p", text)),
-      ...(parts.others.length === 0 ? [] : [folded(say("others"), element("ul", {}, ...parts.others.map((text) => fragment("li", text))))]),
+      ...(parts.others.length === 0 || app.student.value ? [] : [folded(parts.others_heading, element("ul", {}, ...parts.others.map((text) => fragment("li", text))))]),
       folded(say("hand"), ...parts.accuracy.map((text) => fragment("p", text))),
       ...answers(checked, isFull),
     ];
   }
 
   let shown: unknown[] = [];
-  return {
+  const made: Result = {
     root,
-    show({ checked, refused }, isFull) {
+    show(verdicts, isFull) {
+      const { checked, refused } = verdicts;
+      const again = (): void => ((shown = []), made.show(verdicts, isFull));
       // What says the same stays as it is: a button that is put in anew while it is pressed hears nothing.
       const what = [checked, refused, isFull, app.student.value, say("result")];
       if (what.every((part, index) => part === shown[index])) return;
@@ -115,10 +138,11 @@ export function result(app: App, drawing: Overlay, saveReport: () => void): Resu
           ? [element("p", { class: "problem bad" }, ...refusal(refused))]
           : checked === null
             ? [element("p", { class: "quiet" }, say("nothing_yet"))]
-            : told(checked, isFull);
+            : told(checked, isFull, again);
       root.replaceChildren(heading, ...contents);
       // What was unfolded stays so when another value is written.
       for (const summary of root.querySelectorAll("summary")) if (open.includes(summary.textContent)) (summary.parentElement as HTMLDetailsElement).open = true;
     },
   };
+  return made;
 }
