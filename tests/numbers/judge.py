@@ -440,7 +440,8 @@ def data(program):
     """Prints a few cases of each family with their true numbers, of all that may be meant."""
     for name, (make, _, _) in FAMILIES.items():
         for k in range(4):
-            case, text, result, _, _ = judged(make(Dice(f"data {name} {k}")), program)
+            dice = Dice(f"data {name} {k}")
+            case, text, result, _, _ = judged(chain(dice, (5, 10, 20, 40)[k]) if make is chain else make(dice), program)
             if result is None:
                 continue
             all_numbers = [numbers_of(case, truth, result) for truth in truths(case, result)]
