@@ -218,9 +218,30 @@ pub(crate) fn source(text: &str) -> String {
     text.chars().map(safe).collect()
 }
 
-/// A message without anything that a terminal obeys. Of a line that is far too long the middle is left out.
+/// Most lines of a message: somebody with more mistakes mends the first, and asks again.
+#[cfg(feature = "cli")]
+const LINES: usize = 40;
+
+/// The lines of a message; of very many the first, and how many there are besides.
+#[cfg(feature = "cli")]
+pub(crate) fn first_lines(text: &str) -> Cow<'_, str> {
+    let more = text.split('\n').count().saturating_sub(LINES);
+    if more == 0 {
+        return Cow::Borrowed(text);
+    }
+    let lines: Vec<&str> = text.split('\n').take(LINES).collect();
+    Cow::Owned(format!("{}\n  … and {more} more", lines.join("\n")))
+}
+
+/// A message without anything that a terminal obeys. Of very many lines, and of a line that is far too long, a part is left out.
 #[cfg(feature = "cli")]
 pub(crate) fn message(text: &str) -> String {
+    short_lines(&first_lines(text))
+}
+
+/// The lines of a text without anything that a terminal obeys. Of one that is far too long the middle is left out.
+#[cfg(feature = "cli")]
+pub(crate) fn short_lines(text: &str) -> String {
     let line = |line: &str| {
         let length = line.chars().count();
         if length <= LINE {

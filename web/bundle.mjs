@@ -73,6 +73,8 @@ const contents = {
   worker: packed(worker),
   engine: packed(readFileSync(join(engine, "kinegon_web_bg.wasm"))),
 };
+/** What the page consists of, as README.md says: a test holds the page to it. */
+contents.contents = createHash("sha256").update(["style", "script", "worker", "engine", "boot"].map((name) => contents[name]).join("\n")).digest("hex");
 const filled = (_, name) => {
   if (!(name in contents)) throw new Error(`index.html asks for ${name}`);
   return contents[name];

@@ -1,6 +1,6 @@
 //! The motion of a scene while a drive moves, as a table or as curves.
 
-use super::figures::{Figures, OfScene, Sheets, stem};
+use super::figures::{Figures, Made, OfScene, Sheets, stem};
 use super::files;
 use super::message::{Failure, Source, note, refuse, warn};
 use super::options::{Paper, Words};
@@ -277,7 +277,13 @@ impl CurvesCommand {
             OfScene::Film(_) => refuse("curves do not move", "`kinegon draw` makes a film of the figure"),
         };
         let mut files = FileSet::default();
-        self.figures.write(&mut files, &[("scene", scene)], vec![(name, vec![drawing])], Sheets::Apart, of_scene)?;
+        self.figures.write(
+            &mut files,
+            &[("scene", scene)],
+            vec![(name, Made::Sheets(vec![drawing]))],
+            Sheets::Apart,
+            of_scene,
+        )?;
         files.finish()?;
         self.range.report_events(&branch, range, &Wording::of(&driven.scene.figure), "figure")
     }

@@ -1,5 +1,5 @@
 use super::cycle::{refuse_nothing, split_names};
-use super::figures::{Figures, GivenStyle, OfScene, Sheets, stem};
+use super::figures::{Figures, GivenStyle, Made, OfScene, Sheets, stem};
 use super::files;
 use super::film::FilmOptions;
 use super::message::{Failure, Source, note, refuse, warn};
@@ -17,6 +17,7 @@ use crate::sheet::Sheet;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// The scenes of figures 1 and 2 of Quintero et al. (2011), drawn if no scene is named.
 const PAPER: [(&str, &str); 2] = [
@@ -85,6 +86,9 @@ pub(super) struct Draw {
     // A page was once a film of so many positions of one drive; it now moves all drives to any position.
     #[arg(long, value_name = "N", hide = true)]
     positions: Option<String>,
+    /// Write the sheets of steps even if they are very many.
+    #[arg(long)]
+    yes: bool,
     #[command(flatten)]
     film: FilmOptions,
     #[command(flatten)]
@@ -131,12 +135,11 @@ impl Draw {
             }
             show_warnings(&solution);
             drawings.extend(match self.figures.is_film() {
-                true => vec![(name, Vec::new())],
-                false => self.sheets(name, &solution, traces, steps)?,
+                true => vec![(name, Made::Sheets(Vec::new()))],
+                false => self.sheets(name, &solution, traces, steps, &style)?,
             });
             solved.push((source, solution));
         }
-        style.put_on(drawings.iter_mut().flat_map(|(_, sheets)| sheets));
         let inputs: Vec<(&str, &Path)> = scene.iter().map(|scene| ("scene", scene.as_path())).collect();
         let mut files = FileSet::default();
         let are_finished = drawings.len() == solved.len();
@@ -273,16 +276,19 @@ impl Draw {
         solution: &Solution,
         traces: Traces,
         steps: Option<Steps>,
-    ) -> Result<Vec<(String, Vec<Drawing>)>, Failure> {
+        style: &GivenStyle,
+    ) -> Result<Vec<(String, Made)>, Failure> {
         let figures = FigureSheets::with_traces(solution, traces.into());
         figures.overflow_warnings().iter().for_each(|warning| warn(&warning.to_string()));
-        let sheets = self.sheets_of(name, solution, &figures, steps)?;
-        if let Some(sheet) = sheets.iter().find_map(|(_, sheets)| sheets.first())
-            && (steps.is_none()
-                && solution.scene.figure.step.is_none()
-                && !solution.scene.figure.worksheet
-                && !self.is_blank())
-        {
+        let figure = &solution.scene.figure;
+        if steps.is_some() || figure.step.is_some() {
+            return self.step_sheets(name, solution, &figures, steps, style);
+        }
+        let name = if self.layered { format!("{name}-layered") } else { name };
+        let mut sheets = if self.is_blank() { solution.drawing_sheets(&name) } else { figures.sheets() };
+        if self.is_blank() || figure.worksheet {
+            note_markers(figure, sheets.first());
+        } else if let Some(sheet) = sheets.first() {
             figures.cost_of_list().iter().for_each(|cost| note(&cost.to_string()));
             let missing = figures.values_without_room(sheet).join(", ");
             if !missing.is_empty() {
@@ -294,35 +300,27 @@ impl Draw {
                     "no room for {left_out} values that are no main results; --values adds a table with them"
                 ));
             }
-            let further = sheets.iter().flat_map(|(_, sheets)| sheets.iter().skip(1));
-            let parts = further.filter(|sheet| !sheet.panels.is_empty()).count();
+            let parts = sheets.iter().skip(1).filter(|sheet| !sheet.panels.is_empty()).count();
             if parts > 0 {
                 note(&format!("names crowd: {parts} further sheets show parts of the plans, larger"));
             }
         }
-        Ok(sheets)
+        style.put_on(&mut sheets);
+        Ok(vec![(name, Made::Sheets(sheets))])
     }
 
-    /// The sheets of the finished figure, or those of the steps that were asked for, each under its name.
-    fn sheets_of(
+    /// The sheets of the steps that were asked for, each under its name.
+    fn step_sheets(
         &self,
         name: String,
         solution: &Solution,
         figures: &FigureSheets<'_>,
         steps: Option<Steps>,
-    ) -> Result<Vec<(String, Vec<Drawing>)>, Failure> {
-        let wanted = match (steps, solution.scene.figure.step) {
-            (None, None) => {
-                let name = if self.layered { format!("{name}-layered") } else { name };
-                let sheets = if self.is_blank() { solution.drawing_sheets(&name) } else { figures.sheets() };
-                if self.is_blank() || solution.scene.figure.worksheet {
-                    note_markers(&solution.scene.figure, sheets.first());
-                }
-                return Ok(vec![(name, sheets)]);
-            }
-            (_, step) => step,
-        };
-        let all = figures.steps(steps.unwrap_or(Steps::Fine));
+        style: &GivenStyle,
+    ) -> Result<Vec<(String, Made)>, Failure> {
+        let wanted = solution.scene.figure.step;
+        let mut all = figures.steps(steps.unwrap_or(Steps::Fine));
+        style.put_on([&mut all]);
         let count = all.steps.len();
         let digits = count.to_string().len().max(2);
         if let Some(step) = wanted.filter(|step| !(1..=count).contains(step)) {
@@ -331,8 +329,13 @@ impl Draw {
         }
         let shown = shown_steps(solution, steps);
         let is_shown = |step: &usize| wanted.map_or(shown.get(step - 1) == Some(&true), |wanted| *step == wanted);
-        let sheet = |step: usize| (format!("{name}-{step:0digits$}"), vec![all.after_step(step)]);
-        Ok((1..=count).filter(is_shown).map(sheet).collect())
+        let shown: Vec<usize> = (1..=count).filter(is_shown).collect();
+        if !self.yes && shown.len() > 1 {
+            refuse_many(&all, &shown, steps)?;
+        }
+        let all = Rc::new(all);
+        let sheet = |step: usize| (format!("{name}-{step:0digits$}"), Made::After(all.clone(), step));
+        Ok(shown.into_iter().map(sheet).collect())
     }
 }
 
@@ -343,6 +346,24 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
         "none" => ValuesShown::Hidden,
         unit => ValuesShown::Shown(LengthUnit::ALL.into_iter().find(|known| known.as_str() == unit)),
     })
+}
+
+/// Most sheets of steps, and most marks on all of them, that are written without asking: each takes milliseconds, and marks
+/// grow with the square of the steps.
+const MOST_SHEETS: usize = 400;
+const MOST_MARKS: usize = 400_000;
+
+/// Refuses to write very many sheets, before the first is drawn.
+fn refuse_many(all: &Drawing, shown: &[usize], steps: Option<Steps>) -> Result<(), Failure> {
+    let marks: usize = shown.iter().map(|step| all.marks_after_step(*step)).sum();
+    if shown.len() <= MOST_SHEETS && marks <= MOST_MARKS {
+        return Ok(());
+    }
+    let coarse = if steps == Some(Steps::Coarse) { "" } else { "--steps coarse joins them to fewer sheets; " };
+    refuse(
+        format!("the steps make {} sheets with {marks} marks in all", shown.len()),
+        format!("{coarse}--upto N draws one of them, --layered all in one file; with --yes they are written"),
+    )
 }
 
 /// Says why a sheet to be drawn on has no markers, unless that was asked for.

@@ -1,6 +1,6 @@
 //! What students get back: a page each, and the drawing over the right one.
 
-use super::figures::{FigureOptions, Figures, GivenStyle, Sheets, stem};
+use super::figures::{FigureOptions, Figures, GivenStyle, Made, Sheets, stem};
 use super::message::{Failure, refuse, warn};
 use super::options::{GivenScales, Paper, scale_option};
 use super::output::FileSet;
@@ -219,9 +219,9 @@ impl Correction {
         style.put_on(&mut sheets);
         let name = format!("{}-check", stem(values_file));
         let numbered = |(index, sheet)| match index {
-            0 => (name.clone(), vec![sheet]),
-            1 => (format!("{name}-values"), vec![sheet]),
-            _ => (format!("{name}-values-{index}"), vec![sheet]),
+            0 => (name.clone(), Made::Sheets(vec![sheet])),
+            1 => (format!("{name}-values"), Made::Sheets(vec![sheet])),
+            _ => (format!("{name}-values-{index}"), Made::Sheets(vec![sheet])),
         };
         let drawings = sheets.into_iter().enumerate().map(numbered).collect();
         let inputs = [("scene", scene_file), ("form", values_file)];

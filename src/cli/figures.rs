@@ -2,14 +2,16 @@ use super::files;
 use super::message::{Failure, note, refuse, warn};
 use super::options::NamesAnd;
 use super::output::{FileSet, is_stream};
-use crate::drawing::{Drawing, Style};
+use crate::drawing::{Drawing, Style, Unlabelled};
 #[cfg(feature = "png")]
 use crate::format::FilmFormat;
 use crate::format::{self, Text};
 use crate::scene::{Figure, StyleName};
 use clap::{Args, ValueEnum};
 use indexmap::IndexSet;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 /// How many names without room are listed.
 const MOST_LISTED: usize = 20;
@@ -135,6 +137,49 @@ fn dots_per_inch(text: &str) -> Result<f64, String> {
     if (10.0..=2400.0).contains(&dpi) { Ok(dpi) } else { Err("must be from 10 to 2400".to_owned()) }
 }
 
+/// The sheets of a figure, to be written.
+pub(super) enum Made {
+    /// One after another.
+    Sheets(Vec<Drawing>),
+    /// The one after a step of a figure with all its steps. It is drawn when it is written: of a construction of many steps
+    /// all would be as large as the square of their number.
+    After(Rc<Drawing>, usize),
+}
+
+impl Made {
+    /// How many they are.
+    fn count(&self) -> usize {
+        match self {
+            Made::Sheets(sheets) => sheets.len(),
+            Made::After(..) => 1,
+        }
+    }
+
+    /// All of them.
+    pub(super) fn sheets(&self) -> Cow<'_, [Drawing]> {
+        match self {
+            Made::Sheets(sheets) => Cow::Borrowed(sheets),
+            Made::After(all, step) => Cow::Owned(vec![all.after_step(*step)]),
+        }
+    }
+
+    /// Whether another one goes on with the steps of this one: what has no room is told of the last.
+    fn goes_on_with(&self, next: Option<&(String, Made)>) -> bool {
+        matches!((self, next), (Made::After(all, _), Some((_, Made::After(other, _)))) if Rc::ptr_eq(all, other))
+    }
+}
+
+/// A file to be written.
+enum File<'a> {
+    /// What is made of the scene of an index.
+    OfScene(usize, OfScene),
+    /// All sheets of a figure as pages.
+    #[cfg(feature = "pdf")]
+    Pages(&'a Made),
+    /// The sheet of an index in a format.
+    Sheet(&'a Made, usize, FigureFormat),
+}
+
 /// How the sheets of a figure come into files.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sheets {
@@ -187,13 +232,13 @@ impl Figures {
         &self,
         files: &mut FileSet,
         inputs: &[(&str, &Path)],
-        drawings: Vec<(String, Vec<Drawing>)>,
+        drawings: Vec<(String, Made)>,
         kind: Sheets,
         of_scene: impl Fn(usize, OfScene) -> Result<Vec<u8>, Failure>,
     ) -> Result<(), Failure> {
         warn_unlabelled(&drawings);
         let mut written = Vec::new();
-        for (index, (name, sheets)) in drawings.iter().enumerate() {
+        for (index, (name, made)) in drawings.iter().enumerate() {
             let mut targets = self.targets(name, drawings.len())?;
             if kind == Sheets::Layered {
                 targets.retain(|(_, format)| *format == FigureFormat::Svg);
@@ -203,21 +248,25 @@ impl Figures {
                 return refuse("only SVG has layers", "leave out --format, or name a file that ends in `.svg`");
             }
             for (path, format) in targets {
-                if let Some(made) = format.of_scene() {
-                    written.push((path, of_scene(index, made)?));
+                if let Some(of) = format.of_scene() {
+                    written.push((path, File::OfScene(index, of)));
                     continue;
                 }
                 #[cfg(feature = "pdf")]
                 if kind == Sheets::Joined && format == FigureFormat::Pdf {
-                    written.push((path, format::pdf_pages(sheets, None).map_err(Failure::unclear)?));
+                    written.push((path, File::Pages(made)));
                     continue;
                 }
-                for (path, drawing) in self.sheet_paths(path, sheets.len(), kind).zip(sheets) {
-                    written.push((path, self.bytes(drawing, format, kind)?));
-                }
+                let paths = self.sheet_paths(path, made.count(), kind).zip(0..made.count());
+                written.extend(paths.map(|(path, sheet)| (path, File::Sheet(made, sheet, format))));
             }
         }
-        self.put(files, inputs, &written)
+        self.put(files, inputs, written, |file| match file {
+            File::OfScene(index, of) => of_scene(index, of),
+            #[cfg(feature = "pdf")]
+            File::Pages(made) => format::pdf_pages(&made.sheets(), None).map_err(Failure::unclear),
+            File::Sheet(made, sheet, format) => self.bytes(&made.sheets()[sheet], format, kind),
+        })
     }
 
     /// The file of a drawing in a format other than a page.
@@ -252,30 +301,31 @@ impl Figures {
         (1..=if on_stdout { 1 } else { sheets }).map(numbered)
     }
 
-    /// Puts files into a set, but not over those that were read.
+    /// Makes files one after another and puts them into a set, but not over those that were read.
     fn put(
         &self,
         files: &mut FileSet,
         inputs: &[(&str, &Path)],
-        written: &[(PathBuf, Vec<u8>)],
+        mut written: Vec<(PathBuf, File<'_>)>,
+        make: impl Fn(File<'_>) -> Result<Vec<u8>, Failure>,
     ) -> Result<(), Failure> {
         if is_stream(&self.output) {
-            let [(path, bytes)] = written else {
+            let (1, Some((path, file))) = (written.len(), written.pop()) else {
                 return refuse(
                     "only one figure fits on stdout",
                     "name one scene and one step, or a folder to write to",
                 );
             };
-            let is_stdout = self.output == Path::new("-");
-            return if is_stdout { files::print(bytes) } else { files.add(path, bytes) };
+            let (is_stdout, bytes) = (self.output == Path::new("-"), make(file)?);
+            return if is_stdout { files::print(&bytes) } else { files.add(&path, &bytes) };
         }
         let style = self.options.style.as_deref().map(|style| ("style", Path::new(style)));
-        for (path, _) in written {
+        for (path, _) in &written {
             for (what, input) in inputs.iter().copied().chain(style) {
                 files::refuse_overwriting(what, input, path)?;
             }
         }
-        files.add_all(written)
+        written.into_iter().try_for_each(|(path, file)| files.add(&path, &make(file)?))
     }
 
     /// The paths of a drawing's files with their formats; `drawings` is the number of drawings.
@@ -312,11 +362,17 @@ impl Figures {
 }
 
 /// Warns of names for which panels have no room, once for all sheets of a figure.
-fn warn_unlabelled(drawings: &[(String, Vec<Drawing>)]) {
-    let of_panels = drawings.iter().flat_map(|(_, sheets)| sheets).flat_map(|sheet| &sheet.unlabelled);
-    let told =
-        of_panels.map(|of| (&of.panel, of.are_listed, of.names.iter().map(|name| name.text.content()).collect()));
-    for (panel, are_listed, names) in told.collect::<IndexSet<(&String, bool, Vec<String>)>>() {
+fn warn_unlabelled(drawings: &[(String, Made)]) {
+    let mut told: IndexSet<(String, bool, Vec<String>)> = IndexSet::new();
+    for (index, (_, made)) in drawings.iter().enumerate() {
+        if !made.goes_on_with(drawings.get(index + 1)) {
+            let sheets = made.sheets();
+            let of_panels = sheets.iter().flat_map(|sheet| &sheet.unlabelled);
+            let names = |of: &Unlabelled| of.names.iter().map(|name| name.text.content()).collect();
+            told.extend(of_panels.map(|of| (of.panel.clone(), of.are_listed, names(of))));
+        }
+    }
+    for (panel, are_listed, names) in told {
         let listed = names.iter().take(MOST_LISTED).map(String::as_str).collect::<Vec<_>>().join("; ");
         let more = match names.len().saturating_sub(MOST_LISTED) {
             0 => String::new(),

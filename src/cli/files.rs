@@ -129,6 +129,13 @@ pub(super) fn is_same(one: &Path, other: &Path) -> bool {
     one.is_some() && one == other
 }
 
+/// Whether an existing file is in a folder or in one below it; the empty path is the folder in which the program runs.
+pub(super) fn is_below(file: &Path, folder: &Path) -> bool {
+    let folder = if folder == Path::new("") { Path::new(".") } else { folder };
+    let [file, folder] = [file, folder].map(|path| path.canonicalize().ok());
+    file.zip(folder).is_some_and(|(file, folder)| file.starts_with(folder))
+}
+
 /// Whether a path for output is a folder: an existing one, or one whose name ends in `/`.
 pub(super) fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.as_os_str().to_string_lossy().ends_with('/')

@@ -110,7 +110,7 @@ impl Failure {
         let message = message.strip_prefix(place).unwrap_or(&message);
         let message = message.trim_start_matches([':', ' ']);
         // Several errors stand on lines of their own.
-        let message = message.replace(":\n  ", ": ").replace("\n  ", "; ");
+        let message = text::first_lines(message).replace(":\n  ", ": ").replace("\n  ", "; ");
         match hint {
             Some(hint) => format!("{message} ({hint})"),
             None => message,

@@ -24,6 +24,7 @@ pub mod message;
 mod options;
 #[doc(hidden)] // for tests
 pub mod output;
+mod parts;
 mod photo;
 mod photo_class;
 #[doc(hidden)] // for tests
@@ -38,7 +39,10 @@ use crate::text;
 use clap::error::ContextValue;
 use clap::{FromArgMatches, Parser, Subcommand};
 use colorchoice_clap::Color;
+use message::Failure;
 use std::ffi::OsString;
+use std::io::ErrorKind;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// Velocity and acceleration plans of planar mechanisms, true to scale.
@@ -143,12 +147,15 @@ fn refused(mut error: clap::Error) -> u8 {
     }
     // What parsers of values say of them is no part of the context.
     let plain = error.render().to_string();
-    let safe = text::message(&plain);
+    let safe = text::short_lines(&plain);
     if error.use_stderr() && safe != plain {
         anstream::eprint!("{safe}");
-    } else {
-        // Where it cannot be printed nobody reads it.
-        let _ = error.print();
+    } else if let Err(unwritten) = error.print()
+        && !error.use_stderr()
+        && unwritten.kind() != ErrorKind::BrokenPipe
+    {
+        message::show(&Failure::unwritable(Path::new("stdout"), &unwritten));
+        return 1;
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
 }

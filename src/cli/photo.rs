@@ -275,10 +275,12 @@ pub(super) fn note_next(form: Option<&Path>, scene: &Path) {
 
 /// Most pixels of a picture, in millions: several times those of usual telephones.
 const MOST_MEGAPIXELS: f64 = 64.0;
+/// Most bytes of its pixels: three for each of so many, as a JPEG has them.
+const MOST_BYTES: u64 = 192_000_000;
 /// Largest file, in bytes.
 const LARGEST: u64 = 64 << 20;
-/// Most memory that decoding may take, in bytes: three for each pixel, and as many again.
-const MEMORY: u64 = 400 << 20;
+/// Most memory that decoding may take, in bytes: its pixels, and as many again.
+const MEMORY: u64 = 2 * MOST_BYTES;
 
 /// Whether a file's name is that of a photograph.
 pub(super) fn is_photograph(path: &Path) -> bool {
@@ -347,6 +349,15 @@ fn decoded(bytes: &[u8]) -> Result<Picture, Refused> {
     if f64::from(width) * f64::from(height) > MOST_MEGAPIXELS * 1e6 {
         let message = format!("has {width} x {height} pixels; pictures of up to {MOST_MEGAPIXELS} megapixels are read");
         return Err((message, "take the photograph in the camera's usual size"));
+    }
+    if decoder.total_bytes() > MOST_BYTES {
+        let bits =
+            8 * u64::from(decoder.color_type().bytes_per_pixel()) / u64::from(decoder.color_type().channel_count());
+        let message = format!(
+            "has {width} x {height} pixels with {bits} bits for each colour, which are {} MB",
+            decoder.total_bytes() >> 20
+        );
+        return Err((message, "save it as JPEG, or in a smaller size"));
     }
     // What a wrong note of the camera says about the turn does not matter: markers have their own.
     let turn = decoder.orientation().ok();

@@ -1,9 +1,9 @@
-//! The table of a study, and what is kept of it until all rows are there: the folder FILE.parts has a file for each block of rows,
-//! complete or not there, and the text of what the rows are of. Numbers stand there as they are in memory, little end first.
+//! The table of a study; what is kept of it until all rows are there is in `parts.rs`.
 
 use super::files;
 use super::message::{Failure, Source, note, refuse};
-use super::output::{FileSet, is_stream, write_file};
+use super::output::{FileSet, is_stream};
+use super::parts::{Parts, ROWS, Use, folder};
 use super::pieces::progress;
 use super::table::{TableFormat, TableWriter};
 use crate::format;
@@ -13,7 +13,6 @@ use clap::Args;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// Rows that the progress bar counts as one.
 const STEP: u64 = 512;
@@ -99,7 +98,8 @@ impl StudyCommand {
         }
         let text = format!("{}\n{}\n{}", env!("CARGO_PKG_VERSION"), source.text, scene_source.text);
         let all = if self.parts { 0..count } else { rows.clone() };
-        let parts = Parts::open(&self.output, &text, &all, table.columns.len())?;
+        let shared = if self.parts { Use::Some } else { Use::All };
+        let parts = Parts::open(&self.output, &text, &all, table.columns.len(), shared)?;
         let blocks: Vec<Range<u64>> = Parts::blocks(&all).filter(|b| !self.parts || rows.contains(&b.start)).collect();
         let missing: Vec<Range<u64>> = blocks.iter().filter(|block| !parts.has(block)).cloned().collect();
         if missing.len() < blocks.len() {
@@ -120,7 +120,14 @@ impl StudyCommand {
         let of = match file.scene() {
             SceneGiven::Path(path) => {
                 let folder = self.study.parent().filter(|_| self.study != Path::new("-")).unwrap_or(Path::new(""));
-                files::read(&folder.join(path))?
+                let path = folder.join(path);
+                let of = files::read(&path)?;
+                if Scene::read(&of.text).is_err() && !files::is_below(&path, folder) {
+                    // Somebody else's study may name any file: what stands in it is not shown.
+                    let hint = format!("`kinegon structure {}` says what is wrong with it", of.name);
+                    return refuse(format!("{}, which the study names as its scene, is none", of.name), hint);
+                }
+                of
             }
             SceneGiven::Inline(text) => Source { name: source.name.clone(), text },
         };
@@ -184,90 +191,4 @@ impl Table<'_> {
         note(&format!("mechanisms: {}", told.join(", ")));
         Ok(())
     }
-}
-
-/// Rows of a part.
-pub(super) const ROWS: u64 = 4096;
-
-/// The file in the folder that says what its rows are of.
-const NAME: &str = "study";
-
-pub(super) struct Parts {
-    folder: PathBuf,
-    /// Numbers in a row.
-    width: usize,
-}
-
-impl Parts {
-    /// The parts of the file `output`, of rows of what `text` says; a new folder for them if there is none.
-    pub(super) fn open(output: &Path, text: &str, rows: &Range<u64>, width: usize) -> Result<Parts, Failure> {
-        let folder = folder(output);
-        let name = folder.join(NAME);
-        let own = format!("{}..{}\n{text}", rows.start, rows.end);
-        if !folder.is_dir() {
-            fs::create_dir(&folder).map_err(|error| Failure::unwritable(&folder, &error))?;
-        }
-        match fs::read(&name) {
-            Ok(other) if other == own.as_bytes() => {}
-            Ok(_) => {
-                let folder = folder.display();
-                let message = format!("{folder} has rows of another study, of other rows or of another version");
-                return refuse(message, "remove that folder, or choose another output");
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => write_file(&name, own.as_bytes())?,
-            Err(error) => return Err(unreadable(&name, &error)),
-        }
-        Ok(Parts { folder, width })
-    }
-
-    /// Rows cut into blocks, at multiples of [`ROWS`].
-    pub(super) fn blocks(rows: &Range<u64>) -> impl Iterator<Item = Range<u64>> {
-        let (start, end) = (rows.start, rows.end);
-        (start / ROWS..end.div_ceil(ROWS)).map(move |block| start.max(block * ROWS)..end.min((block + 1) * ROWS))
-    }
-
-    fn path(&self, block: &Range<u64>) -> PathBuf {
-        self.folder.join(format!("{:010}-{:010}", block.start, block.end))
-    }
-
-    fn bytes(&self, block: &Range<u64>) -> u64 {
-        (block.end - block.start) * (self.width * size_of::<f64>()) as u64
-    }
-
-    /// Whether a block is there.
-    pub(super) fn has(&self, block: &Range<u64>) -> bool {
-        fs::metadata(self.path(block)).is_ok_and(|found| found.len() == self.bytes(block))
-    }
-
-    /// Keeps the numbers of a block.
-    pub(super) fn write(&self, block: &Range<u64>, numbers: &[f64]) -> Result<(), Failure> {
-        let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
-        write_file(&self.path(block), &bytes)
-    }
-
-    pub(super) fn read(&self, block: &Range<u64>) -> Result<Vec<f64>, Failure> {
-        let path = self.path(block);
-        let bytes = fs::read(&path).map_err(|error| unreadable(&path, &error))?;
-        if bytes.len() as u64 != self.bytes(block) {
-            return Err(Failure::outside(format!("{} is not complete; remove it and start again", path.display())));
-        }
-        let (numbers, _) = bytes.as_chunks::<8>();
-        Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
-    }
-
-    /// Removes the folder; that is no failure if somebody else has.
-    pub(super) fn remove(self) {
-        let _ = fs::remove_dir_all(self.folder);
-    }
-}
-
-/// The folder for the parts of a file.
-fn folder(output: &Path) -> PathBuf {
-    let mut name = output.as_os_str().to_owned();
-    name.push(".parts");
-    name.into()
-}
-
-fn unreadable(path: &Path, error: &io::Error) -> Failure {
-    Failure::outside(format!("{} cannot be read: {error}", path.display()))
 }

@@ -222,7 +222,14 @@ impl Construction {
     /// The step of that number.
     #[must_use]
     pub fn numbered_step(&self, number: usize) -> Option<NumberedStep<'_>> {
-        self.numbered_steps().nth(number.checked_sub(1)?)
+        let mut index = number.checked_sub(1)?;
+        for (sheet, actions) in self.steps.iter() {
+            match actions.get(index) {
+                Some(action) => return Some(NumberedStep { number, sheet, plan: self.plan_on(sheet), action }),
+                None => index -= actions.len(),
+            }
+        }
+        None
     }
 
     /// The number of a step.

@@ -9,9 +9,8 @@ use super::number::{End, NumberId, NumberKind, Rate};
 use super::operation::{LineId, MeasuredAs, OperationRole, PlaceId};
 use super::step::{Action, Arrow, LegEquation, PointRole, Ray, RayOf, Relation, VectorOf};
 use super::writer::Writer;
-use crate::geometry::{Vector, quarter_turn, span};
+use crate::geometry::{Vector, quarter_turn};
 use crate::mechanism::{BodyId, Carried, GROUND, Group, LoopEquations, PointId, Role, SliderId};
-use crate::motion::{BodyMotion, Motion, SlideMotion};
 use crate::sheet::{Order, Sheet};
 use core::cmp::Reverse;
 
@@ -267,9 +266,9 @@ impl Writer<'_> {
     /// Compares the solved rates of a group with those from the loop equations.
     pub(super) fn agreement(&self, group: &Group, equations: &LoopEquations) -> Agreement {
         let mut result = Agreement { difference: 0.0, allowed: 0.0 };
-        let size = span(self.pose.points.iter().copied());
+        let size = self.size;
         for &order in self.orders() {
-            let scale = self.largest_rate(order, size);
+            let scale = self.largest_rates[order];
             // Subnormal rates have lost digits: they count as zero.
             if scale < f64::MIN_POSITIVE {
                 continue;
@@ -289,18 +288,5 @@ impl Writer<'_> {
             }
         }
         result
-    }
-
-    /// The mechanism's largest angular velocity or acceleration; it also counts other velocities and accelerations, over
-    /// the mechanism's size, and ω². A group that stands still has no measure of its own.
-    fn largest_rate(&self, order: Order, size: f64) -> f64 {
-        let of_body = |body: &BodyMotion| match order {
-            Order::Velocity => body.omega.abs().max(body.velocity.norm() / size),
-            Order::Acceleration => body.alpha.abs().max(body.omega * body.omega).max(body.acceleration.norm() / size),
-        };
-        let of_slide = |slide: &SlideMotion| [slide.velocity, slide.acceleration][order].abs() / size;
-        let Motion { bodies, slides, .. } = self.motion;
-        // `max` ignores NaN, as of a mechanism without size.
-        bodies.iter().map(of_body).chain(slides.iter().map(of_slide)).fold(0.0, f64::max)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::constructed::Construction;
 use super::markup::{marked, rate_symbol};
+use super::operation::StepId;
 use super::sentence::Teller;
 use super::step::{Action, Arrow, NumberedStep, PointRole, Ray, RayOf, Relation, VectorOf};
 use crate::sheet::Sheet;
@@ -200,8 +201,8 @@ impl Teller<'_> {
     /// a vector that leads there.
     fn image_made<'a>(&self, step: &NumberedStep<'a>) -> Option<&'a str> {
         let (plan, name) = (step.plan?, step.action.image()?);
-        let maker = self.construction.steps[step.sheet].iter().find(|action| action.image() == Some(name))?;
+        let maker = StepId { sheet: step.sheet, index: *plan.makers.get(name)? };
         let is_image = matches!(plan.points.get(name)?.role, PointRole::Image | PointRole::Known);
-        (is_image && std::ptr::eq(maker, step.action)).then_some(name)
+        (is_image && self.construction.step_number(maker) == step.number).then_some(name)
     }
 }

@@ -155,6 +155,20 @@ impl Values {
     }
 }
 
+impl Values {
+    /// Carries out one operation, with errors in millimetres of paper or degrees; the results that it uses must be present.
+    pub(crate) fn repeat(&mut self, operation: &Operation, errors: [f64; 2], scales: PerSheet<f64>) {
+        self.run(&operation.kind, errors, scales[operation.sheet]);
+    }
+
+    /// Takes the results of an operation from other values.
+    pub(crate) fn take(&mut self, Operation { kind, .. }: &Operation, from: &Values) {
+        kind.place().iter().for_each(|place| self.places[place.0] = from.places[place.0]);
+        kind.line().iter().for_each(|line| self.lines[line.0] = from.lines[line.0]);
+        kind.numbers().iter().for_each(|number| self.numbers[number.0] = from.numbers[number.0]);
+    }
+}
+
 impl<S: Drawable> Values<S> {
     /// Makes room for so many places, lines and numbers.
     pub(super) fn resize(&mut self, [places, lines, numbers]: [usize; 3]) {

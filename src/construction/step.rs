@@ -291,6 +291,8 @@ pub struct Plan {
     pub points: IndexMap<String, PlanPoint>,
     /// The length of the longest vector from the pole to a point.
     pub(super) largest: f64,
+    /// By the image that it makes first: the index of a step.
+    pub(super) makers: IndexMap<String, usize>,
 }
 
 /// A point of a plan.
@@ -325,7 +327,7 @@ pub const NOTHING: f64 = 1e-12;
 
 impl Plan {
     pub(super) fn new(order: Order) -> Plan {
-        Plan { order, points: IndexMap::new(), largest: 0.0 }
+        Plan { order, points: IndexMap::new(), largest: 0.0, makers: IndexMap::new() }
     }
 
     /// The sheet on which it is drawn.

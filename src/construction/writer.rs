@@ -7,7 +7,7 @@ use super::operation::{Along, LineId, MeasuredAs, Operation, OperationKind, Oper
 use super::step::{Action, Plan, PlanPoint, PointRole};
 use crate::geometry::{Ball, Number, Pair, UNIT_ROUNDOFF, Vector, cross, span};
 use crate::mechanism::{BodyId, GROUND, Guide, Mechanism, PointId, SliderId};
-use crate::motion::{Motion, guide_error};
+use crate::motion::{BodyMotion, Motion, SlideMotion, guide_error};
 use crate::position::Pose;
 use crate::sheet::{Order, Sheet};
 
@@ -20,6 +20,10 @@ pub(crate) struct Writer<'a> {
     pub construction: Construction,
     /// Tolerance for a point on a line and for coincident points, in units of length.
     pub near: f64,
+    /// The mechanism's size.
+    pub size: f64,
+    /// The mechanism's largest angular velocity and acceleration.
+    pub largest_rates: [f64; 2],
     /// By point: the bodies that have it.
     holders: Vec<Vec<BodyId>>,
 }
@@ -53,8 +57,10 @@ impl<'a> Writer<'a> {
         motion: &'a Motion,
         construction: Construction,
     ) -> Self {
-        let near = 64.0 * UNIT_ROUNDOFF * span(pose.points.iter().copied());
-        Writer { mechanism, pose, motion, construction, near, holders: mechanism.holders() }
+        let size = span(pose.points.iter().copied());
+        let (near, largest_rates) =
+            (64.0 * UNIT_ROUNDOFF * size, Order::ALL.map(|order| largest_rate(motion, order, size)));
+        Writer { mechanism, pose, motion, construction, near, size, largest_rates, holders: mechanism.holders() }
     }
 
     /// Draws the pole of a plan, the image of all fixed points.
@@ -93,9 +99,12 @@ impl<'a> Writer<'a> {
     /// Adds a step that has done this to its sheet; its operations, up to that index, belong to it, unless several steps
     /// may use them.
     pub(super) fn take_step(&mut self, Begun { sheet, first }: Begun, end: usize, action: Action) -> StepId {
-        let steps = &mut self.construction.steps[sheet];
-        let id = StepId { sheet, index: steps.len() };
-        steps.push(action);
+        let index = self.construction.steps[sheet].len();
+        let id = StepId { sheet, index };
+        if let (Some(order), Some(image)) = (sheet.order(), action.image()) {
+            self.plan(order).makers.entry(image.to_owned()).or_insert(index);
+        }
+        self.construction.steps[sheet].push(action);
         for operation in &mut self.construction.operations[first..end] {
             if operation.sheet == sheet && operation.step.is_none() && !operation.kind.is_shared() {
                 operation.step = Some(id);
@@ -399,4 +408,17 @@ impl<'a> Writer<'a> {
         let last = *candidates.iter().max_by(by_place)?;
         (along(last) - along(first) > self.near).then_some([first, last])
     }
+}
+
+/// The mechanism's largest angular velocity or acceleration; it also counts other velocities and accelerations, over the
+/// mechanism's size, and ω². A group that stands still has no measure of its own.
+fn largest_rate(motion: &Motion, order: Order, size: f64) -> f64 {
+    let of_body = |body: &BodyMotion| match order {
+        Order::Velocity => body.omega.abs().max(body.velocity.norm() / size),
+        Order::Acceleration => body.alpha.abs().max(body.omega * body.omega).max(body.acceleration.norm() / size),
+    };
+    let of_slide = |slide: &SlideMotion| [slide.velocity, slide.acceleration][order].abs() / size;
+    let Motion { bodies, slides, .. } = motion;
+    // `max` ignores NaN, as of a mechanism without size.
+    bodies.iter().map(of_body).chain(slides.iter().map(of_slide)).fold(0.0, f64::max)
 }

@@ -59,7 +59,13 @@ pub(super) fn clipped_segment(area: Rect, a: Point, b: Point) -> Option<(Point, 
     }
     let share = |at: f64| ((a + d * at - a).dot(d) / d.hypot2()).clamp(0.0, 1.0);
     let (from, to) = (share(low), share(high));
-    (low < high && low.is_finite() && high.is_finite() && from < to).then(|| (a + d * from, a + d * to))
+    (low < high && low.is_finite() && high.is_finite() && from < to)
+        .then(|| (within(area, a + d * from), within(area, a + d * to)))
+}
+
+/// A cut point, which is in the area but for rounding: of lines that begin 1e300 mm away that is all there is.
+fn within(area: Rect, point: Point) -> Point {
+    Point::new(point.x.max(area.x0).min(area.x1), point.y.max(area.y0).min(area.y1))
 }
 
 /// The part of a polygon in a box, edge by edge (Sutherland and Hodgman 1974).
@@ -82,7 +88,7 @@ fn inside(area: Rect, corners: &[Point]) -> Vec<Point> {
         }
         corners = kept;
     }
-    corners
+    corners.into_iter().map(|corner| within(area, corner)).collect()
 }
 
 /// Largest distance of the drawn line from the samples, in mm.

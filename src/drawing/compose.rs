@@ -230,15 +230,26 @@ fn two_lines(text: &str, fits: impl Fn(&str) -> bool) -> [String; 2] {
     if let Some(halves) = middle.map(parted).filter(|halves| halves.iter().all(|half| fits(half))) {
         return halves.map(str::to_owned);
     }
-    let cut = |text: &str| {
-        let ends = text.char_indices().map(|(at, _)| at).rev();
-        let shortened = ends.map(|at| format!("{}…", text[..at].trim_end())).find(|text| fits(text));
-        if fits(text) { text.to_owned() } else { shortened.unwrap_or_default() }
-    };
-    match spaces().filter(|at| fits(&text[..*at])).last().map(parted) {
-        Some([first, second]) => [first.to_owned(), cut(second)],
-        None => [cut(text), String::new()],
+    let spaces: Vec<usize> = spaces().collect();
+    match spaces[..last_fitting(&spaces, |at| fits(&text[..at]))].last().copied().map(parted) {
+        Some([first, second]) => [first.to_owned(), cut_off(second, fits)],
+        None => [cut_off(text, fits), String::new()],
     }
+}
+
+/// A text, with dots for its end where it does not fit.
+fn cut_off(text: &str, fits: impl Fn(&str) -> bool) -> String {
+    if fits(text) {
+        return text.to_owned();
+    }
+    let shortened = |at: usize| format!("{}…", text[..at].trim_end());
+    let ends: Vec<usize> = text.char_indices().map(|(at, _)| at).collect();
+    ends[..last_fitting(&ends, |at| fits(&shortened(at)))].last().map_or_else(String::new, |&at| shortened(at))
+}
+
+/// How many of the ends of a text, in rising order, fit. Of a long text only a few are tried: more of it is not narrower.
+fn last_fitting(ends: &[usize], fits: impl Fn(usize) -> bool) -> usize {
+    ends.partition_point(|&at| fits(at))
 }
 
 /// Sheets with the figure's title, the lines of words for a sheet of their size, and the table, as many as its rows

@@ -160,14 +160,28 @@ impl Grid {
 
     /// What is near a box, in rising order, each once; at least all that touches it.
     pub fn near(&self, area: Rect) -> Vec<usize> {
+        self.some_near(area, usize::MAX, |_| true)
+    }
+
+    /// The things near a box that `is` holds for, in rising order, each once; of a crowd any `most`, without a look at the others.
+    pub(super) fn some_near(&self, area: Rect, most: usize, is: impl Fn(usize) -> bool) -> Vec<usize> {
         let mut found = Vec::new();
-        self.each_in(self.cells_of(area), |thing| found.push(thing));
+        self.each_in(self.cells_of(area), |thing| {
+            if is(thing) {
+                found.push(thing);
+            }
+            found.len() < most
+        });
         found.sort_unstable();
         found
     }
 
     /// Looks at what is near a straight line, each once; at least at all that touches it.
-    fn each_along(&self, line: (Point, Point), look: impl FnMut(usize)) {
+    fn each_along(&self, line: (Point, Point), mut look: impl FnMut(usize)) {
+        let look = |thing| {
+            look(thing);
+            true
+        };
         if is_near(line) {
             self.each_in(self.cells_along(line), look);
         } else {
@@ -175,9 +189,11 @@ impl Grid {
         }
     }
 
-    /// Looks at the things in some cells and at those everywhere, each once.
-    fn each_in(&self, cells: impl Iterator<Item = usize>, mut look: impl FnMut(usize)) {
-        self.everywhere.iter().for_each(|thing| look(*thing as usize));
+    /// Looks at the things in some cells and at those everywhere, each once, as long as `look` wants to go on.
+    fn each_in(&self, cells: impl Iterator<Item = usize>, mut look: impl FnMut(usize) -> bool) {
+        if !self.everywhere.iter().all(|thing| look(*thing as usize)) {
+            return;
+        }
         let mut seen = self.seen.borrow_mut();
         let Seen { search, last } = &mut *seen;
         *search += 1;
@@ -186,8 +202,8 @@ impl Grid {
                 if last.len() <= thing {
                     last.resize(thing + 1, 0);
                 }
-                if std::mem::replace(&mut last[thing], *search) != *search {
-                    look(thing);
+                if std::mem::replace(&mut last[thing], *search) != *search && !look(thing) {
+                    return;
                 }
             }
         }
@@ -279,9 +295,9 @@ impl Obstacles {
         self.grid_of_lines.each_along(line, |index| look(self.lines[index]));
     }
 
-    /// The lines near `area` by their numbers, in rising order.
-    pub(super) fn lines_near(&self, area: Rect) -> Vec<usize> {
-        self.grid_of_lines.near(area)
+    /// The lines near `area` that `is` holds for by their numbers, in rising order; of a crowd any `most`.
+    pub(super) fn lines_near(&self, area: Rect, most: usize, is: impl Fn(usize) -> bool) -> Vec<usize> {
+        self.grid_of_lines.some_near(area, most, is)
     }
 
     /// Whether the number of a line near `area` satisfies `is`.
@@ -292,8 +308,8 @@ impl Obstacles {
     /// Number of obstacles, lines and boxes, that a short segment crosses.
     pub(super) fn crossings_with(&self, from: Point, to: Point) -> usize {
         let area = Rect::from_points(from, to);
-        let lines = self.lines_near(area).into_iter().filter(|index| crosses_line(self.lines[*index], (from, to)));
-        lines.count() + self.boxes_near(area).filter(|other| other.overlaps(area)).count()
+        let lines = self.lines_near(area, usize::MAX, |index| crosses_line(self.lines[index], (from, to)));
+        lines.len() + self.boxes_near(area).filter(|other| other.overlaps(area)).count()
     }
 
     /// Whether a box overlaps one of the boxes.

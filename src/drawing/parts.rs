@@ -45,7 +45,8 @@ pub(super) fn sheets_of_parts(context: &SheetContext<'_>, layout: &Layout, figur
         let plan = context.plan(placed.needs.sheet);
         let parts = plan.map_or_else(Vec::new, |plan| parts(&context, plan));
         let heading = numbered(index, context.words.language.sheet(placed.needs.sheet));
-        let sheets = parts.iter().filter_map(|part| part.sheet(&context, plan?, placed, &heading));
+        let of = plan.map(|plan| PlanInSteps::new(&context, plan));
+        let sheets = parts.iter().filter_map(|part| part.sheet(&context, of.as_ref()?, placed, &heading));
         sheets.collect::<Vec<_>>()
     });
     sheets.collect()
@@ -82,14 +83,48 @@ fn parts(context: &SheetContext<'_>, plan: &Plan) -> Vec<Part> {
     if parts.len() > 1 { parts } else { Vec::new() }
 }
 
+/// What parts ask of their plan, looked up once for all of them.
+struct PlanInSteps<'a> {
+    plan: &'a Plan,
+    /// The points from which its vectors and rays start, with the steps of these.
+    starts: Vec<(u16, &'a str)>,
+    /// Its points that are shown but the pole, with their steps.
+    points: Vec<(u16, &'a str, geometry::Point)>,
+    /// Its size.
+    size: f64,
+}
+
+impl<'a> PlanInSteps<'a> {
+    fn new(context: &'a SheetContext<'_>, plan: &'a Plan) -> Self {
+        let (construction, steps) = (context.construction(), &context.facts.plan_steps[plan.sheet()]);
+        let vectors =
+            construction.arrows(plan.order).map(|laid| (steps.vector(&laid.from, &laid.to), laid.from.as_str()));
+        let rays = construction.rays(plan.order).map(|ray| (steps.ray(&ray.through, &ray.to), ray.through.as_str()));
+        let is_shown = |name: &String| *name != plan.order.pole() && !is_hidden(context.figure(), plan, name);
+        let points = plan.points.iter().filter(|(name, _)| is_shown(name));
+        PlanInSteps {
+            plan,
+            starts: vectors.chain(rays).collect(),
+            points: points.map(|(name, point)| (steps.point(name), name.as_str(), point.vector.into())).collect(),
+            size: plan::on_paper::extent(plan, context.figure().construction).size().norm(),
+        }
+    }
+}
+
 impl Part {
     /// Its sheet, if it is larger there than on the figure.
-    fn sheet(&self, context: &SheetContext<'_>, plan: &Plan, on_figure: &Placed, heading: &str) -> Option<Drawing> {
-        let sheet = plan.sheet();
+    fn sheet(
+        &self,
+        context: &SheetContext<'_>,
+        of: &PlanInSteps<'_>,
+        on_figure: &Placed,
+        heading: &str,
+    ) -> Option<Drawing> {
+        let (plan, sheet) = (of.plan, of.plan.sheet());
+        let starts = self.starts(of);
+        let extent = self.extent(of, &starts)?;
         let mut context = context.clone();
         context.surface.mu = Scales::default();
-        let starts = self.starts(&context, plan);
-        let extent = self.extent(&context, plan, &starts)?;
         let heading = [RichText::plain(&format!("{heading}:")), RichText::math(&self.crossings(&context, plan))];
         let frame = Frame::new(Line::new(heading.to_vec()), Pen::Heading).with_scale(&context);
         let needs = Needs { is_part: true, ..frame.needs(&context, sheet, extent) };
@@ -124,29 +159,20 @@ impl Part {
     }
 
     /// The points of the plan from which its vectors and rays start.
-    fn starts(&self, context: &SheetContext<'_>, plan: &Plan) -> Vec<String> {
-        let (construction, steps) = (context.construction(), &context.facts.plan_steps[plan.sheet()]);
-        let vectors =
-            construction.arrows(plan.order).filter(|laid| self.steps.contains(&steps.vector(&laid.from, &laid.to)));
-        let rays = construction.rays(plan.order).filter(|ray| self.steps.contains(&steps.ray(&ray.through, &ray.to)));
-        vectors.map(|laid| laid.from.clone()).chain(rays.map(|ray| ray.through.clone())).collect()
+    fn starts(&self, of: &PlanInSteps<'_>) -> Vec<String> {
+        let own = of.starts.iter().filter(|(step, _)| self.steps.contains(step));
+        own.map(|(_, name)| (*name).to_owned()).collect()
     }
 
     /// What of the plan must be in sight: its points and those from which it starts, and the pole where that is near; none
     /// where that is a single place, to rounding, or most of the plan.
-    fn extent(&self, context: &SheetContext<'_>, plan: &Plan, starts: &[String]) -> Option<Extent> {
-        let steps = &context.facts.plan_steps[plan.sheet()];
-        let is_own = |name: &String| self.steps.contains(&steps.point(name)) || starts.contains(name);
-        let shown = plan
-            .points
-            .iter()
-            .filter(|(name, _)| is_own(name) && *name != plan.order.pole() && !is_hidden(context.figure(), plan, name));
-        let places: Vec<geometry::Point> = shown.map(|(_, point)| point.vector.into()).collect();
-        let extent = Extent::of(places.iter().copied());
+    fn extent(&self, of: &PlanInSteps<'_>, starts: &[String]) -> Option<Extent> {
+        let is_own = |step: &u16, name: &str| self.steps.contains(step) || starts.iter().any(|start| start == name);
+        let shown = of.points.iter().filter(|(step, name, _)| is_own(step, name));
+        let extent = Extent::of(shown.map(|(.., place)| *place));
         let whole = extent.with(geometry::Point::origin());
         let size = extent.size().norm();
-        let all = plan::on_paper::extent(plan, context.figure().construction).size().norm();
-        (!plan.is_nothing(size) && size <= MOST * all)
+        (!of.plan.is_nothing(size) && size <= MOST * of.size)
             .then(|| if whole.size().norm() <= WITH_POLE * size { whole } else { extent })
     }
 }

@@ -13,6 +13,10 @@ const HEAD_NOTCH: f64 = 0.84;
 /// Distance of the shaft's end from the tip, over the length of the head: inside the head, which hides the blunt end.
 const SHAFT_END: f64 = 0.7;
 
+/// Distance from the sheet's corner, in mm, from which nothing is drawn: no sheet is a kilometre long, and what reckons with
+/// 24 binary digits, as renderers do, fails far beyond.
+const FARTHEST: f64 = 1e6;
+
 /// The geometry of a mark. Angles are in radians from +x towards +y, which is clockwise to the eye
 /// because y points down.
 #[derive(Clone, Debug, PartialEq)]
@@ -200,17 +204,21 @@ impl Shape {
         }
     }
 
-    /// Whether all its numbers are finite, and a text has letters; formats leave out all other marks.
+    /// Whether all its numbers are such as readers of our files reckon with, and a text has letters; formats leave out all
+    /// other marks.
     pub fn is_drawable(&self) -> bool {
+        // A NaN gives false.
+        let is_near = |length: f64| length.abs() < FARTHEST;
+        let is_there = |point: &Point| is_near(point.x) && is_near(point.y);
         match self {
-            Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => a.is_finite() && b.is_finite(),
-            Shape::Polyline(points) | Shape::Polygon(points) => points.iter().all(|point| point.is_finite()),
-            Shape::Area(chains) => chains.iter().flatten().all(|point| point.is_finite()),
-            Shape::Circle { center, radius } => center.is_finite() && radius.is_finite(),
+            Shape::Line(a, b) | Shape::Arrow { from: a, to: b, .. } => is_there(a) && is_there(b),
+            Shape::Polyline(points) | Shape::Polygon(points) => points.iter().all(is_there),
+            Shape::Area(chains) => chains.iter().flatten().all(is_there),
+            Shape::Circle { center, radius } => is_there(center) && is_near(*radius),
             Shape::Arc { center, radius, start, sweep } | Shape::ArcArrow { center, radius, start, sweep, .. } => {
-                center.is_finite() && radius.is_finite() && start.is_finite() && sweep.is_finite()
+                is_there(center) && is_near(*radius) && start.is_finite() && sweep.is_finite()
             }
-            Shape::Text(text) => text.origin.is_finite() && text.size.is_finite() && !text.text.runs().is_empty(),
+            Shape::Text(text) => is_there(&text.origin) && is_near(text.size) && !text.text.runs().is_empty(),
         }
     }
 }

@@ -95,17 +95,14 @@ impl Drawing {
     /// All marks keep their places. After the last step the figure is finished.
     #[must_use]
     pub fn after_step(&self, step: usize) -> Drawing {
-        let shown = self.marks.iter().filter_map(|mark| {
-            let since = usize::from(mark.since);
-            let emphasis = match since {
+        let shown = self.marks.iter().filter(|mark| mark.is_shown_after(step)).map(|mark| {
+            let emphasis = match usize::from(mark.since) {
                 0 => Emphasis::Plain,
                 _ if step > self.steps.len() => Emphasis::Plain,
-                _ if since == step => Emphasis::New,
+                since if since == step => Emphasis::New,
                 _ => Emphasis::Earlier,
             };
-            let is_replaced = mark.until.is_some_and(|until| usize::from(until) <= step);
-            let is_shown = since <= step && !(mark.passing && since < step) && !is_replaced;
-            is_shown.then(|| Mark { emphasis, ..mark.clone() })
+            Mark { emphasis, ..mark.clone() }
         });
         let words = self.steps.get(step.wrapping_sub(1));
         let unlabelled = self.unlabelled.iter().map(|panel| panel.after_step(step));
@@ -120,6 +117,12 @@ impl Drawing {
             code: self.code.clone(),
             ..*self
         }
+    }
+
+    /// How many marks the sheet after a step has.
+    #[must_use]
+    pub fn marks_after_step(&self, step: usize) -> usize {
+        self.marks.iter().filter(|mark| mark.is_shown_after(step)).count()
     }
 
     /// By mark: whether it is a text that needs its halo, because lines of earlier marks cross it.
@@ -221,6 +224,13 @@ pub enum Emphasis {
 }
 
 impl Mark {
+    /// Whether it is on the sheet after a step.
+    fn is_shown_after(&self, step: usize) -> bool {
+        let since = usize::from(self.since);
+        let is_replaced = self.until.is_some_and(|until| usize::from(until) <= step);
+        since <= step && !(self.passing && since < step) && !is_replaced
+    }
+
     /// A mark without id, of all steps.
     pub fn new(pen: Pen, shape: Shape) -> Self {
         Self { id: None, pen, number: None, shape, since: 0, passing: false, until: None, emphasis: Emphasis::Plain }

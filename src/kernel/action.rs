@@ -26,6 +26,8 @@ pub struct Kernel {
     pub origin: Vector,
     pub(super) fixed: Vec<(usize, Point)>,
     pub(super) actions: Vec<Action>,
+    /// By group: the index of the action that closes it.
+    pub(super) closings: Vec<usize>,
 }
 
 /// A body's class, its rotation in it, and the body's first point.
@@ -295,7 +297,7 @@ impl Kernel {
             kept.push(action.clone());
         }
         kept.reverse();
-        Kernel { actions: kept, ..self.clone() }
+        Kernel { closings: closings(&kept), actions: kept, ..self.clone() }
     }
 
     /// A body's class and first point.
@@ -303,4 +305,10 @@ impl Kernel {
     pub fn seat(&self, body: BodyId) -> &Seat {
         &self.seats[body.0]
     }
+}
+
+/// By group: the index of the action that closes it. Groups are closed in their order.
+fn closings(actions: &[Action]) -> Vec<usize> {
+    let numbered = actions.iter().enumerate();
+    numbered.filter(|(_, action)| matches!(action, Action::Close(_))).map(|(index, _)| index).collect()
 }

@@ -118,9 +118,8 @@ impl Kernel {
 
     /// Places the points of a group's links by its angles and slides.
     pub fn place(&self, block: &mut Single, group: usize) {
-        let mut actions = self.actions.iter();
-        let _ = actions.find(|a| matches!(a, Action::Close(closing) if closing.group == group));
-        for action in actions {
+        let after = self.closings.get(group).map_or(self.actions.len(), |closing| closing + 1);
+        for action in &self.actions[after..] {
             match action {
                 Action::Place(placing) => place(OneByOne, block, placing),
                 Action::Close(_) => break,
@@ -129,11 +128,10 @@ impl Kernel {
     }
 
     fn closing(&self, group: usize) -> Option<&Closing> {
-        let mut actions = self.actions.iter();
-        actions.find_map(|action| match action {
-            Action::Close(closing) if closing.group == group => Some(closing),
-            _ => None,
-        })
+        match self.actions.get(*self.closings.get(group)?)? {
+            Action::Close(closing) => Some(closing),
+            Action::Place(_) => None,
+        }
     }
 
     /// 1 over the determinant of a group's equations at one position, as they have been factored last.

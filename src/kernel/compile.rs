@@ -50,6 +50,7 @@ impl<'a> Compiler<'a> {
                 origin: Vector::zeros(),
                 fixed: Vec::new(),
                 actions: Vec::new(),
+                closings: Vec::new(),
             },
             classes,
         }
@@ -93,6 +94,7 @@ impl<'a> Compiler<'a> {
             let closing = self.compile_group(index, group);
             self.kernel.ties = self.kernel.ties.max(closing.ties.len());
             self.kernel.unknowns.push(closing.unknowns.clone());
+            self.kernel.closings.push(self.kernel.actions.len());
             self.kernel.actions.push(Action::Close(closing));
             let joints = self.mechanism.joints_of(group);
             self.place_connected(&joints, |_| true);

@@ -27,9 +27,15 @@ impl Mechanism {
         let mut found = vec![body];
         let mut next = 0;
         while next < found.len() {
-            let from_here = |b: &BodyId| matches!(self.body(*b).role, Role::Pushed { from, .. } if from == found[next]);
-            let pushed: Vec<BodyId> = self.body_ids().filter(from_here).collect();
-            found.extend(pushed);
+            let here = found[next];
+            // Whoever is pushed has a driven slider: of bodies there are many more.
+            let driven = self.sliders.iter().filter(|slider| slider.drive.is_some());
+            let others = driven.flat_map(|slider| [slider.on, slider.link]);
+            let from_here = |b: &BodyId| matches!(self.body(*b).role, Role::Pushed { from, .. } if from == here);
+            let mut pushed: Vec<BodyId> = others.filter(from_here).collect();
+            pushed.sort_unstable();
+            pushed.dedup();
+            found.append(&mut pushed);
             next += 1;
         }
         found
@@ -44,6 +50,9 @@ impl Mechanism {
     /// The joints of a group, then those of the driven sliders within its compound links.
     #[must_use]
     pub fn joints_of(&self, group: &Group) -> Vec<JointId> {
+        if group.bodies.len() == group.links.len() {
+            return group.joints.clone();
+        }
         let is_within = |id: &JointId| self.joint(*id).bodies.iter().all(|b| group.bodies.contains(b));
         let within = (0..self.joints.len()).map(JointId).filter(|id| is_within(id) && !group.joints.contains(id));
         group.joints.iter().copied().chain(within).collect()

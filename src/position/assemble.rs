@@ -12,6 +12,9 @@ use crate::scene::{GivenBy, Near, Scene};
 /// Most assemblies of a whole mechanism that are listed.
 const MOST_LISTED: usize = 4096;
 
+/// Most places of points in all that are listed: as many as a person can search, and some tens of megabytes.
+const MOST_PLACES: usize = 400_000;
+
 /// Most work, as [`Assembler::work`](super::modes::Assembler) counts it, for the number of all assemblies: that of a chain of 18 dyads or more.
 const MOST_WORK: usize = 20_000_000;
 
@@ -56,14 +59,14 @@ pub fn pose(mechanism: &Mechanism, near: &Near) -> Result<Pose, AssemblyError> {
 /// Assemblies of a mechanism, and how many there are.
 #[derive(Clone, Debug)]
 pub struct Listed {
-    /// All assemblies; of more than 4096 the first so many.
+    /// All assemblies; of more than 4096, or of fewer with more than 400 000 places of points, the first so many.
     pub poses: Vec<Pose>,
     /// How many there are.
     pub count: Count,
 }
 
-/// Every real assembly of a mechanism from its lengths, of more than 4096 the first so many; of a drawn configuration
-/// its one pose.
+/// Every real assembly of a mechanism from its lengths, of more than 4096 or with more than 400 000 places of points the
+/// first so many; of a drawn configuration its one pose.
 ///
 /// The modes of a group are numbered by the angle of its first rotating link, counter-clockwise from +x; the
 /// mechanism's assemblies by the modes of its groups, of which the first group's is the most significant. Where a
@@ -82,13 +85,14 @@ pub fn counted_poses(mechanism: &Mechanism, near: &Near) -> Result<Listed, Assem
         return Ok(Listed { poses: vec![drawn_pose(mechanism)], count: Count { number: 1, is_exact: true } });
     }
     let mut tree = tree(mechanism, near)?;
-    let (mut found, is_all) = listed(mechanism, &mut tree, MOST_LISTED + 1)?;
+    let most = MOST_LISTED.min(MOST_PLACES / mechanism.points.len().max(1)).max(2);
+    let (mut found, is_all) = listed(mechanism, &mut tree, most + 1)?;
     let mut count = Count { number: found.len() as u64, is_exact: is_all };
     if !is_all {
         let all = counted(&mut tree, MOST_WORK);
         count = Count { number: all.number.max(count.number), ..all };
     }
-    found.truncate(MOST_LISTED);
+    found.truncate(most);
     if mechanism.placing.is_some() {
         let modes = usize::try_from(count.number).ok().filter(|_| count.is_exact);
         for (index, whole) in found.iter_mut().enumerate() {

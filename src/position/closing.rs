@@ -191,7 +191,8 @@ impl<'a> Closer<'a> {
             let seat = self.kernel.seat(id);
             let turn = frame.rotation * seat.turn.inverse();
             self.block.turns[seat.class] = pair(Vector::new(turn.re, turn.im));
-            if members.contains(&id) {
+            // The ground, which may have thousands of points, is where it was.
+            if members.contains(&id) || id == GROUND {
                 continue;
             }
             self.block.points[seat.slot] = pair((frame * seat.local).coords - self.kernel.origin);

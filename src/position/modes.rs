@@ -41,6 +41,9 @@ const NEAR_TURN: f64 = 1e-3;
 /// exceeds it, two modes that nearly coincide do not.
 const MOVABLE: f64 = 1e10;
 
+/// Most bodies that count in the work of closing a group: what is far from it costs nothing.
+const MOST_COUNTED: usize = 40;
+
 /// Reasons why a group has no assembly mode.
 pub(super) enum NoMode {
     /// There is none: the distance by which its links fail to meet.
@@ -60,7 +63,7 @@ pub(super) struct Assembler<'a> {
     groups: Vec<Prepared>,
     /// The points of the bodies of known position.
     known: BoundingBox,
-    /// The work done so far: bodies of the mechanism, times starts from which loops have been closed.
+    /// The work done so far: starts from which loops have been closed, times bodies of the mechanism or [`MOST_COUNTED`].
     pub work: usize,
 }
 
@@ -153,7 +156,7 @@ impl Modes<'_, '_> {
     /// relative to a size of at most `reach`.
     fn close(&mut self, start: Assembled, reach: f64) -> bool {
         let (mechanism, group) = (self.assembler.mechanism, self.group);
-        self.assembler.work += mechanism.bodies.len();
+        self.assembler.work += mechanism.bodies.len().min(MOST_COUNTED);
         let mut assembled = self.assembler.closer.closed(self.index, start);
         let size = self.size(&self.places(&assembled));
         let gap = assembled.gap * (size / reach).max(1.0);

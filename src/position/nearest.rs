@@ -209,34 +209,35 @@ pub(super) struct Wishes {
 impl Wishes {
     fn new(tree: &Tree<'_>) -> Wishes {
         let (mechanism, rough) = (tree.mechanism, &tree.assembler.rough);
-        let group_of = |body: &BodyId| mechanism.groups.iter().position(|group| group.bodies.contains(body));
+        let mut group_of = vec![None; mechanism.bodies.len()];
+        for (index, group) in mechanism.groups.iter().enumerate() {
+            group.bodies.iter().for_each(|body| group_of[body.0] = Some(index));
+        }
+        let holders = mechanism.holders();
         let mut wishes = Wishes {
             points: vec![Vec::new(); mechanism.groups.len()],
             angles: vec![Vec::new(); mechanism.groups.len()],
             laid: Laid::default(),
         };
         for &(point, place) in &rough.points {
-            let holds = |body: &BodyId| mechanism.body(*body).local_of(point).map(|local| (*body, local));
             // A point of a body of known position is where it is.
-            if mechanism.body_ids().filter_map(|body| holds(&body)).any(|(body, _)| tree.down.frames.of(body).is_some())
-            {
+            if holders[point.0].iter().any(|body| tree.down.frames.of(*body).is_some()) {
                 continue;
             }
-            let mut groups = mechanism.groups.iter().enumerate();
-            let held = groups.find_map(|(index, group)| Some((index, group.bodies.iter().find_map(holds)?)));
-            if let Some((group, (body, local))) = held {
+            let first = holders[point.0].iter().filter_map(|body| group_of[body.0]).min();
+            let bodies = first.iter().flat_map(|group| &mechanism.groups[*group].bodies);
+            let held = { bodies }.find_map(|body| Some((*body, mechanism.body(*body).local_of(point)?)));
+            if let (Some(group), Some((body, local))) = (first, held) {
                 wishes.points[group].push((body, local, place));
             }
         }
         for &(link, angle) in &rough.angles {
-            if let Some(group) = group_of(&link) {
+            if let Some(group) = group_of[link.0] {
                 wishes.angles[group].push((link, angle));
             }
         }
         let (places, _) = places(mechanism, &tree.down.frames);
-        let is_sought = |point: PointId| {
-            mechanism.groups.iter().any(|g| g.bodies.iter().any(|b| mechanism.body(*b).points.contains(&point)))
-        };
+        let is_sought = |point: PointId| holders[point.0].iter().any(|body| group_of[body.0].is_some());
         if !rough.angles.is_empty() {
             let known = mechanism.point_ids().filter(|point| !is_sought(*point));
             wishes.laid.extent = BoundingBox::of(known.map(|point| places[point.0]));

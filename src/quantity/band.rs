@@ -2,9 +2,10 @@
 
 use super::name::{QuantityError, QuantityRequest, step_names};
 use super::reading::{Reading, Sense, Unread, read_by_hand};
-use crate::construction::{Change, Construction, Disturbance, Solution, Tolerance, Values};
+use crate::construction::{Change, Construction, Disturbance, NumberId, Operation, Solution, Tolerance, Values};
 use crate::geometry::with_turns;
 use crate::sheet::{PerSheet, Scales};
+use std::collections::BTreeSet;
 
 /// The value that a hand drawing gives for a quantity, and its scatter; in the quantity's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,16 +143,29 @@ impl Hand<'_> {
         let mut squares = vec![0.0; self.readings.len()];
         let mut pair = [self.exact.clone(), self.exact.clone()];
         let operations = &self.construction.operations;
+        let users = Users::of(operations, self.construction.counts());
+        let mut read = vec![Vec::new(); operations.len()];
+        for (index, reading) in self.readings.iter().enumerate() {
+            read[users.maker(reading.number)].push(index);
+        }
         for &(operation, which, limit) in &self.errors {
+            // What uses none of the disturbed results stays exact: of many points on a link each has its own.
+            let disturbed = users.all_after(operation);
             for (values, size) in pair.iter_mut().zip([limit, -limit]) {
-                // Values from operations before this one are exact.
-                values.clone_from(&self.exact);
-                let change = Change::Error(which, size);
-                values.carry_out(operations, operation, self.scales, &[Disturbance { operation, change }]);
+                let mut errors = [0.0; 2];
+                errors[which] = size;
+                for &index in &disturbed {
+                    let own = if index == operation { errors } else { [0.0; 2] };
+                    values.repeat(&operations[index], own, self.scales);
+                }
             }
-            for (square, [up, down]) in squares.iter_mut().zip(self.differences(&pair)) {
+            for &index in disturbed.iter().flat_map(|&index| &read[index]) {
+                let [up, down] = self.difference(&pair, &self.readings[index]);
                 let slope = 0.5 * (up - down);
-                *square += slope * slope / 3.0;
+                squares[index] += slope * slope / 3.0;
+            }
+            for values in &mut pair {
+                disturbed.iter().for_each(|&index| values.take(&operations[index], &self.exact));
             }
         }
         squares.into_iter().map(f64::sqrt).collect()
@@ -184,10 +198,58 @@ impl Hand<'_> {
 
     /// The error of each reading in both drawings of a pair.
     fn differences<'p>(&'p self, pair: &'p [Values; 2]) -> impl Iterator<Item = [f64; 2]> + 'p {
-        self.readings.iter().map(|reading| {
-            let exact = self.exact.number(reading.number);
-            [0, 1].map(|side| reading.difference(&pair[side], exact))
-        })
+        self.readings.iter().map(|reading| self.difference(pair, reading))
+    }
+
+    fn difference(&self, pair: &[Values; 2], reading: &Reading) -> [f64; 2] {
+        let exact = self.exact.number(reading.number);
+        [0, 1].map(|side| reading.difference(&pair[side], exact))
+    }
+}
+
+/// Which operations use the results of which.
+struct Users {
+    /// By operation: those that use its results, in order.
+    next: Vec<Vec<usize>>,
+    /// By number: the operation that makes it.
+    makers: Vec<usize>,
+}
+
+impl Users {
+    /// Of operations that make so many places, lines and numbers.
+    fn of(operations: &[Operation], counts: [usize; 3]) -> Users {
+        let [mut places, mut lines, mut numbers] = counts.map(|count| vec![None; count]);
+        let mut next = vec![Vec::new(); operations.len()];
+        for (index, Operation { kind, .. }) in operations.iter().enumerate() {
+            let mut uses = |maker: Option<usize>| {
+                if let Some(maker) = maker.filter(|&maker| next[maker].last() != Some(&index)) {
+                    next[maker].push(index);
+                }
+            };
+            let (read_places, read_lines) = kind.places_and_lines_read();
+            read_places.iter().for_each(|place| uses(places[place.0]));
+            read_lines.iter().for_each(|line| uses(lines[line.0]));
+            kind.each_number_read(|number| uses(numbers[number.0]));
+            kind.place().iter().for_each(|place| places[place.0] = Some(index));
+            kind.line().iter().for_each(|line| lines[line.0] = Some(index));
+            kind.numbers().iter().for_each(|number| numbers[number.0] = Some(index));
+        }
+        Users { next, makers: numbers.into_iter().map(Option::unwrap_or_default).collect() }
+    }
+
+    fn maker(&self, number: NumberId) -> usize {
+        self.makers[number.0]
+    }
+
+    /// An operation and all that, over others, use its results, in order.
+    fn all_after(&self, operation: usize) -> Vec<usize> {
+        let mut waiting = BTreeSet::from([operation]);
+        let mut found = Vec::new();
+        while let Some(first) = waiting.pop_first() {
+            waiting.extend(&self.next[first]);
+            found.push(first);
+        }
+        found
     }
 }
 

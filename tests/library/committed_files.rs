@@ -131,6 +131,24 @@ fn the_workbench_is_made_of_the_sources_that_are_here() {
     assert_eq!(made_of, sources(), "templates/workbench.html was made of other sources: run web/build");
 }
 
+/// What stands between two marks of a text, the first of which is the first there.
+fn between<'t>(text: &'t str, from: &str, to: &str) -> &'t str {
+    let (_, rest) = text.split_once(from).unwrap_or_else(|| panic!("the page has no {from}"));
+    rest.split_once(to).unwrap_or_else(|| panic!("no {to} after {from}")).0
+}
+
+/// Who changes the page's script or its engine by hand, or by a disk that is broken, is told.
+#[test]
+fn the_workbench_consists_of_what_it_says() {
+    let page = files::read("templates/workbench.html");
+    let packed = ["style", "script", "worker", "engine"];
+    let packed = packed.map(|id| between(&page, &format!("<script type=\"text/plain\" id=\"{id}\">"), "</script>"));
+    let boot = between(&page, "<script>", "</script>");
+    let contents = [&packed[..], &[boot]].concat().join("\n");
+    let hash: String = Sha256::digest(contents.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+    assert_eq!(between(&page, "<meta name=\"kinegon-contents\" content=\"", "\""), hash, "run web/build");
+}
+
 #[test]
 fn the_workbench_is_small() {
     let page = files::read("templates/workbench.html");

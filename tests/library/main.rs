@@ -17,7 +17,7 @@
 //! - What may not matter: `invariants` turns, mirrors, scales, shifts and renames random groups; `properties` does so
 //!   with whole mechanisms, templates with other numbers, and holds their rates to differences and their plans to the
 //!   links' images.
-//! - Sizes: `sizes` draws a thousand links, and holds how time grows.
+//! - Sizes: `sizes` draws a thousand links, and holds how time grows; `growth` does so for what else may be large.
 //! - By hand: `pull` holds pulled points to being nearest and cranks to the pointer; `stage` its handles to the
 //!   marks, its own position to the figure, modes to their numbers.
 //! - Photographs: `photographs` holds places, refusals and proposed points to a camera of the tests' own
@@ -67,6 +67,7 @@ mod forms;
 mod fuzzed;
 mod gallery_measured;
 mod given_angle;
+mod growth;
 mod hall;
 mod higher_class;
 mod hodographs;

@@ -53,3 +53,71 @@ fn a_form_has_a_limit() {
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("at most 5000 values, and here are 90000"), "{message}");
 }
+
+/// A four-bar with so many further points on its coupler.
+fn many_points(count: usize) -> Vec<u8> {
+    let points: String = (0..count).map(|k| format!(r#", "P{k}": [{}, {}]"#, k, 5 + 37 * k % 140)).collect();
+    let scene = format!(
+        r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [0, 0], "D": [160, 0] }},
+            "links": {{
+                "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 60 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
+                "2": {{ "shape": {{ "B": [0, 0], "C": [140, 0]{points} }} }},
+                "3": {{ "points": ["D", "C"], "lengths": {{ "CD": 110 }} }} }},
+            "near": {{ "C": [155, 110] }} }}"#
+    );
+    scene.into_bytes()
+}
+
+/// Sheets of steps are as many as the points, with as many marks on each: nothing is drawn before that is wanted.
+#[test]
+fn very_many_sheets_are_asked_about() {
+    let folder = scratch("many-sheets");
+    let arguments = ["draw", "-", "--steps", "--format", "svg", "-o"];
+    let run = |count: usize, further: &[&str]| {
+        let place = folder.join(format!("{count}/"));
+        let mut all: Vec<&str> = arguments.to_vec();
+        all.push(place.to_str().expect("a path of letters"));
+        all.extend(further);
+        (with_scene(&all, &many_points(count)), place)
+    };
+    let (output, place) = run(300, &[]);
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert!(stderr(&output).contains("sheets with"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("--steps coarse"), "{}", stderr(&output));
+    assert!(!place.exists());
+    let (output, place) = run(300, &["--upto", "7"]);
+    assert_eq!(output.status.code(), Some(2), "--steps and --upto are two things");
+    assert!(!place.exists());
+    // A few are drawn as ever, and told once of names without room.
+    let (output, place) = run(8, &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(std::fs::read_dir(place).expect("a folder").count() > 40);
+    assert!(stderr(&output).matches("no room").count() <= 3, "{}", stderr(&output));
+}
+
+/// Who has five thousand names wrong sees the first of them.
+#[test]
+fn very_many_errors_are_not_all_told() {
+    let folder = scratch("many-errors");
+    let form = folder.join("form.csv");
+    let lines: String = (0..4_000).map(|k| format!("unknown{k},1\n")).collect();
+    std::fs::write(&form, lines).expect("the test's folder can be written");
+    let arguments = [files::path("examples/figure-2.json"), form];
+    let output = kinegon().arg("check").args(arguments).output().expect("the program runs");
+    let message = stderr(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.len() < 10_000, "{} bytes", message.len());
+    assert!(message.contains("unknown0") && message.contains("more"), "{message}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn help_that_cannot_be_written_is_no_success() {
+    let full = std::fs::File::options().write(true).open("/dev/full").expect("Linux has it");
+    for arguments in [&["--help"][..], &["draw", "--help"], &["--version"]] {
+        let full = full.try_clone().expect("it is open");
+        let output = kinegon().args(arguments).stdout(full).output().expect("the program runs");
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(stderr(&output).contains("cannot be written"), "{}", stderr(&output));
+    }
+}

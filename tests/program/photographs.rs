@@ -168,6 +168,7 @@ fn files_that_are_no_pictures_get_one_message() {
         ("large".into(), png_head(40_000, 40_000)),
         ("wide".into(), png_head(u32::MAX, 1)),
         ("nothing".into(), png_head(0, 0)),
+        ("deep".into(), png([8000, 8000], [16, 2])),
     ];
     // What an Exif block says of the turn is taken or left, whatever it is.
     if let Some(at) = good.windows(4).position(|part| part == b"Exif") {
@@ -196,23 +197,32 @@ fn files_that_are_no_pictures_get_one_message() {
                 assert!(said.contains("hint") || said.contains("help"), "{name}: {said}");
                 assert!(!out.exists(), "{name} leaves something");
                 assert!(name != "cut" || said.contains("is cut short"), "{name}: {said}");
+                assert!(name != "deep" || said.contains("16 bits for each colour, which are 366 MB"), "{name}: {said}");
             }
             other => panic!("{name}: {other:?} {said}"),
         }
     }
 }
 
-/// A PNG that says it is that large, and has no pixels.
+/// The start of a PNG in grey that says it is that large.
 fn png_head(width: u32, height: u32) -> Vec<u8> {
-    let mut chunk = b"IHDR".to_vec();
-    chunk.extend(width.to_be_bytes());
-    chunk.extend(height.to_be_bytes());
-    chunk.extend([8, 0, 0, 0, 0]);
-    let mut sum = flate2::Crc::new();
-    sum.update(&chunk);
-    let mut file = b"\x89PNG\r\n\x1a\n\0\0\0\x0d".to_vec();
-    file.extend(&chunk);
-    file.extend(sum.sum().to_be_bytes());
+    let mut file = png([width, height], [8, 0]);
+    file.truncate(33);
+    file
+}
+
+/// A PNG that says it is that large, of so many bits and of this kind of colours, and has no pixels.
+fn png([width, height]: [u32; 2], [bits, colours]: [u8; 2]) -> Vec<u8> {
+    let head = [&width.to_be_bytes()[..], &height.to_be_bytes(), &[bits, colours, 0, 0, 0]].concat();
+    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+    for (name, content) in [(b"IHDR", head), (b"IDAT", Vec::new()), (b"IEND", Vec::new())] {
+        let mut sum = flate2::Crc::new();
+        sum.update(name);
+        sum.update(&content);
+        file.extend((content.len() as u32).to_be_bytes());
+        file.extend([&name[..], &content].concat());
+        file.extend(sum.sum().to_be_bytes());
+    }
     file
 }
 

@@ -245,6 +245,66 @@ fn a_killed_run_goes_on() {
     assert!(!parts.exists());
 }
 
+/// A part in which a bit has turned is no row of the table; and what one run joins no other is at work on.
+#[test]
+fn parts_that_have_changed_are_told_and_runs_apart() {
+    let folder = scratch("study-changed");
+    std::fs::write(folder.join("study.json"), study(LONG)).expect("written");
+    let run = |more: &[&str]| kinegon(&folder, &[&["study", "study.json", "-o", "all.csv"][..], more].concat());
+    assert!(run(&["--parts", "--rows", "0..4096"]).status.success());
+    let parts = folder.join("all.csv.parts");
+    let named = |entry: &std::fs::DirEntry| entry.file_name().len() == 21;
+    let part = std::fs::read_dir(&parts).expect("there are parts").flatten().find(named).expect("one is there").path();
+    let mut bytes = std::fs::read(&part).expect("it can be read");
+    bytes[1000] ^= 0x10;
+    std::fs::write(&part, &bytes).expect("it can be written");
+    let output = run(&[]);
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    let message = stderr(&output);
+    assert!(message.contains("is not as it was written") && message.contains("remove that file"), "{message}");
+    assert!(!folder.join("all.csv").exists());
+
+    let lock = std::fs::File::options().append(true).open(parts.join("lock")).expect("it is there");
+    lock.lock().expect("this file system can lock");
+    let output = run(&[]);
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    assert!(stderr(&output).contains("another run is at work on"), "{}", stderr(&output));
+    lock.unlock().expect("it was locked");
+
+    std::fs::remove_file(&part).expect("it can be removed");
+    assert!(run(&[]).status.success());
+    let again = kinegon(&folder, &["study", "study.json", "-o", "whole.csv"]);
+    assert!(again.status.success());
+    let [all, whole] = ["all.csv", "whole.csv"].map(|name| std::fs::read(folder.join(name)).expect("written"));
+    assert!(all == whole, "other bytes");
+}
+
+/// A study of a stranger may name any file as its scene; nothing of it is shown.
+#[test]
+fn a_file_elsewhere_is_not_shown() {
+    let folder = scratch("study-elsewhere");
+    std::fs::create_dir_all(folder.join("study")).expect("made");
+    std::fs::write(folder.join("secret.txt"), "root:x:0:0:a secret\n").expect("written");
+    let keys = r#""vary": { "2.BC": { "plus_minus": 5 } }, "count": 10, "cycle": { "from": 0, "to": 360, "step": 5 },
+        "want": { "omega(3)": ["max"] }"#;
+    let run = |scene: &str| {
+        let study = format!(r#"{{ "kinegon_study": 1, "scene": "{scene}", {keys} }}"#);
+        std::fs::write(folder.join("study/study.json"), study).expect("written");
+        kinegon(&folder, &["study", "study/study.json"])
+    };
+    let output = run("../secret.txt");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("secret.txt, which the study names as its scene"), "{}", stderr(&output));
+    assert!(!stderr(&output).contains("root"), "{}", stderr(&output));
+    // A scene in another folder is one all the same; of one in its own a message has the line.
+    let scene = std::fs::read(support::files::path("templates/four-bar.json")).expect("it is there");
+    std::fs::write(folder.join("four-bar.json"), scene).expect("written");
+    let output = run("../four-bar.json");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    std::fs::write(folder.join("study/own.json"), "{ \"kinegon\": 1, \"wrong\": 2 }").expect("written");
+    assert!(stderr(&run("own.json")).contains("wrong"));
+}
+
 /// Two Dask workers, of which one is killed in the middle, make the bytes of one run.
 #[test]
 fn dask_makes_the_same_bytes() {

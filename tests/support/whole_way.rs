@@ -2,7 +2,7 @@
 
 use super::stages::solved;
 use kinegon::construction::Tolerance;
-use kinegon::drawing::{Drawing, Shape};
+use kinegon::drawing::{Drawing, Film, Shape, Timing};
 use kinegon::format::{self, ResultFile};
 use kinegon::quantity::{Quantity, QuantityRequest, measured_names, pencil, step_names};
 use kinegon::scene::Scene;
@@ -28,6 +28,7 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
     for step in [1, all.steps.len() / 2 + 1, all.steps.len() + 1] {
         drawing_is_finite(&all.after_step(step));
     }
+    drawn_otherwise(&solution);
     let layered = format::layered_svg(&all, format::Text::Letters);
     assert!(Document::parse(&layered).is_ok(), "{layered}");
     assert!(!solution.figure().tikz().is_empty());
@@ -38,6 +39,17 @@ pub fn whole_way(text: &str) -> Result<(), Error> {
     let pencil = pencil(&solution, &solution.scales(), Tolerance::default(), asked);
     assert!(!solution.steps(&pencil).is_empty());
     Ok(())
+}
+
+/// Sheets for a hand, and pictures of a film, in pixels too: what reckons with fewer digits must not fail on them.
+fn drawn_otherwise(solution: &Solution) {
+    solution.drawing_sheets("1").iter().for_each(drawing_is_finite);
+    let film = Film::new(solution, None, Timing { seconds: 1.0, per_second: 3 });
+    let pictures: Vec<Drawing> = film.map(|film| film.drawings().collect()).unwrap_or_default();
+    for picture in pictures.iter().chain([&solution.figure()]) {
+        drawing_is_finite(picture);
+        assert!(picture.png(25.0).is_ok_and(|file| !file.is_empty()));
+    }
 }
 
 fn can_be_shown(text: &str, error: &Error) {
@@ -99,7 +111,8 @@ fn has_null(json: &Value) -> bool {
     }
 }
 
-fn drawing_is_finite(drawing: &Drawing) {
+/// Looks at all numbers of a drawing, and reads its SVG.
+pub fn drawing_is_finite(drawing: &Drawing) {
     for mark in &drawing.marks {
         // A blank label is a text without letters, which no format writes.
         let is_blank = matches!(&mark.shape, Shape::Text(text) if text.text.content().trim().is_empty());

@@ -135,13 +135,20 @@ function badLink(why: BadLink): string {
   return say(({ broken: "link_broken", newer: "link_newer", too_large: "link_too_large" } as const)[why]);
 }
 
-/** A link that comes while the page is open; and the address is cleaned, so that it never says something old. */
+/** A link that comes while the page is open, and the ways back from it and to it; and the address is cleaned, so that it never says something old. */
 function watchAddress(app: App, store: Store): void {
-  const clean = (): void => window.history.replaceState(null, "", location.href.replace(/#.*/s, ""));
-  const read = async (): Promise<void> => {
-    const found = await documentOf(location.hash);
+  const clean = (link: string): void => window.history.replaceState(link, "", location.href.replace(/#.*/s, ""));
+  // The link of the tab's entry, empty for the one with which the page began; and what was there when that was left.
+  const { state } = window.history as { state: unknown };
+  let here = location.hash === "" && typeof state === "string" ? state : location.hash;
+  let begun: Kept | null = null;
+  const leave = (link: string): void => {
+    if (here === "") begun = asKept(app);
+    here = link;
+  };
+  const read = async (link: string): Promise<void> => {
+    const found = await documentOf(link);
     if (found === null) return;
-    clean();
     if (typeof found === "string") return notice(badLink(found));
     app.history.change({ text: found.text, form: found.form ?? "" });
     app.view.set(found.view ?? FINISHED);
@@ -150,8 +157,20 @@ function watchAddress(app: App, store: Store): void {
     store.keep(asKept(app), app.history.past());
     if (found.panel !== undefined) app.show(found.panel);
   };
-  if (location.hash !== "") clean();
-  window.addEventListener("hashchange", () => void read());
+  clean(here);
+  window.addEventListener("hashchange", () => {
+    if (!/^#\d+=/.test(location.hash)) return;
+    leave(location.hash);
+    clean(here);
+    void read(here);
+  });
+  window.addEventListener("popstate", ({ state }: { state: unknown }) => {
+    // The entry of a new link has no state yet.
+    if (typeof state !== "string") return;
+    leave(state);
+    if (state !== "") void read(state);
+    else if (begun !== null) takeUp(app, begun);
+  });
 }
 
 /** Which panel is open at first: a student’s; the link's, the one that was open, else the first where there is room. */
@@ -164,15 +183,17 @@ function firstPanel(app: App, { shared, from }: Beginning, store: Store): void {
 }
 
 /** Offers what somebody has made of the lesson before; undo leads back to the lesson. */
-function offer(app: App, { text, form, title, time, student, task }: Kept): void {
-  const when = new Date(time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
-  const message = say("worked_before", { title: title || say("untitled"), when });
-  const takeUp = (): void => {
-    app.history.change({ text, form });
-    app.student.set(student ?? false);
-    app.task.set(task ?? null);
-  };
-  notice(message, [say("take_up"), takeUp]);
+function offer(app: App, kept: Kept): void {
+  const when = new Date(kept.time).toLocaleString(language.value, { dateStyle: "medium", timeStyle: "short" });
+  const message = say("worked_before", { title: kept.title || say("untitled"), when });
+  notice(message, [say("take_up"), () => takeUp(app, kept)]);
+}
+
+/** Goes on with what was kept. */
+function takeUp(app: App, { text, form, student, task }: Kept): void {
+  app.history.change({ text, form });
+  app.student.set(student ?? false);
+  app.task.set(task ?? null);
 }
 
 async function start(): Promise<void> {

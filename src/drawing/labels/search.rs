@@ -154,12 +154,13 @@ impl<'a> Search<'a> {
     /// Finds the lines and anchors that the places of a label could touch.
     fn find_surroundings(&mut self, index: usize) {
         let (reach, anchor) = (self.labels[index].reach.inflate(LINE_GAP, LINE_GAP), self.labels[index].anchor);
-        let lines = self.obstacles.lines_near(reach).into_iter();
-        let lines = lines.filter(|&line| self.lines[line].share_inside(reach) > 0.0);
-        let lines = lines.take(MOST_AROUND).map(|line| line as u32).collect();
-        let others = self.anchors.near(reach).into_iter().map(|other| self.labels[other].anchor);
-        let anchors = others.filter(|&other| inside(reach, other) && is_other(other, anchor));
-        let anchors = anchors.take(MOST_AROUND).collect();
+        let is_inside = |line: usize| self.lines[line].share_inside(reach) > 0.0;
+        let lines = self.obstacles.lines_near(reach, MOST_AROUND, is_inside);
+        let lines = lines.into_iter().map(|line| line as u32).collect();
+        let is_near =
+            |other: usize| inside(reach, self.labels[other].anchor) && is_other(self.labels[other].anchor, anchor);
+        let anchors = self.anchors.some_near(reach, MOST_AROUND, is_near);
+        let anchors = anchors.into_iter().map(|other| self.labels[other].anchor).collect();
         let label = &mut self.labels[index];
         (label.lines, label.anchors) = (lines, anchors);
     }

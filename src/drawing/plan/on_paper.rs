@@ -18,6 +18,7 @@ use crate::geometry;
 use crate::mechanism::{Body, Mechanism};
 use crate::scene::ConstructionShown;
 use crate::words::{Medium, NumberStyle};
+use indexmap::IndexMap;
 use kurbo::{Point, Vec2};
 
 /// White between the room of a panel and the points in it, in mm.
@@ -42,6 +43,12 @@ pub(super) struct PlanOnPaper<'a> {
     pub steps: &'a PlanSteps,
     /// By link: the points of its image.
     images: Vec<Vec<String>>,
+    /// By point: the numbers of the links that have an image there, in rising order.
+    images_at: IndexMap<String, Vec<usize>>,
+    /// By link: whether its image has a point at rest.
+    arms: Vec<bool>,
+    /// By the image of a special point: the number of its link.
+    special: IndexMap<String, Option<usize>>,
     /// What the plan's scale makes room for.
     extent: Extent,
 }
@@ -50,7 +57,18 @@ impl<'a> PlanOnPaper<'a> {
     pub(super) fn new(view: &'a View, context: &'a SheetContext<'a>, plan: &'a Plan) -> Self {
         let steps = &context.facts.plan_steps[plan.sheet()];
         let extent = extent(plan, context.figure().construction);
-        PlanOnPaper { view, context, plan, steps, images: images(context.mechanism(), plan), extent }
+        let images = images(context.mechanism(), plan);
+        let mut images_at: IndexMap<String, Vec<usize>> = IndexMap::new();
+        for (number, image) in images.iter().enumerate() {
+            image.iter().for_each(|name| images_at.entry(name.clone()).or_default().push(number));
+        }
+        let is_at_rest = |name: &String| plan.points[name].role == PointRole::Pole;
+        let arms = images.iter().map(|image| image.iter().any(is_at_rest)).collect();
+        let mut special = IndexMap::new();
+        for own in &context.construction().special {
+            special.entry(image_name(&own.name)).or_insert_with(|| context.number(own.link));
+        }
+        PlanOnPaper { view, context, plan, steps, images, images_at, arms, special, extent }
     }
 
     pub(super) fn at(&self, name: &str) -> Option<Point> {
@@ -140,8 +158,8 @@ impl<'a> PlanOnPaper<'a> {
             let number = match Pen::of_vectors(order, part) {
                 // The side of a link's image has the look of the image.
                 Pen::Image => {
-                    let has_both = |image: &Vec<String>| [&laid.from, &laid.to].iter().all(|n| image.contains(n));
-                    self.images.iter().position(has_both)
+                    let [from, to] = [&laid.from, &laid.to].map(|name| self.images_at(name));
+                    from.iter().copied().find(|number| to.contains(number))
                 }
                 _ => self.link_of_vector(laid),
             };
@@ -167,6 +185,10 @@ impl<'a> PlanOnPaper<'a> {
     pub(super) fn vectors_on_rays(&self, canvas: &mut Canvas<'_>) {
         let (construction, order) = (self.context.construction(), self.plan.order);
         let teller = self.context.teller();
+        let mut all_laid: IndexMap<[&str; 2], u16> = IndexMap::new();
+        for laid in construction.arrows(order) {
+            all_laid.entry(laid.ends()).or_insert_with(|| self.steps.vector(&laid.from, &laid.to));
+        }
         for ray in construction.rays(order) {
             let ends = [&ray.through, &ray.to];
             let is_shown = !ends.into_iter().any(|name| self.is_hidden(name) || self.is_far(canvas, name));
@@ -174,8 +196,7 @@ impl<'a> PlanOnPaper<'a> {
             let again = self.at(&ray.through) == self.at(order.pole()) && self.is_end_of_whole(&ray.to);
             let vector = if is_shown && !again { teller.vector_on(ray) } else { None };
             let Some(PlanVector { ends: [from, to], part, made, link, .. }) = vector else { continue };
-            let mut laid = construction.arrows(order).filter(|laid| laid.ends() == [from.as_str(), to.as_str()]);
-            let laid = laid.next().map(|laid| self.steps.vector(&laid.from, &laid.to));
+            let laid = all_laid.get(&[from.as_str(), to.as_str()]).copied();
             canvas.step = self.steps.point(&made);
             if laid.is_some_and(|laid| laid <= canvas.step) {
                 continue;
@@ -190,15 +211,15 @@ impl<'a> PlanOnPaper<'a> {
     /// Number of the link to which the vector from the pole to a point belongs: of those with an image there, one with
     /// a point at rest if there is one, as this vector is the image of its arm; else the first.
     fn link_of(&self, name: &str) -> Option<usize> {
-        let at_rest = |image: &&Vec<String>| image.iter().any(|name| self.plan.points[name].role == PointRole::Pole);
-        let with = || self.images.iter().enumerate().filter(|(_, image)| image.iter().any(|own| own == name));
-        let arm = with().find(|(_, image)| at_rest(image));
-        if let Some((number, _)) = arm.or_else(|| with().next()) {
-            return Some(number);
-        }
-        let mut all = self.context.construction().special.iter();
-        let special = all.find(|special| image_name(&special.name) == name)?;
-        self.context.number(special.link)
+        let with = self.images_at(name);
+        let arm = with.iter().find(|number| self.arms[**number]);
+        let image = arm.or_else(|| with.first()).copied();
+        image.or_else(|| self.special.get(name).copied().flatten())
+    }
+
+    /// The numbers of the links that have an image at a point.
+    fn images_at(&self, name: &str) -> &[usize] {
+        self.images_at.get(name).map_or(&[], Vec::as_slice)
     }
 
     /// Number of the link to which a vector that is laid off belongs.

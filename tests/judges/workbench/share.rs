@@ -36,6 +36,28 @@ fn a_link_holds_the_scene() {
     bench.assert_quiet();
 }
 
+/// Back and forward go through the links that were opened; before the first stands what was there.
+#[test]
+fn back_and_forward_follow_links() {
+    let Some(mut bench) = Bench::open("back") else { return };
+    let texts = ["slider-crank", "whitworth"].map(|name| files::read(&format!("templates/{name}.json")));
+    let links = texts.each_ref().map(|text| link(&mut bench, json!({ "text": text })));
+    let begun = files::read("templates/five-bar.json");
+    bench.value(&format!("kinegon.app.open({})", json!(begun)));
+    let mut goes_to = |go: &str, text: &str| {
+        bench.value(go);
+        bench.until(&format!("kinegon.history.now.value.text === {}", json!(text)));
+        assert_eq!(bench.text("location.hash"), "", "the address is cleaned");
+    };
+    for (link, text) in links.iter().zip(&texts) {
+        goes_to(&format!("location.hash = {}", json!(link)), text);
+    }
+    for (go, text) in [("back", &texts[0]), ("back", &begun), ("forward", &texts[0]), ("forward", &texts[1])] {
+        goes_to(&format!("history.{go}()"), text);
+    }
+    bench.assert_quiet();
+}
+
 #[test]
 fn saved_files_are_those_of_the_program() {
     let Some(mut bench) = Bench::open("saved") else { return };

@@ -107,6 +107,26 @@ mod clip {
         assert!(all, "{corners:?}");
     }
 
+    /// Of what begins 1e300 mm away the cut would be lost in rounding: renderers fail on such a mark.
+    #[test]
+    fn what_comes_from_far_ends_at_the_edge_too() {
+        for far in [1e12, 1e150, 1e300] {
+            let (a, b) = (Point::new(-far, -0.3 * far), Point::new(far, 0.7 * far));
+            let triangle = vec![a, b, Point::new(5.0, 5.0)];
+            let shapes = [Shape::Line(Point::new(5.0, 5.0), b), Shape::Polygon(triangle)];
+            for shape in shapes.into_iter().flat_map(|shape| clipped(AREA, shape)) {
+                let corners = match &shape {
+                    Shape::Line(a, b) => vec![*a, *b],
+                    Shape::Polygon(corners) => corners.clone(),
+                    other => panic!("{other:?}"),
+                };
+                let is_inside = |p: &Point| (0.0..=10.0).contains(&p.x) && (0.0..=10.0).contains(&p.y);
+                assert!(corners.iter().all(is_inside), "{shape:?}");
+            }
+            assert!(!Shape::Line(Point::ORIGIN, b).is_drawable());
+        }
+    }
+
     #[test]
     fn chains_are_cut_at_the_border() {
         let area = Rect::new(0.0, 0.0, 10.0, 10.0);

@@ -1,0 +1,146 @@
+//! How work grows with a scene: what takes a time that doubles with it takes four times as long for four times as much, and
+//! not sixteen times. Time is that of this thread on its core, where the system tells it.
+
+use kinegon::construction::Tolerance;
+use kinegon::mechanism::mechanism;
+use kinegon::position::counted_poses;
+use kinegon::quantity::step_pencil;
+use kinegon::scene::{GivenBy, Scene};
+use kinegon::{Order, Solution, posed};
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+use support::stages::solved;
+
+/// The time that this thread has been at work.
+fn busy(began: Instant) -> Duration {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let told = told.and_then(|told| told.split(' ').next()?.parse().ok());
+    told.map_or_else(|| began.elapsed(), Duration::from_nanos)
+}
+
+/// How many times as long work takes for 4 n as for n, the best of three.
+fn growth<T>(n: usize, prepare: impl Fn(usize) -> T, work: impl Fn(&T)) -> f64 {
+    let began = Instant::now();
+    let best = |size: usize| {
+        let prepared = prepare(size);
+        let times = (0..3).map(|_| {
+            let before = busy(began);
+            work(&prepared);
+            busy(began) - before
+        });
+        times.min().unwrap_or_default().as_secs_f64()
+    };
+    let (small, large) = (best(n), best(4 * n));
+    println!("{n}: {:.1} ms, {}: {:.1} ms", 1e3 * small, 4 * n, 1e3 * large);
+    large / small
+}
+
+/// Four times as long, or a little more on a machine that others use.
+fn is_in_proportion(what: &str, growth: f64) {
+    grows_at_most(9.0, what, growth);
+}
+
+fn grows_at_most(most: f64, what: &str, growth: f64) {
+    assert!(growth < most, "{what}: four times as much takes {growth:.1} times as long");
+}
+
+/// A four-bar with so many further points on its coupler.
+fn many_points(count: usize) -> String {
+    let mut shape = String::new();
+    for k in 0..count {
+        let (x, y) = (0.14 * k as f64, 5.0 + (k * 37 % 140) as f64);
+        write!(shape, r#", "P{k}": [{x:.3}, {y}]"#).expect("a string takes all");
+    }
+    four_bar("points", &shape)
+}
+
+fn four_bar(title: &str, shape: &str) -> String {
+    format!(
+        r#"{{ "kinegon": 1, "title": "{title}", "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [0, 0], "D": [160, 0] }},
+            "links": {{
+                "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 60 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
+                "2": {{ "shape": {{ "B": [0, 0], "C": [140, 0]{shape} }} }},
+                "3": {{ "points": ["D", "C"], "lengths": {{ "CD": 110 }} }} }},
+            "near": {{ "C": [155, 110] }} }}"#
+    )
+}
+
+/// So many four-bars side by side, with a place for each moving joint in `near`.
+fn four_bars(count: usize) -> String {
+    let (mut ground, mut links, mut near) = (String::new(), String::new(), String::new());
+    for k in 0..count {
+        let comma = if k == 0 { "" } else { "," };
+        let (x, y) = (400 * (k % 40), 400 * (k / 40));
+        let written = [
+            write!(ground, r#"{comma} "A{k}": [{x}, {y}], "D{k}": [{}, {y}]"#, x + 160),
+            write!(
+                links,
+                r#"{comma} "a{k}": {{ "points": ["A{k}", "B{k}"], "lengths": {{ "A{k}-B{k}": 60 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
+                "b{k}": {{ "points": ["B{k}", "C{k}"], "lengths": {{ "B{k}-C{k}": 140 }} }},
+                "c{k}": {{ "points": ["D{k}", "C{k}"], "lengths": {{ "C{k}-D{k}": 110 }} }}"#
+            ),
+            write!(near, r#"{comma} "C{k}": [{}, {}]"#, x + 155, y + 110),
+        ];
+        assert!(written.iter().all(Result::is_ok), "a string takes all");
+    }
+    format!(
+        r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ {ground} }}, "links": {{ {links} }}, "near": {{ {near} }} }}"#
+    )
+}
+
+fn solution(text: &str) -> Solution {
+    solved(text).expect("a good scene")
+}
+
+#[test]
+fn points_of_a_link() {
+    let with = |count: usize| solution(&many_points(count));
+    is_in_proportion(
+        "bands",
+        growth(200, with, |own| {
+            step_pencil(own, Tolerance::default()).expect("it can be drawn");
+        }),
+    );
+    // The search for names' places is bounded, and is most of it.
+    grows_at_most(6.0, "a figure", growth(400, with, |own| drop(own.figure())));
+    grows_at_most(6.0, "a figure in steps", growth(300, with, |own| drop(own.coarse_figure())));
+}
+
+#[test]
+fn linkages_side_by_side() {
+    let read = |count: usize| Scene::read(&four_bars(count)).expect("a good scene");
+    let limit = kinegon::scene::SizeLimit::NUMBERS;
+    is_in_proportion(
+        "solving",
+        growth(80, read, |scene| {
+            let (mechanism, pose) = posed(scene, limit, None).expect("it can be put together");
+            Solution::new(scene.clone(), mechanism, pose, Order::Acceleration).expect("it moves");
+        }),
+    );
+    is_in_proportion(
+        "modes",
+        growth(80, read, |scene| {
+            let mechanism = mechanism(scene).expect("it is one");
+            let listed = counted_poses(&mechanism, &scene.near).expect("it can be put together");
+            assert!(listed.poses.len() * mechanism.points.len() <= 400_000);
+        }),
+    );
+}
+
+#[test]
+fn words_of_a_title() {
+    let with = |count: usize| {
+        let own = solution(&four_bar(&"a ".repeat(count), ""));
+        assert_eq!(own.scene.given_by, GivenBy::Lengths);
+        own
+    };
+    is_in_proportion("sheets to be drawn on", growth(1000, with, |own| drop(own.drawing_sheets("1"))));
+}
+
+/// As many links as a scene may have, with a place for every joint: there is nothing to search.
+#[test]
+fn places_of_all_joints_leave_nothing_to_search() {
+    let scene = Scene::read(&four_bars(2000)).expect("a good scene");
+    let (_, pose) = posed(&scene, kinegon::scene::SizeLimit::NUMBERS, None).expect("it can be put together");
+    assert!(pose.warnings.is_empty(), "{:?}", pose.warnings);
+}
