@@ -44,6 +44,9 @@ impl Extent {
     }
 }
 
+/// Largest size on a sheet, in mm: far beyond all edges, and near enough that places are not lost in rounding.
+const LARGEST: f64 = 1e9;
+
 /// Transformation from mechanism or plan (own units, y up) to the sheet (mm, y down): scale and translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -53,9 +56,11 @@ pub struct View {
 }
 
 impl View {
-    /// Shows the centre of `extent` at the centre of `area`, at `mu` units per millimetre.
+    /// Shows the centre of `extent` at the centre of `area`, at `mu` units per millimetre; of what would be larger than
+    /// [`LARGEST`] all that is seen is how it leaves the area, and so is it at that size.
     #[must_use]
     pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
+        let mu = mu.max(extent.size().norm() / LARGEST);
         View { mu, origin: nalgebra::center(&extent.low, &extent.high), centre: area.center() }
     }
 
