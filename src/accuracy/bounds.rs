@@ -1,7 +1,9 @@
 use super::enclosure::Enclosure;
+use super::says;
 use crate::construction::{Rate, Special};
 use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::message::Message;
 use crate::motion::Motion;
 use crate::position::Pose;
 use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Snapshot, Spot, State, What};
@@ -15,12 +17,15 @@ const ROUNDINGS: f64 = 8.0 * UNIT_ROUNDOFF;
 /// Bounds of the whole error of every number of a pose and its motion, in the scene's units, angles in degrees: of
 /// places, rates, velocities and accelerations. Infinite where none can be given.
 ///
-/// An error is the distance from what follows exactly from the numbers of the scene as they are written: as decimals, or
-/// as f64 reads them, whichever is farther. So rounding of the scene's numbers, of lengths and angles that follow from
-/// them, of the position and of rates all count in. Vectors have one bound, that of each component. A number that the
-/// scene gives has the bound 0.
+/// An error is the distance from what follows exactly from the numbers of the scene as they are written, with all their
+/// digits. So rounding of the scene's numbers to f64, of lengths and angles that follow from them, of the position and of
+/// rates all count in. Vectors have one bound, that of each component. A number that the scene gives has the bound 0.
+///
+/// All of this is proved, in numbers that carry their own errors: that one and only one assembly of the mechanism lies
+/// within the bounds, and that its rates do ([`Self::is_proved`]).
 #[derive(Clone, Debug)]
 pub struct Bounds<'a> {
+    scene: &'a Scene,
     mechanism: &'a Mechanism,
     pose: &'a Pose,
     motion: &'a Motion,
@@ -31,9 +36,9 @@ pub struct Bounds<'a> {
 ///
 /// The mechanism's drives may have been given other positions and rates since: these then count as given.
 #[must_use]
-pub fn bounds<'a>(scene: &Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
+pub fn bounds<'a>(scene: &'a Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
     let enclosure = Enclosure::new(scene, mechanism, pose, motion.order);
-    Bounds { mechanism, pose, motion, enclosure }
+    Bounds { scene, mechanism, pose, motion, enclosure }
 }
 
 impl Bounds<'_> {
@@ -47,11 +52,56 @@ impl Bounds<'_> {
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
 
+    /// The bound of the error of a number with the true value `ball`; zero for one that the scene gives, which is printed
+    /// as it is written.
+    fn of_number(&self, ball: Ball, value: f64) -> f64 {
+        if self.is_as_written(ball, value) { 0.0 } else { ball.error_from(value) + of_printing(value) }
+    }
+
+    fn is_as_written(&self, ball: Ball, value: f64) -> bool {
+        // Only what the scene gives is so near to its f64.
+        let is_near = ball.error_from(value) <= f64::EPSILON * value.abs();
+        is_near && self.scene.is_written(value) && ball == self.scene.as_written(value)
+    }
+
+    /// That of a number that the scene gives, or that a drive has been given since.
+    fn of_given(&self, value: f64) -> f64 {
+        let written = self.scene.as_written(value);
+        if self.scene.is_written(value) || written == Ball::decimal(value) { 0.0 } else { written.error_from(value) }
+    }
+
+    /// The larger of the bounds of both components.
+    fn of_vector(&self, ball: Pair<Ball>, value: Vector) -> f64 {
+        let both = [(ball.x, value.x), (ball.y, value.y)];
+        let is_zero = |&(ball, value): &(Ball, f64)| self.of_number(ball, value) == 0.0;
+        if both.iter().all(is_zero) {
+            return 0.0;
+        }
+        // `max` ignores NaN.
+        let [x, y] = both.map(|(ball, value)| ball.error_from(value) + of_printing(value));
+        if x.is_nan() || y.is_nan() { f64::NAN } else { x.max(y) }
+    }
+
+    /// Whether the bounds of a group's places and motions are proved: that one and only one assembly lies within them,
+    /// and that its rates do. Where nothing is proved they are infinite.
+    #[must_use]
+    pub fn is_proved(&self, group: usize) -> bool {
+        let group = &self.mechanism.groups[group];
+        self.enclosure.as_ref().is_some_and(|enclosure| enclosure.is_proved(self.mechanism, group))
+    }
+
+    /// What is said of the groups of which nothing is proved.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Message> {
+        let groups = self.mechanism.groups.iter().enumerate().filter(|(index, _)| !self.is_proved(*index));
+        groups.map(|(_, group)| says::unproved(group.link_names(self.mechanism))).collect()
+    }
+
     /// Of a point's coordinates.
     #[must_use]
     pub fn place(&self, point: PointId) -> f64 {
         let place = self.pose.point(point).coords;
-        self.from(|e| Some(e.place(point)), |ball| of_vector(ball, place))
+        self.from(|e| Some(e.place(point)), |ball| self.of_vector(ball, place))
     }
 
     /// Of the angle of a link's axis, in degrees; `None` for a body without one.
@@ -63,19 +113,20 @@ impl Bounds<'_> {
             _ => self.mechanism.placing.as_ref().filter(|p| p.link == body).map(|p| p.angle),
         };
         if given == Some(degrees_of(axis)) {
-            return Some(0.0);
+            return given.map(|given| self.of_given(given));
         }
-        // Roundings of the arctangent and of the degrees.
-        let rounding = 4.0 * UNIT_ROUNDOFF * degrees_of(axis).abs();
-        let off = |e: &Enclosure| e.angle_from(self.mechanism, body, axis);
-        Some(self.from(off, |error| error + rounding))
+        let degrees = degrees_of(axis);
+        Some(self.from(|e| e.degrees_from(self.mechanism, body, degrees), |error| error + of_printing(degrees)))
     }
 
     /// Of a slider's position along its guide; `None` where there is no point to count from.
     #[must_use]
     pub fn slide_position(&self, slider: SliderId) -> Option<f64> {
         let position = self.pose.slides[slider.0]?;
-        Some(self.from(|e| e.placed.slides[slider.0], |ball| of_number(ball, position)))
+        if self.mechanism.slider(slider).drive.is_some_and(|drive| drive.position == Some(position)) {
+            return Some(self.of_given(position));
+        }
+        Some(self.from(|e| e.placed.slides[slider.0], |ball| self.of_number(ball, position)))
     }
 
     /// Of a body's angular velocity and acceleration.
@@ -84,7 +135,7 @@ impl Bounds<'_> {
         let rates = self.snapshot().angular_rates(body);
         Order::ALL.map(|order| {
             let of = |e: &Enclosure| Some([e.state.body(body).omega, e.state.body(body).alpha][order]);
-            self.from(of, |ball| of_number(ball, rates[order]))
+            self.from(of, |ball| self.of_number(ball, rates[order]))
         })
     }
 
@@ -94,7 +145,7 @@ impl Bounds<'_> {
         let rates = self.snapshot().slide_rates(slider);
         Order::ALL.map(|order| {
             let of = |e: &Enclosure| Some([e.state.slide(slider).velocity, e.state.slide(slider).acceleration][order]);
-            self.from(of, |ball| of_number(ball, rates[order]))
+            self.from(of, |ball| self.of_number(ball, rates[order]))
         })
     }
 
@@ -108,7 +159,7 @@ impl Bounds<'_> {
         let values = self.snapshot().motion_at(body, at);
         Order::ALL.map(|order| {
             let of = |e: &Enclosure| Some(e.motion_at(body, place(e)?)[order]);
-            self.from(of, |ball| of_vector(ball, values[order]))
+            self.from(of, |ball| self.of_vector(ball, values[order]))
         })
     }
 
@@ -118,7 +169,7 @@ impl Bounds<'_> {
         let at = special.place.finite()?;
         let place = |e: &Enclosure| e.special(special);
         let [velocity, acceleration] = self.motion_at(special.link, at, place);
-        Some([self.from(place, |ball| of_vector(ball, at.coords)), velocity, acceleration])
+        Some([self.from(place, |ball| self.of_vector(ball, at.coords)), velocity, acceleration])
     }
 
     /// Of a slider's Coriolis acceleration 2 ω ẑ × v_r.
@@ -126,7 +177,7 @@ impl Bounds<'_> {
     pub fn coriolis(&self, slider: SliderId) -> f64 {
         let on = self.mechanism.slider(slider).on;
         let value = self.motion.coriolis(self.pose, slider, on);
-        self.from(|e| Some(e.coriolis(slider, on)), |ball| of_vector(ball, value))
+        self.from(|e| Some(e.coriolis(slider, on)), |ball| self.of_vector(ball, value))
     }
 
     /// Bound of the error of a quantity: of a vector in each component, of angles in degrees.
@@ -219,15 +270,8 @@ pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
     }
 }
 
-/// The bound of the error of a number with the true value `ball`; zero for one that the scene gives, which is printed as
-/// it is written.
-fn of_number(ball: Ball, value: f64) -> f64 {
-    if ball == Ball::written(value) { 0.0 } else { ball.error_from(value) }
-}
-
-/// The larger of the bounds of both components.
-fn of_vector(ball: Pair<Ball>, value: Vector) -> f64 {
-    // `max` ignores NaN.
-    let [x, y] = [of_number(ball.x, value.x), of_number(ball.y, value.y)];
-    if x.is_nan() || y.is_nan() { f64::NAN } else { x.max(y) }
+/// How far the shortest decimal that reads as a number, as which it is printed, can be from it: so a bound holds for
+/// both. Whole numbers are printed exactly.
+fn of_printing(value: f64) -> f64 {
+    if value.trunc() == value && value.abs() < 1e15 { 0.0 } else { UNIT_ROUNDOFF * value.abs() * (1.0 + f64::EPSILON) }
 }

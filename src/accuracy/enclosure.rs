@@ -1,17 +1,16 @@
 use super::given::{Given, Vector};
-use super::placed::{TruePlaces, relative};
+use super::placed::TruePlaces;
+use super::places::PlacesOf;
 use crate::construction::{Course, CutLine, Special};
-use crate::geometry::{self, Ball, Pair, Point};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
-use crate::motion::{Places, State, bounded_motion};
+use crate::geometry::{Ball, Pair};
+use crate::mechanism::{BodyId, Group, Mechanism, PointId, SliderId};
+use crate::motion::{State, bounded_motion};
 use crate::position::Pose;
 use crate::scene::Scene;
 use crate::sheet::Order;
 
-/// The true position and motion of a scene's mechanism near a pose, each number with a bound of its error.
-///
-/// Numbers of the scene count as written: each lies between the decimal that the person wrote and the f64 as which it
-/// was read. Nothing else is uncertain, whatever the pose has lost by rounding.
+/// The true position and motion of a scene's mechanism near a pose, each number with a bound of its error: those that
+/// follow from the numbers of the scene as they are written, whatever the pose has lost by rounding.
 #[derive(Clone, Debug)]
 pub(super) struct Enclosure {
     pub placed: TruePlaces,
@@ -22,16 +21,24 @@ impl Enclosure {
     /// The true position and motion near `pose`, which belongs to `mechanism`, which was made from `scene`; its drives
     /// may have been given other positions and rates since.
     ///
-    /// Bounds are infinite where nothing can be said: the errors of what the scene gives reach a limit position or a
-    /// singular one, or numbers leave the range of f64. In a chain bounds about double from group to group: they do not
-    /// know that errors with one cause cancel. `None` where a drive has no position.
+    /// Bounds are infinite where nothing is proved: that there is one assembly near the pose and no other, or that its
+    /// equations are regular; or numbers leave the range of f64. `None` where a drive has no position.
     pub fn new(scene: &Scene, mechanism: &Mechanism, pose: &Pose, order: Order) -> Option<Enclosure> {
         let placed = TruePlaces::new(&Given { scene, mechanism: mechanism.for_positions() }, pose)?;
-        let points = relative(&placed.points);
-        let guides: Vec<geometry::Vector> = placed.guides.iter().map(|guide| guide.rounded()).collect();
-        let places = PlacesOf { given: Given { scene, mechanism }, placed: &placed, points: &points, guides: &guides };
+        let places = PlacesOf { given: Given { scene, mechanism }, points: &placed.points, guides: &placed.guides };
         let state = bounded_motion(mechanism, &places, order);
         Some(Enclosure { state, placed })
+    }
+
+    /// Whether all of a group has bounds: then they hold by proof.
+    pub fn is_proved(&self, mechanism: &Mechanism, group: &Group) -> bool {
+        group.bodies.iter().all(|&body| {
+            let motion = self.state.body(body);
+            let places = mechanism.body(body).points.iter().map(|&point| self.place(point));
+            let vectors = places.chain([motion.velocity, motion.acceleration]);
+            let numbers = vectors.flat_map(|v| [v.x, v.y]).chain([motion.omega, motion.alpha]);
+            numbers.into_iter().all(Ball::is_known)
+        })
     }
 
     /// The place of a point.
@@ -78,14 +85,10 @@ impl Enclosure {
         }
     }
 
-    /// The angle of a link's axis in degrees from `axis`, its direction in a pose: the bound of the difference.
-    pub(super) fn angle_from(&self, mechanism: &Mechanism, body: BodyId, axis: geometry::Vector) -> Option<f64> {
+    /// The bound of the difference of a link's axis from an angle in degrees.
+    pub fn degrees_from(&self, mechanism: &Mechanism, body: BodyId, degrees: f64) -> Option<f64> {
         let along = self.placed.turns[body.0].or_else(|| self.drawn_axis(mechanism, body))?;
-        let rough = Vector::from(axis);
-        let (across, size) = (rough.cross(along), libm::hypot(along.x.high, along.y.high) * axis.norm());
-        // A small angle is as large as its sine but for the third power.
-        let sine = across.error_from(0.0) / size;
-        (sine < 0.1).then(|| (sine * (1.0 + sine * sine)).to_degrees())
+        Some(along.degrees_from(degrees))
     }
 
     /// The axis of a link as drawn: through its first two points, or else along its guide.
@@ -97,46 +100,5 @@ impl Enclosure {
                 mechanism.slider_ids().find(of_body).map(|id| self.guide(id))
             }
         }
-    }
-}
-
-/// Places with their errors, for the computation of the motion.
-struct PlacesOf<'a> {
-    given: Given<'a>,
-    placed: &'a TruePlaces,
-    points: &'a [Point],
-    guides: &'a [geometry::Vector],
-}
-
-impl Places for PlacesOf<'_> {
-    const UNCERTAIN: bool = true;
-
-    fn place(&self, point: PointId) -> Vector {
-        self.placed.points[point.0]
-    }
-
-    fn arm(&self, from: PointId, to: PointId) -> Vector {
-        self.placed.points[to.0] - self.placed.points[from.0]
-    }
-
-    fn guide(&self, slider: SliderId) -> Vector {
-        self.placed.guides[slider.0]
-    }
-
-    fn points(&self) -> &[Point] {
-        self.points
-    }
-
-    fn guides(&self) -> &[geometry::Vector] {
-        self.guides
-    }
-
-    fn given(&self, number: f64) -> Ball {
-        Ball::written(number)
-    }
-
-    fn omega(&self, body: BodyId, omega: f64) -> Ball {
-        let is_driven = matches!(self.given.mechanism.body(body).role, Role::Driver { .. });
-        if is_driven { self.given.omega(body, omega) } else { Ball::written(omega) }
     }
 }

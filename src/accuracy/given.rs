@@ -1,4 +1,4 @@
-//! What the scene gives, with the errors of reading it: lengths, coordinates and angles as [`Ball`]s.
+//! What the scene gives, with all digits that stand in its text: lengths, coordinates and angles as [`Ball`]s.
 
 use crate::geometry::{Ball, Number, Pair, RADIANS_PER_SECOND, RADIANS_PER_TURN};
 use crate::mechanism::{BodyId, Guide, Mechanism, PointId, SliderId};
@@ -14,27 +14,52 @@ pub(super) struct Given<'a> {
     pub mechanism: &'a Mechanism,
 }
 
-/// A place or vector of the scene.
-pub(super) fn written(v: impl Into<[f64; 2]>) -> Vector {
-    let [x, y] = v.into().map(Ball::written);
-    Pair { x, y }
-}
-
 impl Given<'_> {
+    /// A number of the scene, as it is written.
+    pub fn number(&self, x: f64) -> Ball {
+        self.scene.as_written(x)
+    }
+
+    /// A place or vector of the scene.
+    pub fn vector(&self, v: impl Into<[f64; 2]>) -> Vector {
+        let [x, y] = v.into().map(|x| self.number(x));
+        Pair { x, y }
+    }
+
+    /// By point: the place that the scene gives it; the origin for other points.
+    pub fn places(&self) -> Vec<Vector> {
+        self.mechanism
+            .given
+            .iter()
+            .map(|place| place.map_or_else(Vector::default, |place| self.vector(place)))
+            .collect()
+    }
+
+    /// Cosine and sine of an angle of the scene, in degrees.
+    pub fn direction(&self, degrees: f64) -> Vector {
+        Pair::direction_of_degrees(self.number(degrees))
+    }
+
+    /// The given length between two points, which a checked scene has.
+    fn length(&self, lengths: &[Length], a: &str, b: &str) -> Ball {
+        let found = lengths.iter().find(|l| l.joins(a, b));
+        self.number(found.map_or(0.0, |l| l.value))
+    }
+
     /// The coordinates of a body's points in its own frame, in the order of its points.
     pub fn locals(&self, id: BodyId) -> Vec<Vector> {
         let body = self.mechanism.body(id);
         let link = self.scene.links.get(&body.name).filter(|_| !body.is_nameless());
         match link.map(|link| (&link.shape, link.points.as_slice())) {
             Some((Shape::Lengths(lengths), [a, b])) => {
-                vec![Vector::default(), Pair { x: length(lengths, a, b), y: Ball::default() }]
+                vec![Vector::default(), Pair { x: self.length(lengths, a, b), y: Ball::default() }]
             }
             Some((Shape::Lengths(lengths), [a, b, c])) => {
-                let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(p, q)| length(lengths, p, q));
+                let [ab, ac, bc] = [(a, b), (a, c), (b, c)].map(|(p, q)| self.length(lengths, p, q));
                 let side = body.local[2].y;
                 vec![Vector::default(), Pair { x: ab, y: Ball::default() }, corner(ab, ac, bc, side)]
             }
-            _ => body.local.iter().copied().map(written).collect(),
+            _ => body.local.iter().map(|&place| self.vector(place)).collect(),
         }
     }
 
@@ -45,18 +70,18 @@ impl Given<'_> {
         let (rough, along) = slider.line();
         let Some(given) = self.scene.sliders.get(id.0) else {
             // The carriage of a given angle has guides along the axes.
-            return [written(rough), along.into()];
+            return [self.vector(rough), along.into()];
         };
         let point = |name: &String| self.mechanism.point(name).and_then(&local);
         let through = match (&given.through, &given.along) {
-            (Some(At::Place(p)), _) => Some(written(*p)),
+            (Some(At::Place(p)), _) => Some(self.vector(*p)),
             (Some(At::Point(p)), _) | (None, Along::Points(p, _)) => point(p),
             (None, _) => self.mechanism.body(slider.on).points.first().and_then(|&p| local(p)),
         };
         let direction = match &given.along {
             Along::Points(a, b) => point(a).zip(point(b)).map(|(a, b)| (b - a).unit()),
-            Along::Direction(d) => Some(written(*d).unit()),
-            Along::Degrees(angle) => Some(Pair::direction_of_degrees(Ball::written(*angle))),
+            Along::Direction(d) => Some(self.vector(*d).unit()),
+            Along::Degrees(angle) => Some(self.direction(*angle)),
         };
         [through.unwrap_or_default(), direction.unwrap_or_else(|| along.into())]
     }
@@ -67,9 +92,9 @@ impl Given<'_> {
         let between = |a: PointId, b: PointId| (places[b.0] - places[a.0]).unit();
         match (slider.guide, self.scene.sliders.get(id.0).map(|given: &scene::Slider| &given.along)) {
             (Guide::DrawnBetween(a, b), _) => between(a, b),
-            (_, Some(Along::Direction(d))) => written(*d).unit(),
+            (_, Some(Along::Direction(d))) => self.vector(*d).unit(),
             (_, Some(Along::Degrees(angle))) => {
-                let turn = Pair::direction_of_degrees(Ball::written(*angle));
+                let turn = self.direction(*angle);
                 let on_ground = self.scene.sliders[id.0].on == On::Ground;
                 match self.mechanism.body(slider.on).points.as_slice() {
                     [a, b, ..] if !on_ground => between(*a, *b).turn(turn),
@@ -91,29 +116,26 @@ impl Given<'_> {
                     TimeUnit::S => RADIANS_PER_SECOND,
                     TimeUnit::Min => RADIANS_PER_TURN,
                 };
-                Ball::from(omega).widened((Ball::written(rpm) * unit).error_from(omega))
+                self.number(rpm) * unit
             }
-            None => Ball::written(omega),
+            None => self.number(omega),
         }
     }
 }
 
-/// The given length between two points, which a checked scene has.
-fn length(lengths: &[Length], a: &str, b: &str) -> Ball {
-    let found = lengths.iter().find(|l| (l.from == a && l.to == b) || (l.from == b && l.to == a));
-    Ball::written(found.map_or(0.0, |l| l.value))
-}
-
-/// The third corner of a triangle with base `ab` on the x axis and sides `ac`, `bc`, on the side of the sign of `side`;
-/// on the base where `side` is zero.
+/// The third corner of a triangle with base `ab` on the x axis and sides `ac`, `bc`, on the side of the sign of `side`.
+///
+/// A `side` of zero is a link that counts as straight: its third point lies on the base, or so near to it, on either
+/// side, as the lengths allow. Lengths that fail to close by a rounding leave it as far from certain.
 fn corner(ab: Ball, ac: Ball, bc: Ball, side: f64) -> Vector {
     let half = Ball::from(0.5);
     let x = half * (ab + (ac - bc) * (ac + bc) / ab);
+    // Heron's formula. The factor that nearly vanishes comes from sums of neighbours, which lose nothing.
+    let sixteen_squares = (ab + ac + bc) * ((ac - ab) + bc) * ((ab - ac) + bc) * ((ab - bc) + ac);
     if side == 0.0 {
-        return Pair { x, y: Ball::default() };
+        let height = half * Ball::default().widened(sixteen_squares.largest()).sqrt() / ab;
+        return Pair { x, y: height };
     }
-    // Heron's formula.
-    let sixteen_squares = (ab + ac + bc) * (ac + bc - ab) * (ab + bc - ac) * (ab + ac - bc);
     let y = half * sixteen_squares.sqrt() / ab;
     Pair { x, y: if side < 0.0 { -y } else { y } }
 }

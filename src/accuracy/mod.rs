@@ -4,17 +4,21 @@
 //!
 //! # A stated error is a distance
 //!
-//! `placed` takes the scene's numbers as balls that hold both the decimal and its f64, and goes on from the f64
-//! position with Newton steps in twice the digits until only the errors of these numbers are left. `motion/` then
-//! computes the rates there by the same code as for a pose: it asks for places through a trait, which are exact for a
+//! `placed` takes the scene's numbers as balls with all their digits, and goes on from the f64 position with Newton steps
+//! in twice the digits until only rounding of these is left; `certificate` proves that one and only one assembly lies there. `motion/`
+//! then computes the rates by the same code as for a pose: it asks for places through a trait, which are exact for a
 //! `Pose` and balls for an enclosure. What a result states is how far its f64 number can be from that ball, so
 //! nothing that was lost on the way has to be estimated. The bound at the position as printed (`Motion::errors`)
 //! stays beside it: the two routes are compared there.
 
 mod bounds;
+mod certificate;
 mod enclosure;
 mod given;
 mod placed;
+mod places;
+#[doc(hidden)] // for tests
+pub mod says;
 
 pub(crate) use bounds::is_bounded;
 pub use bounds::{Bounds, bounds};

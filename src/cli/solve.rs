@@ -98,15 +98,16 @@ impl Solve {
             let pencil = pencil(&solution, &solution.scales(), self.hand.tolerance(), asked);
             result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
-        show_warnings(&solution);
+        result.warnings.iter().for_each(|text| warn(text));
         files::print(format::json(&result).as_bytes())
     }
 }
 
 /// Prints the table of certain digits; warns of wanted quantities that have no bound of their error.
 fn print_digits(solution: &Solution) -> Result<(), Failure> {
-    let text = solution.digits();
-    show_warnings(solution);
+    let result = solution.result();
+    let text = solution.digits_of(&result);
+    result.warnings.iter().for_each(|text| warn(text));
     for name in solution.scene.want.iter().flatten() {
         // The table gives a vector by its components.
         let is_named = |line: &str| line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."));

@@ -1,3 +1,4 @@
+use super::result::ResultFile;
 use crate::construction::Solution;
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
 use crate::quantity::QuantityKind;
@@ -13,13 +14,22 @@ impl Solution {
     /// bound 0.
     #[must_use]
     pub fn digits(&self) -> String {
-        text(&self.digit_rows())
+        self.digits_of(&self.result())
+    }
+
+    /// That of a result of this solution.
+    #[must_use]
+    pub fn digits_of(&self, result: &ResultFile) -> String {
+        text(&self.rows_of(result))
     }
 
     /// The rows of that table.
     #[must_use]
     pub fn digit_rows(&self) -> Vec<DigitRow> {
-        let result = self.result();
+        self.rows_of(&self.result())
+    }
+
+    fn rows_of(&self, result: &ResultFile) -> Vec<DigitRow> {
         let mut table = Table { units: self.scene.units, lines: Vec::new() };
         for (link, rates) in &result.links {
             let [omega, alpha] = ["omega", "alpha"].map(|head| format!("{head}({link})"));

@@ -16,8 +16,7 @@ use serde_json::json;
 /// A `…_error` bounds the whole error of the number beside it, against what follows exactly from the numbers of the
 /// scene as they are written: positions found from lengths, drive angles found from a link's angle, rounded turns per
 /// minute and roundings of every kind count in. Of a vector it bounds each component. It is zero for a number that the
-/// scene gives, and null where no bound can be given: next to a limit position or a singular one, and at the end of very
-/// long chains.
+/// scene gives, and null where no bound can be proved: at a limit position or a singular one.
 #[derive(Debug, Serialize, JsonSchema)]
 #[non_exhaustive]
 pub struct ResultFile {
@@ -31,6 +30,8 @@ pub struct ResultFile {
     pub points: IndexMap<String, PointResult>,
     /// By slider name, as in `3/2`; of further sliders between the same two, in scene order, `3/2#2`.
     pub sliders: IndexMap<String, SliderResult>,
+    /// Whether all errors of this file are proved; see `groups`.
+    pub proved: bool,
     /// The Assur groups in solving order.
     pub groups: Vec<GroupResult>,
     /// The quantities that the scene's `want` asks for.
@@ -165,6 +166,9 @@ pub struct GroupResult {
     pub disagreement: Option<f64>,
     /// The difference that rounding and the crossings' angles allow; `null` together with `disagreement`.
     pub disagreement_allowed: Option<f64>,
+    /// Whether its errors are proved: that one and only one assembly of it lies within those of its places, and that its rates lie within
+    /// theirs. Where nothing is proved its errors are `null`.
+    pub proved: bool,
     /// Number of this assembly mode; none in a drawn configuration. Where a link's angle is given in place of a drive's, it is that of
     /// the whole mechanism.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -283,6 +287,7 @@ impl Solution {
                 condition: motion.conditions[index],
                 disagreement: agreement.map(|a| a.difference),
                 disagreement_allowed: agreement.map(|a| a.allowed),
+                proved: bounds.is_proved(index),
                 mode: pose.assemblies[index].map(|a| a.mode),
                 modes: pose.assemblies[index].map(|a| a.modes),
             }
@@ -293,10 +298,11 @@ impl Solution {
             links: links.collect(),
             points: points(self, bounds),
             sliders: sliders.collect(),
+            proved: (0..mechanism.groups.len()).all(|group| bounds.is_proved(group)),
             groups: groups.collect(),
             quantities: IndexMap::new(),
             pencil: None,
-            warnings: self.warnings().collect(),
+            warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
         }
     }
 

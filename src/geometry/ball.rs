@@ -17,20 +17,32 @@ pub const RADIANS_PER_SECOND: Ball =
 pub const RADIANS_PER_TURN: Ball =
     Ball { high: std::f64::consts::TAU, low: 2.449_293_598_294_706_4e-16, radius: 6e-33 };
 
-/// Below this the rests of numbers lose digits.
-const SMALLEST: f64 = 1e-270;
+/// By this a radius that was summed by rounding to nearest is made larger: see [`Ball`].
+const UPWARD: f64 = 1.0 + 16.0 * UNIT_ROUNDOFF;
 
-/// Powers of ten up to this one are exact in f64.
-const EXACT: usize = 22;
+/// Products below this may have rests below the range of f64; above it the slack of [`ROUNDING`], 9 u² of them, is more
+/// than all that their rests and radii can have lost there.
+const SMALL: f64 = 1e-270;
+
+/// More than what twenty operations lose below the range of f64.
+const LEAST: f64 = f64::MIN_POSITIVE;
+
+/// Angles up to this size are reduced by multiples of 90° without rounding.
+const REDUCIBLE: f64 = 1e15;
 
 /// A number with twice the digits of f64 and a bound of its error: the true number lies within `radius` of `high +
 /// low`.
 ///
+/// # Why the true number is always within
+///
 /// Sums and products are those of double-double arithmetic, which err by at most 3 u² and 7 u² of the result (Joldes,
 /// Muller, Popescu, *Tight and rigorous error bounds for basic building blocks of double-word arithmetic*, ACM TOMS 44
 /// (2017), algorithms 6 and 10, made of Knuth's two-sum and Dekker's product); radii are propagated as in ball
-/// arithmetic (Johansson, *Arb*, IEEE Trans. Computers 66 (2017)). Each operation rounds the same on every platform. A
-/// factor of 2^996 or more makes a product NaN.
+/// arithmetic (Johansson, *Arb*, IEEE Trans. Computers 66 (2017)). A radius is a sum of at most eight products of
+/// numbers that are not negative. Each rounding to nearest takes at most the part u of it, so at most (1 − u)¹² of it are
+/// left, and |low| ≤ u |high| takes one more u: multiplied by 1 + 16 u it is again at least what it stands for. That
+/// holds for normal numbers; smaller products get [`LEAST`] on top. Each operation rounds the same on every platform. A
+/// factor of 2^996 or more makes a product NaN, which counts as no bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
     /// The middle, rounded to f64.
@@ -50,6 +62,15 @@ impl Ball {
         Ball { high, low, radius: 0.0 }
     }
 
+    /// The product of two exact numbers, without rounding error while it is within the range of f64.
+    #[inline]
+    #[must_use]
+    pub fn product(x: f64, y: f64) -> Ball {
+        let (high, low) = two_product(x, y);
+        let is_small = high.abs() < SMALL && x != 0.0 && y != 0.0;
+        Ball { high, low, radius: if is_small { LEAST } else { 0.0 } }
+    }
+
     /// Twice the number, exactly.
     #[inline]
     #[must_use]
@@ -61,48 +82,63 @@ impl Ball {
     #[inline]
     #[must_use]
     pub fn widened(self, error: f64) -> Ball {
-        Ball { radius: self.radius + error.abs(), ..self }
+        Ball { radius: upward(self.radius + error.abs()), ..self }
     }
 
     /// Bound of the absolute error of `high` taken without `low`.
     #[inline]
     #[must_use]
     pub fn error(self) -> f64 {
-        self.low.abs() + self.radius
+        upward(self.low.abs() + self.radius)
     }
 
-    /// The number that a person wrote and that was read as `x`: `x` with the distance of the shortest decimal that
-    /// reads as `x`.
-    ///
-    /// So it holds `x` itself and the decimal, as 0.1 and the f64 next to it. Whole numbers, halves, quarters and so on
-    /// are exact. A number of 16 digits or more was computed: it may be off by a rounding.
+    /// The middle alone, taken as exact.
+    #[inline]
     #[must_use]
-    pub fn written(x: f64) -> Ball {
-        let is_whole = x.trunc() == x && x.abs() < 1e15;
-        if is_whole || !x.is_finite() {
-            return x.into();
-        }
-        if x.abs() < SMALLEST {
-            return Ball::from(x).widened(SMALLEST * UNIT_ROUNDOFF);
-        }
-        let text = format!("{:e}", x.abs());
-        let off = (decimal(&text) - Ball::from(x.abs())).error_from(0.0);
-        let is_computed = text.bytes().filter(u8::is_ascii_digit).count() > 16;
-        Ball::from(x).widened(if is_computed { off.max(UNIT_ROUNDOFF * x.abs()) } else { off })
+    pub fn middle(self) -> Ball {
+        Ball { radius: 0.0, ..self }
     }
 
-    /// The shortest decimal that reads as `x`.
+    /// The largest size that the number may have.
+    #[inline]
     #[must_use]
-    pub fn decimal(x: f64) -> Ball {
-        let size = decimal(&format!("{:e}", x.abs()));
-        if x < 0.0 { -size } else { size }
+    pub fn largest(self) -> f64 {
+        upward(self.high.abs() + self.error())
+    }
+
+    /// The smallest size that the number may have; zero where its sign is not certain.
+    #[inline]
+    #[must_use]
+    pub fn smallest(self) -> f64 {
+        ((self.high.abs() - self.error()) * (1.0 - 4.0 * UNIT_ROUNDOFF)).max(0.0)
+    }
+
+    /// A ball that holds this one and another.
+    #[must_use]
+    pub fn joined(self, other: Ball) -> Ball {
+        let apart = (other - self).largest();
+        Ball { radius: upward(self.radius.max(other.radius) + apart), ..self }
+    }
+
+    /// The quotient by an exact number: rests of the quotient are divided once more, with an error of at most 3 u²
+    /// (Joldes and others, algorithm 15).
+    #[inline]
+    #[must_use]
+    fn over(self, divisor: f64) -> Ball {
+        let first = self.high / divisor;
+        let (product, rest) = two_product(first, divisor);
+        let left = ((self.high - product) - rest) + self.low;
+        let (high, low) = ordered_sum(first, left / divisor);
+        let radius = upward(self.radius / divisor.abs() + ROUNDING * high.abs());
+        let is_small = high.abs() < SMALL && self != Ball::default();
+        Ball { high, low, radius: if is_small { radius + LEAST } else { radius } }
     }
 
     /// Bound of the distance of the number from `value`.
     #[inline]
     #[must_use]
     pub fn error_from(self, value: f64) -> f64 {
-        (self.high - value).abs() * (1.0 + f64::EPSILON) + self.error()
+        upward((self.high - value).abs() + self.error())
     }
 
     /// Whether the middle and the bound of the error are finite.
@@ -129,7 +165,7 @@ impl Add for Ball {
         let (low, lowest) = two_sum(self.low, other.low);
         let (sum, rest) = ordered_sum(sum, rest + low);
         let (high, low) = ordered_sum(sum, rest + lowest);
-        Ball { high, low, radius: self.radius + other.radius + ROUNDING * high.abs() }
+        Ball { high, low, radius: upward(self.radius + other.radius + ROUNDING * high.abs()) }
     }
 }
 
@@ -160,7 +196,11 @@ impl Mul for Ball {
         let crossed = self.high * other.low + self.low * other.high;
         let (high, low) = ordered_sum(product, rest + crossed);
         let carried = self.high.abs() * other.radius + self.radius * other.high.abs();
-        Ball { high, low, radius: carried + self.radius * other.radius + ROUNDING * high.abs() }
+        let radius = upward(carried + self.radius * other.radius + ROUNDING * high.abs());
+        if product.abs() < SMALL && self != Ball::default() && other != Ball::default() {
+            return Ball { high, low, radius: radius + LEAST };
+        }
+        Ball { high, low, radius }
     }
 }
 
@@ -176,8 +216,9 @@ impl Div for Ball {
         let second = left.high / other.high;
         let rest = left - other * Ball::from(second);
         let (high, low) = two_sum(first, second);
-        let least = (other.high.abs() - other.error()).max(0.0);
-        Ball { high, low, radius: (rest.high.abs() + rest.error()) / least }
+        let off = rest.largest();
+        let radius = if off == 0.0 { 0.0 } else { upward(off / other.smallest()) + LEAST };
+        Ball { high, low, radius }
     }
 }
 
@@ -190,17 +231,18 @@ impl Number for Ball {
         self + a * b
     }
 
-    /// The root s as a sum of two f64 numbers; the residual x − s² bounds its error: |√x − s| ≤ |x − s²| / s.
+    /// The root s as a sum of two f64 numbers; the residual x − s² bounds its error: |√x − s| ≤ |x − s²| / s. Zero, with
+    /// the root of all that the number may be, where that may be zero; no bound for a negative number.
     fn sqrt(self) -> Ball {
-        let first = self.high.sqrt();
-        if first == 0.0 {
-            return Ball { radius: self.error().sqrt(), ..Ball::default() };
+        if self.high.abs() <= self.error() {
+            return Ball { radius: upward(self.largest().sqrt()), ..Ball::default() };
         }
+        let first = self.high.sqrt();
         let left = self - Ball::from(first) * Ball::from(first);
         let (high, low) = two_sum(first, left.high / (2.0 * first));
         let root = Ball { high, low, radius: 0.0 };
         let rest = self - root * root;
-        Ball { radius: (rest.high.abs() + rest.error()) / first, ..root }
+        Ball { radius: upward(rest.largest() / first) + LEAST, ..root }
     }
 
     fn larger(self, other: Ball) -> Ball {
@@ -243,22 +285,32 @@ impl Pair<Ball> {
     #[must_use]
     pub fn direction_of_degrees(degrees: Ball) -> Self {
         const TERMS: u32 = 14;
+        let mut degrees = degrees;
+        if degrees.high.abs() > REDUCIBLE {
+            // Remainders are exact.
+            let whole = Ball::difference(degrees.high % 360.0, -(degrees.low % 360.0));
+            degrees = whole.widened(degrees.radius);
+        }
         let quarters = (degrees.high / 90.0).round();
-        let x = (degrees - Ball::from(quarters) * Ball::from(90.0)) * RADIANS_PER_DEGREE;
+        let x = (degrees - Ball::from(quarters * 90.0)) * RADIANS_PER_DEGREE;
+        let turns = quarters.rem_euclid(4.0) as i64;
+        if x == Ball::default() {
+            return Pair { x: Ball::from(1.0), y: Ball::default() }.turned_by_quarters(turns);
+        }
         let off = x.radius;
-        let x = Ball { radius: 0.0, ..x };
+        let x = x.middle();
         let square = x * x;
         let one = Ball::from(1.0);
         // 1 − x²/(k (k+1)) (1 − x²/((k+2) (k+3)) (…)), from the last term on.
         let series = |first: u32| {
             (0..TERMS).rev().fold(one, |rest, term| {
                 let k = f64::from(first + 2 * term);
-                one - square * rest / Ball::from(k * (k + 1.0))
+                one - (square * rest).over(k * (k + 1.0))
             })
         };
         // The first term that is left out, and the angle's own error.
         let (cosine, sine) = (series(1).widened(off + 1e-33), (x * series(2)).widened(off + 1e-33));
-        Pair { x: cosine, y: sine }.turned_by_quarters(quarters.rem_euclid(4.0) as i64)
+        Pair { x: cosine, y: sine }.turned_by_quarters(turns)
     }
 
     /// The unit vector in the same direction; with infinite bounds for a vector that may be zero.
@@ -280,6 +332,40 @@ impl Pair<Ball> {
         Pair { x: self.x.widened(error), y: self.y.widened(error) }
     }
 
+    /// The middles alone, taken as exact.
+    #[must_use]
+    pub fn middle(self) -> Self {
+        Pair { x: self.x.middle(), y: self.y.middle() }
+    }
+
+    /// Turned by an exact angle of at most 10⁻⁴ radians, given by its middle, by the first terms of cosine and sine: the
+    /// next ones are below φ⁴/24 and φ⁵/120.
+    #[must_use]
+    pub fn turned_slightly(self, angle: f64) -> Self {
+        let x = Ball::from(angle);
+        let square = x * x;
+        let cosine = Ball::from(1.0) - square.over(2.0);
+        let sine = x - (square * x).over(6.0);
+        let off = angle * angle * angle * angle;
+        Pair { x: cosine.widened(off), y: sine.widened(off) }.turn(self)
+    }
+
+    /// Bound of the angle in degrees between this direction and that at `degrees`; infinite from a quarter turn on.
+    ///
+    /// `degrees` may come from any arctangent: cosine and sine of it are found anew and held against the direction.
+    /// The angle φ is at most tan φ.
+    #[must_use]
+    pub fn degrees_from(self, degrees: f64) -> f64 {
+        let printed = Pair::direction_of_degrees(degrees.into());
+        let (across, along) = (printed.cross(self), printed.dot(self));
+        let least = if along.high > 0.0 { along.smallest() } else { 0.0 };
+        if across.largest() == 0.0 && least > 0.0 {
+            return 0.0;
+        }
+        let radians = upward(across.largest() / least);
+        upward(radians * 57.295_779_513_082_33)
+    }
+
     /// Bounds of the distances of the components from those of `v`.
     #[must_use]
     pub fn errors_from(self, v: Vector) -> [f64; 2] {
@@ -287,20 +373,10 @@ impl Pair<Ball> {
     }
 }
 
-/// A decimal as in `3.125e-2`, of at most 17 digits, from its text.
-fn decimal(text: &str) -> Ball {
-    let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
-    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits = format!("{whole}{decimals}").parse::<i64>().unwrap_or_default();
-    let high = digits as f64;
-    // At most 17 digits: the rest is far below 2^53.
-    let number = Ball { high, low: (digits - high as i64) as f64, radius: 0.0 };
-    let power = power.parse::<i32>().unwrap_or_default() - decimals.len() as i32;
-    (0..power.unsigned_abs()).step_by(EXACT).fold(number, |number, done| {
-        let step = (power.unsigned_abs() - done).min(EXACT as u32);
-        let scale = Ball::from((0..step).fold(1.0, |scale, _| 10.0 * scale));
-        if power < 0 { number / scale } else { number * scale }
-    })
+/// A radius that was summed by rounding to nearest, made so much larger that it bounds what it stands for.
+#[inline(always)]
+fn upward(radius: f64) -> f64 {
+    radius * UPWARD
 }
 
 /// x + y as the rounded sum and its rounding error (Knuth's two-sum).

@@ -4,6 +4,7 @@
 //! Nothing here knows what a mechanism is.
 
 mod ball;
+mod decimal;
 mod lanes;
 mod line;
 mod numbers;
@@ -17,7 +18,7 @@ pub use line::{Crossing, Line, PARALLEL, Place};
 pub use numbers::{NEAR, Number, Pair, direction_near, quarters_of};
 pub use random::Random;
 pub use reduced::Reduced;
-pub use system::{LinearSystem, Numbers};
+pub use system::{Elements, LinearSystem, Numbers, Verified};
 
 /// A place in the plane, in the scene's length unit. Points cannot be added to each other.
 pub type Point = nalgebra::Point2<f64>;
@@ -133,6 +134,8 @@ pub fn hull(mut points: Vec<Point>, is_corner: impl Fn([Point; 3]) -> bool) -> V
 /// large angle loses nothing. Trigonometry is libm's: the same bits on every platform.
 #[must_use]
 pub fn direction_of_degrees(degrees: f64) -> Vector {
+    // Products with 90 are exact up to some 1e17; the remainder always is.
+    let degrees = if degrees.abs() > 1e15 { degrees % 360.0 } else { degrees };
     let quarters = (degrees / 90.0).round();
     let rest = (degrees - 90.0 * quarters).to_radians();
     let (sine, cosine) = (libm::sin(rest), libm::cos(rest));

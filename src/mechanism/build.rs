@@ -8,9 +8,9 @@ use super::{
     Body, BodyId, GROUND, Group, Guide, JointId, LoopEquations, Mechanism, Placing, PointId, Role, Slider,
     StructureError,
 };
-use crate::geometry::{Point, Vector};
+use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
-use crate::scene::{Along, GivenBy, Scene};
+use crate::scene::{Along, GivenBy, Scene, Shape};
 use indexmap::IndexSet;
 use std::f64::consts::{PI, TAU};
 
@@ -39,6 +39,7 @@ pub fn mechanism_with(
 ) -> Result<Mechanism, StructureError> {
     let mut mechanism = bodies(scene, mirrored)?;
     mechanism.warnings.extend(radians_warnings(scene));
+    mechanism.warnings.extend(far_origin_warning(scene));
     add(&mut mechanism);
     let given_angle = link_angle_for_drive(scene)?;
     let unpinned = given_angle.map(|_| mechanism.clone());
@@ -250,6 +251,25 @@ fn mobility(scene: &Scene, missing: usize, surplus: usize) -> Option<Message> {
     let constraints = 3 * links as i64 - mobility;
     let drives = if drives == 1 { says::one_drive() } else { says::drives(drives) };
     Some(says::mobility(links, constraints, mobility, drives))
+}
+
+/// Digits of a mechanism's shape below which there is a warning.
+const FEW_DIGITS: f64 = 8.0;
+
+/// The warning of an origin so far away that f64 leaves places few digits of the mechanism's own shape.
+fn far_origin_warning(scene: &Scene) -> Option<Message> {
+    let places = || scene.coordinates.values().map(|&place| Point::from(place));
+    let far = places().map(|place| place.coords.amax()).fold(0.0, f64::max);
+    let lengths = scene.links.values().flat_map(|link| match &link.shape {
+        Shape::Lengths(lengths) => lengths.iter().map(|length| length.value).collect(),
+        Shape::Local(places) => places.values().flat_map(|place| place.map(f64::abs)).collect(),
+        Shape::Bare => Vec::new(),
+    });
+    let size = lengths.fold(span(places()), f64::max);
+    let digits = libm::log10(size / (far * UNIT_ROUNDOFF));
+    let about = |x: f64| format!("{x:.1e}");
+    let is_far = far > 0.0 && size > 0.0 && digits < FEW_DIGITS;
+    is_far.then(|| says::far_origin(about(far), about(size), format!("{:.0}", digits.max(0.0))))
 }
 
 /// Most by which a rounded angle may differ from a multiple of 15° in radians.

@@ -107,18 +107,23 @@ pub struct Slide {
 pub type AngularTerms = SmallVec<[(AngularRate, f64); 3]>;
 
 impl LoopTerms {
-    /// Adds this loop's coefficients to the columns of the unknowns, where the points are at `points` and the guides
-    /// have the unit directions `guides`, both in the fixed frame.
+    /// Adds this loop's coefficients to the columns of the unknowns, with the vectors from one point to another and the
+    /// unit directions of guides, both in the fixed frame.
     #[inline]
-    pub(crate) fn add_columns(&self, points: &[Point], guides: &[Vector], columns: &mut [Vector]) {
+    pub(crate) fn add_columns(
+        &self,
+        vector: impl Fn(PointId, PointId) -> Vector,
+        guide: impl Fn(SliderId) -> Vector,
+        columns: &mut [Vector],
+    ) {
         for arm in &self.arms {
             if let AngularRate::Unknown(unknown) = arm.angular {
-                columns[unknown] += quarter_turn(points[arm.to.0] - points[arm.from.0]);
+                columns[unknown] += quarter_turn(vector(arm.from, arm.to));
             }
         }
         for slide in &self.slides {
             if let SlideRate::Unknown(unknown) = slide.rate {
-                columns[unknown] += guides[slide.slider.0] * slide.sign;
+                columns[unknown] += guide(slide.slider) * slide.sign;
             }
         }
     }
@@ -192,10 +197,19 @@ impl LoopEquations {
     /// The matrix for these places of the points and unit directions of the guides, in the fixed frame.
     #[must_use]
     pub fn matrix(&self, points: &[Point], guides: &[Vector]) -> DMatrix<f64> {
+        self.matrix_of(|from, to| points[to.0] - points[from.0], |slider| guides[slider.0])
+    }
+
+    /// The matrix with these vectors from one point to another and unit directions of guides.
+    pub(crate) fn matrix_of(
+        &self,
+        vector: impl Fn(PointId, PointId) -> Vector,
+        guide: impl Fn(SliderId) -> Vector,
+    ) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.count(), self.unknowns);
         for (index, terms) in self.loops.iter().enumerate() {
             let mut columns = vec![Vector::zeros(); self.unknowns];
-            terms.add_columns(points, guides, &mut columns);
+            terms.add_columns(&vector, &guide, &mut columns);
             for (unknown, column) in columns.into_iter().enumerate() {
                 matrix[(2 * index, unknown)] = column.x;
                 matrix[(2 * index + 1, unknown)] = column.y;
@@ -214,7 +228,16 @@ impl LoopEquations {
     /// That matrix, factored; `None` if it is exactly singular, or not square as in a group singular by structure.
     #[must_use]
     pub fn factored(&self, points: &[Point], guides: &[Vector]) -> Option<LinearSystem> {
-        LinearSystem::new(self.is_square().then(|| self.matrix(points, guides))?)
+        self.factored_of(|from, to| points[to.0] - points[from.0], |slider| guides[slider.0])
+    }
+
+    /// As [`Self::factored`], of [`Self::matrix_of`].
+    pub(crate) fn factored_of(
+        &self,
+        vector: impl Fn(PointId, PointId) -> Vector,
+        guide: impl Fn(SliderId) -> Vector,
+    ) -> Option<LinearSystem> {
+        LinearSystem::new(self.is_square().then(|| self.matrix_of(vector, guide))?)
     }
 }
 

@@ -61,4 +61,9 @@ messages! { "mechanism":
     near_angle_of(link) = "`near` for angle({link})";
     radians(what, angle, degrees) =
         "{what} is taken as {angle}°, which looks like radians: angles are in degrees, so {degrees} if that is meant";
+
+    // Places far away.
+    far_origin(far, size, digits) =
+        "the origin lies {far} from a mechanism of about {size}: of places with 16 digits, {digits} are left for its shape. \
+         Let the origin be near";
 }

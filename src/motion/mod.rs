@@ -25,8 +25,9 @@
 //!
 //! Every number on the way to a motion is a ball: twice the digits of f64 and a bound of its error, which sums and
 //! products carry along (`geometry/ball.rs`). The loop equations are solved in f64; what the solution leaves of them,
-//! computed with all digits, gives a correction, until it is small enough (`refine`). The last one's bound is |A⁻¹|
-//! (|residual| + what the inputs bring + rounding), element by element; a group that hangs on another inherits its
+//! computed with all digits, gives a correction, until it is small enough (`refine`). The last one's bound is |R|
+//! (|residual| + what the inputs bring + rounding) and what I − R A leaves of it, element by element, R the computed
+//! inverse: a bound that is proved, not estimated (`geometry/system.rs`). A group that hangs on another inherits its
 //! balls. Rounded once at the end, each ω and α of hard groups, given their joints' places, errs by less than 4 u of
 //! its own value whatever the condition, and velocities and accelerations stay below 1 u·condition
 //! (`tests/library/accuracy.rs`). The condition number is that of the matrix scaled by powers of two, in the row-sum
@@ -45,6 +46,7 @@ pub use refine::ClosedForm;
 pub use solve::motion;
 
 pub(crate) use moving::State;
+pub(crate) use refine::coefficient_errors;
 pub(crate) use solve::bounded_motion;
 
 use crate::Problem;

@@ -130,16 +130,20 @@ pub trait Places {
     fn arm(&self, from: PointId, to: PointId) -> Pair<Ball>;
     /// The unit direction of a slider's guide.
     fn guide(&self, slider: SliderId) -> Pair<Ball>;
-    /// All points, rounded, from any common origin.
-    fn points(&self) -> &[Point];
-    /// The directions of all guides, rounded.
-    fn guides(&self) -> &[Vector];
     /// A number of the scene.
     fn given(&self, number: f64) -> Ball;
     /// The given angular velocity of a driven body.
     fn omega(&self, body: BodyId, omega: f64) -> Ball;
-    /// Whether errors of the places are so large that the loop equations themselves are uncertain.
-    const UNCERTAIN: bool;
+
+    /// The vector from one point to another, rounded.
+    fn rounded_arm(&self, from: PointId, to: PointId) -> Vector {
+        self.arm(from, to).rounded()
+    }
+
+    /// The direction of a slider's guide, rounded.
+    fn rounded_guide(&self, slider: SliderId) -> Vector {
+        self.guide(slider).rounded()
+    }
 
     /// A place that the scene gives.
     fn given_pair(&self, v: Vector) -> Pair<Ball> {
@@ -148,8 +152,6 @@ pub trait Places {
 }
 
 impl Places for Pose {
-    const UNCERTAIN: bool = false;
-
     fn place(&self, point: PointId) -> Pair<Ball> {
         self.point(point).coords.into()
     }
@@ -165,12 +167,12 @@ impl Places for Pose {
         Pair { x: x.widened(u.x * error), y: y.widened(u.y * error) }
     }
 
-    fn points(&self) -> &[Point] {
-        &self.points
+    fn rounded_arm(&self, from: PointId, to: PointId) -> Vector {
+        self.points[to.0] - self.points[from.0]
     }
 
-    fn guides(&self) -> &[Vector] {
-        &self.guides
+    fn rounded_guide(&self, slider: SliderId) -> Vector {
+        self.guides[slider.0]
     }
 
     fn given(&self, number: f64) -> Ball {

@@ -1,6 +1,6 @@
 use super::moving::{BoundedMotion, Places, State};
-use crate::geometry::{Ball, LinearSystem, Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector};
-use crate::mechanism::{AngularRate, AngularTerms, Arm, LoopEquations, LoopTerms, Reduction, SlideRate};
+use crate::geometry::{Ball, Elements, LinearSystem, Numbers, Pair, Point, Reduced, UNIT_ROUNDOFF, Vector, Verified};
+use crate::mechanism::{AngularRate, AngularTerms, LoopEquations, LoopTerms, PointId, Reduction, SlideRate, SliderId};
 use smallvec::{SmallVec, smallvec};
 
 /// Solves a group's loop equations almost to the last digit by iterative refinement.
@@ -12,6 +12,8 @@ pub(super) struct Solver<'a, P> {
     equations: &'a LoopEquations,
     system: &'a LinearSystem,
     places: &'a P,
+    /// What is proved of the matrices of all places that are meant.
+    verified: Verified<'a>,
     closed: Option<ClosedForm>,
     /// Refinement ends after a correction smaller than this part of the solution.
     last_correction: f64,
@@ -26,7 +28,12 @@ impl<'a, P: Places> Solver<'a, P> {
             equations,
             system,
             places,
-            closed: ClosedForm::new(equations, places.points(), places.guides()),
+            verified: system.verified(&coefficient_errors(equations, places)),
+            closed: ClosedForm::of(
+                equations,
+                |from, to| places.rounded_arm(from, to),
+                |slider| places.rounded_guide(slider),
+            ),
             last_correction: 1.0 / (16.0 * condition * condition),
         }
     }
@@ -60,75 +67,43 @@ impl<'a, P: Places> Solver<'a, P> {
     /// Widens the solution by the bounds of its errors after the last `correction`, found for the residual `rest`.
     fn widen(&self, solution: &mut Balls, rest: &Sides, correction: &[f64]) {
         let right: Numbers = rest.numbers().map(|x| x.high).collect();
-        let mut uncertain: Numbers = rest.numbers().map(Ball::error).collect();
-        self.add_coefficient_errors(&mut uncertain, correction);
-        let errors = self.system.error_bound(correction, &right, &uncertain);
-        let growth = if P::UNCERTAIN { 1.0 / (1.0 - self.stretch()).max(0.0) } else { 1.0 };
+        let uncertain: Numbers = rest.numbers().map(Ball::error).collect();
+        let errors = self.verified.error_bound(correction, &right, &uncertain);
         for (x, error) in solution.iter_mut().zip(errors) {
-            *x = x.widened(growth * error);
+            *x = x.widened(error);
         }
     }
+}
 
-    /// By what part of itself the inverse of the matrix may change within the bounds of the places, to first order: at
-    /// most the condition times the sum of the columns' relative errors.
-    fn stretch(&self) -> f64 {
-        let mut columns = vec![[0.0_f64; 2]; self.equations.unknowns];
-        for terms in &self.equations.loops {
-            let mut add = |unknown: usize, [exact, error]: [f64; 2]| {
-                let [size, sum] = &mut columns[unknown];
-                (*size, *sum) = (size.max(exact), *sum + error);
-            };
-            for arm in &terms.arms {
-                if let AngularRate::Unknown(unknown) = arm.angular {
-                    let [exact, rounded] = self.arms(arm);
-                    let [x, y] = exact.errors_from(rounded.rounded());
-                    add(unknown, [rounded.rounded().amax(), x + y]);
-                }
-            }
-            for slide in &terms.slides {
-                if let SlideRate::Unknown(unknown) = slide.rate {
-                    let [x, y] = self.places.guide(slide.slider).errors_from(self.places.guides()[slide.slider.0]);
-                    add(unknown, [1.0, x + y]);
-                }
+/// How far the coefficients of the equations are from those of the matrix that has the rounded points and guides, row by
+/// row.
+pub(crate) fn coefficient_errors(equations: &LoopEquations, places: &impl Places) -> Elements {
+    let width = equations.unknowns;
+    let mut errors = Elements::from_elem(0.0, width * (2 * equations.loops.len() + equations.angular.len()));
+    for (index, terms) in equations.loops.iter().enumerate() {
+        let rows = &mut errors[2 * index * width..];
+        let mut add = |unknown: usize, [x, y]: [f64; 2]| {
+            rows[unknown] += x;
+            rows[width + unknown] += y;
+        };
+        for arm in &terms.arms {
+            if let AngularRate::Unknown(unknown) = arm.angular {
+                let rounded = places.rounded_arm(arm.from, arm.to);
+                // One rounding for each further arm of the same rotation.
+                let alike = terms.arms.iter().filter(|other| other.angular == arm.angular);
+                let rounding = alike.count() as f64 * UNIT_ROUNDOFF;
+                let [x, y] = places.arm(arm.from, arm.to).errors_from(rounded);
+                add(unknown, [y + rounding * rounded.y.abs(), x + rounding * rounded.x.abs()]);
             }
         }
-        let relative = columns.iter().filter(|[size, _]| *size > 0.0).map(|[size, error]| error / size);
-        2.0 * self.system.condition() * relative.sum::<f64>()
-    }
-
-    /// Adds the effect of rounded coefficients: their errors times the correction.
-    fn add_coefficient_errors(&self, uncertain: &mut Numbers, correction: &[f64]) {
-        for (terms, uncertain) in self.equations.loops.iter().zip(uncertain.chunks_mut(2)) {
-            let mut add = |[x, y]: [f64; 2], times: f64| {
-                uncertain[0] += x * times.abs();
-                uncertain[1] += y * times.abs();
-            };
-            for arm in &terms.arms {
-                if let AngularRate::Unknown(unknown) = arm.angular {
-                    let [exact, rounded] = self.arms(arm);
-                    // One rounding for each further arm of the same rotation.
-                    let alike = terms.arms.iter().filter(|other| other.angular == arm.angular);
-                    let rounding = alike.count() as f64 * UNIT_ROUNDOFF;
-                    let [x, y] = exact.errors_from(rounded.rounded());
-                    let sum = [x + rounding * rounded.x.high.abs(), y + rounding * rounded.y.high.abs()];
-                    add(sum, correction[unknown]);
-                }
-            }
-            for slide in &terms.slides {
-                if let SlideRate::Unknown(unknown) = slide.rate {
-                    let u = self.places.guides()[slide.slider.0];
-                    add(self.places.guide(slide.slider).errors_from(u), correction[unknown]);
-                }
+        for slide in &terms.slides {
+            if let SlideRate::Unknown(unknown) = slide.rate {
+                let rounded = places.rounded_guide(slide.slider);
+                add(unknown, places.guide(slide.slider).errors_from(rounded));
             }
         }
     }
-
-    /// An arm turned by +90°: as it is, and as it stands in the matrix.
-    fn arms(&self, arm: &Arm) -> [Pair<Ball>; 2] {
-        let points = self.places.points();
-        let rounded = Pair::from(points[arm.to.0] - points[arm.from.0]);
-        [self.places.arm(arm.from, arm.to).quarter_turn(), rounded.quarter_turn()]
-    }
+    errors
 }
 
 /// The loop equations of a group of class II, III or IV reduced to two equations for two rates.
@@ -150,11 +125,21 @@ impl ClosedForm {
     #[inline]
     #[must_use]
     pub fn new(equations: &LoopEquations, points: &[Point], guides: &[Vector]) -> Option<Self> {
+        Self::of(equations, |from, to| points[to.0] - points[from.0], |slider| guides[slider.0])
+    }
+
+    /// As [`Self::new`], with these vectors from one point to another and unit directions of guides.
+    #[inline]
+    fn of(
+        equations: &LoopEquations,
+        vector: impl Fn(PointId, PointId) -> Vector,
+        guide: impl Fn(SliderId) -> Vector,
+    ) -> Option<Self> {
         let reduction = equations.reduction?;
         // A reduction has at most four unknowns in two loops.
         let mut all = [[Vector::zeros(); 4]; 2];
         for (terms, columns) in equations.loops.iter().zip(&mut all) {
-            terms.add_columns(points, guides, columns);
+            terms.add_columns(&vector, &guide, columns);
         }
         // The squares of the own columns are inverted: they must not be too small either.
         let mut squares = 1.0;

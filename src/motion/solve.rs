@@ -106,9 +106,11 @@ fn move_group(
     state: &mut State,
 ) -> Result<f64, Unsolved> {
     let equations = LoopEquations::new(mechanism, group);
-    let system = equations.factored(places.points(), places.guides()).ok_or_else(|| {
+    let vector = |from, to| places.rounded_arm(from, to);
+    let guide = |slider| places.rounded_guide(slider);
+    let system = equations.factored_of(vector, guide).ok_or_else(|| {
         // An infinite matrix comes from places too far apart, not from a singular position.
-        let matrix = equations.matrix(places.points(), places.guides());
+        let matrix = equations.matrix_of(vector, guide);
         let is_finite = matrix.iter().all(|x| x.is_finite());
         if is_finite { Unsolved::Singular(f64::INFINITY) } else { Unsolved::Overflow }
     })?;
@@ -200,7 +202,7 @@ fn known_motion(mechanism: &Mechanism, places: &impl Places, id: BodyId) -> Boun
                 ..BoundedMotion::default()
             };
             // The reference point is the point farthest from the pivot, where a group is usually joined.
-            let arm = |p: PointId| places.points()[p.0] - places.points()[pivot.0];
+            let arm = |p: PointId| places.rounded_arm(*pivot, p);
             let farther = |best: PointId, &p: &PointId| {
                 if arm(p).norm_squared() > arm(best).norm_squared() { p } else { best }
             };

@@ -12,6 +12,7 @@
 
 mod build;
 mod choices;
+mod digits;
 mod error;
 mod figure;
 mod given;

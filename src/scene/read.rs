@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::choices::Units;
+use super::digits::Digits;
 use super::error::{SceneError, Source, Wrong};
 use super::figure::{Figure, check_traced};
 use super::given::{GivenBy, PointMotion};
@@ -16,9 +17,10 @@ use super::quantity_name::QuantityName;
 use super::says;
 use super::schema::schema_of;
 use super::text::FileKind;
-use super::typed::read_as;
+use super::typed::{read_as, read_with};
 use super::value::{NearValue, Vector};
 use super::write::{text_of, write_keys};
+use crate::geometry::Ball;
 use crate::message::Message;
 use crate::text::{Untrusted, shown};
 
@@ -111,6 +113,8 @@ pub struct Scene {
     pub hints: usize,
     /// The scene's text, for the places of errors of later stages.
     text: String,
+    /// Its numbers as they are written there.
+    digits: Digits,
 }
 
 impl Scene {
@@ -128,8 +132,8 @@ impl Scene {
     /// # Ok::<(), kinegon::scene::SceneError>(())
     /// ```
     pub fn read(text: &str) -> Result<Scene, SceneError> {
-        let file = read_as(text, &FileKind::SCENE)?;
-        let scene = check(file, text).map_err(|wrong| Source(text).error(wrong))?;
+        let (file, digits) = read_with(text, &FileKind::SCENE, Digits::of)?;
+        let scene = check(file, text, digits).map_err(|wrong| Source(text).error(wrong))?;
         SizeLimit::NUMBERS.check(&scene)?;
         Ok(scene)
     }
@@ -139,6 +143,17 @@ impl Scene {
     /// If the scene has nothing at the path, the place is that of the nearest part around it.
     pub fn error_at(&self, path: &[&str], message: impl Into<Message>, hint: Option<Message>) -> SceneError {
         Source(&self.text).error(Wrong::value(path, message).maybe_hint(hint))
+    }
+
+    /// The number that is written in its text where it has `x`: with all digits of the decimal, or of the size and angle
+    /// of the vector of which it is a component. The decimal as which `x` is printed, where the text has none such.
+    pub(crate) fn as_written(&self, x: f64) -> Ball {
+        self.digits.ball(x)
+    }
+
+    /// Whether `x` is a number of its text and is printed as it is written there.
+    pub(crate) fn is_written(&self, x: f64) -> bool {
+        self.digits.is_printed(x)
     }
 
     /// The text that it was read from.
@@ -278,7 +293,7 @@ fn check_form(form: Option<&IndexMap<String, f64>>) -> Result<(), Wrong> {
 }
 
 /// Checks the parts of the file, in the order in which errors are reported.
-fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
+fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     let given_by = if file.points.is_some() { GivenBy::Drawing } else { GivenBy::Lengths };
     let (links, pushes) = links(given_by, file.units.time, file.links)?;
     let (ground, coordinates) = ground(given_by, file.ground, file.points)?;
@@ -311,5 +326,6 @@ fn check(file: SceneFile, text: &str) -> Result<Scene, Wrong> {
         form: file.form,
         hints: file.hints.unwrap_or(MOST_HINTS),
         text: text.to_owned(),
+        digits,
     })
 }

@@ -5,6 +5,7 @@ use jsonc_parser::ast::Value;
 use jsonc_parser::errors::{ParseError, ParseErrorKind as Kind};
 use serde_json::{Map, Number, Value as Json};
 
+use super::digits::within_a_turn;
 use super::error::{SceneError, Source, Wrong, parse_tree, range_of, shortened};
 use super::says;
 use crate::message::Message;
@@ -43,11 +44,6 @@ const MAX_DEPTH: usize = 64;
 
 /// The largest number that is read: products of three such numbers are finite. No choice of units needs a larger one.
 pub(super) const LARGEST: f64 = 1e100;
-
-/// The text as JSON, without its notes and its `$schema`.
-pub(super) fn parse(source: Source<'_>, kind: &FileKind) -> Result<Json, Wrong> {
-    json(source, &tree(source, kind)?, true)
-}
 
 /// The text as a tree of JSON with its ranges of bytes; nothing is asked of its keys and values.
 pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>, Wrong> {
@@ -164,7 +160,7 @@ fn not_json(body: &str, error: &ParseError, kind: &FileKind) -> Wrong {
 }
 
 /// A part of the tree as JSON, without notes; at the top without `$schema`, which is for editors.
-fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong> {
+pub(super) fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong> {
     Ok(match value {
         Value::StringLit(text) => Json::String(text.value.clone().into_owned()),
         Value::BooleanLit(truth) => Json::Bool(truth.value),
@@ -189,7 +185,11 @@ fn json(source: Source<'_>, value: &Value<'_>, top: bool) -> Result<Json, Wrong>
                     let second = range_of(&property.name);
                     return Err(Wrong::key(&[name], message).at_bytes(second).hint(says::keep_one()));
                 }
-                let value = json(source, &property.value, false).map_err(|wrong| wrong.inside(&[name]))?;
+                let value = match &property.value {
+                    Value::NumberLit(number) => json_number(&within_a_turn(name, number.value)).map(Json::Number),
+                    value => json(source, value, false),
+                };
+                let value = value.map_err(|wrong| wrong.inside(&[name]))?;
                 map.insert(name.to_owned(), value);
             }
             Json::Object(map)

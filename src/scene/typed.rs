@@ -9,20 +9,32 @@ use super::text;
 use super::text::FileKind;
 use crate::message::Message;
 use crate::sheet::{Scales, Sheet};
+use jsonc_parser::ast::Value;
 use serde::de::DeserializeOwned;
 use serde_json::Value as Json;
 
 /// The typed values of a file of that kind, or its first error.
 pub(crate) fn read_as<T: DeserializeOwned>(text: &str, kind: &FileKind) -> Result<T, SceneError> {
+    read_with(text, kind, |_| ()).map(|(values, ())| values)
+}
+
+/// The typed values of a file, and what `of` makes of its tree, in which numbers stand as they are written.
+pub(super) fn read_with<T: DeserializeOwned, U>(
+    text: &str,
+    kind: &FileKind,
+    of: impl Fn(&Value<'_>) -> U,
+) -> Result<(T, U), SceneError> {
     let source = Source(text);
     let read = || {
-        let json = text::parse(source, kind)?;
+        let tree = text::tree(source, kind)?;
+        let json = text::json(source, &tree, true)?;
         check_version(&json, kind)?;
-        T::deserialize(Reader(&json)).map_err(|Refusal { mut path, why }| {
+        let values = T::deserialize(Reader(&json)).map_err(|Refusal { mut path, why }| {
             path.reverse();
             let path: Vec<&str> = path.iter().map(String::as_str).collect();
             why.in_plain_words(&path, at(&json, &path))
-        })
+        })?;
+        Ok((values, of(&tree)))
     };
     read().map_err(|wrong| source.error(wrong))
 }

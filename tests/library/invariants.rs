@@ -11,6 +11,7 @@ use kinegon::{Error, Solution};
 use nalgebra::DVector;
 use serde_json::Value;
 use support::changes::{BOUND, Change, Differences, U, compare, keep_worst, ratio};
+use support::exact::exactly_written;
 use support::groups::{Base, Group, Names, Pair, add, is_singular, patterns, times};
 use support::images::dissimilarity;
 use support::random::Random;
@@ -18,7 +19,7 @@ use support::stages::solved;
 
 /// All that the library says of a scene; `None` where the motion is refused as singular.
 fn moved(scene: &Value) -> Option<Solution> {
-    let text = scene.to_string();
+    let text = exactly_written(&scene.to_string());
     match solved(&text) {
         Ok(solution) => Some(solution),
         Err(Error::Motion(_)) => None,

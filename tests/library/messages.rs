@@ -5,7 +5,9 @@ use kinegon::message::Declared;
 use kinegon::scene::{LanguageName, Scene};
 use kinegon::words::catalogue::read;
 use kinegon::words::{Language, catalogue_of};
-use kinegon::{check, cycle, drawing, editing, exercise, mechanism, motion, photo, position, quantity, scene};
+use kinegon::{
+    accuracy, check, cycle, drawing, editing, exercise, mechanism, motion, photo, position, quantity, scene,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use support::files::refused;
 
@@ -16,6 +18,7 @@ pub fn declared() -> BTreeMap<&'static str, &'static Declared> {
         mechanism::says::DECLARED,
         position::says::DECLARED,
         motion::says::DECLARED,
+        accuracy::says::DECLARED,
         quantity::says::DECLARED,
         cycle::says::DECLARED,
         editing::says::DECLARED,

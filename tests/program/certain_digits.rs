@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use std::collections::BTreeMap;
-use support::exact::minus;
+use support::exact::{exactly_written, minus};
 use support::files;
 use support::program::{stderr, with_scene};
 
@@ -81,7 +81,7 @@ fn check(set: &str, every: usize, least: usize) {
     let (mut wrong, mut kept) = (Vec::new(), Vec::new());
     for line in text.lines().step_by(every) {
         let case: Value = serde_json::from_str(line).expect("a line is JSON");
-        let Some(table) = table(files::scene_text(line)) else {
+        let Some(table) = table(&exactly_written(files::scene_text(line))) else {
             continue;
         };
         for (name, truth) in truths(&case["expect"]) {

@@ -131,3 +131,24 @@ pub fn minus(x: f64, reference: &str) -> f64 {
 pub fn exceeds(x: f64, bound: f64) -> bool {
     x.is_nan() || x > bound
 }
+
+/// A scene with every number written as the exact value of its f64, to sixty digits: 0.1 as 0.1000000000000000055511151…
+///
+/// What is stated of a scene's errors is against its decimals, so this is how a scene says that it means its f64.
+pub fn exactly_written(scene: &str) -> String {
+    let (mut written, mut number, mut in_text) = (String::new(), String::new(), false);
+    for letter in scene.chars() {
+        if !in_text && (letter.is_ascii_digit() || "+-.eE".contains(letter)) && (letter != 'e' || !number.is_empty()) {
+            number.push(letter);
+            continue;
+        }
+        let text = std::mem::take(&mut number);
+        match text.parse::<f64>() {
+            Ok(x) if text.contains(['.', 'e', 'E']) || text.len() > 15 => written.push_str(&format!("{x:.60e}")),
+            _ => written.push_str(&text),
+        }
+        in_text ^= letter == '"';
+        written.push(letter);
+    }
+    written
+}

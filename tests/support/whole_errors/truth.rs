@@ -16,15 +16,6 @@ const BITS: usize = 256;
 /// Newton's method ends after a correction below this.
 const LAST: f64 = 1e-45;
 
-/// What a number of the scene means.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reading {
-    /// The decimal that stands there.
-    Decimal,
-    /// The f64 as which it is read.
-    Binary,
-}
-
 pub fn exactly(x: f64) -> Real {
     Real::try_from(x).expect("finite").with_precision(BITS).value()
 }
@@ -39,52 +30,38 @@ pub fn error(number: f64, truth: &Real) -> f64 {
     rounded(&(exactly(number) - truth.clone())).abs()
 }
 
-impl Reading {
-    fn number(self, value: &Value) -> Real {
-        let x = value.as_f64().expect("a number");
-        if self == Reading::Binary {
-            return exactly(x);
-        }
-        let text = format!("{x:e}");
-        let (mantissa, power) = text.split_once('e').expect("a power");
-        let decimals = mantissa.split_once('.').map_or(0, |(_, rest)| rest.len() as i32);
-        let digits: i64 = mantissa.replace('.', "").parse().expect("digits");
-        let power = power.parse::<i32>().expect("a power") - decimals;
-        let scale = (0..power.abs()).fold(exactly(1.0), |scale, _| scale * exactly(10.0));
-        let whole = Real::from(digits).with_precision(BITS).value();
-        if power < 0 { whole / scale } else { whole * scale }
-    }
-
-    fn pair(self, value: &Value) -> Pair {
-        // A lone number is a distance along the axis.
-        if value.is_number() {
-            [self.number(value), exactly(0.0)]
-        } else {
-            [self.number(&value[0]), self.number(&value[1])]
-        }
-    }
-
-    /// Cosine and sine of an angle in degrees, by Taylor's series of a sixteenth of it.
-    fn direction(self, degrees: &Value) -> Pair {
-        let turned = self.number(degrees) * pi() / exactly(180.0 * 16.0);
-        let square = turned.clone() * turned.clone();
-        let series = |first: u32| {
-            (0..40).rev().fold(exactly(1.0), |rest, term| {
-                let k = f64::from(first + 2 * term);
-                exactly(1.0) - square.clone() * rest / exactly(k * (k + 1.0))
-            })
-        };
-        let mut direction = [series(1), turned.clone() * series(2)];
-        for _ in 0..4 {
-            direction = turn(&direction, &direction);
-        }
-        direction
-    }
+/// The decimal number that stands in the scene.
+fn number(value: &Value) -> Real {
+    let text = format!("{:e}", value.as_f64().expect("a number"));
+    let (mantissa, power) = text.split_once('e').expect("a power");
+    let decimals = mantissa.split_once('.').map_or(0, |(_, rest)| rest.len() as i32);
+    let digits: i64 = mantissa.replace('.', "").parse().expect("digits");
+    let power = power.parse::<i32>().expect("a power") - decimals;
+    let scale = (0..power.abs()).fold(exactly(1.0), |scale, _| scale * exactly(10.0));
+    let whole = Real::from(digits).with_precision(BITS).value();
+    if power < 0 { whole / scale } else { whole * scale }
 }
 
-/// Cosine and sine of an angle in degrees.
-pub fn direction(reading: Reading, degrees: &Value) -> Pair {
-    reading.direction(degrees)
+fn pair(value: &Value) -> Pair {
+    // A lone number is a distance along the axis.
+    if value.is_number() { [number(value), exactly(0.0)] } else { [number(&value[0]), number(&value[1])] }
+}
+
+/// Cosine and sine of an angle in degrees, by Taylor's series of a sixteenth of it.
+pub fn direction(degrees: &Value) -> Pair {
+    let turned = number(degrees) * pi() / exactly(180.0 * 16.0);
+    let square = turned.clone() * turned.clone();
+    let series = |first: u32| {
+        (0..40).rev().fold(exactly(1.0), |rest, term| {
+            let k = f64::from(first + 2 * term);
+            exactly(1.0) - square.clone() * rest / exactly(k * (k + 1.0))
+        })
+    };
+    let mut direction = [series(1), turned.clone() * series(2)];
+    for _ in 0..4 {
+        direction = turn(&direction, &direction);
+    }
+    direction
 }
 
 /// Machin's formula.
@@ -224,13 +201,8 @@ pub struct SliderTruth {
 impl Truth {
     /// The truth of a scene near an approximate position: `places` by name of the points, `axes` by link. `None` where
     /// Newton's method does not get there.
-    pub fn new(
-        scene: &Value,
-        reading: Reading,
-        places: &BTreeMap<String, [f64; 2]>,
-        axes: &BTreeMap<String, [f64; 2]>,
-    ) -> Option<Truth> {
-        let mut truth = Truth::read(scene, reading, places, axes);
+    pub fn new(scene: &Value, places: &BTreeMap<String, [f64; 2]>, axes: &BTreeMap<String, [f64; 2]>) -> Option<Truth> {
+        let mut truth = Truth::read(scene, places, axes);
         if !truth.is_drawn {
             truth.find_places()?;
         }
@@ -238,16 +210,11 @@ impl Truth {
         Some(truth)
     }
 
-    fn read(
-        scene: &Value,
-        reading: Reading,
-        places: &BTreeMap<String, [f64; 2]>,
-        axes: &BTreeMap<String, [f64; 2]>,
-    ) -> Truth {
+    fn read(scene: &Value, places: &BTreeMap<String, [f64; 2]>, axes: &BTreeMap<String, [f64; 2]>) -> Truth {
         let is_drawn = scene.get("points").is_some();
         let none = || [exactly(0.0), exactly(0.0)];
         let still = Rates { origin: none(), turn: exactly(0.0) };
-        let drawn = |name: &str| reading.pair(&scene["points"][name]);
+        let drawn = |name: &str| pair(&scene["points"][name]);
         let link = |name: &str, points: Vec<(String, Pair)>| {
             let exact = |[x, y]: [f64; 2]| [exactly(x), exactly(y)];
             let angle = match axes.get(name) {
@@ -261,14 +228,14 @@ impl Truth {
             Link { name: name.to_owned(), points, origin, angle, rates: [still.clone(), still.clone()] }
         };
         let ground: Vec<(String, Pair)> = match &scene["ground"] {
-            Value::Object(ground) => ground.iter().map(|(name, at)| (name.clone(), reading.pair(at))).collect(),
+            Value::Object(ground) => ground.iter().map(|(name, at)| (name.clone(), pair(at))).collect(),
             names => texts(names).map(|name| (name.to_owned(), drawn(name))).collect(),
         };
         let mut links = vec![link("ground", ground)];
         for (name, given) in scene["links"].as_object().expect("links") {
             let own = match is_drawn {
                 true => texts(given.get("points").unwrap_or(given)).map(|p| (p.to_owned(), drawn(p))).collect(),
-                false => shape(given, reading, places),
+                false => shape(given, places),
             };
             links.push(link(name, own));
         }
@@ -277,10 +244,10 @@ impl Truth {
             Truth { guides: Vec::new(), angles: Vec::new(), drives: Vec::new(), is_drawn, links: Vec::new() };
         for (name, given) in scene["links"].as_object().expect("links") {
             if let Some(angle) = given.get("angle").or(given["drive"].get("angle")) {
-                truth.angles.push((index(name), reading.direction(angle)));
+                truth.angles.push((index(name), direction(angle)));
             }
             let drive = &given["drive"];
-            let number = |key: &str| drive.get(key).map(|value| reading.number(value));
+            let number = |key: &str| drive.get(key).map(number);
             let turns = || number("rpm").map(|rpm| rpm * pi() / exactly(30.0));
             if let Some(omega) = number("omega").or_else(turns) {
                 truth.drives.push((index(name), [omega, number("alpha").unwrap_or(exactly(0.0))]));
@@ -293,7 +260,7 @@ impl Truth {
             if drive.get("speed").is_some() {
                 given["drive"] = drive;
             }
-            truth.guides.push(guide(&given, reading, &links, is_drawn));
+            truth.guides.push(guide(&given, &links, is_drawn));
         }
         truth.links = links;
         truth
@@ -511,15 +478,15 @@ fn texts(names: &Value) -> impl Iterator<Item = &str> {
 }
 
 /// The points of a link on itself.
-fn shape(link: &Value, reading: Reading, places: &BTreeMap<String, [f64; 2]>) -> Vec<(String, Pair)> {
+fn shape(link: &Value, places: &BTreeMap<String, [f64; 2]>) -> Vec<(String, Pair)> {
     let zero = || exactly(0.0);
     if let Some(shape) = link["shape"].as_object() {
-        return shape.iter().map(|(name, at)| (name.clone(), reading.pair(at))).collect();
+        return shape.iter().map(|(name, at)| (name.clone(), pair(at))).collect();
     }
     let names: Vec<&str> = texts(link.get("points").unwrap_or(link)).collect();
     let length = |a: &str, b: &str| {
         let keys = [format!("{a}-{b}"), format!("{b}-{a}"), format!("{a}{b}"), format!("{b}{a}")];
-        reading.number(keys.iter().find_map(|key| link["lengths"].get(key)).expect("a length"))
+        number(keys.iter().find_map(|key| link["lengths"].get(key)).expect("a length"))
     };
     match names.as_slice() {
         [a, b] => vec![((*a).to_owned(), [zero(), zero()]), ((*b).to_owned(), [length(a, b), zero()])],
@@ -540,7 +507,7 @@ fn shape(link: &Value, reading: Reading, places: &BTreeMap<String, [f64; 2]>) ->
     }
 }
 
-fn guide(given: &Value, reading: Reading, links: &[Link], is_drawn: bool) -> Guide {
+fn guide(given: &Value, links: &[Link], is_drawn: bool) -> Guide {
     let index = |name: &str| links.iter().position(|l| l.name == name).expect("a link");
     let on_name = given["on"].as_str().expect("on");
     let on = index(on_name);
@@ -554,24 +521,24 @@ fn guide(given: &Value, reading: Reading, links: &[Link], is_drawn: bool) -> Gui
     };
     let along = match &given["along"] {
         Value::String(key) => unit(&minus(&ends(key)[1], &ends(key)[0])),
-        Value::Array(direction) => unit(&[reading.number(&direction[0]), reading.number(&direction[1])]),
+        Value::Array(direction) => unit(&[number(&direction[0]), number(&direction[1])]),
         // As drawn, degrees count from the axis of the link.
         Value::Number(_) if is_drawn && on > 0 && links[on].points.len() > 1 => {
             let axis = unit(&minus(&links[on].points[1].1, &links[on].points[0].1));
-            turn(&axis, &reading.direction(&given["along"]))
+            turn(&axis, &direction(&given["along"]))
         }
-        Value::Number(_) => reading.direction(&given["along"]),
+        Value::Number(_) => direction(&given["along"]),
         _ => [exactly(1.0), exactly(0.0)],
     };
     let through = match (&given["through"], &given["along"]) {
         (Value::String(name), _) => own(name),
-        (Value::Array(_), _) => reading.pair(&given["through"]),
+        (Value::Array(_), _) => pair(&given["through"]),
         (_, Value::String(key)) => ends(key)[0].clone(),
         _ => links[on].points.first().map_or([exactly(0.0), exactly(0.0)], |(_, own)| own.clone()),
     };
-    let turned = given.get("turned").map_or([exactly(1.0), exactly(0.0)], |turned| reading.direction(turned));
+    let turned = given.get("turned").map_or([exactly(1.0), exactly(0.0)], direction);
     let drive = given.get("drive").map(|drive| {
-        ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), |x| reading.number(x)))
+        ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), number))
     });
     let sliding = link.unwrap_or(&at);
     Guide {

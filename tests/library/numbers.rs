@@ -1,0 +1,140 @@
+//! Numbers on their way from the text of a scene to a stated error: decimals of thirty digits, vectors by size and angle, links that
+//! are nearly straight, short links, huge angles, far origins, long chains.
+//!
+//! The true numbers are those of `tests/numbers`, which finds them with 70 digits from distances alone and tries thousands more
+//! (CONTRIBUTING.md).
+
+use kinegon::Solution;
+use kinegon::format::ResultFile;
+use kinegon::geometry::LinearSystem;
+use nalgebra::DMatrix;
+use serde_json::Value;
+use support::exact::minus;
+use support::files;
+use support::stages::solved;
+
+/// The number of that name in a result, with its bound.
+fn number(result: &ResultFile, name: &str) -> (f64, f64) {
+    let (head, rest) = name.split_once('(').expect("a name has its argument");
+    let (of, axis) = rest.split_once(')').expect("a name has its argument");
+    let axis = usize::from(axis == ".y");
+    let vector = |v: Option<[f64; 2]>, bound: Option<f64>| (v.expect("a vector")[axis], bound.expect("its bound"));
+    match head {
+        "omega" => (result.links[of].omega, result.links[of].omega_error),
+        "alpha" => (result.links[of].alpha.expect("α"), result.links[of].alpha_error.expect("its bound")),
+        "place" => vector(result.points[of].position, result.points[of].position_error),
+        "v" => vector(result.points[of].velocity, result.points[of].velocity_error),
+        _ => vector(result.points[of].acceleration, result.points[of].acceleration_error),
+    }
+}
+
+/// What of these numbers is off by more than is stated.
+fn exceeded(result: &ResultFile, expect: &Value) -> Vec<String> {
+    let mut faults = Vec::new();
+    for (name, truth) in expect.as_object().expect("numbers by name") {
+        let (value, bound) = number(result, name);
+        let off = minus(value, truth.as_str().expect("a decimal")).abs();
+        // A number that the scene gives is printed as it is written.
+        let allowed = if bound == 0.0 { 0.5 * f64::EPSILON * value.abs() } else { bound };
+        if bound.is_finite() && off > allowed + 1e-34 * value.abs() + 1e-40 {
+            faults.push(format!("{name} = {value:e}: error {off:e}, stated {bound:e}"));
+        }
+    }
+    faults
+}
+
+#[test]
+fn no_error_is_larger_than_stated() {
+    let (mut faults, mut cases, mut proved) = (Vec::new(), 0, 0);
+    for line in files::read("tests/files/numbers.jsonl").lines() {
+        let case: Value = serde_json::from_str(line).expect("a line is JSON");
+        let text = case["scene"].as_str().expect("a scene");
+        let result = solved(text).map(|solution| solution.result()).expect("it can be solved");
+        cases += 1;
+        proved += usize::from(result.proved);
+        // Where a link is straight by its lengths but for a little, both sides may be meant.
+        let all: Vec<Vec<String>> =
+            case["expect"].as_array().expect("a list").iter().map(|expect| exceeded(&result, expect)).collect();
+        if all.iter().all(|faults| !faults.is_empty()) {
+            faults.push(format!("{}: {}\n{text}", case["family"], all[0].join("; ")));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(cases >= 48 && proved * 10 >= cases * 9, "{proved} of {cases} proved");
+}
+
+fn four_bar(angle: &str, digits: &str) -> Solution {
+    let text = format!(
+        r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [0, 0], "D": [150, 0] }},
+        "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 60 }}, "drive": {{ "angle": {angle}, "omega": 10 }} }},
+                   "2": {{ "points": ["B", "C"], "lengths": {{ "BC": 140{digits} }} }},
+                   "3": {{ "points": ["D", "C"], "lengths": {{ "DC": 110 }} }} }},
+        "near": {{ "C": [150, 110] }} }}"#
+    );
+    solved(&text).expect("it can be solved")
+}
+
+#[test]
+fn digits_that_f64_does_not_keep_count() {
+    // dω/dBC is some 0.05 here: a length that is 10⁻¹⁵ longer moves no f64, but what is stated of them.
+    let [plain, longer] = ["", ".00000000000001"].map(|digits| four_bar("60", digits));
+    assert_eq!(plain.motion.body(plain.mechanism.link("3").expect("a link")).omega.to_bits(), {
+        longer.motion.body(longer.mechanism.link("3").expect("a link")).omega.to_bits()
+    });
+    let [plain, longer] = [&plain, &longer].map(|solution| solution.result().links["3"].omega_error);
+    assert!(plain != longer, "{plain:e} {longer:e}");
+}
+
+#[test]
+fn angles_of_any_size_are_reduced_by_whole_turns() {
+    // 10²³ leaves 280 of 360, though no f64 is 10²³; the other has 17 digits before its point.
+    for (huge, small) in [("1e23", "280"), ("-1E+23", "-280"), ("36000000000000060.25", "60.25"), ("1e100", "280")] {
+        let [huge, small] = [huge, small].map(|angle| four_bar(angle, "").result());
+        assert!(huge.proved);
+        assert_eq!(serde_json::to_string(&huge.links).ok(), serde_json::to_string(&small.links).ok());
+    }
+}
+
+#[test]
+fn an_origin_that_leaves_no_digits_is_told() {
+    let at = |far: &str| {
+        let text = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [{far}0, 0], "D": [{far}9, 0] }},
+            "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 3 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
+                       "2": {{ "points": ["B", "C"], "lengths": {{ "BC": 8 }} }},
+                       "3": {{ "points": ["D", "C"], "lengths": {{ "DC": 7 }} }} }} }}"#
+        );
+        solved(&text).map_or_else(|error| vec![error.to_string()], |solution| solution.warnings().collect())
+    };
+    assert!(at("1000").iter().all(|warning| !warning.contains("origin")));
+    assert!(at("10000000000").iter().any(|warning| warning.contains("origin")));
+}
+
+/// x² = 1 + e at x₀ = 1: the gap is e, the derivative anywhere within r of 1 is 2 ± 2 r.
+fn root_is_proved(e: f64, reach: f64) -> bool {
+    let system = LinearSystem::new(DMatrix::from_element(1, 1, 2.0)).expect("regular");
+    system.verified(&[2.0 * reach]).maps_into_itself(&[e.abs()], &[reach])
+}
+
+#[test]
+fn a_box_is_proved_only_if_its_image_lies_inside() {
+    // The image of the box is |e| / 2 + r · r: inside for e = 0.18 and r = 0.1, on its edge for e = 0.5 and r = ½, outside
+    // for larger e; and outside again for e = 0.18 in a box of r = 1.
+    assert!(root_is_proved(0.17, 0.1));
+    assert!(!root_is_proved(0.181, 0.1));
+    assert!(!root_is_proved(0.5, 0.5) && !root_is_proved(0.17, 1.0));
+}
+
+#[test]
+fn bounds_hold_for_every_matrix_that_is_meant() {
+    // (1 + d) x = 1 has x = 1 / (1 + d): for |d| ≤ ½ it is up to 1 from 1, for |d| ≤ 1 there may be none.
+    let system = LinearSystem::new(DMatrix::from_element(1, 1, 1.0)).expect("regular");
+    let bound = |off: f64| system.verified(&[off]).error_bound(&[1.0], &[1.0], &[0.0])[0];
+    assert!(bound(0.5) >= 1.0 && bound(0.5) < 1.001, "{}", bound(0.5));
+    assert!(bound(0.9) >= 9.0 && bound(1.0).is_infinite());
+    // Two equations that are nearly one: 1/d times as uncertain, and none where d is within what they may be off.
+    let nearly = LinearSystem::new(DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 1.0, 1.0 + 1e-8])).expect("regular");
+    let bound = |off: f64| nearly.verified(&[off; 4]).error_bound(&[1.0, 0.0], &[1.0, 1.0], &[0.0; 2])[0];
+    assert!(bound(1e-12) > 1e-4 && bound(1e-12) < 1e-3, "{}", bound(1e-12));
+    assert!(bound(1e-8).is_infinite());
+}
