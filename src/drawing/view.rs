@@ -1,3 +1,5 @@
+use super::grid::Grid;
+use super::shape::around;
 use crate::geometry;
 use kurbo::{Point, Rect, Vec2};
 
@@ -115,11 +117,17 @@ pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
 
 /// Things at places of the sheet, those together that stand less than `apart` mm from the first of them.
 pub(super) fn together<T>(things: impl Iterator<Item = (Point, T)>, apart: f64) -> Vec<(Point, Vec<T>)> {
+    let things: Vec<(Point, T)> = things.collect();
+    let mut grid = Grid::new(around(&things.iter().map(|(at, _)| *at).collect::<Vec<_>>()));
     let mut places: Vec<(Point, Vec<T>)> = Vec::new();
     for (at, thing) in things {
-        match places.iter_mut().find(|(place, _)| (*place - at).hypot() < apart) {
-            Some((_, here)) => here.push(thing),
-            None => places.push((at, vec![thing])),
+        let near = grid.near(Rect::from_center_size(at, (2.0 * apart, 2.0 * apart)));
+        match near.into_iter().find(|&place| (places[place].0 - at).hypot() < apart) {
+            Some(place) => places[place].1.push(thing),
+            None => {
+                grid.add(places.len(), Rect::from_points(at, at));
+                places.push((at, vec![thing]));
+            }
         }
     }
     places
