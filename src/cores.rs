@@ -3,6 +3,10 @@
 
 #[cfg(feature = "parallel")]
 use std::cell::Cell;
+#[cfg(feature = "parallel")]
+use std::error::Error;
+#[cfg(feature = "parallel")]
+use std::sync::LazyLock;
 
 #[cfg(feature = "parallel")]
 thread_local! {
@@ -24,10 +28,21 @@ fn on_one_core<P>(work: impl FnOnce() -> P) -> P {
     work()
 }
 
+/// Whether there are threads for them: where the system gives none, as one that is short of memory, one core does all.
+#[cfg(feature = "parallel")]
+fn has_threads() -> bool {
+    static OF_ALL: LazyLock<bool> = LazyLock::new(|| {
+        let made = rayon::ThreadPoolBuilder::new().build_global();
+        // The other reason for an error is that somebody has made them.
+        made.err().is_none_or(|error| error.source().is_none())
+    });
+    rayon::current_thread_index().is_some() || *OF_ALL
+}
+
 /// How many there are.
 #[cfg(all(feature = "parallel", any(feature = "cli", feature = "png")))]
 pub(crate) fn cores() -> usize {
-    rayon::current_num_threads()
+    if has_threads() { rayon::current_num_threads() } else { 1 }
 }
 
 /// How many are used.
@@ -40,7 +55,7 @@ pub(crate) fn cores() -> usize {
 #[cfg(feature = "parallel")]
 pub(crate) fn on_all_cores<T: Sync, P: Send>(items: &[T], each: impl Fn(&T) -> P + Send + Sync) -> Vec<P> {
     use rayon::prelude::*;
-    if IS_INSIDE.get() {
+    if IS_INSIDE.get() || !has_threads() {
         return items.iter().map(each).collect();
     }
     items.par_iter().map(|item| on_one_core(|| each(item))).collect()

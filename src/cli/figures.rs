@@ -33,8 +33,8 @@ pub(super) struct Figures {
 /// In which forms figures are written.
 #[derive(Clone, Debug, Args)]
 pub(super) struct FigureOptions {
-    /// Formats to write into a folder; on stdout the one that is given, or SVG.
-    #[arg(long, value_delimiter = ',', value_enum, default_values_t = FigureFormat::usual())]
+    /// Formats to write into a folder, as svg,png, which are written if none is given; on stdout the one that is given, or SVG.
+    #[arg(long, value_delimiter = ',', value_enum, default_values_t = FigureFormat::usual(), hide_default_value = true)]
     format: Vec<FigureFormat>,
     /// Write the letters of SVG as outlines, for programs that lack the font.
     #[arg(long)]

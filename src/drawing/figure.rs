@@ -383,7 +383,7 @@ fn mixed(sets: &[Scales], other: &Scales) -> Vec<Scales> {
 /// What must fit at the scales: the content in the scene's own position, or in all positions of its cycle.
 pub(super) fn extents_to_fit(context: &SheetContext<'_>) -> Extents {
     match context.figure().scales {
-        ScalesFor::Cycle => extents_in(context, &cycles_of(context.solution)),
+        ScalesFor::Cycle => extents_in(context, cycles_of(context.solution)),
         ScalesFor::Position | ScalesFor::Sheet => extents(context),
     }
 }

@@ -90,7 +90,7 @@ impl Positions {
     pub fn of(own: &Solution) -> Positions {
         let drives = own.mechanism.drive_names();
         let alone = drives.iter().filter(|_| drives.len() > 1).filter_map(|drive| pulled(own, drive));
-        Positions(cycles_of(own).into_iter().chain(alone).collect())
+        Positions(cycles_of(own).chain(alone).collect())
     }
 }
 
@@ -194,7 +194,7 @@ impl HeldLayout {
     pub(super) fn of_film(own: &Solution) -> HeldLayout {
         let mut context = FigureSheets::new(own).unscaled();
         (context.surface.series, context.surface.details) = (Series::Any, false);
-        let extents = extents_in(&context, &cycles_of(own));
+        let extents = extents_in(&context, cycles_of(own));
         HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
     }
 

@@ -1,12 +1,13 @@
 //! Enlarged detail: a crowd of plan points, drawn larger in a circle beside it.
 
 use super::canvas::{Canvas, Inset, Wanted};
+use super::grid::Grid;
 use super::labels::LabelRequest;
 use super::shape::{Shape, around};
 use super::sheet::{Mark, Pen};
 use super::text::RichText;
 use crate::words::{NumberStyle, Wording};
-use kurbo::{Point, Vec2};
+use kurbo::{Point, Rect, Vec2};
 use petgraph::unionfind::UnionFind;
 use std::f64::consts::PI;
 
@@ -153,10 +154,13 @@ impl Inset {
 /// Centre of the largest crowd, and the largest distance of its points from it.
 fn crowd(places: &[Point]) -> Option<(Point, f64)> {
     let mut joined = UnionFind::new(places.len());
+    let mut grid = Grid::new(around(places));
     for (index, place) in places.iter().enumerate() {
-        for other in (0..index).filter(|other| (places[*other] - *place).hypot() < NEAR) {
+        let near = grid.near(Rect::from_center_size(*place, (2.0 * NEAR, 2.0 * NEAR)));
+        for other in near.into_iter().filter(|other| (places[*other] - *place).hypot() < NEAR) {
             joined.union(index, other);
         }
+        grid.add(index, Rect::from_points(*place, *place));
     }
     let crowds = joined.into_labeling();
     let mut sizes = vec![0; places.len()];

@@ -22,6 +22,7 @@ use crate::text::Untrusted;
 use crate::words::Language;
 use indexmap::IndexMap;
 use kurbo::{Point, Rect, Vec2};
+use std::borrow::Borrow;
 
 /// Size of panels' headings, in mm of one em.
 const SIZE: f64 = 1.05 * CAPTION;
@@ -235,19 +236,21 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
 }
 
 /// All positions of the mechanism on its branch, by drive.
-pub(super) fn cycles_of(own: &Solution) -> Vec<Animation> {
-    let drives = own.mechanism.drive_names();
-    drives.iter().filter_map(|drive| Animation::new(own, Some(drive), POSITIONS).ok()).collect()
+pub(super) fn cycles_of(own: &Solution) -> impl Iterator<Item = Animation> {
+    let drives = own.mechanism.drive_names().into_iter();
+    drives.filter_map(|drive| Animation::new(own, Some(&drive), POSITIONS).ok())
 }
 
 /// The extents of the panels over all positions of cycles: of plans that run off what is usual, of the scheme the mechanism
 /// in all positions, but its special points, which go round by way of infinity, only in its own.
-pub(super) fn extents_in(own: &SheetContext<'_>, cycles: &[Animation]) -> Extents {
+pub(super) fn extents_in(own: &SheetContext<'_>, cycles: impl IntoIterator<Item: Borrow<Animation>>) -> Extents {
     let mechanism = |context: &SheetContext<'_>| Extent::of(scheme::on_paper::places(context.solution));
     let seen = |cycle: &Animation| -> Vec<Extents> {
         cycle.positions.iter().map(|position| extents_with(&own.at_position(position), mechanism)).collect()
     };
-    let seen: Vec<(bool, Vec<Extents>)> = cycles.iter().map(|cycle| (cycle.is_round, seen(cycle))).collect();
+    // One after another: of many drives all positions at once take gigabytes.
+    let cycles = cycles.into_iter().map(|cycle| (cycle.borrow().is_round, seen(cycle.borrow())));
+    let seen: Vec<(bool, Vec<Extents>)> = cycles.collect();
     let with_cycles = |(panel, extent): (Sheet, Extent)| {
         let of_panel = |all: &Extents| all.iter().find(|(own, _)| *own == panel).map(|(_, extent)| *extent);
         let whole = seen.iter().fold(extent, |whole, (is_round, all)| {

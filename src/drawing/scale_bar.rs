@@ -79,7 +79,9 @@ impl ScaleBars {
         let shown = next_of(&[1.0, 2.0, 5.0], 0.4 * most * mu);
         let unit = sheet.facts().drawn.unit(self.units);
         let text = RichText::plain(&format!("{} {unit}", self.words.write(shown, ON_SHEET)));
-        ScaleBar { value: None, bar: Some((text, shown / mu)) }
+        // Of a scale that is next to nothing no value is as small as a bar is short.
+        let is_bar = shown / mu <= 2.0 * most;
+        ScaleBar { value: None, bar: is_bar.then_some((text, shown / mu)) }
     }
 
     /// Width that the narrowest scale of a sheet needs, in mm; without a scale that of any from `mu` to ten times that.

@@ -1,3 +1,5 @@
+use super::grid::Grid;
+use super::shape::around;
 use crate::geometry;
 use kurbo::{Point, Rect, Vec2};
 
@@ -44,6 +46,9 @@ impl Extent {
     }
 }
 
+/// Largest size on a sheet, in mm: far beyond all edges, and near enough that places are not lost in rounding.
+const LARGEST: f64 = 1e9;
+
 /// Transformation from mechanism or plan (own units, y up) to the sheet (mm, y down): scale and translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -53,9 +58,11 @@ pub struct View {
 }
 
 impl View {
-    /// Shows the centre of `extent` at the centre of `area`, at `mu` units per millimetre.
+    /// Shows the centre of `extent` at the centre of `area`, at `mu` units per millimetre; of what would be larger than
+    /// [`LARGEST`] all that is seen is how it leaves the area, and so is it at that size.
     #[must_use]
     pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
+        let mu = mu.max(extent.size().norm() / LARGEST);
         View { mu, origin: nalgebra::center(&extent.low, &extent.high), centre: area.center() }
     }
 
@@ -110,11 +117,17 @@ pub fn towards(from: Point, to: Point, otherwise: Vec2) -> Vec2 {
 
 /// Things at places of the sheet, those together that stand less than `apart` mm from the first of them.
 pub(super) fn together<T>(things: impl Iterator<Item = (Point, T)>, apart: f64) -> Vec<(Point, Vec<T>)> {
+    let things: Vec<(Point, T)> = things.collect();
+    let mut grid = Grid::new(around(&things.iter().map(|(at, _)| *at).collect::<Vec<_>>()));
     let mut places: Vec<(Point, Vec<T>)> = Vec::new();
     for (at, thing) in things {
-        match places.iter_mut().find(|(place, _)| (*place - at).hypot() < apart) {
-            Some((_, here)) => here.push(thing),
-            None => places.push((at, vec![thing])),
+        let near = grid.near(Rect::from_center_size(at, (2.0 * apart, 2.0 * apart)));
+        match near.into_iter().find(|&place| (places[place].0 - at).hypot() < apart) {
+            Some(place) => places[place].1.push(thing),
+            None => {
+                grid.add(places.len(), Rect::from_points(at, at));
+                places.push((at, vec![thing]));
+            }
         }
     }
     places

@@ -7,7 +7,7 @@ use std::fs::{self, File, Metadata};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process;
-use std::sync::{Mutex, MutexGuard, Once, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use tempfile::TempPath;
 
 /// A staging folder. Its files lie in `new`, in the folders in which they will be; what they replace lies in `old`.
@@ -41,7 +41,7 @@ enum State {
 impl Stage {
     /// A new staging folder in the folder `base`.
     pub(super) fn new(base: &Path) -> io::Result<Stage> {
-        watch();
+        watch()?;
         let mut known = known();
         let mut builder = tempfile::Builder::new();
         builder.prefix(".kinegon-").rand_bytes(12);
@@ -237,9 +237,9 @@ pub(in crate::cli) fn wait_if_stopped() {
 }
 
 /// Lets signals remove the staging folders before they end the program.
-fn watch() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(listen);
+fn watch() -> io::Result<()> {
+    static LISTENS: OnceLock<Result<(), ErrorKind>> = OnceLock::new();
+    Ok((*LISTENS.get_or_init(|| listen().map_err(|error| error.kind())))?)
 }
 
 /// Removes what is not complete and ends the program with this exit code.
@@ -254,25 +254,28 @@ fn stop(exit_code: i32) -> ! {
 }
 
 #[cfg(unix)]
-fn listen() {
+fn listen() -> io::Result<()> {
     use signal_hook::consts::signal::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU};
     let hangup = (!ignores_hangup()).then_some(SIGHUP);
     // Without a handler a signal ends the program at once.
     let signals = [SIGINT, SIGTERM, SIGQUIT, SIGXCPU].into_iter().chain(hangup);
     let Ok(mut signals) = signal_hook::iterator::Signals::new(signals) else {
-        return;
+        return Ok(());
     };
-    std::thread::spawn(move || {
+    let wait = move || {
         if let Some(signal) = signals.forever().next() {
             // The exit code by which shells report a program that a signal has ended.
             stop(128 + signal);
         }
-    });
+    };
+    // A system that is short of memory gives no thread.
+    std::thread::Builder::new().spawn(wait).map(drop)
 }
 
 #[cfg(not(unix))]
-fn listen() {
+fn listen() -> io::Result<()> {
     let _ = ctrlc::set_handler(|| stop(130));
+    Ok(())
 }
 
 /// Whether the program was started so that it goes on when its terminal is closed, as by `nohup`. Only Linux tells.
