@@ -309,8 +309,7 @@ fn check(file: SceneFile, text: &str, digits: Digits) -> Result<Scene, Wrong> {
     check_traced(given_by, &names, &sliders, &figure).map_err(|wrong| wrong.inside(&["figure"]))?;
     check_form(file.form.as_ref())?;
     if let Some(hints) = file.hints.filter(|hints| *hints > MOST_HINTS) {
-        return Err(Wrong::value(&["hints"], says::no_hints(hints))
-            .hint(says::hints_from_0(MOST_HINTS)));
+        return Err(Wrong::value(&["hints"], says::no_hints(hints)).hint(says::hints_from_0(MOST_HINTS)));
     }
     Ok(Scene {
         title: file.title,
