@@ -155,7 +155,8 @@ impl<'a> Search<'a> {
             tried.extend(compared.iter().cloned());
             tried.sort_by(|a, b| a.cost.total_cmp(&b.cost));
             let best = &tried[0];
-            let is_last = depth > 0 && (best.cost > best_before - MARGIN || is_explained(best));
+            let is_last =
+                depth > 0 && (best.cost > best_before - MARGIN || is_explained(best) || is_invented(best, off));
             if is_last {
                 break;
             }
@@ -312,6 +313,16 @@ fn beam_limit(tried: &[Tried]) -> f64 {
     let most = tried.iter().map(|t| t.set.len()).max().unwrap_or(0);
     let level = tried.iter().filter(|t| t.set.len() == most);
     level.map(|t| t.cost).fold(f64::INFINITY, f64::min) + HOPELESS
+}
+
+/// Fewest values that are off, and the part of them that a first mistake leaves open, from which on no further one is looked for: numbers
+/// that nobody has measured are not worth the time.
+const INVENTED: (usize, f64) = (40, 0.8);
+
+fn is_invented(tried: &Tried, off: &[bool]) -> bool {
+    let count = off.iter().filter(|off| **off).count();
+    let open = tried.fit.outside.iter().zip(off).filter(|(outside, off)| **outside && **off).count();
+    count >= INVENTED.0 && open as f64 > INVENTED.1 * count as f64
 }
 
 /// Whether nothing remains to be explained; never so in a drawing more exact than a hand's, where the tolerance may
