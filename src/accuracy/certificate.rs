@@ -35,11 +35,12 @@ impl Near<'_> {
     pub fn enclosed(&self, gaps: &[Ball], correction: &[f64]) -> Option<(Numbers, bool)> {
         let most: Numbers = gaps.iter().map(|gap| gap.largest()).collect();
         // Twice as far as a first step goes, so that there is room for what A leaves of it.
-        let reach: Numbers = self.system.reach(&most).iter().map(|x| 2.0 * x).collect();
+        let first = self.system.reach(&most);
+        let reach: Numbers = first.iter().map(|x| 2.0 * x).collect();
         let mut off = coefficient_errors(self.equations, &self.places);
         self.add_turning(&most, &reach, &mut off);
         let verified = self.system.verified(&off);
-        if !verified.maps_into_itself(&most, &reach) {
+        if !verified.maps_into_itself(&first, &reach) {
             return None;
         }
         let right: Numbers = gaps.iter().map(|gap| gap.high).collect();

@@ -14,8 +14,10 @@
 //! with gaps of twice the digits (`kernel/refine.rs`). A step that takes more than four fifths of a determinant is
 //! halved; so limits are approached, and found from the power with which rates grow there: d^(−1/2) of the distance d
 //! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
-//! grow (a change point), the polynomial is followed to the other side.
+//! grow (a change point), the polynomial is followed to the other side. Whether branches of a four-bar linkage cross, or
+//! only come near each other, is told by sums of its lengths (`crossing`).
 
+mod crossing;
 mod curve;
 mod drive;
 mod event;

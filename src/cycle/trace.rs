@@ -1,3 +1,4 @@
+use super::crossing::branches_cross;
 use super::path::{Event, Happening, Path};
 use super::segment::{Node, Segment, rates};
 use crate::geometry::OneByOne;
@@ -46,8 +47,8 @@ const LEAPS: [f64; 4] = [4e-3, 4e-4, 4e-5, 4e-6];
 const NEAR_CHANGE: f64 = 4e-7;
 
 /// Largest growth of rates from the start of a leap to [`NEAR_CHANGE`]. They grow more before two limits with no motion
-/// between them, and where two branches only come near each other; a gap of less than about 1e-6 of a turn counts as
-/// one change point.
+/// between them, and where two branches only come near each other; of other groups than those of which
+/// [`branches_cross`] knows it a gap of less than about 1e-6 of a turn counts as one change point.
 const GROWTH: f64 = 1.3;
 
 /// Largest first correction after a leap, in radians or parts of the group's size.
@@ -295,6 +296,10 @@ fn leap(path: &Path, nodes: &mut Vec<Node>, forward: f64, within: f64) -> Option
         return None;
     }
     let known = nodes.iter().rfind(|n| away(n) >= NEAR_CHANGE)?;
+    let pose = path.position(&last.block, 0).pose();
+    if branches_cross(&path.mechanism, &path.mechanism.groups[group], &pose) == Some(false) {
+        return None;
+    }
     let (far, node, at) = LEAPS.into_iter().find_map(|length| {
         let far = nodes.iter().rposition(|n| away(n) >= length)?;
         if fastest(path, known, group) > GROWTH * fastest(path, &nodes[far], group) {

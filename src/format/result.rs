@@ -159,7 +159,8 @@ pub struct GroupResult {
     pub joints: String,
     /// Its special points.
     pub special_points: Vec<String>,
-    /// Condition number of its loop equations, at least 1: input errors grow by up to this factor.
+    /// Condition number of its loop equations, at least 1: errors of the vectors between its joints, each in parts of itself, grow by up
+    /// to this factor in its rates. A place's error is a large part of a short vector.
     pub condition: f64,
     /// The largest difference between the two routes to its rates, relative to the largest rate; `null`, never left out, where a
     /// special point at infinity or a higher class leaves only one route.

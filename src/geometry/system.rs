@@ -117,8 +117,16 @@ impl LinearSystem {
     }
 
     fn reached(&self, scaled: &[f64]) -> Numbers {
-        let rows = self.inverse().elements.chunks(scaled.len().max(1));
-        rows.map(|row| upward(row.iter().zip(scaled).map(|(element, size)| element.abs() * size).sum())).collect()
+        let inverse = &self.inverse().elements;
+        let mut reached = Numbers::from_elem(0.0, scaled.len());
+        for (index, reached) in reached.iter_mut().enumerate() {
+            let row = &inverse[index * scaled.len()..];
+            for (k, size) in scaled.iter().enumerate() {
+                *reached += row[k].abs() * size;
+            }
+            *reached = upward(*reached);
+        }
+        reached
     }
 
     /// What the computed inverse proves of all matrices whose elements are at most `off` from those of this one.
@@ -126,32 +134,37 @@ impl LinearSystem {
     pub fn verified(&self, off: &[f64]) -> Verified<'_> {
         let size = self.size_of();
         let inverse = &self.inverse().elements;
-        let mut scaled_off = Elements::from_slice(off);
-        for (row, scale) in scaled_off.chunks_mut(size.max(1)).zip(&self.row_scale) {
-            row.iter_mut().zip(&self.column_scale).for_each(|(off, by)| *off *= scale * by);
+        let mut off = Elements::from_slice(off);
+        for (index, off) in off.iter_mut().enumerate() {
+            *off *= self.row_scale[index / size] * self.column_scale[index % size];
         }
         let rounding = (size + 2) as f64 * UNIT_ROUNDOFF;
         let mut defects = Elements::from_elem(0.0, size * size);
         let mut left = Numbers::from_elem(0.0, size);
         let mut norm: f64 = 0.0;
-        for (index, (row, defects)) in inverse.chunks(size.max(1)).zip(defects.chunks_mut(size.max(1))).enumerate() {
+        for index in 0..size {
+            let defects = &mut defects[index * size..][..size];
             left.fill(0.0);
             left[index] = 1.0;
             defects[index] = rounding;
-            let others = self.scaled.chunks(size).zip(scaled_off.chunks(size));
-            for (&element, (scaled, off)) in row.iter().zip(others) {
-                for (((left, defect), &a), &off) in left.iter_mut().zip(defects.iter_mut()).zip(scaled).zip(off) {
-                    let product = element * a;
+            for k in 0..size {
+                let element = inverse[index * size + k];
+                let (scaled, off) = (&self.scaled[k * size..][..size], &off[k * size..][..size]);
+                for (column, left) in left.iter_mut().enumerate() {
+                    let product = element * scaled[column];
                     *left -= product;
-                    *defect += product.abs() * rounding + element.abs() * off;
+                    defects[column] += product.abs() * rounding + element.abs() * off[column];
                 }
             }
-            defects.iter_mut().zip(&left).for_each(|(defect, left)| *defect = upward(*defect + left.abs()));
-            let sum = upward(defects.iter().sum());
+            let mut sum = 0.0;
+            for (column, defect) in defects.iter_mut().enumerate() {
+                *defect = upward(*defect + left[column].abs());
+                sum += *defect;
+            }
             // `max` ignores NaN.
-            norm = if sum.is_nan() { f64::INFINITY } else { norm.max(sum) };
+            norm = if sum.is_nan() { f64::INFINITY } else { norm.max(upward(sum)) };
         }
-        Verified { system: self, off: scaled_off, defects, norm }
+        Verified { system: self, off, defects, norm }
     }
 }
 
@@ -173,18 +186,16 @@ pub struct Verified<'a> {
 }
 
 impl Verified<'_> {
-    /// Whether Newton's method with R takes every point of the box `[−reach, reach]` to one inside of it, where the
-    /// equations are off by at most `sizes` in its middle and have derivatives A: then they have one and only one
-    /// solution in the box (Krawczyk 1969; Rump 2010, §13).
+    /// Whether Newton's method with R takes every point of the box `[−reach, reach]` to one inside of it, where the first
+    /// step from its middle goes no farther than `first` and the equations have derivatives A: then they have one and
+    /// only one solution in the box (Krawczyk 1969; Rump 2010, §13).
     #[must_use]
-    pub fn maps_into_itself(&self, sizes: &[f64], reach: &[f64]) -> bool {
-        let scaled = |x: &[f64], scale: &DVector<f64>| -> Numbers { x.iter().zip(scale).map(|(x, s)| x * s).collect() };
-        let first = self.system.reached(&scaled(sizes, &self.system.row_scale));
-        let reach: Numbers = reach.iter().zip(&self.system.column_scale).map(|(x, s)| x / s).collect();
-        let rows = self.defects.chunks(reach.len().max(1));
-        rows.zip(first).zip(&reach).all(|((row, first), &reach_here)| {
-            let more: f64 = row.iter().zip(&reach).map(|(defect, reach)| defect * reach).sum();
-            upward(first + more) < reach_here
+    pub fn maps_into_itself(&self, first: &[f64], reach: &[f64]) -> bool {
+        let scale = &self.system.column_scale;
+        reach.iter().enumerate().all(|(index, &reach_here)| {
+            let row = &self.defects[index * reach.len()..];
+            let more: f64 = reach.iter().enumerate().map(|(k, reach)| row[k] * (reach / scale[k])).sum();
+            upward(first[index] / scale[index] + more) < reach_here / scale[index]
         })
     }
 
@@ -198,27 +209,29 @@ impl Verified<'_> {
             return Numbers::from_elem(f64::INFINITY, size);
         }
         let x: Numbers = x.iter().zip(column_scale).map(|(x, scale)| x / scale).collect();
-        let rows = scaled.chunks(size.max(1)).zip(self.off.chunks(size.max(1)));
-        let right = b.iter().zip(uncertain).zip(row_scale);
-        let residuals: Numbers = (rows.zip(right))
-            .map(|((row, off), ((b, uncertain), scale))| {
-                let (mut residual, mut rounding, mut more) = (b * scale, 0.0, uncertain * scale);
-                for ((a, off), x) in row.iter().zip(off).zip(&x) {
-                    let product = a * x;
-                    residual -= product;
-                    more += off * x.abs();
-                    if product != 0.0 {
-                        rounding += product.abs() + residual.abs();
-                    }
+        let mut residuals = Numbers::from_elem(0.0, size);
+        for (row, left) in residuals.iter_mut().enumerate() {
+            let (scaled, off) = (&scaled[row * size..][..size], &self.off[row * size..][..size]);
+            let (mut residual, mut rounding) = (b[row] * row_scale[row], 0.0);
+            *left = uncertain[row] * row_scale[row];
+            for (column, x) in x.iter().enumerate() {
+                let product = scaled[column] * x;
+                residual -= product;
+                *left += off[column] * x.abs();
+                if product != 0.0 {
+                    rounding += product.abs() + residual.abs();
                 }
-                upward(more + residual.abs() + rounding * UNIT_ROUNDOFF)
-            })
-            .collect();
-        let first = self.system.reached(&residuals);
+            }
+            *left = upward(*left + residual.abs() + rounding * UNIT_ROUNDOFF);
+        }
+        let mut bounds = self.system.reached(&residuals);
         // No element is larger than the largest one over all, which the norm bounds.
-        let most = upward(first.iter().copied().fold(0.0, f64::max) / ((1.0 - self.norm) * (1.0 - f64::EPSILON)));
-        let rows = self.defects.chunks(size.max(1)).zip(&first).zip(column_scale);
-        rows.map(|((row, first), scale)| upward(first + row.iter().sum::<f64>() * most) * scale).collect()
+        let most = upward(bounds.iter().copied().fold(0.0, f64::max) / ((1.0 - self.norm) * (1.0 - f64::EPSILON)));
+        for (index, bound) in bounds.iter_mut().enumerate() {
+            let defects: f64 = self.defects[index * size..][..size].iter().sum();
+            *bound = upward(*bound + defects * most) * column_scale[index];
+        }
+        bounds
     }
 }
 

@@ -13,6 +13,10 @@ messages! { "motion":
         "links {links} are near a singular position (condition {condition}): coordinates of 16 digits determine about \
          {digits} digits of their rates";
 
+    near_limit(links, condition, digits) =
+        "links {links} are at a limit position or next to one (condition {condition}): lengths and angles of 16 digits \
+         determine about {digits} digits of their rates";
+
     // Why a position is singular.
     no_definite_motion = "its loops have no definite motion";
     in_one_line(first, second) = "{first} and {second} lie in one line";

@@ -7,6 +7,7 @@ use crate::mechanism::{
 };
 use crate::message::Message;
 use crate::position::Pose;
+use crate::scene::GivenBy;
 use crate::sheet::Order;
 use smallvec::smallvec;
 
@@ -17,6 +18,10 @@ const SINGULAR_CONDITION: f64 = 0.05 / UNIT_ROUNDOFF;
 /// Condition number above which there is a warning: coordinates rounded to f64 determine fewer than 8 digits of the
 /// rates.
 const NEARLY_SINGULAR_CONDITION: f64 = 1e-8 / UNIT_ROUNDOFF;
+
+/// The part of itself by which rates found from lengths may be off, from which on there is a warning: rounding enters the
+/// position times the condition, and from there the rates times the condition once more.
+const NEARLY_AT_LIMIT: f64 = 1e-4;
 
 /// The largest velocity, acceleration or rate of a result: squares and their sums must not overflow.
 const LARGEST: f64 = 1e150;
@@ -38,6 +43,10 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
             let digits = -libm::log10(condition * UNIT_ROUNDOFF);
             let (links, condition) = (group.link_names(mechanism), format!("{condition:.1e}"));
             warnings.push(says::near_singular(links, condition, format!("{digits:.0}")));
+        } else if mechanism.given_by == GivenBy::Lengths && condition * condition * UNIT_ROUNDOFF > NEARLY_AT_LIMIT {
+            let digits = -libm::log10(condition * condition * UNIT_ROUNDOFF);
+            let (links, condition) = (group.link_names(mechanism), format!("{condition:.1e}"));
+            warnings.push(says::near_limit(links, condition, format!("{:.0}", digits.max(0.0))));
         }
         conditions.push(condition);
     }

@@ -79,6 +79,12 @@ pub(super) fn joined_placements(direct: &LegJoint, condition: LegCondition) -> V
 /// condition or where the others have no solution.
 pub(super) fn smallest_deviation(direct: Option<&LegJoint>, conditions: &[LegCondition]) -> Option<(usize, f64)> {
     const SAMPLES: usize = 720;
+    // Two links on pins: the third side of a triangle lies between difference and sum of the others.
+    if let (Some(LegJoint::Pin { local, place }), &[LegCondition::Distance { a, b, length }]) = (direct, conditions) {
+        let (base, link) = ((place - a).norm(), (b - local).norm());
+        let [near, far] = [(base - link).abs(), base + link].map(|distance| distance - length);
+        return Some((0, if near.abs() < far.abs() { near } else { far }));
+    }
     let first = conditions.iter().position(|c| matches!(c, LegCondition::Distance { .. }))?;
     let others: Vec<&LegCondition> =
         conditions.iter().enumerate().filter(|(k, _)| *k != first).map(|(_, c)| c).collect();

@@ -166,8 +166,11 @@ impl<'a> Platform<'a> {
     /// The smallest distance by which the legs fail to meet, in words.
     pub(super) fn miss(&self) -> Message {
         match smallest_deviation(self.direct.as_ref(), &self.conditions()) {
+            // Both circles are the same one.
+            Some((_, 0.0)) => says::any_direction(),
             Some((leg, miss)) => {
-                let (leg, by) = (&self.names[leg], format!("{:.4}", miss.abs()));
+                let by = if miss.abs() < 1e-3 { format!("{:.1e}", miss.abs()) } else { format!("{:.4}", miss.abs()) };
+                let leg = &self.names[leg];
                 if miss > 0.0 { says::longer(leg, by) } else { says::shorter(leg, by) }
             }
             None => says::never_meet(),

@@ -10,6 +10,8 @@ messages! { "position":
     at_value(quantity, value) = " at {quantity} = {value}";
     longer(leg, by) = "with everything else closed, {leg} would have to be {by} longer";
     shorter(leg, by) = "with everything else closed, {leg} would have to be {by} shorter";
+    any_direction =
+        "its outer joints lie in one place and its lengths are equal, so it can turn there by any angle";
     never_meet = "its guides and lengths never meet";
     parallel_guides(links, link) =
         "links {links} cannot be assembled: the two guides that meet at link {link} are parallel";

@@ -113,7 +113,7 @@ fn an_origin_that_leaves_no_digits_is_told() {
 /// x² = 1 + e at x₀ = 1: the gap is e, the derivative anywhere within r of 1 is 2 ± 2 r.
 fn root_is_proved(e: f64, reach: f64) -> bool {
     let system = LinearSystem::new(DMatrix::from_element(1, 1, 2.0)).expect("regular");
-    system.verified(&[2.0 * reach]).maps_into_itself(&[e.abs()], &[reach])
+    system.verified(&[2.0 * reach]).maps_into_itself(&system.reach(&[e.abs()]), &[reach])
 }
 
 #[test]

@@ -537,9 +537,9 @@ fn guide(given: &Value, links: &[Link], is_drawn: bool) -> Guide {
         _ => links[on].points.first().map_or([exactly(0.0), exactly(0.0)], |(_, own)| own.clone()),
     };
     let turned = given.get("turned").map_or([exactly(1.0), exactly(0.0)], direction);
-    let drive = given.get("drive").map(|drive| {
-        ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), number))
-    });
+    let drive = given
+        .get("drive")
+        .map(|drive| ["position", "speed", "acceleration"].map(|key| drive.get(key).map_or(exactly(0.0), number)));
     let sliding = link.unwrap_or(&at);
     Guide {
         name: format!("{sliding}/{on_name}"),
