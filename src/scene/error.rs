@@ -229,10 +229,10 @@ pub(super) fn number(value: f64) -> String {
     }
 }
 
-/// Names joined by commas; only the first twelve.
+/// Names joined by commas; only the first thirteen: so many keys has a scene.
 pub(crate) fn list<'a>(names: impl IntoIterator<Item = &'a str>) -> String {
     let mut names = names.into_iter();
-    let mut shown = names.by_ref().take(12).map(shortened).collect::<Vec<_>>().join(", ");
+    let mut shown = names.by_ref().take(13).map(shortened).collect::<Vec<_>>().join(", ");
     if names.next().is_some() {
         shown.push_str(", …");
     }

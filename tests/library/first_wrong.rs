@@ -29,7 +29,7 @@ fn a_value_that_alone_is_off_is_told_with_what_it_is_made_of() {
         assert_eq!((written, finding.follows.len()), (Some("omega(3)"), 0));
         let text = report(checked, key);
         // ω = v / L from the student's own velocity, and the link that it is the rate of.
-        assert!(text.contains("With your numbers: ω_3 = d c / L_CD"), "{text}");
+        assert!(text.contains("With your numbers: ω_3 = d c / L_DC"), "{text}");
         assert!(text.contains("Correct this number alone; the drawing stays."), "{text}");
     });
 }

@@ -83,7 +83,9 @@ fn said(parts: &ReportParts, checked: &Checked, turns: &[(Sheet, f64)], words: &
         // Beside a figure there is no room to repeat what a slipped number should be.
         let [done, should] = finding.candidate.told.sentences(words);
         let should = (!done.contains(&should)).then_some(told.should.clone());
-        let worked = told.worked.iter().chain(&told.redo).cloned();
+        // Of several there is no room for all that each teaches.
+        let is_one = checked.diagnosis.best.findings.len() == 1;
+        let worked = told.worked.iter().chain(&told.redo).filter(|_| is_one).cloned();
         let sentences: Vec<String> =
             [told.done.clone()].into_iter().chain(should).chain(follows).chain(worked).collect();
         said.push(format!("{number}. {}", sentences.join(" ")));
