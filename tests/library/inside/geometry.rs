@@ -196,7 +196,8 @@ mod ball {
 
     /// Whether the number lies in the ball.
     fn holds(ball: Ball, number: &Precise) -> bool {
-        if ball.radius == f64::INFINITY {
+        // Where nothing is known, anything may be.
+        if !ball.is_known() {
             return true;
         }
         let off = number - (precise(ball.high) + precise(ball.low));
