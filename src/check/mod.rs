@@ -39,7 +39,8 @@
 //! so it pays by itself for fitting whatever comes. The search looks at all candidates by the factors of the parent's
 //! covariance, at those only that concern a value still unexplained, and compares the likeliest completely.
 //! `diagnosis` refuses what a written value refutes, sums the probabilities of what is told in the same words, leaves
-//! a share for what no catalogue has, and tells a cause from 60 % on, else its place, else nothing. Priors and that
+//! a share for what no catalogue has, and tells a cause from 60 % on, else its place. What nothing explains is told at
+//! the first value that is off, with what may have been done there as a part of it. Priors and that
 //! share are set with students whom `tests/support/students` draws, who share nothing with the catalogue
 //! (`examples/calibration.rs`). Nothing is looked for where all values pass.
 //!

@@ -131,10 +131,11 @@ impl ReportParts {
     #[must_use]
     pub fn set(mut self, set: impl Fn(String) -> String) -> ReportParts {
         let cells = self.rows.iter_mut().flat_map(|row| &mut row.cells);
-        let causes =
-            self.causes.iter_mut().flat_map(|Cause { done, caption, should, follows, worked, redo, hints, step: _ }| {
+        let causes = self.causes.iter_mut().flat_map(
+            |Cause { done, caption, should, follows, worked, redo, hints, step: _ }| {
                 [done, should].into_iter().chain(caption).chain(follows).chain(worked).chain(redo).chain(hints)
-            });
+            },
+        );
         let texts =
             [&mut self.counts, &mut self.heading].into_iter().chain(&mut self.columns).chain(cells).chain(causes);
         let texts = texts
