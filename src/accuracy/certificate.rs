@@ -26,18 +26,17 @@ pub(super) struct Near<'a> {
 
 impl Near<'_> {
     /// How far the assembly can be from x₀ and `correction`, where the `gaps` are left in the loops at x₀; and whether that
-    /// comes from the gaps' own errors. `None` where it is not proved that there is one and only one in a box that holds the
-    /// pose, from which x₀ is `moved` at most so far: else another assembly might be as near to that.
+    /// comes from the gaps' own errors. `None` where it is not proved that there is one and only one.
     ///
     /// The gaps f(x₀) and the derivatives A of them anywhere within a box about x₀ give the proof
     /// ([`Verified::maps_into_itself`](crate::geometry::Verified)). The assembly x then has f(x₀) = A (x − x₀) for one such
     /// A, so that what the correction leaves of the gaps bounds the rest. All of that holds for every value that the
     /// inputs may have, as balls have them.
-    pub fn enclosed(&self, gaps: &[Ball], correction: &[f64], moved: &[f64]) -> Option<(Numbers, bool)> {
+    pub fn enclosed(&self, gaps: &[Ball], correction: &[f64]) -> Option<(Numbers, bool)> {
         let most: Numbers = gaps.iter().map(|gap| gap.largest()).collect();
-        // Twice as far as a first step goes, so that there is room for what A leaves of it, and back to the pose.
+        // Twice as far as a first step goes, so that there is room for what A leaves of it.
         let first = self.system.reach(&most);
-        let reach: Numbers = first.iter().zip(moved).map(|(x, moved)| 2.0 * (x + moved)).collect();
+        let reach: Numbers = first.iter().map(|x| 2.0 * x).collect();
         let mut off = coefficient_errors(self.equations, &self.places);
         self.add_turning(&most, &reach, &mut off);
         let verified = self.system.verified(&off);

@@ -205,7 +205,6 @@ impl<'a> Finder<'a> {
         };
         let mut angles: Vec<Option<Vector>> = (0..equations.unknowns).map(in_pose).collect();
         let mut before = f64::INFINITY;
-        let mut moved = Numbers::from_elem(0.0, equations.unknowns);
         for _ in 0..STEPS {
             let gaps = self.gaps(group, &equations, &angles)?;
             self.place_points(&group.bodies);
@@ -222,7 +221,7 @@ impl<'a> Finder<'a> {
             let goes_on = change < 0.5 * before;
             let is_slight = correction.iter().zip(&angles).all(|(x, angle)| angle.is_none() || x.abs() <= SLIGHT);
             let near = Near { group, equations: &equations, system: &system, places, sizes: &self.sizes };
-            let found = if is_slight { near.enclosed(&gaps, &correction, &moved) } else { None };
+            let found = if is_slight { near.enclosed(&gaps, &correction) } else { None };
             match found {
                 Some((errors, is_sharp)) if is_sharp || !goes_on => {
                     self.move_to(&equations, &mut angles, &correction, &errors);
@@ -231,7 +230,6 @@ impl<'a> Finder<'a> {
                 None if !goes_on => return None,
                 _ => self.correct(&equations, &mut angles, &correction),
             }
-            moved.iter_mut().zip(&correction).for_each(|(moved, step)| *moved += step.abs());
             before = change;
         }
         None
