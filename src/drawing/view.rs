@@ -59,7 +59,7 @@ pub struct View {
 
 impl View {
     /// Shows the centre of `extent` at the centre of `area`, at `mu` units per millimetre; of what would be larger than
-    /// [`LARGEST`] all that is seen is how it leaves the area, and so is it at that size.
+    /// a thousand kilometres all that is seen is how it leaves the area, and so is it at that size.
     #[must_use]
     pub fn new(mu: f64, extent: &Extent, area: Rect) -> View {
         let mu = mu.max(extent.size().norm() / LARGEST);

@@ -41,7 +41,7 @@ const REDUCIBLE: f64 = 1e15;
 /// arithmetic (Johansson, *Arb*, IEEE Trans. Computers 66 (2017)). A radius is a sum of at most eight products of
 /// numbers that are not negative. Each rounding to nearest takes at most the part u of it, so at most (1 − u)¹² of it are
 /// left, and |low| ≤ u |high| takes one more u: multiplied by 1 + 16 u it is again at least what it stands for. That
-/// holds for normal numbers; smaller products get [`LEAST`] on top. Each operation rounds the same on every platform. A
+/// holds for normal numbers; smaller products get the least normal number on top. Each operation rounds the same on every platform. A
 /// factor of 2^996 or more makes a product NaN, which counts as no bound.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
