@@ -1,15 +1,17 @@
 //! How work grows with a scene: what takes a time that doubles with it takes four times as long for four times as much, and
 //! not sixteen times. Time is that of this thread on its core, where the system tells it.
 
+use kinegon::check::{DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
 use kinegon::mechanism::mechanism;
 use kinegon::position::counted_poses;
 use kinegon::quantity::step_pencil;
 use kinegon::scene::{GivenBy, Scene};
 use kinegon::{Order, Solution, posed};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::{Duration, Instant};
-use support::stages::solved;
+use support::stages::{answer_key, solved};
 
 /// The time that this thread has been at work.
 fn busy(began: Instant) -> Duration {
@@ -125,6 +127,30 @@ fn linkages_side_by_side() {
             assert!(listed.poses.len() * mechanism.points.len() <= 400_000);
         }),
     );
+}
+
+/// In a construction that nobody draws by hand each value is judged, and no cause is looked for: places for mistakes grow with the square
+/// of the links, and explanations with them.
+#[test]
+fn forms_of_nonsense_for_many_links() {
+    let nonsense = |own: &Solution| {
+        let values = form_names(&own.construction).into_iter().zip(0..);
+        let values = values.map(|(name, k)| (name, format!("{}.{k}", k * 7919 % 300)));
+        let file = serde_json::json!({
+            "kinegon_measured": 1, "positive": "counter-clockwise", "values": values.collect::<BTreeMap<String, String>>(),
+        });
+        let mut measured = Measured::read_json(&file.to_string()).expect("a form");
+        measured.mu = own.scales();
+        measured
+    };
+    let with = |count: usize| solution(&four_bars(count));
+    let grown = growth(30, with, |own| {
+        let checked = check(&nonsense(own), &answer_key(own, DEPTH)).expect("values that are understood");
+        assert!(!checked.is_passed() && checked.diagnosis.best.findings.is_empty());
+        assert_eq!(checked.diagnosis.looked_at, 0);
+    });
+    // The bands of all values, each with the errors of all operations before it.
+    grows_at_most(25.0, "a form of nonsense", grown);
 }
 
 #[test]
