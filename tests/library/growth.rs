@@ -3,6 +3,7 @@
 
 use kinegon::check::{DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
+use kinegon::drawing::{Film, HeldLayout, Timing};
 use kinegon::mechanism::mechanism;
 use kinegon::position::counted_poses;
 use kinegon::quantity::step_pencil;
@@ -112,7 +113,9 @@ fn points_of_a_link() {
 fn linkages_side_by_side() {
     let read = |count: usize| Scene::read(&four_bars(count)).expect("a good scene");
     let limit = kinegon::scene::SizeLimit::NUMBERS;
-    is_in_proportion(
+    // Proofs touch much memory, which a large mechanism has less near at hand.
+    grows_at_most(
+        12.0,
         "solving",
         growth(80, read, |scene| {
             let (mechanism, pose) = posed(scene, limit, None).expect("it can be put together");
@@ -151,6 +154,18 @@ fn forms_of_nonsense_for_many_links() {
     });
     // The bands of all values, each with the errors of all operations before it.
     grows_at_most(25.0, "a form of nonsense", grown);
+}
+
+/// Drives that turn equally fast take a mechanism through the same positions: these are looked at once.
+#[test]
+fn drives_of_a_film() {
+    let read = |count: usize| solution(&four_bars(count));
+    let timing = Timing { seconds: 1.0, per_second: 2 };
+    let film = |own: &Solution| drop(Film::new(own, None, timing).expect("it moves"));
+    is_in_proportion("a film", growth(6, read, film));
+    let cycle = |own: &Solution| drop(HeldLayout::of_cycle(own, None, None, None));
+    // Each drive alone takes it through others, of which there are fewer the more points there are.
+    is_in_proportion("the layout of a cycle", growth(6, read, cycle));
 }
 
 #[test]
