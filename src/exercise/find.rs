@@ -20,8 +20,11 @@ fn marks_of(asked: &IndexMap<String, f64>) -> Value {
     asked.iter().map(|(name, marks)| (name.clone(), json_number(*marks))).collect::<Map<String, Value>>().into()
 }
 
-/// Most variants that are tried for each exercise.
+/// Most variants that are tried for each exercise; fewer of a mechanism with very many points, each of which takes long.
 const TRIES: usize = 1000;
+const LEAST_TRIES: usize = 50;
+/// So many points of variants are looked at.
+const POINTS: usize = 20_000;
 
 /// Variants that are tried to find whether A4 sheets are large enough …
 const PILOT: usize = 40;
@@ -37,6 +40,8 @@ pub enum ExerciseError {
     NoConstruction,
     /// No variant was an exercise.
     GaveUp {
+        /// How many were tried.
+        tries: usize,
         /// The commonest reason of refusal.
         most: Refusal,
         /// Its share of the variants, in per cent.
@@ -50,7 +55,7 @@ impl ExerciseError {
     pub fn message(&self) -> Message {
         match self {
             ExerciseError::NoConstruction => says::no_construction(),
-            ExerciseError::GaveUp { most, percent } => says::gave_up(TRIES, *percent, most.message()),
+            ExerciseError::GaveUp { tries, most, percent } => says::gave_up(*tries, *percent, most.message()),
         }
     }
 }
@@ -64,6 +69,8 @@ pub struct Exercises {
     figure: Figure,
     seed: u64,
     random: Random,
+    /// Most variants that are tried for each.
+    tries: usize,
     /// The number of the last exercise.
     number: usize,
     seen: BTreeSet<String>,
@@ -98,6 +105,7 @@ impl Exercises {
             figure,
             seed,
             random: Random(seed),
+            tries: (POINTS / solution.mechanism.points.len().max(1)).clamp(LEAST_TRIES, TRIES),
             number: 0,
             seen: BTreeSet::new(),
         };
@@ -118,19 +126,20 @@ impl Exercises {
     /// The next exercise.
     ///
     /// # Errors
-    /// None of 1000 variants was an exercise; says what was wrong most often.
+    /// None of 1000 variants, or fewer of a mechanism with very many points, was an exercise; says what was wrong most often.
     #[expect(clippy::should_implement_trait, reason = "there is no end to iterate to")]
     pub fn next(&mut self) -> Result<Exercise, ExerciseError> {
         self.number += 1;
         let mut refused: BTreeMap<Refusal, usize> = BTreeMap::new();
-        for _ in 0..TRIES {
+        let tries = self.tries;
+        for _ in 0..tries {
             match self.variant() {
                 Ok(exercise) => return Ok(exercise),
                 Err(refusal) => *refused.entry(refusal).or_default() += 1,
             }
         }
-        let (most, count) = refused.into_iter().max_by_key(|(_, count)| *count).unwrap_or((Refusal::Numbers, TRIES));
-        Err(ExerciseError::GaveUp { most, percent: (100 * count + TRIES / 2) / TRIES })
+        let (most, count) = refused.into_iter().max_by_key(|(_, count)| *count).unwrap_or((Refusal::Numbers, tries));
+        Err(ExerciseError::GaveUp { tries, most, percent: (100 * count + tries / 2) / tries })
     }
 
     /// A random variant, if it is an exercise.

@@ -4,6 +4,7 @@
 use kinegon::check::{DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Film, HeldLayout, Timing};
+use kinegon::exercise::{ExerciseError, Exercises};
 use kinegon::mechanism::mechanism;
 use kinegon::position::counted_poses;
 use kinegon::quantity::step_pencil;
@@ -176,6 +177,14 @@ fn words_of_a_title() {
         own
     };
     is_in_proportion("sheets to be drawn on", growth(1000, with, |own| drop(own.drawing_sheets("1"))));
+}
+
+/// Each variant of a large mechanism takes long: fewer are tried before that is given up.
+#[test]
+fn variants_of_many_links() {
+    let mut exercises = Exercises::new(&solution(&four_bars(60)), None, 1).expect("it has a construction");
+    let error = exercises.next().expect_err("of sixty linkages one does not reach");
+    assert!(matches!(error, ExerciseError::GaveUp { tries: ..100, .. }), "{error}");
 }
 
 /// As many links as a scene may have, with a place for every joint: there is nothing to search.
