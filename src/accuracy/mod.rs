@@ -17,8 +17,8 @@ mod enclosure;
 mod given;
 mod placed;
 mod places;
+mod quantities;
 #[doc(hidden)] // for tests
 pub mod says;
 
-pub(crate) use bounds::is_bounded;
 pub use bounds::{Bounds, bounds};

@@ -36,6 +36,9 @@ pub struct ResultFile {
     pub groups: Vec<GroupResult>,
     /// The quantities that the scene's `want` asks for.
     pub quantities: IndexMap<String, QuantityResult>,
+    /// By quantity name: bound on its error, of a vector that of each component, of an angle in degrees.
+    #[schemars(with = "IndexMap<String, Option<f64>>")]
+    pub quantity_errors: IndexMap<String, f64>,
     /// How far hand drawings are from these numbers; only where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pencil: Option<PencilResult>,
@@ -240,9 +243,16 @@ impl Solution {
     /// The result file's content, without `quantities`.
     #[must_use]
     pub fn result(&self) -> ResultFile {
+        self.result_within(&self.bounds())
+    }
+
+    fn bounds(&self) -> Bounds<'_> {
+        bounds(&self.scene, &self.mechanism, &self.pose, &self.motion).with_plans(&self.construction)
+    }
+
+    fn result_within(&self, bounds: &Bounds<'_>) -> ResultFile {
         let Solution { scene, mechanism, pose, motion, construction } = self;
         let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
-        let bounds = &bounds(scene, mechanism, pose, motion);
         let links = mechanism.links().filter(|(_, body)| body.role != Role::Unsolved).map(|(id, body)| {
             let (rates, at_position) = (motion.body(id), motion.errors[id.0]);
             let [omega_error, alpha_error] = bounds.angular_rates(id);
@@ -302,6 +312,7 @@ impl Solution {
             proved: (0..mechanism.groups.len()).all(|group| bounds.is_proved(group)),
             groups: groups.collect(),
             quantities: IndexMap::new(),
+            quantity_errors: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
         }
@@ -313,14 +324,17 @@ impl Solution {
     /// # Errors
     /// A quantity that is wanted has no value; the place is its place in the scene.
     pub fn whole_result(&self) -> Result<ResultFile, SceneError> {
-        let mut result = self.result();
+        let bounds = self.bounds();
+        let mut result = self.result_within(&bounds);
         let names = self.scene.want.clone().unwrap_or_else(|| measured_names(&self.construction));
         let on_paper = names.iter().any(|name| name.ends_with("/mu"));
         let scales = on_paper.then(|| FigureSheets::new(self).scales());
         for (index, name) in names.iter().enumerate() {
-            let value = QuantityRequest::new(name, &self.mechanism)
-                .and_then(|asked| asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref()));
-            let value = value.map_err(|error| {
+            let found = QuantityRequest::new(name, &self.mechanism).and_then(|asked| {
+                let value = asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref())?;
+                Ok((value, bounds.of(&asked, scales.as_ref())))
+            });
+            let (value, error) = found.map_err(|error| {
                 let path = ["want", &index.to_string()];
                 self.scene.error_at(&path, error.problem().message, None)
             })?;
@@ -329,6 +343,7 @@ impl Solution {
                 Quantity::Vector(v) => QuantityResult::Vector([v.x, v.y]),
             };
             result.quantities.insert(name.clone(), value);
+            result.quantity_errors.insert(name.clone(), error);
         }
         Ok(result)
     }
