@@ -1,6 +1,7 @@
 //! The proof that one and only one assembly of a group lies near angles and slides, and how far from them it can be.
 
 use super::given::Vector;
+use super::locals::Locals;
 use super::places::PlacesOf;
 use crate::geometry::{Ball, Elements, LinearSystem, Numbers, Pair};
 use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, SlideRate};
@@ -104,13 +105,13 @@ impl Near<'_> {
 }
 
 /// By body: a bound of the distances between places on it, of its points and of what slides on it or it slides with.
-pub(super) fn sizes(mechanism: &Mechanism, locals: &[Vec<Vector>], lines: &[[Vector; 2]], slides: &[Ball]) -> Vec<f64> {
+pub(super) fn sizes(mechanism: &Mechanism, locals: &Locals<'_>, lines: &[[Vector; 2]], slides: &[Ball]) -> Vec<f64> {
     let from = |origin: Vector, place: Vector| {
         let Pair { x, y } = place - origin;
         2.0 * (x.largest() + y.largest())
     };
-    let origin = |body: BodyId| locals[body.0].first().copied().unwrap_or_default();
-    let of_points = |body: BodyId| locals[body.0].iter().map(|&place| from(origin(body), place)).fold(0.0, f64::max);
+    let origin = |body: BodyId| locals.of(body).first().copied().unwrap_or_default();
+    let of_points = |body: BodyId| locals.of(body).iter().map(|&place| from(origin(body), place)).fold(0.0, f64::max);
     let mut sizes: Vec<f64> = mechanism.body_ids().map(of_points).collect();
     for id in mechanism.slider_ids() {
         let slider = mechanism.slider(id);

@@ -15,6 +15,7 @@ mod bounds;
 mod certificate;
 mod enclosure;
 mod given;
+mod locals;
 mod placed;
 mod places;
 mod quantities;
