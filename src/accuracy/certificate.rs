@@ -35,9 +35,13 @@ impl Near<'_> {
     /// inputs may have, as balls have them.
     pub fn enclosed(&self, gaps: &[Ball], correction: &[f64]) -> Option<(Numbers, bool)> {
         let most: Numbers = gaps.iter().map(|gap| gap.largest()).collect();
-        // Twice as far as a first step goes, so that there is room for what A leaves of it.
+        let size: f64 = self.group.bodies.iter().map(|body| self.sizes[body.0]).sum();
+        // Twice as far as a first step goes, so that there is room for what A leaves of it; a little where no gap is left.
         let first = self.system.reach(&most);
-        let reach: Numbers = first.iter().map(|x| 2.0 * x).collect();
+        let mut reach: Numbers = first.iter().map(|x| (2.0 * x).max(SMALL)).collect();
+        for &(_, unknown) in &self.equations.slides {
+            reach[unknown] = (2.0 * first[unknown]).max(SMALL * size);
+        }
         let mut off = coefficient_errors(self.equations, &self.places);
         self.add_turning(&most, &reach, &mut off);
         let verified = self.system.verified(&off);
@@ -48,7 +52,6 @@ impl Near<'_> {
         let uncertain: Numbers = gaps.iter().map(|gap| gap.error()).collect();
         let rows = off.chunks(self.equations.unknowns);
         let curved = rows.map(|row| row.iter().zip(correction).map(|(a, x)| a * x.abs()).sum()).fold(0.0, f64::max);
-        let size: f64 = self.group.bodies.iter().map(|body| self.sizes[body.0]).sum();
         let is_sharp = curved <= uncertain.iter().copied().fold(SMALL * size, f64::max);
         Some((verified.error_bound(correction, &right, &uncertain), is_sharp))
     }
