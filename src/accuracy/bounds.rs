@@ -2,9 +2,9 @@ use super::enclosure::Enclosure;
 use super::says;
 use crate::construction::{Construction, Special, Values};
 use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Group, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
-use crate::motion::Motion;
+use crate::motion::{Motion, Standing, drive_stands, standing_of};
 use crate::position::Pose;
 use crate::quantity::{Snapshot, State};
 use crate::scene::Scene;
@@ -106,7 +106,16 @@ impl<'a> Bounds<'a> {
     #[must_use]
     pub fn warnings(&self) -> Vec<Message> {
         let groups = self.mechanism.groups.iter().enumerate().filter(|(index, _)| !self.is_proved(*index));
-        groups.map(|(_, group)| says::unproved(group.link_names(self.mechanism))).collect()
+        let of_group = |(index, group): (usize, &Group)| {
+            let links = group.link_names(self.mechanism);
+            let place = || drive_stands(self.mechanism, self.pose).join(" = ");
+            match standing_of(self.mechanism, self.pose, index) {
+                Standing::Limit => says::at_limit(place(), links),
+                Standing::Change => says::at_change(place(), links),
+                Standing::Unknown => says::unproved(links),
+            }
+        };
+        groups.map(of_group).collect()
     }
 
     /// Of a point's coordinates.

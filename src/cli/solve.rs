@@ -2,10 +2,12 @@
 //! assembly modes; and the schemas of all files.
 
 use super::files;
-use super::message::{Failure, Source, warn};
+use super::message::{Failure, Source, note, warn};
 use super::options::{Hand, Look};
 use crate::construction::Solution;
+use crate::cycle::told_turning_back;
 use crate::drawing::Style;
+use crate::format::ResultFile;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, counted_poses, with_nearest_sides};
 use crate::quantity::{QuantityRequest, pencil, readable_names, step_pencil};
@@ -55,9 +57,16 @@ pub(super) fn read(source: &Source, most: SizeLimit, mode: Option<usize>) -> Res
     Ok((scene, mechanism, pose))
 }
 
-/// Shows the warnings of a solution on stderr.
+/// Shows what is to be known of a result on stderr.
+fn show(result: &ResultFile) {
+    result.warnings.iter().for_each(|text| warn(text));
+    result.notes.iter().for_each(|text| note(text));
+}
+
+/// Shows the warnings of a solution on stderr, and what turns back there.
 pub(super) fn show_warnings(solution: &Solution) {
     solution.warnings().for_each(|text| warn(&text));
+    told_turning_back(solution, &solution.wording()).iter().for_each(|text| note(text));
 }
 
 const AFTER_HELP: &str = "\
@@ -91,7 +100,7 @@ impl Solve {
         let solution = solve(&source, most, self.mode.number, |_| (), order_of_result)?;
         let mut result = source.checked(solution.whole_result())?;
         if self.digits {
-            result.warnings.iter().for_each(|text| warn(text));
+            show(&result);
             return files::print(solution.digits_of(&result).as_bytes());
         }
         if self.pencil || self.hand.is_given() {
@@ -99,7 +108,7 @@ impl Solve {
             let pencil = pencil(&solution, &solution.scales(), self.hand.tolerance(), asked);
             result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
-        result.warnings.iter().for_each(|text| warn(text));
+        show(&result);
         files::print(format::json(&result).as_bytes())
     }
 }

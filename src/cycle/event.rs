@@ -5,7 +5,7 @@ use super::path::{Event, Happening, Path};
 use super::segment::{Segment, rates};
 use super::walker::Walker;
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::kernel::Unknown;
+use crate::kernel::{Single, Unknown};
 use crate::mechanism::SliderId;
 use std::cmp::Reverse;
 
@@ -25,6 +25,17 @@ const ROUNDINGS: f64 = 64.0;
 const STEPS: usize = 60;
 
 impl Path<'_> {
+    /// The fastest rate of a position, for a unit rate of the drive; slides count in parts of the mechanism's size.
+    fn fastest(&self, block: &Single) -> f64 {
+        let unknowns = self.kernel.unknowns.iter().flatten();
+        let of_unknown = |unknown: &Unknown| match unknown {
+            Unknown::Spin(_) => rates(block, *unknown)[0].abs(),
+            Unknown::Slide(_) => rates(block, *unknown)[0].abs() / self.size,
+        };
+        let own = if self.drive.is_angle { 1.0_f64.to_radians() } else { 1.0 / self.size };
+        unknowns.map(of_unknown).fold(own, f64::max)
+    }
+
     /// All events between the path's ends and at them, in the order of the drive's value.
     #[must_use]
     pub fn events(&self) -> Vec<Event> {
@@ -72,7 +83,7 @@ fn extreme_positions(path: &Path) -> Vec<Event> {
             }
             let [low, high] = [low, high].map(|index| samples[index][0]);
             let found = standstill(&mut walker, unknown, low, high, path.unit());
-            events.extend(found.and_then(|at| Some(Event { at, what: turning_back(path, &mut walker, unknown, at)? })));
+            events.extend(found.and_then(|at| extreme(path, &mut walker, unknown, at)));
         }
     }
     events
@@ -90,11 +101,17 @@ fn samples(path: &Path, unknown: Unknown) -> Vec<[f64; 2]> {
     inner.chain(path.segments.last().map(|last| of_segment(last, PARTS))).collect()
 }
 
-/// What turns back at a value of the drive where an unknown's rate is zero.
-fn turning_back(path: &Path, walker: &mut Walker, unknown: Unknown, at: f64) -> Option<Happening> {
+/// The event at a value of the drive where an unknown's rate is zero.
+fn extreme(path: &Path, walker: &mut Walker, unknown: Unknown, at: f64) -> Option<Event> {
     let (mechanism, kernel) = (&path.mechanism, &path.kernel);
+    let block = walker.unit_motion(at)?;
+    let [rate, second] = rates(block, unknown);
+    // What the rate may be off, by those that others have there, moves its zero; with a second time as much as room.
+    let own = if matches!(unknown, Unknown::Spin(_)) { 1.0 } else { path.size };
+    let fastest = own * path.fastest(block);
+    let within = 2.0 * (rate.abs() + error(path, block, rate, fastest)) / second.abs() + UNIT_ROUNDOFF * path.unit();
     let block = walker.positions(&[at])?;
-    Some(match unknown {
+    let what = match unknown {
         Unknown::Slide(slider) => Happening::SlidesBack {
             slider: mechanism.slider_name(SliderId(slider)),
             position: snapped(block.slides[slider][0], path.size),
@@ -106,7 +123,8 @@ fn turning_back(path: &Path, walker: &mut Walker, unknown: Unknown, at: f64) -> 
             let axis = block.turn(class, 0) * kernel.seat(id).turn * Vector::x();
             Happening::TurnsBack { link: body.name.clone(), angle: degrees_of(axis) }
         }
-    })
+    };
+    Some(Event { at, within, what })
 }
 
 /// The sign of the rate of an unknown at a value of the drive; `None` where it may be zero by its error, of the
@@ -114,9 +132,13 @@ fn turning_back(path: &Path, walker: &mut Walker, unknown: Unknown, at: f64) -> 
 fn certain_sign(path: &Path, walker: &mut Walker, unknown: Unknown, value: f64, fastest: f64) -> Option<f64> {
     let block = walker.unit_motion(value)?;
     let [rate, _] = rates(block, unknown);
+    (rate.abs() > error(path, block, rate, fastest)).then_some(rate.signum())
+}
+
+/// What rounding may move a rate by.
+fn error(path: &Path, block: &Single, rate: f64, fastest: f64) -> f64 {
     let ratios = path.kernel.determinants(block).into_iter().map(|[_, squared_ratio]| squared_ratio);
-    let error = ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / ratios.fold(1.0, f64::min);
-    (rate.abs() > error).then_some(rate.signum())
+    ROUNDINGS * UNIT_ROUNDOFF * fastest.max(rate.abs()) / ratios.fold(1.0, f64::min)
 }
 
 /// The value of the drive between `low` and `high` where an unknown's rate is zero: Newton's method, kept in its

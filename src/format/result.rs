@@ -1,11 +1,14 @@
+use crate::accuracy::says::unbounded;
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
+use crate::cycle::told_turning_back;
 use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
 use crate::scene::{SceneError, Units};
 use crate::sheet::{Order, Scales};
+use crate::words::Wording;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -44,6 +47,9 @@ pub struct ResultFile {
     pub pencil: Option<PencilResult>,
     /// What the reader should know of these numbers.
     pub warnings: Vec<String>,
+    /// Links and sliders that stop and turn back in this position.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
 }
 
 /// Units of the numbers.
@@ -162,8 +168,9 @@ pub struct GroupResult {
     pub joints: String,
     /// Its special points.
     pub special_points: Vec<String>,
-    /// Condition number of its loop equations, at least 1: errors of the vectors between its joints, each in parts of itself, grow by up
-    /// to this factor in its rates. A place's error is a large part of a short vector.
+    /// Condition number of its loop equations, at least 1: errors of the vectors between its joints, each in parts of itself, grow by about
+    /// this factor at most in its rates, each counted with the size of its link, in parts of the largest. A place's error is a large part of
+    /// a short vector, and the rate of a short link alone may lose more: its bound says how much.
     pub condition: f64,
     /// The largest difference between the two routes to its rates, relative to the largest rate; `null`, never left out, where a
     /// special point at infinity or a higher class leaves only one route.
@@ -315,6 +322,7 @@ impl Solution {
             quantity_errors: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
+            notes: told_turning_back(self, &Wording::default()),
         }
     }
 
@@ -344,6 +352,14 @@ impl Solution {
             };
             result.quantities.insert(name.clone(), value);
             result.quantity_errors.insert(name.clone(), error);
+        }
+        // Where nothing is proved that has been said.
+        let bounded = |error: &f64| error.is_finite();
+        let quantities = result.quantity_errors.iter().filter(|(_, error)| !bounded(error)).map(|(name, _)| name);
+        let points = result.points.iter().filter(|(_, point)| !point.position_error.iter().all(bounded));
+        let names: Vec<&str> = points.map(|(name, _)| name).chain(quantities).map(String::as_str).collect();
+        if result.proved && !names.is_empty() {
+            result.warnings.push(unbounded(names.join(", ")).to_string());
         }
         Ok(result)
     }
