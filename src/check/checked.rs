@@ -3,7 +3,7 @@
 use super::common::CommonError;
 use super::entry::Entry;
 use super::lesson::Lesson;
-use super::mistakes::Candidate;
+use super::mistakes::{Candidate, Mistake};
 use super::placed::TurnedPlan;
 use super::sensible::StatedScale;
 use crate::sheet::Sheet;
@@ -202,6 +202,11 @@ impl Finding {
             [&self.written, &self.follows, &self.contradicts].into_iter().flatten().copied().collect();
         all.sort_unstable();
         all
+    }
+
+    /// Whether it tells what was done, and not only where.
+    pub(super) fn names_cause(&self) -> bool {
+        self.candidate.mistake() != Mistake::Unknown
     }
 
     /// The first value that the mistake changes.

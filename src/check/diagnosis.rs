@@ -83,7 +83,7 @@ impl Search<'_> {
         // Together they must be probable, too: the later ones are left out first.
         while !told.is_empty() && probability(&told) < TOLD {
             // Of the first its place is told at least.
-            let last = told.pop().filter(|last| told.is_empty() && names_cause(last));
+            let last = told.pop().filter(|last| told.is_empty() && last.names_cause());
             told.extend(last.and_then(|last| only_placed(&last, values)));
         }
         let explained = |told: &[Finding], entry: usize| {
@@ -102,7 +102,7 @@ impl Search<'_> {
             told.retain(|finding| finding.changed().iter().any(|&entry| values[entry].verdict == Verdict::Off));
         }
         // Beside a mistake without a name one with a name fits by chance too often: the place of the first is told.
-        if told.len() > 1 && !told.iter().all(names_cause) {
+        if told.len() > 1 && !told.iter().all(Finding::names_cause) {
             told.truncate(1);
             told = told.iter().filter_map(|finding| only_placed(finding, values)).collect();
         }
@@ -128,7 +128,7 @@ impl Search<'_> {
                 group.is_alike && told.iter().all(|t| first.tells(&t.candidate)) && told.len() == first.findings.len();
             // Where only the place of a mistake is told, the mistakes that may have been made there.
             let is_within =
-                (is_counted(group) && is_place || begins.is_some()) && group.findings.iter().any(names_cause);
+                (is_counted(group) && is_place || begins.is_some()) && group.findings.iter().any(Finding::names_cause);
             let is_other = is_within || !is_counted(group) && begins.is_none();
             let is_shown = is_told || group.probability >= LEAST && is_other;
             (is_new && is_shown).then(|| Explanation {
@@ -294,14 +294,9 @@ impl Search<'_> {
     }
 }
 
-/// Whether a finding tells what was done, and not only where.
-fn names_cause(finding: &Finding) -> bool {
-    finding.candidate.mistake() != Mistake::Unknown
-}
-
 /// Whether a group tells the cause of a finding; for a finding of unknown cause, whether one begins at the same value.
 fn has_cause(group: &Group<'_>, finding: &Finding) -> bool {
-    if names_cause(finding) {
+    if finding.names_cause() {
         group.has(&finding.candidate)
     } else {
         group.findings.iter().any(|f| f.first() == finding.first())
@@ -339,13 +334,13 @@ fn told(groups: &[Group<'_>], values: &[Judged]) -> Vec<Finding> {
     // Behind a value that is wrong for no known reason no other such value is told: where to look first is enough.
     let mut told: Vec<Finding> = told.collect();
     let mut is_first = true;
-    told.retain(|finding| names_cause(finding) || core::mem::take(&mut is_first));
+    told.retain(|finding| finding.names_cause() || core::mem::take(&mut is_first));
     // Nor is it said that something begins at a value where an earlier one is off and unexplained.
     let explained: Vec<usize> = told.iter().flat_map(Finding::changed).collect();
     let first_open = (0..values.len()).find(|i| values[*i].verdict == Verdict::Off && !explained.contains(i));
     told.retain(|finding| {
         let begins = finding.first();
-        names_cause(finding) || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
+        finding.names_cause() || first_open.is_none_or(|open| begins.is_some_and(|b| b < open))
     });
     told
 }
@@ -362,11 +357,11 @@ fn only_placed(finding: &Finding, values: &[Judged]) -> Option<Finding> {
 fn honest(probability: f64, findings: &[Finding], hand: &Hand) -> f64 {
     let is_by_hand = hand.is_by_hand();
     let [first, further] = OUTSIDE[usize::from(!is_by_hand)];
-    let names_any = findings.iter().any(names_cause);
+    let names_any = findings.iter().any(Finding::names_cause);
     let first = if names_any { first } else { UNKNOWN_OUTSIDE * first };
     let others = findings.len().saturating_sub(1) as i32;
     let rivals = if is_by_hand && names_any { libm::pow(probability, RIVALS) } else { probability };
-    let is_alone = |f: &&Finding| f.follows.is_empty() && names_cause(f);
+    let is_alone = |f: &&Finding| f.follows.is_empty() && f.names_cause();
     let alone = if is_by_hand { findings.iter().filter(is_alone).count() as i32 } else { 0 };
     rivals * libm::pow(ALONE, f64::from(alone)) * (1.0 - first) * libm::pow(1.0 - further, f64::from(others))
 }

@@ -4,6 +4,7 @@
 use super::measured::{AnswerKey, Given, Measured, ON_PAPER, PlacedPoint, PointsOf, Positive, WIDEST};
 use super::names::{Meant, Names};
 use super::table;
+use super::written::given;
 use crate::construction::{Plan, Solution};
 use crate::drawing::{RichText, SheetLabels};
 use crate::quantity::{QuantityRequest, What};
@@ -92,7 +93,7 @@ impl<'de> Deserialize<'de> for Value {
             type Value = Value;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(r#"a number, a number in quotes, or { "value": 61.5, "unit": "mm/s" }"#)
+                f.write_str(r#"a number, one in quotes as "61.5 mm/s", or { "value": 61.5, "unit": "mm/s" }"#)
             }
 
             fn visit_i64<E: Error>(self, number: i64) -> Result<Value, E> {
@@ -146,11 +147,9 @@ impl Measured {
         let file: FormFile = read_as(text, &MEASURED)?;
         let (filled, blank): (Vec<_>, Vec<_>) =
             file.values.into_iter().partition(|(_, value)| !value.text.trim().is_empty());
-        let given = filled.into_iter().map(|(name, value)| Given {
-            place: format!("values.{}", shown(&name)).into(),
-            text: table::with_point(value.text.trim()),
-            unit: value.unit,
-            name,
+        let given = filled.into_iter().map(|(name, Value { text, unit })| {
+            let place = format!("values.{}", shown(&name)).into();
+            given(name, text.trim(), unit, place)
         });
         let mut places = file.points.unwrap_or_default();
         let points = Order::ALL.into_iter().filter_map(|order| {

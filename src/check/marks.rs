@@ -21,7 +21,8 @@ const MOST: f64 = crate::scene::MOST_MARKS;
 /// How many marks the values of a form earn. A value that is right or within the tolerance earns the marks of its quantity; one that is
 /// off earns none, or where it follows from a mistake made at an earlier step and is consistent with it, the part `follow_through` of them.
 /// Every mistake is charged once: in the value in which it was made, whatever else that follows from, or where no value of its step shows it,
-/// as that of a line, in the first that does. A value that cannot be judged earns none. What is too small on the sheet to be judged does
+/// as that of a line, in the first that does. From a mistake that has no name nothing follows where it leaves more than half as many wrong
+/// values open as it explains. A value that cannot be judged earns none. What is too small on the sheet to be judged does
 /// not count.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, expecting = r#"a marking scheme as { "kinegon_marks": 1, … }"#)]
@@ -168,13 +169,16 @@ impl MarkScheme {
     #[must_use]
     pub fn award(&self, checked: &Checked) -> Awarded {
         let findings = &checked.diagnosis.best.findings;
+        let open = checked.diagnosis.unexplained.len();
+        // A mistake without a name has numbers to choose, and some of any numbers fit it.
+        let is_shown = |f: &&Finding| f.names_cause() || 2 * open <= f.follows.len();
         let charged: Vec<usize> = findings.iter().flat_map(|finding| self.charged(finding, checked)).collect();
         let follows = |value: usize| {
             // Beside a prediction of nearly nothing any small number would follow.
             let Judged { entry, tolerance, .. } = &checked.values[value];
             let is_later = |f: &&Finding| f.candidate.step < entry.step;
             tolerance.is_none_or(|tolerance| entry.value.abs() > tolerance || entry.asked.kind() == QuantityKind::Angle)
-                && findings.iter().filter(is_later).any(|f| f.follows.contains(&value))
+                && findings.iter().filter(is_later).filter(is_shown).any(|f| f.follows.contains(&value))
                 && !charged.contains(&value)
                 && !entry.has_one_digit()
         };

@@ -13,7 +13,7 @@ use super::placed::turned;
 use super::score::Scorer;
 use super::search::{Search, hand, other_modes};
 use super::sensible::sensible;
-use super::verdicts::{ENOUGH, judged, widen};
+use super::verdicts::{ENOUGH, judged, widened};
 use crate::construction::Tolerance;
 use crate::quantity::{Band, QuantityRequest, What};
 use crate::sheet::{PerSheet, Scales};
@@ -165,12 +165,22 @@ impl<'a> Prepared<'a> {
             };
             let mut search = Search::new(pool, &scorer);
             let tried = search.run(none, &off(&scorer, &values), key.depth);
-            if let Some(hand) = hand(&tried) {
-                hand_found = Some(hand);
-                let outside = tried.first().map_or(&[][..], |best| &best.fit.outside);
-                widen(&mut values, &entries, &scorer, &hand, outside, key);
+            let told = |values: &[Judged]| match has_off(values) {
+                true => search.diagnosis(&tried, values),
+                false => Diagnosis::none(values),
+            };
+            hand_found = hand(&tried).or(hand_found);
+            let outside = tried.first().map_or(&[][..], |best| &best.fit.outside);
+            let wider = hand(&tried).map(|hand| widened(&values, &entries, &scorer, &hand, outside, key));
+            diagnosis = told(wider.as_ref().unwrap_or(&values));
+            match wider {
+                // Values that nothing explains scatter as no hand does.
+                Some(_) if diagnosis.unexplained.len() * MOST_OPEN > values.len() => {
+                    (hand_found, diagnosis) = (None, told(&values));
+                }
+                Some(wider) => values = wider,
+                None => {}
             }
-            diagnosis = if has_off(&values) { search.diagnosis(&tried, &values) } else { Diagnosis::none(&values) };
         }
         diagnosis.looked_at = all;
         let plans = key.solution.construction.plans();
@@ -253,6 +263,9 @@ struct Look {
     /// The first values by which these causes are weighed.
     all: usize,
 }
+
+/// One in so many values may be off for no known reason where the scatter of all shows how good a hand is.
+const MOST_OPEN: usize = 4;
 
 /// Values behind the first that is off in which causes are looked for.
 const BEHIND: usize = 60;

@@ -11,6 +11,9 @@ const SMALLEST: f64 = 40.0;
 /// Largest size of one, in mm: a wall board.
 const LARGEST: f64 = 1000.0;
 
+/// How much coarser than at the scale that the scene's figure states a sheet may be drawn.
+const COARSER: f64 = 2.0;
+
 /// Difference of two scales from which on they are not the same, in parts of one.
 const SAME: f64 = 1e-3;
 
@@ -40,20 +43,20 @@ fn is_same(a: f64, b: f64) -> bool {
     (a / b - 1.0).abs() <= SAME
 }
 
-/// The scales by which a form's values are judged, and what is to be said of those that it states: a scale holds where
-/// the sheet is between 40 mm and 1 m large at it, or larger or smaller at the scale of the scene's figure; else the
-/// nearest such scale does.
+/// The scales by which a form's values are judged, and what is to be said of those that it states. Where the scene's figure
+/// states a scale, one that is at most twice as coarse holds; else one at which the sheet is at least 40 mm large, or as large
+/// as in the figure. No sheet is larger than 1 m, or than in the figure. Otherwise the nearest such scale does.
 pub(super) fn sensible(key: &AnswerKey<'_>, mu: Scales) -> (Scales, Vec<StatedScale>) {
     let (mut scales, mut told) = (mu, Vec::new());
     for (sheet, stated) in mu.given() {
         let own = key.scales[sheet];
         let size = size(key, sheet);
-        let coarsest = own.unwrap_or(0.0).max(size / SMALLEST);
+        let asked = key.solution.scene.figure.mu[sheet];
+        let coarsest = asked.map_or_else(|| own.unwrap_or(0.0).max(size / SMALLEST), |asked| COARSER * asked);
         let finest = own.unwrap_or(f64::INFINITY).min(size / LARGEST);
         // Where all points are at rest any scale will do.
         let used = if size > 0.0 { stated.min(coarsest).max(finest) } else { stated };
         scales[sheet] = Some(used);
-        let asked = key.solution.scene.figure.mu[sheet];
         let scale = StatedScale { sheet, stated, asked, used };
         if !scale.is_sensible() || asked.is_some_and(|asked| !is_same(stated, asked)) {
             told.push(scale);

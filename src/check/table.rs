@@ -1,7 +1,8 @@
 //! The form of measured values as a table: lines `quantity,value,unit`, with commas or semicolons.
 
-use super::measured::{CheckError, Given, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
+use super::measured::{CheckError, Measured, PlacedPoint, PointsOf, Positive, WIDEST};
 use super::says;
+use super::written::{given, with_point};
 use crate::message::Message;
 use crate::sheet::{Order, Sheet};
 use crate::text::{Untrusted, cell, quoted, shown};
@@ -102,12 +103,10 @@ impl Measured {
                 let wrong = || CheckError::new(says::no_count(shown(&value)), says::whole_number());
                 self.hints = value.parse().map_err(|_| wrong())?;
             }
-            _ => self.values.push(Given {
-                name: name.to_owned(),
-                text: value,
-                unit: (!third.is_empty()).then(|| third.to_owned()),
-                place: place.clone(),
-            }),
+            _ => {
+                let unit = (!third.is_empty()).then(|| third.to_owned());
+                self.values.push(given(name.to_owned(), written, unit, place.clone()));
+            }
         }
         Ok(())
     }
@@ -149,14 +148,6 @@ fn plan_point(name: &str) -> Option<(Order, &str)> {
 fn delimiter(text: &str) -> u8 {
     let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or("");
     [b';', b'\t'].into_iter().find(|&mark| first.contains(char::from(mark))).unwrap_or(b',')
-}
-
-/// A number with a decimal point in place of a comma, and a plain minus; any other text only with a plain minus.
-pub(super) fn with_point(text: &str) -> String {
-    let text = text.replace('−', "-");
-    let is_number = text.chars().all(|c| c.is_ascii_digit() || matches!(c, ',' | '+' | '-' | 'e' | 'E'));
-    let commas = text.matches(',').count();
-    if is_number && commas == 1 { text.replace(',', ".") } else { text }
 }
 
 fn coordinate(text: &str) -> Result<f64, CheckError> {

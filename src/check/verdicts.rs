@@ -91,21 +91,22 @@ fn largest(entries: &[Entry], kind: QuantityKind) -> f64 {
     if kind == QuantityKind::Angle { 180.0 } else { same.map(|entry| entry.expected.abs()).fold(0.0, f64::max) }
 }
 
-/// Lets the tolerances follow a hand that is worse than they suppose, as far as the key allows. `outside`: by datum whether even that hand
+/// The verdicts where the tolerances follow a hand that is worse than they suppose, as far as the key allows. `outside`: by datum whether even that hand
 /// does not come to it beside the others, as where values contradict those from which they were computed.
-pub(super) fn widen(
-    values: &mut [Judged],
+pub(super) fn widened(
+    values: &[Judged],
     entries: &[Entry],
     scorer: &Scorer<'_>,
     hand: &Hand,
     outside: &[bool],
     key: &AnswerKey<'_>,
-) {
+) -> Vec<Judged> {
+    let mut values = values.to_vec();
     let mut allowed = *hand;
     allowed.errors.iter_mut().for_each(|size| *size = size.min(key.leniency));
     // A few values do not show how good a hand is.
     if key.leniency <= 1.0 || !hand.is_by_hand() || scorer.data.len() < ENOUGH {
-        return;
+        return values;
     }
     let largest: Vec<f64> = values.iter().map(|value| largest(entries, value.entry.asked.kind())).collect();
     for (place, datum) in scorer.data.iter().enumerate() {
@@ -122,6 +123,7 @@ pub(super) fn widen(
             }
         }
     }
+    values
 }
 
 /// Least number of drawn values whose scatter shows how accurate a hand is.

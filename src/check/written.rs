@@ -95,6 +95,35 @@ fn counts(text: &str) -> (i32, i32) {
     (decimals as i32, digits as i32)
 }
 
+/// A value as it stands in a cell; its unit may stand in a place of its own or behind its digits.
+pub(super) fn given(name: String, cell: &str, unit: Option<String>, place: Message) -> Given {
+    let (text, unit) = if unit.is_some() { (with_point(cell), unit) } else { with_unit(cell) };
+    Given { name, text, unit, place }
+}
+
+/// A number with a decimal point in place of a comma, and a plain minus; any other text only with a plain minus.
+pub(super) fn with_point(text: &str) -> String {
+    let text = text.replace('−', "-");
+    let is_number = text.chars().all(|c| c.is_ascii_digit() || matches!(c, ',' | '+' | '-' | 'e' | 'E'));
+    let commas = text.matches(',').count();
+    if is_number && commas == 1 { text.replace(',', ".") } else { text }
+}
+
+/// The number in a form's cell with a decimal point, and the unit behind it where one stands in the same cell, as `6,6 m/s`.
+fn with_unit(text: &str) -> (String, Option<String>) {
+    let whole = with_point(text);
+    if whole.parse::<f64>().is_ok() {
+        return (whole, None);
+    }
+    // The longest number before a letter: what is behind the last digit of an exponent.
+    let letters = text.char_indices().rev().filter(|(_, c)| c.is_alphabetic() || *c == '°');
+    let mut cuts = letters.map(|(at, _)| (with_point(text[..at].trim()), text[at..].trim().to_owned()));
+    match cuts.find(|(number, _)| number.parse::<f64>().is_ok()) {
+        Some((number, unit)) => (number, Some(unit)),
+        None => (whole, None),
+    }
+}
+
 /// The number in a form's cell, its precision as it stands alone, and half a unit of its last digit.
 pub(super) fn number(text: &str) -> Result<(f64, Precision, f64), CheckError> {
     let precision = Precision::of(core::iter::once(text));

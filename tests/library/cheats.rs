@@ -177,6 +177,32 @@ fn a_scale_that_no_sheet_has_allows_no_more() {
 }
 
 #[test]
+fn where_a_scale_is_asked_for_none_allows_more_than_twice() {
+    let scene = files::read("templates/four-bar.json");
+    let own = solved(&scene).expect("a sound scene").scales();
+    let mut scene: serde_json::Value = serde_json::from_str(&scene).expect("JSON");
+    for (sheet, mu) in own.given() {
+        scene["figure"][sheet.facts().scale_key] = mu.into();
+    }
+    let solution = solved(&scene.to_string()).expect("a sound scene");
+    let key = AnswerKey { leniency: 1.0, ..answer_key(&solution, 2) };
+    let mut measured = written(&solution, |value| format!("{value:+.9}"));
+    let mut allowed = |times: f64| -> Vec<f64> {
+        for (sheet, mu) in own.given() {
+            measured.mu[sheet] = Some(times * mu);
+        }
+        let checked = kinegon::check::check(&measured, &key).expect("a form that is understood");
+        checked.values.iter().map(|value| value.tolerance.expect("it is drawn")).collect()
+    };
+    let [usual, twice, more] = [1.0, 2.0, 1e5].map(&mut allowed);
+    for (index, usual) in usual.iter().enumerate() {
+        // Errors of directions do not grow with the scale.
+        assert!(twice[index] > *usual && twice[index] <= 2.001 * usual, "{} {usual}", twice[index]);
+        assert!((more[index] / twice[index] - 1.0).abs() < 1e-9, "{} {}", more[index], twice[index]);
+    }
+}
+
+#[test]
 fn what_is_not_filled_in_is_missing() {
     let solution = solved(&files::read("templates/four-bar.json")).expect("a sound scene");
     let key = answer_key(&solution, 2);
@@ -193,4 +219,20 @@ fn what_is_not_filled_in_is_missing() {
     measured.exercise = Some("four-bar-7-1".into());
     let checked = kinegon::check::check(&measured, &key).expect("understood");
     assert_eq!(checked.missing.len(), left.len());
+}
+
+/// A neighbour's values, another exercise's: some lie near the right ones, most scatter as those of no hand, and nothing is allowed for that.
+#[test]
+fn values_that_nothing_explains_are_no_bad_hand() {
+    let file: serde_json::Value =
+        serde_json::from_str(&files::read("tests/files/neighbours-values.json")).expect("JSON");
+    let solution = solved(&file["scene"].to_string()).expect("a sound scene");
+    let key = answer_key(&solution, 5);
+    let measured = Measured::read_json(&file["form"].to_string()).expect("a form");
+    let checked = kinegon::check::check(&measured, &key).expect("a form that is understood");
+    assert!(4 * checked.diagnosis.unexplained.len() > checked.values.len());
+    assert!(checked.accuracy.is_none(), "{:?}", checked.accuracy);
+    let strict = kinegon::check::check(&measured, &AnswerKey { leniency: 1.0, ..key }).expect("understood");
+    let verdicts = |checked: &kinegon::check::Checked| checked.values.iter().map(|v| v.verdict).collect::<Vec<_>>();
+    assert_eq!(verdicts(&checked), verdicts(&strict));
 }

@@ -75,3 +75,32 @@ fn values_that_are_not_understood_are_told_apart() {
     let said = ["`abc` is no number", "`foo(1)` is no quantity of this scene"];
     assert_eq!(found, [(1, said[0].to_owned()), (2, said[1].to_owned())]);
 }
+
+#[test]
+fn a_unit_may_stand_behind_its_digits() {
+    let solution = solved(&files::read("templates/four-bar.json")).expect("a starting scene is sound");
+    let key = answer_key(&solution, 2);
+    let of = |measured: &Measured| {
+        let entries = kinegon::check::entries(measured, &key).expect("values that are understood");
+        entries.into_iter().map(|entry| (entry.value, entry.rounding, entry.unit)).collect::<Vec<_>>()
+    };
+    // 1 rad/s is 60/2π = 9.549 revolutions per minute; the scene is in millimetres.
+    let cells = ["6.6 m/s", "6,6 m/s", "6.6m/s", "0.66e1 m/s", "+6.6 m/s"];
+    for cell in cells {
+        let form =
+            format!(r#"{{ "kinegon_measured": 1, "values": {{ "vplan(p,b)": "{cell}", "omega(2)": "-19,10 rpm" }} }}"#);
+        let table = format!("vplan(p,b);{cell}\nomega(2);-19,10 rpm\n");
+        let [json, csv] = [Measured::read_json(&form).expect("a form"), Measured::read_csv(&table).expect("a table")];
+        let found = of(&json);
+        assert_eq!(of(&csv), found, "{cell}");
+        let [(speed, rounding, unit), (rate, ..)] = found.as_slice() else { panic!("two values") };
+        assert_eq!((*speed, unit.as_deref()), (6600.0, Some("m/s")), "{cell}");
+        assert!((rounding - 50.0).abs() < 1e-9, "{cell}: {rounding}");
+        assert!((rate + 19.1 * core::f64::consts::TAU / 60.0).abs() < 1e-12, "{rate}");
+    }
+    // What is behind the digits must be a unit.
+    for cell in ["6.6 e", "6.6 to 7 m/s", "about 6.6", "6.6e", "1/0", "6.6 kg"] {
+        let form = format!(r#"{{ "kinegon_measured": 1, "values": {{ "vplan(p,b)": "{cell}" }} }}"#);
+        assert_eq!(faults(&Measured::read_json(&form).expect("a form"), &key).len(), 1, "{cell}");
+    }
+}

@@ -1,6 +1,8 @@
 //! Marks: every mistake is charged once, and what follows from it is paid for; the numbers of marks are counted by hand from that rule.
 
-use kinegon::check::{AnswerKey, LENIENCY, Marks, Mistake, Prepared, Student, Verdict, asked_names};
+use kinegon::check::{
+    AnswerKey, Awarded, DEPTH, LENIENCY, Marks, Measured, Mistake, Prepared, Student, Verdict, asked_names, check,
+};
 use kinegon::construction::Tolerance;
 use kinegon::{Scene, Solution, solve};
 use serde_json::json;
@@ -65,4 +67,20 @@ fn a_form_asks_for_what_its_scene_says() {
     assert_eq!([marks.earned, marks.of], [3.5, 3.5]);
     let marks = of(r#"{ "kinegon_marks": 1, "each": 1 }"#);
     assert_eq!([marks.earned, marks.of], [2.0, 2.0]);
+}
+
+/// A mistake without a name has numbers to choose, so that some values of any form seem to follow from it: they are not paid for where as
+/// many others stay open. In this form the crank's two segments are right and all else is invented.
+#[test]
+fn from_a_mistake_without_a_name_that_leaves_much_open_nothing_follows() {
+    let file: serde_json::Value = serde_json::from_str(include_str!("../files/rest-invented.json")).expect("JSON");
+    let solution = solution(&file["scene"].to_string());
+    let key = AnswerKey { depth: DEPTH, ..key(&solution) };
+    let checked = check(&Measured::read_json(&file["form"].to_string()).expect("a form"), &key).expect("understood");
+    let [finding] = checked.diagnosis.best.findings.as_slice() else { panic!("{:?}", checked.diagnosis) };
+    let [follows, open] = [finding.follows.len(), checked.diagnosis.unexplained.len()];
+    assert!(finding.candidate.mistake() == Mistake::Unknown && follows > 2 && open > 2, "{follows} {open}");
+    let scheme = Marks::read(r#"{ "kinegon_marks": 1 }"#).expect("a scheme").of(&key).expect("of this scene");
+    let Awarded { earned, of, follow_through, .. } = scheme.award(&checked);
+    assert_eq!([earned, of, follow_through], [2.0, 15.0, 0.0]);
 }

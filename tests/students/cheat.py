@@ -3,8 +3,11 @@
     cheat.py KINEGON [--forms N] [--seed S] [--faults DIR] [--limits]
 
 Forms for exercises of six kinds are checked as a teacher checks a class, `kinegon check EXERCISES FORMS --marks`, one mark for each value.
-Each family of tricks has a line: marks earned, what the numbers deserve (those values that lie within what the key allows, which chance
-and the given numbers bring about), the marks for following through, the best form, how many forms were passed or refused, and of how many a cause was told.
+Each family of tricks has a line: marks earned, what the numbers deserve, the marks for following through, the best form, how many forms were
+passed or refused, and of how many a cause was told.
+Numbers deserve their marks that lie within what the key allows, which chance and the given numbers bring about. Where some are invented and
+the others computed from these as they should be, the others deserve theirs, too: a mistake costs the value in which it was made, and an
+invented point has two numbers.
 No form may pass; a family must not earn more than it deserves by more than two of a hundred marks.
 """
 
@@ -17,6 +20,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 
 from second import HANDS, draw, in_units
@@ -64,17 +68,28 @@ class Target:
         size = w if box.startswith("omega") else w * w if box.startswith("alpha") else w * 60 if box.startswith("v_r") else w * w * 60
         return float(f"{rng.choice((1, -1)) * size * rng.uniform(0.05, 1.5):.3g}")
 
-    def deserved(self, values):
-        """How many values of the form lie within what the key allows."""
+    def deserved(self, values, invented=None):
+        """How many values of the form lie within what the key allows, or are worked out as they should be from those that are invented:
+        `invented` has the boxes of what one invention costs, and how many of them."""
+        if invented is not None:
+            wrong = [b for b in values if not self.deserved({b: values[b]})]
+            charged = sum(min(n, sum(b in wrong for b in boxes)) for boxes, n in invented)
+            return len(values) - charged
         n = 0
         for box, value in values.items():
             try:
-                off = abs(in_units(self.task, box, float(value)) - self.key[box]["value"])
-            except (TypeError, ValueError, KeyError):
+                half, value = in_units(self.task, box, half_digit(value)), in_units(self.task, box, float(value))
+                off = abs(abs(value) - abs(self.key[box]["value"])) if self.is_length(box) else abs(value - self.key[box]["value"])
+            except (TypeError, ValueError, KeyError, InvalidOperation):
                 continue
-            sure = abs(self.key[box]["value"]) > self.key[box]["allowed"]
-            n += off <= self.key[box]["allowed"] and sure
+            expected, allowed = abs(self.key[box]["value"]), self.key[box]["allowed"]
+            n += off <= max(allowed, half) and expected > allowed and half <= max(expected / 4, allowed)
         return n
+
+
+def half_digit(value):
+    """Half a unit of the last digit of a text; of numbers nothing."""
+    return 0.5 * 10.0 ** Decimal(value).as_tuple().exponent if isinstance(value, str) else 0.0
 
 
 def numbers(x):
@@ -89,6 +104,11 @@ def plain(t, values, **head):
     return t.head(**head) | {"values": values}
 
 
+def in_mm(t, values):
+    """Values that are written in units of the scene, as they would be in millimetres of paper."""
+    return {b: v / in_units(t.task, b, 1) for b, v in values.items()}
+
+
 @family
 def zeros(t, rng):
     zero = rng.choice(("0", "0.0", 0, "-0", "0 mm/s", "00", ".0"))
@@ -99,7 +119,8 @@ def zeros(t, rng):
 def exponents(t, rng):
     pool = rng.choice((["0e4"], ["1e300"], ["1e-300"], ["0e300"], ["0E9", "0e-9"], ["1e2"], ["1e1", "1e2", "1e3"], ["5e1", "2e2", "0e3"], ["0.0e5"],
                        ["1e2", "0e2"], ["0e1"], ["0e2", "-0e2"], ["9e99"]))
-    return plain(t, {b: rng.choice(pool) for b in t.task.boxes}), {}
+    values = {b: rng.choice(pool) for b in t.task.boxes}
+    return plain(t, values), {b: v for b, v in values.items() if float(v) != 0}
 
 
 @family
@@ -108,7 +129,9 @@ def absurd_scales(t, rng):
     which = rng.choice(("lva", "v", "a", "va"))
     head = {f"mu_{c}": t.task.mu[c] * k for c in which}
     kind = rng.choice(("mm", "units"))
-    return plain(t, {b: t.random(rng, b) for b in t.task.boxes}, **head, **{"in": kind}), {}
+    values = {b: t.random(rng, b) for b in t.task.boxes}
+    meant = in_mm(t, values) if kind == "units" else {b: v * k if t.is_length(b) and b[0].lower() in which else v for b, v in values.items()}
+    return plain(t, values, **head, **{"in": kind}), meant
 
 
 @family
@@ -157,11 +180,18 @@ def copied_tolerances(t, rng):
 @family
 def intervals(t, rng):
     word = rng.choice(("{}±{}", "{}..{}", "{}-{}", "{} to {}", "{} +- {}", "{},{}", "{};{}", "{}/{}", "[{}, {}]"))
-    return plain(t, {b: word.format(rng.randint(1, 60), rng.randint(60, 300)) for b in t.task.boxes}), {}
+    values = {b: word.format(rng.randint(1, 60), rng.randint(60, 300)) for b in t.task.boxes}
+    return plain(t, values), {b: v.replace(",", ".") for b, v in values.items()}
 
 
 UNITS = {"L": ("mm", "cm", "m", "in", "ft"), "vplan": ("mm/s", "m/s", "in/s", "ft/min", "cm/min"), "aplan": ("mm/s²", "m/s²", "in/min²", "ft/s²"),
          "omega": ("rad/s", "rpm", "deg/s"), "alpha": ("rad/s²", "deg/s²"), "v_r": ("mm/s", "ft/min"), "a_r": ("mm/s²", "m/min²")}
+SIZES = {"mm": 1, "cm": 10, "m": 1000, "in": 25.4, "ft": 304.8, "rad": 1, "deg": math.pi / 180, "s": 1, "min": 1 / 60, "s²": 1, "min²": 1 / 3600}
+
+
+def size_of(unit):
+    over, _, under = unit.replace("rpm", "deg/s").partition("/")
+    return SIZES[over] * (SIZES[under] if under else 1) * (6 if unit == "rpm" else 1)
 
 
 @family
@@ -171,7 +201,9 @@ def unit_tricks(t, rng):
         unit = rng.choice(UNITS[b.split("(")[0]])
         n = rng.choice((rng.randint(1, 200), 0, f"{rng.randint(1, 9)}e{rng.randint(0, 3)}", round(rng.uniform(0.1, 9), 1)))
         values[b] = {"value": n, "unit": unit}
-    return plain(t, values, **{"in": rng.choice(("mm", "units"))}), {}
+    kind = rng.choice(("mm", "units"))
+    meant = in_mm(t, {b: float(v["value"]) * size_of(v["unit"]) for b, v in values.items()})
+    return plain(t, values, **{"in": kind}), meant
 
 
 @family
@@ -216,8 +248,8 @@ def extra_values(t, rng):
 
 @family
 def given_numbers(t, rng):
-    values = {b: rng.choice(t.given) for b in t.task.boxes}
-    return plain(t, values, **{"in": rng.choice(("mm", "units"))}), {}
+    values, kind = {b: rng.choice(t.given) for b in t.task.boxes}, rng.choice(("mm", "units"))
+    return plain(t, values, **{"in": kind}), values if kind == "mm" else in_mm(t, values)
 
 
 @family
@@ -246,8 +278,8 @@ def right_order(t, rng):
 
 @family
 def one_digit(t, rng):
-    values = {b: float(f"{t.random(rng, b):.0e}") for b in t.task.boxes}
-    return plain(t, {b: f"{v:.0e}" if rng.random() < 0.5 else f"{v:g}" for b, v in values.items()}), values
+    digits = {b: f"{t.random(rng, b):.0e}" for b in t.task.boxes}
+    return plain(t, {b: d if rng.random() < 0.5 else f"{float(d):g}" for b, d in digits.items()}), digits
 
 
 class Invented:
@@ -272,9 +304,21 @@ class Invented:
 def points_invented(t, rng):
     """Points anywhere, everything computed from them: all but the construction."""
     which = rng.choice(("v", "a", "va"))
-    values = draw(t.task, HANDS["careful"], rng.random(), [Invented(rng, which)])[1]
+    sheet, values = draw(t.task, HANDS["careful"], rng.random(), [Invented(rng, which)])
     values = {b: round(v, 1) if t.is_length(b) else v for b, v in values.items() if v is not None}
-    return plain(t, values), values
+    return plain(t, values), values, inventions(t, sheet, which)
+
+
+def inventions(t, sheet, which):
+    """Of each point that was put anywhere the boxes that are read from it: two numbers."""
+    made = []
+    for kind, _, f in sheet.acts:
+        if kind == "mark" and f["plan"] in which:
+            point, plan = f["to"], f["plan"]
+            read = {b for b in t.task.boxes if b.startswith(plan + "plan") and point in b[6:-1].split(",")}
+            read |= {r["box"] for k, _, r in sheet.acts if k == "rate" and r.get("plan") == plan and point in r.get("ends", ())}
+            made.append((read, 2))
+    return made
 
 
 @family
@@ -282,6 +326,7 @@ def rates_invented(t, rng):
     """Rates anywhere; segments, normal parts and rates that agree with them by v = ω L, a = ω² L. No drawing at all."""
     values = {b: t.random(rng, b) for b in t.task.boxes} | {b: round(v, 1) for b, v in t.crank().items()}
     omegas = {b[6:-1]: values[b] for b in t.task.boxes if b.startswith("omega")}
+    computed = set(t.crank())
     for where, kind, f in [(w, k, f) for k, w, f in draw(t.task, HANDS["exact"], 1)[0].acts]:
         if kind == "rate" and f["segment"] is not None and f["box"] in values:
             a, b = f["ends"]
@@ -289,21 +334,24 @@ def rates_invented(t, rng):
             for name in (f"{f['plan']}plan({a},{b})", f"{f['plan']}plan({b},{a})"):
                 if name in values:
                     values[name] = round(size, 1)
+                    computed.add(name)
         if kind == "vector" and f["reason"] == "normal" and f["link"] in omegas:
             name = f"aplan({f['from']},{f['to']})"
             if name in values:
                 values[name] = round(omegas[f["link"]] ** 2 * f["length"] / t.task.mu["a"], 1)
-    return plain(t, values), values
+                computed.add(name)
+    return plain(t, values), values, [({b}, 1) for b in values if b not in computed]
 
 
 @family
 def rest_from_one(t, rng):
     """The crank, its pole segments, and c at a place that makes one value right by chance; the second plan copied from a neighbour."""
-    values = draw(t.task, HANDS["careful"], rng.random(), [Invented(rng, "v")])[1]
+    sheet, values = draw(t.task, HANDS["careful"], rng.random(), [Invented(rng, "v")])
     other = draw(rng.choice(t.rivals), HANDS["careful"], rng.random())[1]
-    values = {b: other.get(b, v) if b.startswith(("aplan", "alpha", "a_r")) and b not in t.crank() else v for b, v in values.items()}
+    copied = {b for b in values if b.startswith(("aplan", "alpha", "a_r")) and b not in t.crank()}
+    values = {b: other.get(b, v) if b in copied else v for b, v in values.items()}
     values = {b: round(v, 2) for b, v in values.items() if v is not None}
-    return plain(t, values), values
+    return plain(t, values), values, inventions(t, sheet, "v") + [({b}, 1) for b in copied]
 
 
 @family
@@ -319,7 +367,7 @@ def bad_hand(t, rng):
 
 @family
 def huge_radii(t, rng):
-    radius, points = rng.choice((1, 5, 50, 500, 1e6, 1e300)), {}
+    radius, points, placed = rng.choice((1, 5, 50, 500, 1e6, 1e300)), {}, {}
     for plan, pole in (("velocity", "p"), ("acceleration", "π")):
         letter = "v" if plan == "velocity" else "a"
         names = {n for b in t.task.boxes if b.startswith(letter + "plan") for n in b[6:-1].split(",")}
@@ -327,8 +375,12 @@ def huge_radii(t, rng):
         points[plan][pole] = [0, 0, radius]
         if rng.random() < 0.3:
             points[plan] = {n: [0, 0, radius] for n in points[plan]}
+        for b in t.task.boxes:
+            if b.startswith(letter + "plan"):
+                (x, y, _), (u, v, _) = (points[plan][n] for n in b[6:-1].split(","))
+                placed[b] = math.hypot(x - u, y - v)
     values = rng.choice(({}, {b: t.random(rng, b) for b in t.task.boxes if not t.is_length(b)}, {b: "0e3" for b in t.task.boxes if not t.is_length(b)}))
-    return plain(t, values) | {"points": points}, values if len(values) > 4 else {}
+    return plain(t, values) | {"points": points}, placed | values
 
 
 @family
@@ -343,7 +395,8 @@ def another_name(t, rng):
     else:
         f.pop("positive")
         f["values"] = {b: abs(v) if trick == "unsigned" else v for b, v in f["values"].items()}
-    return f, f["values"] if trick in ("odd", "no sense") else {}
+    meant = {b: v if t.is_length(b) or trick != "clockwise" else -v for b, v in f["values"].items()}
+    return f, meant
 
 
 @family
@@ -390,12 +443,12 @@ def main():
         for i in range(options.forms):
             name, t = wanted[i % len(wanted)], rng.choice(targets)
             try:
-                form, values = FAMILIES[name](t, rng)
+                form, values, *invented = FAMILIES[name](t, rng)
             except (Absurd, ZeroDivisionError):
                 continue
             file = f"{i:05}-{t.task.name}." + ("json" if not isinstance(form, str) or form.startswith("{") else "csv")
             (folder / "forms" / file).write_text(form if isinstance(form, str) else json.dumps(form, ensure_ascii=False))
-            made[file] = (name, t, t.deserved(values))
+            made[file] = (name, t, t.deserved(values, *invented))
         (folder / "marks.json").write_text('{"kinegon_marks": 1}')
         begin = time.time()
         done = subprocess.run([options.kinegon, "check", options.exercises, str(folder / "forms"), "--marks", str(folder / "marks.json"),
