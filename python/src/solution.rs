@@ -79,7 +79,8 @@ impl Solution {
             Quantity::Vector(v) => vec![v.x, v.y],
         };
         let bounds = bounds(&solution.scene, &solution.mechanism, &solution.pose, &solution.motion);
-        let error = bounds.of(&asked).filter(|error| error.is_finite());
+        let error = Some(bounds.with_plans(&solution.construction).of(&asked, scales.as_ref()));
+        let error = error.filter(|error| error.is_finite());
         let unit = if asked.written.on_paper { "mm".to_owned() } else { asked.kind().unit(solution.scene.units) };
         Ok((numbers, unit, error))
     }

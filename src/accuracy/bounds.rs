@@ -1,18 +1,15 @@
 use super::enclosure::Enclosure;
 use super::says;
-use crate::construction::{Rate, Special};
+use crate::construction::{Construction, Special, Values};
 use crate::geometry::{Ball, Pair, Point, UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::mechanism::{BodyId, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Group, Mechanism, PointId, Role, SliderId};
 use crate::message::Message;
-use crate::motion::Motion;
+use crate::motion::{Motion, Standing, drive_stands, standing_of};
 use crate::position::Pose;
-use crate::quantity::{AccelerationPart, Component, Quantity, QuantityRequest, Snapshot, Spot, State, What};
+use crate::quantity::{Snapshot, State};
 use crate::scene::Scene;
 use crate::sheet::Order;
-use std::f64::consts::SQRT_2;
-
-/// Roundings in a number that is read from a pose and its motion.
-const ROUNDINGS: f64 = 8.0 * UNIT_ROUNDOFF;
+use std::cell::OnceCell;
 
 /// Bounds of the whole error of every number of a pose and its motion, in the scene's units, angles in degrees: of
 /// places, rates, velocities and accelerations. Infinite where none can be given.
@@ -30,6 +27,9 @@ pub struct Bounds<'a> {
     pose: &'a Pose,
     motion: &'a Motion,
     enclosure: Option<Enclosure>,
+    pub(super) construction: Option<&'a Construction>,
+    /// The construction carried out within the enclosure, once it is asked for.
+    pub(super) plans: OnceCell<Option<Values<Ball>>>,
 }
 
 /// Bounds of the errors of `pose` and `motion`, which belong to `mechanism`, which was made from `scene`.
@@ -38,23 +38,35 @@ pub struct Bounds<'a> {
 #[must_use]
 pub fn bounds<'a>(scene: &'a Scene, mechanism: &'a Mechanism, pose: &'a Pose, motion: &'a Motion) -> Bounds<'a> {
     let enclosure = Enclosure::new(scene, mechanism, pose, motion.order);
-    Bounds { scene, mechanism, pose, motion, enclosure }
+    Bounds { scene, mechanism, pose, motion, enclosure, construction: None, plans: OnceCell::new() }
 }
 
-impl Bounds<'_> {
-    fn snapshot(&self) -> Snapshot<'_> {
+impl<'a> Bounds<'a> {
+    /// With what the plans of that motion show, and the special points.
+    #[must_use]
+    pub fn with_plans(self, construction: &'a Construction) -> Self {
+        Bounds { construction: Some(construction), plans: OnceCell::new(), ..self }
+    }
+
+    pub(super) fn snapshot(&self) -> Snapshot<'_> {
         Snapshot { pose: self.pose, motion: self.motion }
     }
 
+    /// The plans within the enclosure; `None` without them, or without an enclosure.
+    pub(super) fn plans(&self) -> Option<&Values<Ball>> {
+        let enclosed = || Some(self.construction?.enclosed(self.enclosure.as_ref()?));
+        self.plans.get_or_init(enclosed).as_ref()
+    }
+
     /// The bound that the enclosure gives; infinite where it gives none.
-    fn from<T>(&self, of: impl Fn(&Enclosure) -> Option<T>, error: impl Fn(T) -> f64) -> f64 {
+    pub(super) fn from<T>(&self, of: impl Fn(&Enclosure) -> Option<T>, error: impl Fn(T) -> f64) -> f64 {
         let bound = self.enclosure.as_ref().and_then(of).map_or(f64::INFINITY, error);
         if bound.is_nan() { f64::INFINITY } else { bound }
     }
 
     /// The bound of the error of a number with the true value `ball`; zero for one that the scene gives, which is printed
     /// as it is written.
-    fn of_number(&self, ball: Ball, value: f64) -> f64 {
+    pub(super) fn of_number(&self, ball: Ball, value: f64) -> f64 {
         if self.is_as_written(ball, value) { 0.0 } else { ball.error_from(value) + of_printing(value) }
     }
 
@@ -71,7 +83,7 @@ impl Bounds<'_> {
     }
 
     /// The larger of the bounds of both components.
-    fn of_vector(&self, ball: Pair<Ball>, value: Vector) -> f64 {
+    pub(super) fn of_vector(&self, ball: Pair<Ball>, value: Vector) -> f64 {
         let both = [(ball.x, value.x), (ball.y, value.y)];
         let is_zero = |&(ball, value): &(Ball, f64)| self.of_number(ball, value) == 0.0;
         if both.iter().all(is_zero) {
@@ -94,7 +106,16 @@ impl Bounds<'_> {
     #[must_use]
     pub fn warnings(&self) -> Vec<Message> {
         let groups = self.mechanism.groups.iter().enumerate().filter(|(index, _)| !self.is_proved(*index));
-        groups.map(|(_, group)| says::unproved(group.link_names(self.mechanism))).collect()
+        let of_group = |(index, group): (usize, &Group)| {
+            let links = group.link_names(self.mechanism);
+            let place = || drive_stands(self.mechanism, self.pose).join(" = ");
+            match standing_of(self.mechanism, self.pose, index) {
+                Standing::Limit => says::at_limit(place(), links),
+                Standing::Change => says::at_change(place(), links),
+                Standing::Unknown => says::unproved(links),
+            }
+        };
+        groups.map(of_group).collect()
     }
 
     /// Of a point's coordinates.
@@ -133,25 +154,21 @@ impl Bounds<'_> {
     #[must_use]
     pub fn angular_rates(&self, body: BodyId) -> [f64; 2] {
         let rates = self.snapshot().angular_rates(body);
-        Order::ALL.map(|order| {
-            let of = |e: &Enclosure| Some([e.state.body(body).omega, e.state.body(body).alpha][order]);
-            self.from(of, |ball| self.of_number(ball, rates[order]))
-        })
+        Order::ALL
+            .map(|order| self.from(|e| Some(e.angular_rates(body)[order]), |ball| self.of_number(ball, rates[order])))
     }
 
     /// Of a slider's velocity and acceleration along its guide.
     #[must_use]
     pub fn slide(&self, slider: SliderId) -> [f64; 2] {
         let rates = self.snapshot().slide_rates(slider);
-        Order::ALL.map(|order| {
-            let of = |e: &Enclosure| Some([e.state.slide(slider).velocity, e.state.slide(slider).acceleration][order]);
-            self.from(of, |ball| self.of_number(ball, rates[order]))
-        })
+        Order::ALL
+            .map(|order| self.from(|e| Some(e.slide_rates(slider)[order]), |ball| self.of_number(ball, rates[order])))
     }
 
     /// Of velocity and acceleration of a point that moves with a body.
     #[must_use]
-    pub(crate) fn motion_of(&self, body: BodyId, point: PointId) -> [f64; 2] {
+    pub fn motion_of(&self, body: BodyId, point: PointId) -> [f64; 2] {
         self.motion_at(body, self.pose.point(point), |e| Some(e.place(point)))
     }
 
@@ -179,99 +196,10 @@ impl Bounds<'_> {
         let value = self.motion.coriolis(self.pose, slider, on);
         self.from(|e| Some(e.coriolis(slider, on)), |ball| self.of_vector(ball, value))
     }
-
-    /// Bound of the error of a quantity: of a vector in each component, of angles in degrees.
-    ///
-    /// `None` for special points and for what is measured on a plan, and for the direction of a vector that may be zero.
-    #[must_use]
-    pub fn of(&self, asked: &QuantityRequest) -> Option<f64> {
-        let mut whole = asked.clone();
-        whole.written.component = None;
-        let whole = whole.value(&self.snapshot(), None, None).ok()?;
-        let rounding = |whole: &Quantity| whole.as_number().abs() * ROUNDINGS;
-        let bound = match &asked.what {
-            What::Rate(Rate::Angular(order, link)) => self.angular_rates(*link)[*order],
-            What::Rate(Rate::Slide(order, slider)) => self.slide(*slider)[*order],
-            What::Angle(link) => self.angle(*link)?,
-            What::SlidePosition(slider) => self.slide_position(*slider)?,
-            What::Coriolis(slider, _) => self.coriolis(*slider),
-            What::Coordinate(_, spot) => self.of_place(spot)?,
-            What::Length(a, b) => SQRT_2 * (self.of_place(a)? + self.of_place(b)?) + rounding(&whole),
-            What::Motion(order, a, b) => self.of_motion(*order, a, b.as_ref())?,
-            What::Part(part, a, b, link) => self.of_part(*part, a, b, (*link)?)?,
-            What::Segment(..) => return None,
-        };
-        let (Quantity::Vector(whole), off) = (whole, SQRT_2 * bound) else {
-            return Some(bound);
-        };
-        match asked.written.component {
-            Some(Component::Size) => Some(off + whole.norm() * ROUNDINGS),
-            Some(Component::Angle) => {
-                (off < whole.norm()).then(|| libm::asin(off / whole.norm()).to_degrees() + 180.0 * ROUNDINGS)
-            }
-            _ => Some(bound),
-        }
-    }
-
-    /// Bound of the error of a place's coordinates.
-    fn of_place(&self, spot: &Spot) -> Option<f64> {
-        let Spot::Point(_, point, _) = spot else {
-            return None;
-        };
-        Some(self.place(*point))
-    }
-
-    /// Bound of the error of a velocity or an acceleration, or of the difference of two.
-    fn of_motion(&self, order: Order, a: &Spot, b: Option<&Spot>) -> Option<f64> {
-        // The bound and the size of one.
-        let of = |spot: &Spot| {
-            let Spot::Point(body, point, _) = spot else {
-                return None;
-            };
-            let motion = self.snapshot().motion_at(*body, self.pose.point(*point));
-            Some((self.motion_of(*body, *point)[order], motion[order].norm()))
-        };
-        let (error, size) = of(a)?;
-        let Some(b) = b else {
-            return Some(error);
-        };
-        // The difference of two is rounded once more.
-        let (other_error, other_size) = of(b)?;
-        Some(error + other_error + ROUNDINGS * (size + other_size))
-    }
-
-    /// Bound of the error of the normal or tangential part of a relative acceleration within a link.
-    fn of_part(&self, part: AccelerationPart, a: &Spot, b: &Spot, link: BodyId) -> Option<f64> {
-        let (Spot::Point(_, first, _), Spot::Point(_, second, _)) = (a, b) else {
-            return None;
-        };
-        let arm = self.pose.arm(*second, *first).norm();
-        let off = self.of_place(a)? + self.of_place(b)?;
-        let ([omega, alpha], motion) = (self.angular_rates(link), self.motion.body(link));
-        let (factor, error) = match part {
-            AccelerationPart::Normal => (motion.omega * motion.omega, (2.0 * motion.omega.abs() + omega) * omega),
-            AccelerationPart::Tangential => (motion.alpha.abs(), alpha),
-        };
-        Some(error * arm + (factor + error) * off + factor * arm * ROUNDINGS)
-    }
-}
-
-/// Whether [`Bounds::of`] bounds the error of a quantity: all but special points and what is measured on a plan.
-#[must_use]
-pub(crate) fn is_bounded(asked: &QuantityRequest) -> bool {
-    let joint = |spot: &Spot| matches!(spot, Spot::Point(..));
-    match &asked.what {
-        What::Coordinate(_, spot) => joint(spot),
-        What::Length(a, b) => joint(a) && joint(b),
-        What::Motion(_, a, b) => joint(a) && b.as_ref().is_none_or(joint),
-        What::Part(_, a, b, link) => link.is_some() && joint(a) && joint(b),
-        What::Segment(..) => false,
-        _ => true,
-    }
 }
 
 /// How far the shortest decimal that reads as a number, as which it is printed, can be from it: so a bound holds for
 /// both. Whole numbers are printed exactly.
-fn of_printing(value: f64) -> f64 {
+pub(super) fn of_printing(value: f64) -> f64 {
     if value.trunc() == value && value.abs() < 1e15 { 0.0 } else { UNIT_ROUNDOFF * value.abs() * (1.0 + f64::EPSILON) }
 }

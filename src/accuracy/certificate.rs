@@ -1,6 +1,7 @@
 //! The proof that one and only one assembly of a group lies near angles and slides, and how far from them it can be.
 
 use super::given::Vector;
+use super::locals::Locals;
 use super::places::PlacesOf;
 use crate::geometry::{Ball, Elements, LinearSystem, Numbers, Pair};
 use crate::mechanism::{AngularRate, BodyId, Group, LoopEquations, Mechanism, SlideRate};
@@ -34,9 +35,13 @@ impl Near<'_> {
     /// inputs may have, as balls have them.
     pub fn enclosed(&self, gaps: &[Ball], correction: &[f64]) -> Option<(Numbers, bool)> {
         let most: Numbers = gaps.iter().map(|gap| gap.largest()).collect();
-        // Twice as far as a first step goes, so that there is room for what A leaves of it.
+        let size: f64 = self.group.bodies.iter().map(|body| self.sizes[body.0]).sum();
+        // Twice as far as a first step goes, so that there is room for what A leaves of it; a little where no gap is left.
         let first = self.system.reach(&most);
-        let reach: Numbers = first.iter().map(|x| 2.0 * x).collect();
+        let mut reach: Numbers = first.iter().map(|x| (2.0 * x).max(SMALL)).collect();
+        for &(_, unknown) in &self.equations.slides {
+            reach[unknown] = (2.0 * first[unknown]).max(SMALL * size);
+        }
         let mut off = coefficient_errors(self.equations, &self.places);
         self.add_turning(&most, &reach, &mut off);
         let verified = self.system.verified(&off);
@@ -47,7 +52,6 @@ impl Near<'_> {
         let uncertain: Numbers = gaps.iter().map(|gap| gap.error()).collect();
         let rows = off.chunks(self.equations.unknowns);
         let curved = rows.map(|row| row.iter().zip(correction).map(|(a, x)| a * x.abs()).sum()).fold(0.0, f64::max);
-        let size: f64 = self.group.bodies.iter().map(|body| self.sizes[body.0]).sum();
         let is_sharp = curved <= uncertain.iter().copied().fold(SMALL * size, f64::max);
         Some((verified.error_bound(correction, &right, &uncertain), is_sharp))
     }
@@ -104,13 +108,13 @@ impl Near<'_> {
 }
 
 /// By body: a bound of the distances between places on it, of its points and of what slides on it or it slides with.
-pub(super) fn sizes(mechanism: &Mechanism, locals: &[Vec<Vector>], lines: &[[Vector; 2]], slides: &[Ball]) -> Vec<f64> {
+pub(super) fn sizes(mechanism: &Mechanism, locals: &Locals<'_>, lines: &[[Vector; 2]], slides: &[Ball]) -> Vec<f64> {
     let from = |origin: Vector, place: Vector| {
         let Pair { x, y } = place - origin;
         2.0 * (x.largest() + y.largest())
     };
-    let origin = |body: BodyId| locals[body.0].first().copied().unwrap_or_default();
-    let of_points = |body: BodyId| locals[body.0].iter().map(|&place| from(origin(body), place)).fold(0.0, f64::max);
+    let origin = |body: BodyId| locals.of(body).first().copied().unwrap_or_default();
+    let of_points = |body: BodyId| locals.of(body).iter().map(|&place| from(origin(body), place)).fold(0.0, f64::max);
     let mut sizes: Vec<f64> = mechanism.body_ids().map(of_points).collect();
     for id in mechanism.slider_ids() {
         let slider = mechanism.slider(id);

@@ -1,7 +1,7 @@
 use super::given::{Given, Vector};
 use super::placed::TruePlaces;
 use super::places::PlacesOf;
-use crate::construction::{Course, CutLine, Special};
+use crate::construction::{Course, CutLine, Rate, Special, Truth};
 use crate::geometry::{Ball, Pair};
 use crate::mechanism::{BodyId, Group, Mechanism, PointId, SliderId};
 use crate::motion::{State, bounded_motion};
@@ -49,6 +49,18 @@ impl Enclosure {
     /// The unit direction of a slider's guide.
     pub fn guide(&self, slider: SliderId) -> Pair<Ball> {
         self.placed.guides[slider.0]
+    }
+
+    /// A body's angular velocity and acceleration.
+    pub fn angular_rates(&self, body: BodyId) -> [Ball; 2] {
+        let motion = self.state.body(body);
+        [motion.omega, motion.alpha]
+    }
+
+    /// A slider's velocity and acceleration along its guide.
+    pub fn slide_rates(&self, slider: SliderId) -> [Ball; 2] {
+        let slide = self.state.slide(slider);
+        [slide.velocity, slide.acceleration]
     }
 
     /// Velocity and acceleration of the body's point at a place.
@@ -100,5 +112,26 @@ impl Enclosure {
                 mechanism.slider_ids().find(of_body).map(|id| self.guide(id))
             }
         }
+    }
+}
+
+impl Truth for Enclosure {
+    fn place(&self, point: PointId) -> Pair<Ball> {
+        Enclosure::place(self, point)
+    }
+
+    fn guide(&self, slider: SliderId) -> Pair<Ball> {
+        Enclosure::guide(self, slider)
+    }
+
+    fn rate(&self, rate: Rate) -> Ball {
+        match rate {
+            Rate::Angular(order, body) => self.angular_rates(body)[order],
+            Rate::Slide(order, slider) => self.slide_rates(slider)[order],
+        }
+    }
+
+    fn motion(&self, order: Order, body: BodyId, point: PointId) -> Pair<Ball> {
+        self.motion_at(body, Enclosure::place(self, point))[order]
     }
 }

@@ -8,17 +8,19 @@
 //! in twice the digits until only rounding of these is left; `certificate` proves that one and only one assembly lies there. `motion/`
 //! then computes the rates by the same code as for a pose: it asks for places through a trait, which are exact for a
 //! `Pose` and balls for an enclosure. What a result states is how far its f64 number can be from that ball, so
-//! nothing that was lost on the way has to be estimated. The bound at the position as printed (`Motion::errors`)
+//! nothing that was lost on the way has to be estimated. `quantities` reads every quantity from the enclosure as its value is read from
+//! the pose, segments of plans from the construction carried out within it. The bound at the position as printed (`Motion::errors`)
 //! stays beside it: the two routes are compared there.
 
 mod bounds;
 mod certificate;
 mod enclosure;
 mod given;
+mod locals;
 mod placed;
 mod places;
+mod quantities;
 #[doc(hidden)] // for tests
 pub mod says;
 
-pub(crate) use bounds::is_bounded;
 pub use bounds::{Bounds, bounds};

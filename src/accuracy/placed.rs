@@ -6,10 +6,10 @@
 
 use super::certificate::{Near, sizes};
 use super::given::{Frame, Given, Vector};
+use super::locals::Locals;
 use super::places::PlacesOf;
 use crate::geometry::{Ball, Numbers, Pair};
-
-use crate::mechanism::{BodyId, Group, JointId, LoopEquations, Mechanism, PointId, Role, SliderId};
+use crate::mechanism::{BodyId, Group, JointId, LoopEquations, PointId, Role, SliderId};
 use crate::motion::Places;
 use crate::position::Pose;
 use crate::scene::GivenBy;
@@ -59,8 +59,9 @@ impl TruePlaces {
 struct Finder<'a> {
     given: Given<'a>,
     pose: &'a Pose,
-    /// By body: its points in its own frame.
-    locals: Vec<Vec<Vector>>,
+    locals: Locals<'a>,
+    /// By body: the sliders on it and of it.
+    sliders: Vec<Vec<SliderId>>,
     /// By slider: its guide in the frame of its body.
     lines: Vec<[Vector; 2]>,
     /// By body: its placement, as far as it is found.
@@ -83,11 +84,16 @@ struct Finder<'a> {
 impl<'a> Finder<'a> {
     fn new(given: Given<'a>, pose: &'a Pose) -> Finder<'a> {
         let mechanism = given.mechanism;
-        let locals: Vec<Vec<Vector>> = mechanism.body_ids().map(|id| given.locals(id)).collect();
+        let locals = Locals::new(given);
         let line = |id: SliderId| {
             let on = mechanism.slider(id).on;
-            given.line(id, |point| local(mechanism, &locals, on, point))
+            given.line(id, |point| locals.place(on, point))
         };
+        let mut sliders = vec![Vec::new(); mechanism.bodies.len()];
+        for id in mechanism.slider_ids() {
+            let slider = mechanism.slider(id);
+            [slider.on, slider.link].iter().for_each(|body| sliders[body.0].push(id));
+        }
         let slide = |id: SliderId| {
             let position = mechanism.slider(id).drive.and_then(|drive| drive.position);
             let found = || pose.slides.get(id.0).copied().flatten().unwrap_or(0.0).into();
@@ -109,6 +115,7 @@ impl<'a> Finder<'a> {
             given,
             pose,
             locals,
+            sliders,
         }
     }
 
@@ -147,14 +154,14 @@ impl<'a> Finder<'a> {
     }
 
     fn local(&self, body: BodyId, point: PointId) -> Option<Vector> {
-        local(self.given.mechanism, &self.locals, body, point)
+        self.locals.place(body, point)
     }
 
     /// Puts the points of bodies where these are, unless other bodies have placed them before.
     fn place_points(&mut self, bodies: &[BodyId]) {
         for body in bodies {
             let Some(frame) = self.frames[body.0] else { continue };
-            for (point, &local) in self.given.mechanism.body(*body).points.iter().zip(&self.locals[body.0]) {
+            for (point, &local) in self.given.mechanism.body(*body).points.iter().zip(self.locals.of(*body)) {
                 if !self.is_placed[point.0] {
                     self.points[point.0] = frame.place(local);
                 }
@@ -338,9 +345,13 @@ impl<'a> Finder<'a> {
                 self.turns[link.0] = Some(*turn);
             }
         }
+        let mut sliders: Vec<SliderId> =
+            group.bodies.iter().flat_map(|body| self.sliders[body.0].iter().copied()).collect();
+        sliders.sort_unstable_by_key(|id| id.0);
+        sliders.dedup();
         loop {
             let mut found = false;
-            for id in self.given.mechanism.slider_ids() {
+            for &id in &sliders {
                 let slider = self.given.mechanism.slider(id);
                 for (from, to) in [(slider.on, slider.link), (slider.link, slider.on)] {
                     if let (Some(turn), None, true) = (self.turns[from.0], self.turns[to.0], group.bodies.contains(&to))
@@ -405,10 +416,4 @@ impl<'a> Finder<'a> {
         };
         frame.place(local)
     }
-}
-
-/// The place of a body's point in the body's own frame.
-fn local(mechanism: &Mechanism, locals: &[Vec<Vector>], body: BodyId, point: PointId) -> Option<Vector> {
-    let index = mechanism.body(body).points.iter().position(|&p| p == point)?;
-    locals[body.0].get(index).copied()
 }

@@ -8,7 +8,6 @@ use super::output::FileSet;
 use super::solve::{Mode, read};
 use super::table::{self, TableFormat};
 use crate::Problem;
-use crate::accuracy::is_bounded;
 use crate::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths, Steps, Sweep, alone};
 use crate::drawing::{curves, hodographs, paths};
 use crate::mechanism::Mechanism;
@@ -191,7 +190,7 @@ impl SweepCommand {
         let steps = if self.range.is_given() { Steps::new(from, to, step) } else { branch.rows([from, to], step) };
         let steps = driven.source.checked(steps)?;
         let sweep = driven.source.checked(Sweep::new(&branch, steps, driven.names.as_deref()))?;
-        let sweep = if self.errors { with_errors(sweep, &driven.scene) } else { sweep };
+        let sweep = if self.errors { sweep.with_errors(&driven.scene) } else { sweep };
         files::refuse_overwriting("scene", &self.range.scene, &self.output)?;
         if !self.yes {
             table::refuse_huge(&sweep, format)?;
@@ -199,15 +198,6 @@ impl SweepCommand {
         table::write(&sweep, format, &self.output)?;
         self.range.report_events(&branch, [from, to], &Wording::of(&driven.scene.figure), "table")
     }
-}
-
-/// The table with bounds of errors; warns of quantities that have none.
-fn with_errors<'a>(sweep: Sweep<'a>, scene: &'a Scene) -> Sweep<'a> {
-    for asked in sweep.columns.iter().filter(|asked| !is_bounded(asked)) {
-        let name = asked.name();
-        warn(&format!("`{name}` has no stated bound of its error, so the table has no column {name}_error"));
-    }
-    sweep.with_errors(scene)
 }
 
 const CURVES_HELP: &str = "\

@@ -2,10 +2,12 @@
 //! assembly modes; and the schemas of all files.
 
 use super::files;
-use super::message::{Failure, Source, warn};
+use super::message::{Failure, Source, note, warn};
 use super::options::{Hand, Look};
 use crate::construction::Solution;
+use crate::cycle::told_turning_back;
 use crate::drawing::Style;
+use crate::format::ResultFile;
 use crate::mechanism::{Mechanism, mechanism};
 use crate::position::{Pose, counted_poses, with_nearest_sides};
 use crate::quantity::{QuantityRequest, pencil, readable_names, step_pencil};
@@ -55,9 +57,16 @@ pub(super) fn read(source: &Source, most: SizeLimit, mode: Option<usize>) -> Res
     Ok((scene, mechanism, pose))
 }
 
-/// Shows the warnings of a solution on stderr.
+/// Shows what is to be known of a result on stderr.
+fn show(result: &ResultFile) {
+    result.warnings.iter().for_each(|text| warn(text));
+    result.notes.iter().for_each(|text| note(text));
+}
+
+/// Shows the warnings of a solution on stderr, and what turns back there.
 pub(super) fn show_warnings(solution: &Solution) {
     solution.warnings().for_each(|text| warn(&text));
+    told_turning_back(solution, &solution.wording()).iter().for_each(|text| note(text));
 }
 
 const AFTER_HELP: &str = "\
@@ -73,8 +82,8 @@ pub(super) struct Solve {
     scene: PathBuf,
     #[command(flatten)]
     mode: Mode,
-    /// Print a table of all rates, velocities and accelerations in place of JSON, each with only those digits that are
-    /// certain.
+    /// Print a table of all rates, velocities, accelerations and wanted quantities in place of JSON, each with only those
+    /// digits that are certain.
     #[arg(long, conflicts_with_all = ["pencil", "mm", "degrees"])]
     digits: bool,
     /// Add what honest hand drawings at the figure's scales give: the band of every quantity.
@@ -89,35 +98,19 @@ impl Solve {
         let source = files::read(&self.scene)?;
         let most = if self.pencil || self.hand.is_given() { SizeLimit::HAND } else { SizeLimit::NUMBERS };
         let solution = solve(&source, most, self.mode.number, |_| (), order_of_result)?;
-        if self.digits {
-            return print_digits(&solution);
-        }
         let mut result = source.checked(solution.whole_result())?;
+        if self.digits {
+            show(&result);
+            return files::print(solution.digits_of(&result).as_bytes());
+        }
         if self.pencil || self.hand.is_given() {
             let asked = source.checked(readable_quantities(&solution))?;
             let pencil = pencil(&solution, &solution.scales(), self.hand.tolerance(), asked);
             result.pencil = Some(format::pencil_result(&pencil, solution.scene.units));
         }
-        result.warnings.iter().for_each(|text| warn(text));
+        show(&result);
         files::print(format::json(&result).as_bytes())
     }
-}
-
-/// Prints the table of certain digits; warns of wanted quantities that have no bound of their error.
-fn print_digits(solution: &Solution) -> Result<(), Failure> {
-    let result = solution.result();
-    let text = solution.digits_of(&result);
-    result.warnings.iter().for_each(|text| warn(text));
-    for name in solution.scene.want.iter().flatten() {
-        // The table gives a vector by its components.
-        let is_named = |line: &str| line.starts_with(&format!("{name} ")) || line.starts_with(&format!("{name}."));
-        if !text.lines().any(is_named) {
-            warn(&format!(
-                "`{name}` has no stated bound of its error and is left out of the table; without --digits its value is printed"
-            ));
-        }
-    }
-    files::print(text.as_bytes())
 }
 
 /// The quantities that may be read from a hand drawing: those of the result and those that the scene wants; of vectors

@@ -157,15 +157,19 @@ impl Writer<'_> {
             rows.push(self.angular_equation(order, terms)?);
         }
         let unknown = self.unknown_rates(order, group, equations);
-        // Links with one angular rate have one unknown: it has the name of the last of them.
+        // Links with one angular rate have one unknown: it has the name of the last of them. A block that is only a pin has no
+        // name, and turns with its guide.
+        let has_name =
+            |(_, rate): &&(usize, Rate)| rate.link().is_none_or(|link| !self.mechanism.body(link).is_nameless());
+        let named: Vec<(usize, Rate)> = unknown.iter().filter(has_name).copied().collect();
         let mut rates = vec![Rate::Angular(order, GROUND); equations.unknowns];
-        unknown.iter().for_each(|&(index, rate)| rates[index] = rate);
+        named.iter().for_each(|&(index, rate)| rates[index] = rate);
         let step = self.begin(order);
         let numbers = self.solve(order, &rates, rows)?;
         // Rates that follow from relations between angles alone are computed without a step.
         if !written.is_empty() {
-            let named = |&(_, rate): &(usize, Rate)| (rate.name(self.mechanism), self.computed_rate(rate)[0]);
-            let unknowns = unknown.iter().map(named).collect();
+            let solved = |&(_, rate): &(usize, Rate)| (rate.name(self.mechanism), self.computed_rate(rate)[0]);
+            let unknowns = named.iter().map(solved).collect();
             self.finish(step, Action::Solve { equations: written, unknowns });
         }
         self.note_rates(&unknown, &numbers);

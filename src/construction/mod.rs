@@ -7,8 +7,8 @@
 //!
 //! In reading order: `cut` (cut lines and special points); `operation` and `number` (what a hand and a calculator do),
 //! carried out by `run`; `writer`, which writes them down in the [`Construction`]; what is drawn: `body`,
-//! `leg`, `group`, `images`; `solution`, which goes through all groups. `step`, `markup`, `sentence`, `equations` and
-//! `passage` are for captions.
+//! `leg`, `group`, `images`; `solution`, which goes through all groups. `enclosed` carries all out on the true
+//! position and motion; `step`, `markup`, `sentence`, `equations` and `passage` are for captions.
 //!
 //! To add something that a hand does: an [`OperationKind`] with its errors, and how it is carried out in `run`. To add
 //! a construction: a method of `Writer` that begins a step, writes operations and finishes the step with what it has
@@ -23,13 +23,14 @@
 //! allow. The paper's determinant is that of the loop equations over both sines: a special point at infinity breaks
 //! the construction, not the mechanism. Then the rates come from the loop equations alone, and the result says so.
 //!
-//! # One list of operations, carried out three ways
+//! # One list of operations, carried out four ways
 //!
 //! Each operation names its sheet, its step, its role, and the places, lines and numbers that it reads and makes, by
 //! typed index. It is carried out in `Ball`s when it is written: these values are the plans, and their bounds tell
 //! how well the two routes to the rates must agree. `Values<f64>` carries the same list out on the values that a
 //! person has: lengths measured off the sheet, sizes computed from rates that were themselves solved for, in about a
-//! microsecond. Nothing else crosses lines: there is one interpreter (`run`), for both kinds of number.
+//! microsecond; `enclosed` carries it out on what `accuracy/` knows of the true mechanism, so that every segment has a bound of
+//! its whole error. Nothing else crosses lines: there is one interpreter (`run`), for both kinds of number.
 //!
 //! Operations and steps carry meanings, no words. `sentence` turns a step into its caption and its equation with the
 //! sentences of `words/`.
@@ -45,6 +46,7 @@
 mod body;
 mod constructed;
 mod cut;
+mod enclosed;
 mod equations;
 mod group;
 mod images;
@@ -62,6 +64,7 @@ mod writer;
 
 pub use constructed::{Agreement, Construction, Extent};
 pub use cut::{Course, CutLine, Special, SpecialId, Term};
+pub(crate) use enclosed::Truth;
 pub use markup::{Formula, FormulaTerm, Known, display, shown_text};
 pub(crate) use markup::{plain_text, rate_symbol};
 pub(crate) use name::point_on;

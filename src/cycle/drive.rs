@@ -3,7 +3,7 @@ use crate::geometry::{degrees_of, span};
 use crate::kernel::{Input, InputKind, Kernel};
 use crate::mechanism::{Mechanism, Role, SliderId};
 use crate::position::Pose;
-use crate::words::{Medium, NumberStyle, Wording};
+use crate::words::{Medium, NumberStyle, Wording, certain_angle};
 
 /// A drive that is moved through a range; its value is the link's angle in degrees, or the slider's position along the
 /// guide.
@@ -62,18 +62,28 @@ impl Drive {
     /// The drive at this value, in words, as in `angle(1) = 30°`.
     #[must_use]
     pub fn at(&self, value: f64, words: &Wording) -> String {
-        format!("{} = {}", self.quantity, words.number(self.amount(value)))
+        self.at_within(value, 0.0, words)
+    }
+
+    /// The same of a value that may be off, with certain digits only.
+    pub(super) fn at_within(&self, value: f64, within: f64, words: &Wording) -> String {
+        format!("{} = {}", self.quantity, words.number(self.amount_within(value, within)))
     }
 
     /// A value with its unit, as in `30°`.
     #[must_use]
     pub fn amount(&self, value: f64) -> String {
-        // Values of the drive are known to about 1e-12 of a turn, or of the mechanism's size.
+        self.amount_within(value, 0.0)
+    }
+
+    /// The same of a value that may be off, with certain digits only.
+    pub(super) fn amount_within(&self, value: f64, within: f64) -> String {
         if self.is_angle {
-            format!("{}°", (value * 1e10).round() / 1e10 + 0.0)
-        } else {
-            format!("{}", shortened(snapped(value, self.size), 12))
+            return certain_angle(value, within);
         }
+        let certain = if within > 0.0 { libm::floor(libm::log10(value.abs() / (2.0 * within))) + 1.0 } else { 12.0 };
+        // Where no digit is certain there is one that is as large as the error.
+        format!("{}", shortened(snapped(value, self.size), certain.clamp(1.0, 12.0) as usize))
     }
 
     /// A value as it is shown while the drive moves: an angle with one decimal of a degree, a length with four significant

@@ -15,12 +15,13 @@
 //! halved; so limits are approached, and found from the power with which rates grow there: d^(−1/2) of the distance d
 //! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
 //! grow (a change point), the polynomial is followed to the other side. Whether branches of a four-bar linkage cross, or
-//! only come near each other, is told by sums of its lengths (`crossing`).
+//! only come near each other, and where a limit is, is told by sums of its lengths (`motion/reach.rs`).
+//! `still` says of one position what of it turns back there, in the same words.
 
-mod crossing;
 mod curve;
 mod drive;
 mod event;
+mod known;
 mod locus;
 mod mover;
 mod path;
@@ -34,6 +35,7 @@ mod sampled;
 pub mod says;
 #[doc(hidden)] // for tests
 pub mod segment;
+mod still;
 mod sweep;
 mod trace;
 mod traces;
@@ -51,12 +53,14 @@ pub use pull::{Pull, Pulled};
 pub use range::{Detour, Steps};
 pub use running::Running;
 pub use sampled::Sampled;
+pub use still::{told_turning_back, turning_back};
 pub use sweep::{Numbers, Sweep, every_name};
 pub use traces::{Animation, OtherModes, Times, Traces};
 pub use variants::{Kept, Variants};
 pub use walker::Walker;
 
 use crate::Problem;
+use crate::motion::Standing;
 use crate::quantity::QuantityError;
 
 /// Why a motion cannot be followed, or a quantity along it not be shown.
@@ -83,6 +87,8 @@ pub enum CycleError {
         links: String,
         /// The drive's value, in words.
         at: String,
+        /// Whether it is a limit or a change point.
+        standing: Standing,
     },
     /// The range cannot be reached from the scene's position.
     OutOfReach {
@@ -117,7 +123,14 @@ impl CycleError {
             CycleError::NotOfOneKind(number) => Problem::new(says::other_kind(*number)).hint(says::same_kind()),
             CycleError::NoDrive => Problem::new(says::no_drive()).hint(says::give_drive()),
             CycleError::NoSuchDrive { name, known } => says::no_such_drive(name, known).into(),
-            CycleError::Singular { links, at } => Problem::new(says::singular(links, at)).hint(says::other_position()),
+            CycleError::Singular { links, at, standing } => {
+                let message = match standing {
+                    Standing::Limit => says::at_limit(at, links),
+                    Standing::Change => says::at_change(at, links),
+                    _ => says::singular(links, at),
+                };
+                Problem::new(message).hint(says::other_position())
+            }
             CycleError::OutOfReach { from, to, stop, low, high } => {
                 Problem::new(says::out_of_reach(from, to, stop)).hint(says::within_reach(low, high))
             }

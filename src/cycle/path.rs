@@ -5,6 +5,7 @@ use super::segment::{Node, Segment};
 use crate::geometry::{Lanes, Row, span};
 use crate::kernel::{Block, InputKind, Kernel, Single, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role};
+use crate::motion::Reach;
 use crate::position::Pose;
 use crate::words::Wording;
 use std::borrow::Cow;
@@ -16,8 +17,11 @@ pub(super) const BLANK: f64 = 1e-4;
 /// An event at one value of the drive.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
-    /// The drive's value, to about 1e-12 of a turn.
+    /// The drive's value.
     pub at: f64,
+    /// How far from it the event can be: proved of limits and change points of dyads on a crank, else what another
+    /// estimate differs by, with room.
+    pub within: f64,
     /// What happens.
     pub what: Happening,
 }
@@ -139,6 +143,13 @@ impl<'a> Path<'a> {
         path.unit_rates(&mut block);
         let nodes = vec![Node::new(&path.kernel, origin, block)];
         Ok(Path { nodes, ..path })
+    }
+
+    /// How far a dyad reaches that hangs on the moved crank; `None` of other groups.
+    pub(super) fn reach(&self, group: usize, pose: &Pose) -> Option<Reach> {
+        let input = &self.kernel.inputs[self.drive.input];
+        let reach = Reach::new(&self.mechanism, &self.mechanism.groups[group], pose)?;
+        (self.drive.is_angle && reach.crank == input.body).then_some(reach)
     }
 
     /// One turn in the drive's unit: 360° of a crank; for a slider, the mechanism's size.

@@ -4,7 +4,7 @@ use crate::construction::{Construction, Extent, construct};
 use crate::geometry::{Point, Row, Turn, Vector, quarter_turn};
 use crate::kernel::{Block, Kernel, Single, Unknown, vector};
 use crate::mechanism::{BodyId, GROUND, Mechanism, PointId, Role, SliderId};
-use crate::motion::motion;
+use crate::motion::{motion, standing_of};
 use crate::position::Pose;
 use crate::quantity::State;
 use crate::sheet::Order;
@@ -134,7 +134,11 @@ pub(super) fn regular_start(
     let closed = kernel.assemble(&mut block, 0.0).closed;
     let mut determinants = kernel.determinants(&block).into_iter();
     match determinants.position(|[_, squared_ratio]| !closed || squared_ratio < SINGULAR) {
-        Some(group) => Err(CycleError::Singular { links: mechanism.groups[group].link_names(mechanism), at: at() }),
+        Some(group) => Err(CycleError::Singular {
+            links: mechanism.groups[group].link_names(mechanism),
+            at: at(),
+            standing: standing_of(mechanism, pose, group),
+        }),
         None => Ok(block),
     }
 }

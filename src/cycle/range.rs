@@ -71,7 +71,10 @@ impl Path<'_> {
             let stop = end.map(|end| self.told(end, &Wording::default()));
             let [from, to] = range.map(|v| self.drive.amount(v));
             let reached = [(false, self.low()), (true, self.high())];
-            let [low, high] = reached.map(|(above, v)| self.drive.amount(self.end(above).map_or(v, |end| end.at)));
+            let [low, high] = reached.map(|(above, v)| match self.end(above) {
+                Some(end) => self.drive.amount_within(end.at, end.within),
+                None => self.drive.amount(v),
+            });
             return Err(CycleError::OutOfReach { from, to, stop: stop.unwrap_or_default(), low, high });
         }
         Ok(range)
@@ -175,7 +178,7 @@ impl Path<'_> {
     /// An event with its place, in words.
     #[must_use]
     pub fn told(&self, event: &Event, words: &Wording) -> String {
-        event.text(&self.drive.at(event.at, words), words)
+        event.text(&self.drive.at_within(event.at, event.within, words), words)
     }
 
     /// The step of a table: 1° for an angle; for a slider the largest of 1, 2 or 5 times a power of ten that is at most a

@@ -12,6 +12,11 @@ messages! { "cycle":
     no_such_drive(name, known) = "there is no drive `{name}`; the drives are: {known}";
     singular(links, at) =
         "links {links} are in a singular position at {at}, so which way they go on is not decided";
+    at_limit(place, links) =
+        "limit position at {place}: links {links} can go no further, their rates grow without bound; which of two ways they \
+         come back is not decided";
+    at_change(place, links) =
+        "change point at {place}: links {links} could go on in another mode too; which way they go on is not decided";
     other_position = "a scene at another position of the drive; the sweep finds its way from there";
     out_of_reach(from, to, stop) = "the range from {from} to {to} cannot be reached: {stop}";
     within_reach(low, high) = "a range that holds a part of {low} to {high}";

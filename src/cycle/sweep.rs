@@ -1,5 +1,5 @@
 use super::{Path, Position, Steps};
-use crate::accuracy::{bounds, is_bounded};
+use crate::accuracy::bounds;
 use crate::construction::{Extent, construct};
 use crate::geometry::{MANY, Row};
 use crate::mechanism::{GROUND, Mechanism, SliderId};
@@ -56,8 +56,8 @@ impl<'a> Sweep<'a> {
         Ok(Sweep { path, steps, columns, constructs, errors: None })
     }
 
-    /// The table with a further number for each quantity that has one: the bound of its error, of a vector that of
-    /// each component, as [`Bounds`](crate::accuracy::Bounds) has it. The drive's value counts as given; `scene` is that of
+    /// The table with a further number for each quantity: the bound of its error, of a vector that of each component,
+    /// as [`Bounds`](crate::accuracy::Bounds) has it. The drive's value counts as given; `scene` is that of
     /// the path's mechanism. It takes some hundred times as long.
     #[must_use]
     pub fn with_errors(self, scene: &'a Scene) -> Self {
@@ -72,10 +72,10 @@ impl<'a> Sweep<'a> {
         drive.chain(columns.flat_map(|asked| column_names(asked).chain(self.error_name(asked)))).collect()
     }
 
-    /// The name of the number that bounds the error of a quantity, if the table has it.
+    /// The name of the number that bounds the error of a quantity, if the table has bounds.
     #[must_use]
     pub fn error_name(&self, asked: &QuantityRequest) -> Option<String> {
-        (self.errors.is_some() && is_bounded(asked)).then(|| format!("{}_error", asked.name()))
+        self.errors.is_some().then(|| format!("{}_error", asked.name()))
     }
 
     /// The numbers of these rows.
@@ -148,17 +148,17 @@ impl<'a> Sweep<'a> {
             Some((pose, motion, built))
         });
         let state = moved.as_ref().map(|(pose, motion, built)| {
-            (Snapshot { pose, motion }, built.as_ref(), bounds(scene, mechanism, pose, motion))
+            let bounds = bounds(scene, mechanism, pose, motion);
+            let bounds = built.iter().fold(bounds, |bounds, built| bounds.with_plans(built));
+            (Snapshot { pose, motion }, built.as_ref(), bounds)
         });
         for asked in &self.columns {
             let found = state.as_ref().and_then(|(state, built, bounds)| {
                 let value = asked.value(state, *built, None).ok()?;
-                Some((value, bounds.of(asked)))
+                Some((value, bounds.of(asked, None)))
             });
             push(asked, found.map(|(value, _)| value), numbers);
-            if is_bounded(asked) {
-                numbers.push(found.and_then(|(_, error)| error).filter(|error| error.is_finite()));
-            }
+            numbers.push(found.map(|(_, error)| error).filter(|error| error.is_finite()));
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::crossing::branches_cross;
+use super::known::Known;
 use super::path::{Event, Happening, Path};
 use super::segment::{Node, Segment, rates};
 use crate::geometry::OneByOne;
@@ -34,6 +34,21 @@ const DETERMINANT_LEFT: f64 = 0.2;
 /// hop to another branch.
 const SMALLEST: f64 = 1e-11;
 
+/// The same part of it where the path leads away from a limit: there is no other branch near it.
+const SMALLEST_FROM_LIMIT: f64 = 1e-16;
+
+/// Part of the way to a limit that is known by lengths which one step may go at most.
+const TOWARDS_LIMIT: f64 = 0.9;
+
+/// Distance of an estimate from what lengths say, in turns, within which both mean the same.
+const ALIKE: f64 = 1e-5;
+
+/// What estimates of a place may be off, in differences of two of them, …
+const ROOM: f64 = 4.0;
+
+/// … and at least, in turns.
+const ROUNDED: f64 = 1e-14;
+
 /// Distance of an end, in turns, from which its estimated place counts as exact. The estimate's error is of the order
 /// of the distance's square over the distance to the next end. A limit is approached much nearer than this; a place
 /// that runs off to infinity is not, but there the error is of the third power of the distance.
@@ -48,7 +63,7 @@ const NEAR_CHANGE: f64 = 4e-7;
 
 /// Largest growth of rates from the start of a leap to [`NEAR_CHANGE`]. They grow more before two limits with no motion
 /// between them, and where two branches only come near each other; of other groups than those of which
-/// [`branches_cross`] knows it a gap of less than about 1e-6 of a turn counts as one change point.
+/// [`Reach`](crate::motion::Reach) knows it a gap of less than about 1e-6 of a turn counts as one change point.
 const GROWTH: f64 = 1.3;
 
 /// Largest first correction after a leap, in radians or parts of the group's size.
@@ -120,10 +135,17 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
     let unit = path.unit();
     let mut step = unit / 36.0;
     let mut changes = Vec::new();
+    let mut limit: Option<Option<Known>> = None;
     loop {
         let left = (target - nodes[nodes.len() - 1].value) * forward;
         if left <= 0.0 {
             return (changes, None);
+        }
+        if let Some(known) = limit.iter().flatten().next() {
+            step = step.min(TOWARDS_LIMIT * (known.at - nodes[nodes.len() - 1].value) * forward);
+            if step <= 0.0 {
+                return (changes, Some(end(path, nodes, forward)));
+            }
         }
         if let Some(change) = leap(path, nodes, forward, NEAR_CHANGE) {
             changes.push(change);
@@ -143,7 +165,9 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
             }
             None => {
                 step = 0.5 * tried;
-                if step > SMALLEST * unit {
+                limit.get_or_insert_with(|| Known::ahead(path, last, forward));
+                let smallest = if leaves_limit(path, last, forward) { SMALLEST_FROM_LIMIT } else { SMALLEST };
+                if step > smallest * unit {
                     continue;
                 }
                 // With links of very unequal lengths rates are too inexact to come as near as `NEAR_CHANGE`.
@@ -152,19 +176,56 @@ fn trace(path: &Path, nodes: &mut Vec<Node>, target: f64) -> (Vec<Event>, Option
                     step = unit / 360.0;
                     continue;
                 }
-                let last = &nodes[nodes.len() - 1];
-                let name = |group: usize| path.mechanism.groups[group].link_names(&path.mechanism);
-                let links = nearest_to_singularity(last).map_or_else(String::new, name);
-                let ahead = ahead(path, nodes, forward).filter(|a| a.away.abs() < NEAR_END * unit);
-                let end = match ahead {
-                    Some(Ahead { at, runs_off: false, .. }) => Event { at, what: Happening::Limit(links) },
-                    Some(Ahead { at, .. }) => Event { at, what: Happening::RunsOff(links) },
-                    None => Event { at: last.value, what: Happening::Singular(links) },
-                };
-                return (changes, Some(end));
+                return (changes, Some(end(path, nodes, forward)));
             }
         }
     }
+}
+
+/// The event that ends a path at the last of its nodes.
+fn end(path: &Path, nodes: &[Node], forward: f64) -> Event {
+    let unit = path.unit();
+    let last = &nodes[nodes.len() - 1];
+    let group = nearest_to_singularity(last);
+    let name = |group: usize| path.mechanism.groups[group].link_names(&path.mechanism);
+    let links = group.map_or_else(String::new, name);
+    let estimate = |count: usize| ahead(path, &nodes[..count], forward).filter(|a| a.away.abs() < NEAR_END * unit);
+    let found = estimate(nodes.len());
+    let near = found.as_ref().map_or(last.value, |found| found.at);
+    if let Some(Known { at, within, group: own }) = Known::nearest(path, last)
+        && group == Some(own)
+        && (at - near).abs() < ALIKE * unit
+    {
+        return Event { at, within, what: Happening::Limit(links) };
+    }
+    match found {
+        Some(Ahead { at, runs_off, .. }) => {
+            let others = (1..=2).filter_map(|fewer| estimate(nodes.len().saturating_sub(fewer).max(1)));
+            let off = others.map(|other| (other.at - at).abs()).fold(0.0, f64::max);
+            let what = if runs_off { Happening::RunsOff(links) } else { Happening::Limit(links) };
+            Event { at, within: ROOM * off + ROUNDED * unit, what }
+        }
+        None => {
+            // Where the determinant would be zero if it went on to fall as it did last.
+            let zero = group.and_then(|group| match nodes {
+                [.., before, last] => {
+                    let [was, is] = [before, last].map(|node| node.determinants[group][0]);
+                    Some((last.value - before.value) * is / (was - is))
+                }
+                _ => None,
+            });
+            let away = zero.filter(|away| away.is_finite()).unwrap_or(0.0).abs();
+            Event { at: last.value, within: ROOM * (away + SMALLEST * unit), what: Happening::Singular(links) }
+        }
+    }
+}
+
+/// Whether the path leads away from a limit, or a place comes back from afar: rates fall.
+fn leaves_limit(path: &Path, last: &Node, forward: f64) -> bool {
+    let Some(group) = nearest_to_singularity(last) else { return false };
+    let all = path.kernel.unknowns[group].iter().map(|unknown| relative_rates(path, last, *unknown));
+    let quickest = all.max_by(|a, b| a[1].abs().total_cmp(&b[1].abs()));
+    quickest.is_some_and(|[first, second]| first * second * forward < 0.0)
 }
 
 /// The node at a value of the drive, and how well the middle of the step to it was met; `None` if the step cannot be
@@ -296,31 +357,33 @@ fn leap(path: &Path, nodes: &mut Vec<Node>, forward: f64, within: f64) -> Option
         return None;
     }
     let known = nodes.iter().rfind(|n| away(n) >= NEAR_CHANGE)?;
-    let pose = path.position(&last.block, 0).pose();
-    if branches_cross(&path.mechanism, &path.mechanism.groups[group], &pose) == Some(false) {
+    let reach = path.reach(group, &path.position(&last.block, 0).pose());
+    if reach.as_ref().is_some_and(|reach| !reach.branches_cross()) {
         return None;
     }
-    let (far, node, at) = LEAPS.into_iter().find_map(|length| {
+    let (far, node, [at, within]) = LEAPS.into_iter().find_map(|length| {
         let far = nodes.iter().rposition(|n| away(n) >= length)?;
         if fastest(path, known, group) > GROWTH * fastest(path, &nodes[far], group) {
             return None;
         }
-        let (node, at) = leap_from(path, &nodes[far..], group, zero)?;
-        Some((far, node, at))
+        let (node, place) = leap_from(path, &nodes[far..], group, zero)?;
+        Some((far, node, place))
     })?;
     nodes.truncate(far + 1);
     nodes.push(node);
     let links = path.mechanism.groups[group].link_names(&path.mechanism);
-    Some(Event { at, what: Happening::Change(links) })
+    let known = reach.map(|reach| reach.in_line(at)).filter(|[known, _]| (known - at).abs() < ALIKE * path.unit());
+    let [at, within] = known.unwrap_or([at, within]);
+    Some(Event { at, within, what: Happening::Change(links) })
 }
 
 /// The node on the other side of the `zero` of a group's determinant, as far from it as the first of these nodes, and
-/// the drive's value at the change point.
+/// the drive's value at the change point with what it may be off.
 ///
 /// The polynomial through the first two nodes is extrapolated to the other side. The leap is accepted if the mechanism
 /// closes there within [`LEAP_OFF`] and the determinant has changed its sign; on the branch that crosses this one it
 /// would not.
-fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(Node, f64)> {
+fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(Node, [f64; 2])> {
     let [far, near, ..] = nodes else {
         return None;
     };
@@ -346,10 +409,13 @@ fn leap_from(path: &Path, nodes: &[Node], group: usize, zero: f64) -> Option<(No
     if samples.len() < around.len() {
         return None;
     }
-    let mut at = zero;
-    for (i, [own, offset]) in samples.iter().enumerate() {
-        let others = samples.iter().enumerate().filter(|(j, _)| *j != i);
-        at += others.fold(*offset, |term, (_, [other, _])| term * other / (other - own));
-    }
-    Some((node, at))
+    let interpolated = |samples: &[[f64; 2]]| {
+        let terms = samples.iter().enumerate().map(|(i, [own, offset])| {
+            let others = samples.iter().enumerate().filter(|(j, _)| *j != i);
+            others.fold(*offset, |term, (_, [other, _])| term * other / (other - own))
+        });
+        terms.sum::<f64>()
+    };
+    let (by_four, by_three) = (interpolated(&samples), interpolated(&samples[1..]));
+    Some((node, [zero + by_four, ROOM * (by_four - by_three).abs() + ROUNDED * path.unit()]))
 }

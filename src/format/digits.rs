@@ -1,14 +1,14 @@
-use super::result::ResultFile;
+use super::result::{QuantityResult, ResultFile};
 use crate::construction::Solution;
 use crate::geometry::{UNIT_ROUNDOFF, Vector, degrees_of};
-use crate::quantity::QuantityKind;
+use crate::quantity::{QuantityKind, QuantityRequest};
 use crate::scene::{DecimalMark, Units};
 use crate::words::NumberStyle;
 use core::f64::consts::SQRT_2;
 
 impl Solution {
     /// A table of every ω, α, velocity and acceleration with only its certain digits, of vectors with size and direction: name, value, unit, bound of the
-    /// error.
+    /// error. Quantities that a result has beside these follow.
     ///
     /// The true value is within one unit of the last digit that is printed. Given values are printed in full, with
     /// bound 0.
@@ -48,6 +48,20 @@ impl Solution {
             table.vector(&velocity, motion.velocity, motion.velocity_error, QuantityKind::Velocity);
             table.vector(&acceleration, motion.acceleration, motion.acceleration_error, QuantityKind::Acceleration);
         }
+        for (name, value) in &result.quantities {
+            let of_table = |row: &DigitRow| {
+                row.name.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            };
+            // What only the construction measures is not asked for.
+            let is_wanted = self.scene.want.is_some() && !table.lines.iter().any(of_table);
+            let Some(asked) = QuantityRequest::new(name, &self.mechanism).ok().filter(|_| is_wanted) else { continue };
+            let (kind, error) = (asked.kind(), result.quantity_errors.get(name).copied());
+            match *value {
+                QuantityResult::Number(value) if asked.written.on_paper => table.row(name.clone(), value, error, "mm"),
+                QuantityResult::Number(value) => table.line(name.clone(), value, error, kind),
+                QuantityResult::Vector(vector) => table.vector(name, Some(vector), error, kind),
+            }
+        }
         table.lines
     }
 }
@@ -73,6 +87,10 @@ struct Table {
 impl Table {
     /// Adds a number; nothing where it or its bound is not there.
     fn line(&mut self, name: String, value: impl Into<Option<f64>>, bound: impl Into<Option<f64>>, kind: QuantityKind) {
+        self.row(name, value, bound, &kind.unit(self.units));
+    }
+
+    fn row(&mut self, name: String, value: impl Into<Option<f64>>, bound: impl Into<Option<f64>>, unit: &str) {
         let (Some(value), Some(bound)) = (value.into(), bound.into()) else { return };
         let (value, bound) = match certain(value, bound) {
             // The value is left out: nothing is known of its digits.
@@ -80,7 +98,7 @@ impl Table {
             Certain::Digits(value) => (value, format!("± {}", written(bound, NumberStyle::bound()))),
             Certain::None(within) => ("0".to_owned(), format!("± {within}, no digit is certain")),
         };
-        self.lines.push(DigitRow { name, value, unit: kind.unit(self.units), bound });
+        self.lines.push(DigitRow { name, value, unit: unit.to_owned(), bound });
     }
 
     /// Size, direction and components of a vector, whose components are each off by at most `bound`.

@@ -1,11 +1,14 @@
+use crate::accuracy::says::unbounded;
 use crate::accuracy::{Bounds, bounds};
 use crate::construction::{Solution, coincident_name};
+use crate::cycle::told_turning_back;
 use crate::drawing::FigureSheets;
 use crate::geometry::{Place, Point, degrees_of};
 use crate::mechanism::{BodyId, PointId, Role};
 use crate::quantity::{Band, Pencil, Quantity, QuantityRequest, Unread, measured_names};
 use crate::scene::{SceneError, Units};
 use crate::sheet::{Order, Scales};
+use crate::words::Wording;
 use indexmap::IndexMap;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::Serialize;
@@ -36,11 +39,17 @@ pub struct ResultFile {
     pub groups: Vec<GroupResult>,
     /// The quantities that the scene's `want` asks for.
     pub quantities: IndexMap<String, QuantityResult>,
+    /// By quantity name: bound on its error, of a vector that of each component, of an angle in degrees.
+    #[schemars(with = "IndexMap<String, Option<f64>>")]
+    pub quantity_errors: IndexMap<String, f64>,
     /// How far hand drawings are from these numbers; only where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pencil: Option<PencilResult>,
     /// What the reader should know of these numbers.
     pub warnings: Vec<String>,
+    /// Links and sliders that stop and turn back in this position.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub notes: Vec<String>,
 }
 
 /// Units of the numbers.
@@ -159,8 +168,9 @@ pub struct GroupResult {
     pub joints: String,
     /// Its special points.
     pub special_points: Vec<String>,
-    /// Condition number of its loop equations, at least 1: errors of the vectors between its joints, each in parts of itself, grow by up
-    /// to this factor in its rates. A place's error is a large part of a short vector.
+    /// Condition number of its loop equations, at least 1: errors of the vectors between its joints, each in parts of itself, grow by about
+    /// this factor at most in its rates, each counted with the size of its link, in parts of the largest. A place's error is a large part of
+    /// a short vector, and the rate of a short link alone may lose more: its bound says how much.
     pub condition: f64,
     /// The largest difference between the two routes to its rates, relative to the largest rate; `null`, never left out, where a
     /// special point at infinity or a higher class leaves only one route.
@@ -240,9 +250,16 @@ impl Solution {
     /// The result file's content, without `quantities`.
     #[must_use]
     pub fn result(&self) -> ResultFile {
+        self.result_within(&self.bounds())
+    }
+
+    fn bounds(&self) -> Bounds<'_> {
+        bounds(&self.scene, &self.mechanism, &self.pose, &self.motion).with_plans(&self.construction)
+    }
+
+    fn result_within(&self, bounds: &Bounds<'_>) -> ResultFile {
         let Solution { scene, mechanism, pose, motion, construction } = self;
         let second = |value: f64| (motion.order == Order::Acceleration).then_some(value);
-        let bounds = &bounds(scene, mechanism, pose, motion);
         let links = mechanism.links().filter(|(_, body)| body.role != Role::Unsolved).map(|(id, body)| {
             let (rates, at_position) = (motion.body(id), motion.errors[id.0]);
             let [omega_error, alpha_error] = bounds.angular_rates(id);
@@ -302,8 +319,10 @@ impl Solution {
             proved: (0..mechanism.groups.len()).all(|group| bounds.is_proved(group)),
             groups: groups.collect(),
             quantities: IndexMap::new(),
+            quantity_errors: IndexMap::new(),
             pencil: None,
             warnings: self.warnings().chain(bounds.warnings().iter().map(ToString::to_string)).collect(),
+            notes: told_turning_back(self, &Wording::default()),
         }
     }
 
@@ -313,14 +332,17 @@ impl Solution {
     /// # Errors
     /// A quantity that is wanted has no value; the place is its place in the scene.
     pub fn whole_result(&self) -> Result<ResultFile, SceneError> {
-        let mut result = self.result();
+        let bounds = self.bounds();
+        let mut result = self.result_within(&bounds);
         let names = self.scene.want.clone().unwrap_or_else(|| measured_names(&self.construction));
         let on_paper = names.iter().any(|name| name.ends_with("/mu"));
         let scales = on_paper.then(|| FigureSheets::new(self).scales());
         for (index, name) in names.iter().enumerate() {
-            let value = QuantityRequest::new(name, &self.mechanism)
-                .and_then(|asked| asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref()));
-            let value = value.map_err(|error| {
+            let found = QuantityRequest::new(name, &self.mechanism).and_then(|asked| {
+                let value = asked.value(&self.snapshot(), Some(&self.construction), scales.as_ref())?;
+                Ok((value, bounds.of(&asked, scales.as_ref())))
+            });
+            let (value, error) = found.map_err(|error| {
                 let path = ["want", &index.to_string()];
                 self.scene.error_at(&path, error.problem().message, None)
             })?;
@@ -329,6 +351,15 @@ impl Solution {
                 Quantity::Vector(v) => QuantityResult::Vector([v.x, v.y]),
             };
             result.quantities.insert(name.clone(), value);
+            result.quantity_errors.insert(name.clone(), error);
+        }
+        // Where nothing is proved that has been said.
+        let bounded = |error: &f64| error.is_finite();
+        let quantities = result.quantity_errors.iter().filter(|(_, error)| !bounded(error)).map(|(name, _)| name);
+        let points = result.points.iter().filter(|(_, point)| !point.position_error.iter().all(bounded));
+        let names: Vec<&str> = points.map(|(name, _)| name).chain(quantities).map(String::as_str).collect();
+        if result.proved && !names.is_empty() {
+            result.warnings.push(unbounded(names.join(", ")).to_string());
         }
         Ok(result)
     }

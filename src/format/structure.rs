@@ -1,8 +1,20 @@
+use crate::accuracy::bounds;
 use crate::geometry::degrees_of;
-use crate::mechanism::{Body, BodyId, Class, Group, Joint, Mechanism, Role};
+use crate::mechanism::{Body, BodyId, Class, Group, Joint, LoopEquations, Mechanism, PointId, Role};
+use crate::motion::motion;
 use crate::position::{Listed, Pose, search_warnings};
 use crate::scene::{GivenBy, Scene};
+use crate::sheet::Order;
 use crate::words::{Language, Wording};
+
+/// Most decimals of coordinates and angles of assembly modes.
+const DECIMALS: f64 = 6.0;
+
+/// Size times condition of a mode from which on six decimals may not be certain.
+const DELICATE: f64 = 1e7;
+
+/// What a place or an angle may be off where nothing is proved, as at a limit: in parts of the largest coordinate.
+const UNPROVED: f64 = 1e-6;
 
 /// The structure of a mechanism as text: its formula with each group's links and joints, degrees of freedom, and each
 /// group's class and special points.
@@ -96,29 +108,65 @@ pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, Listed { poses, count 
     };
     let mut lines = vec![language.modes_heading(&modes, scene.units.length.as_str())];
     let numbered = poses.iter().zip(1..);
-    lines.extend(
-        numbered.map(|(pose, number)| format!("{number:3}. {}", mode(mechanism, pose, &words).join("\n     "))),
-    );
+    let told = |pose: &Pose| certain_mode(scene, mechanism, pose, &words).join("\n     ");
+    lines.extend(numbered.map(|(pose, number)| format!("{number:3}. {}", told(pose))));
     if scene.given_by == GivenBy::Lengths {
         lines.extend(search_warnings(mechanism.for_positions()).map(|warning| language.says(&warning)));
     }
     lines.join("\n") + "\n"
 }
 
+/// An assembly mode of a scene in words, with as many decimals as are certain: bounds are found where six may not be.
+fn certain_mode(scene: &Scene, mechanism: &Mechanism, pose: &Pose, words: &Wording) -> Vec<String> {
+    let size = pose.points.iter().map(|point| point.coords.amax()).fold(0.0, f64::max);
+    let conditions = mechanism.groups.iter().map(|group| {
+        let system = LoopEquations::new(mechanism, group).factored(&pose.points, &pose.guides);
+        system.map_or(f64::INFINITY, |system| system.condition())
+    });
+    if size * conditions.fold(1.0, f64::max) < DELICATE {
+        return mode(mechanism, pose, words);
+    }
+    let proved = |bound: f64| if bound.is_finite() { bound } else { UNPROVED * size };
+    let Ok(motion) = motion(mechanism, pose, Order::Velocity) else {
+        return mode_within(mechanism, pose, words, |_| UNPROVED * size, |_| UNPROVED * size);
+    };
+    let bounds = bounds(scene, mechanism, pose, &motion);
+    let angle = |body| proved(bounds.angle(body).unwrap_or(f64::INFINITY));
+    mode_within(mechanism, pose, words, |point| proved(bounds.place(point)), angle)
+}
+
 /// An assembly mode in words: a line with the places of its inner points and one with the angles of its groups' links.
 #[must_use]
 pub fn mode(mechanism: &Mechanism, pose: &Pose, words: &Wording) -> Vec<String> {
-    let number = |x: f64| words.number(format!("{x:.6}"));
+    mode_within(mechanism, pose, words, |_| 0.0, |_| 0.0)
+}
+
+/// The same of places and angles that may be off by so much.
+fn mode_within(
+    mechanism: &Mechanism,
+    pose: &Pose,
+    words: &Wording,
+    off_place: impl Fn(PointId) -> f64,
+    off_angle: impl Fn(BodyId) -> f64,
+) -> Vec<String> {
+    let number = |x: f64, within: f64| {
+        let certain = if within > 0.0 { libm::floor(-libm::log10(2.0 * within)) } else { DECIMALS };
+        let written = format!("{x:.*}", certain.clamp(0.0, DECIMALS) as usize);
+        // What is rounded to zero has no sign.
+        let is_zero = written.bytes().all(|byte| !byte.is_ascii_digit() || byte == b'0');
+        words.number(if is_zero { written.trim_start_matches('-').to_owned() } else { written })
+    };
     // A driving link without a given angle is one of the links whose positions are sought.
     let mechanism = mechanism.for_positions();
     let points = mechanism.inner_points().into_iter().map(|p| {
         let q = pose.point(p);
-        format!("{} {}", mechanism.point_name(p), words.place([q.x, q.y].map(number)))
+        let off = off_place(p);
+        format!("{} {}", mechanism.point_name(p), words.place([q.x, q.y].map(|x| number(x, off))))
     });
     let members = mechanism.links().filter(|(id, _)| mechanism.is_sought(*id));
     let angles = members.filter_map(|(id, body)| {
         let axis = pose.axes[id.0]?;
-        Some(format!("angle({}) {}", body.name, number(degrees_of(axis))))
+        Some(format!("angle({}) {}", body.name, number(degrees_of(axis), off_angle(id))))
     });
     let mut lines = [points.collect::<Vec<_>>(), angles.collect()].map(|line| line.join("  ")).to_vec();
     // A slotted lever and its block have no point whose position is sought.

@@ -15,8 +15,8 @@ const UPWARD: f64 = 1.0 + f64::EPSILON * 4096.0;
 
 /// A square linear system, scaled and factored once, to be solved for several right sides.
 ///
-/// Columns, then rows, are scaled to a largest element in [1, 2) by powers of two (no rounding); nalgebra's LU factors
-/// use partial pivoting. Units of length or time therefore change nothing but exponents.
+/// Columns, then rows, are scaled to a largest element in [1, 2) by powers of two (no rounding); both components of a vector
+/// alike, so that what is singular is so in every frame. nalgebra's LU factors use partial pivoting. Units of length or time therefore change nothing but exponents.
 /// Accuracy: backward stable in practice for these sizes; [`Self::verified`] bounds the error of each unknown.
 #[derive(Clone, Debug)]
 pub struct LinearSystem {
@@ -43,7 +43,13 @@ impl LinearSystem {
     ///
     /// A matrix that is only nearly singular is factored; ask [`Self::condition`].
     #[must_use]
-    pub fn new(mut matrix: DMatrix<f64>) -> Option<Self> {
+    pub fn new(matrix: DMatrix<f64>) -> Option<Self> {
+        LinearSystem::of_vectors(matrix, 0)
+    }
+
+    /// As [`Self::new`], where the first rows are the components x and y of so many vectors.
+    #[must_use]
+    pub fn of_vectors(mut matrix: DMatrix<f64>, vectors: usize) -> Option<Self> {
         let size = matrix.nrows();
         let mut column_scale = DVector::repeat(size, 1.0);
         for (mut column, scale) in matrix.column_iter_mut().zip(column_scale.iter_mut()) {
@@ -51,8 +57,10 @@ impl LinearSystem {
             column *= *scale;
         }
         let mut row_scale = DVector::repeat(size, 1.0);
-        for (mut row, scale) in matrix.row_iter_mut().zip(row_scale.iter_mut()) {
-            *scale = power_of_two_below_inverse(row.amax())?;
+        let most: Numbers = matrix.row_iter().map(|row| row.amax()).collect();
+        for (index, (mut row, scale)) in matrix.row_iter_mut().zip(row_scale.iter_mut()).enumerate() {
+            let other = if index < 2 * vectors { index ^ 1 } else { index };
+            *scale = power_of_two_below_inverse(most[index].max(most[other]))?;
             row *= *scale;
         }
         let scaled = rows_of(&matrix);

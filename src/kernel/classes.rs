@@ -1,5 +1,5 @@
 use crate::geometry::Turn;
-use crate::mechanism::{AngularConstraint, GROUND, Mechanism, Role};
+use crate::mechanism::{AngularConstraint, BodyId, GROUND, Joint, Mechanism, Role};
 
 /// By body: its class and its rotation relative to the class. The ground's class is 0; a class has the rotation of its
 /// first body, a driven link where it contains one.
@@ -8,20 +8,21 @@ pub(super) fn classes(mechanism: &Mechanism) -> Vec<(usize, Turn)> {
     let mut found: Vec<Option<(usize, Turn)>> = vec![None; bodies];
     let driver = |b: &usize| matches!(mechanism.bodies[*b].role, Role::Driver { .. });
     let (drivers, others): (Vec<usize>, Vec<usize>) = (0..bodies).partition(driver);
+    let tie = |joint: &Joint| joint.angular.as_ref().and_then(AngularConstraint::as_fixed_angle);
+    let ties: Vec<([BodyId; 2], Turn)> = mechanism.joints.iter().filter_map(tie).collect();
     let mut next = 0;
     for root in std::iter::once(GROUND.0).chain(drivers).chain(others) {
         if found[root].is_some() {
             continue;
         }
         found[root] = Some((next, Turn::identity()));
-        while let Some((body, seat)) = mechanism.joints.iter().find_map(|joint| {
-            let ([first, second], turn) = joint.angular.as_ref().and_then(AngularConstraint::as_fixed_angle)?;
-            match (found[first.0], found[second.0]) {
+        while let Some((body, seat)) =
+            ties.iter().find_map(|&([first, second], turn)| match (found[first.0], found[second.0]) {
                 (Some((class, seat)), None) => Some((second, (class, seat * turn))),
                 (None, Some((class, seat))) => Some((first, (class, seat * turn.inverse()))),
                 _ => None,
-            }
-        }) {
+            })
+        {
             found[body.0] = Some(seat);
         }
         next += 1;

@@ -119,7 +119,7 @@ pub(super) fn general_systems<R: Row>(columns: &[[R; 2]], closing: &Closing) -> 
                 None => closing.ties[row - 2 * loops].weight(unknown),
             }
         });
-        LinearSystem::new((matrix.nrows() == matrix.ncols()).then_some(matrix)?)
+        LinearSystem::of_vectors((matrix.nrows() == matrix.ncols()).then_some(matrix)?, loops)
     };
     (0..R::LEN).map(system).collect()
 }

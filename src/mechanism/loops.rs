@@ -237,7 +237,7 @@ impl LoopEquations {
         vector: impl Fn(PointId, PointId) -> Vector,
         guide: impl Fn(SliderId) -> Vector,
     ) -> Option<LinearSystem> {
-        LinearSystem::new(self.is_square().then(|| self.matrix_of(vector, guide))?)
+        LinearSystem::of_vectors(self.is_square().then(|| self.matrix_of(vector, guide))?, self.loops.len())
     }
 }
 

@@ -31,23 +31,33 @@
 //! balls. Rounded once at the end, each ω and α of hard groups, given their joints' places, errs by less than 4 u of
 //! its own value whatever the condition, and velocities and accelerations stay below 1 u·condition
 //! (`tests/library/accuracy.rs`). The condition number is that of the matrix scaled by powers of two, in the row-sum
-//! norm: how much errors of coordinates are enlarged. A group counts as singular from condition 0.05/u (u = 2⁻⁵³):
+//! norm: about how much errors of the vectors between joints, each in parts of itself, are enlarged in the largest rates, each
+//! counted with the size of its link. A group counts as singular from condition 0.05/u (u = 2⁻⁵³):
 //! coordinates rounded to f64 would determine no digit.
+//!
+//! # Limit, change point or neither
+//!
+//! Where a group is singular, `singular` says what it is: the rates that the drives demand grow without bound at a limit, and
+//! are not determined at a change point. Of a dyad on a crank `reach` tells it by the signs of sums of lengths, and where it is.
 
 mod moving;
+mod reach;
 mod refine;
 #[doc(hidden)] // for tests
 pub mod says;
+mod singular;
 mod solve;
 
 pub use moving::Places;
 pub(crate) use moving::guide_error;
 pub use refine::ClosedForm;
+pub use singular::{Standing, drive_stands};
 pub use solve::motion;
 
 pub(crate) use moving::State;
+pub(crate) use reach::Reach;
 pub(crate) use refine::coefficient_errors;
-pub(crate) use solve::bounded_motion;
+pub(crate) use solve::{bounded_motion, standing_of};
 
 use crate::Problem;
 use crate::geometry::{Point, Vector, quarter_turn};
@@ -187,6 +197,10 @@ pub enum MotionError {
         reason: Message,
         /// Condition number of the loop equations; infinite where a pivot vanishes.
         condition: f64,
+        /// Whether it is a limit or a change point.
+        standing: Standing,
+        /// Where the drive stands, in words; empty without one.
+        at: String,
     },
     /// A number of the group with these links exceeds the range of f64.
     Overflow(String),
@@ -197,10 +211,13 @@ impl MotionError {
     #[must_use]
     pub fn problem(&self) -> Problem {
         match self {
-            MotionError::Singular { links, reason, condition } => {
-                let message = match condition.is_finite() {
-                    true => says::singular(links, reason.clone(), format!("{condition:.1e}")),
-                    false => says::singular_exactly(links, reason.clone()),
+            MotionError::Singular { links, reason, condition, standing, at } => {
+                let reason = reason.clone();
+                let message = match standing {
+                    Standing::Limit => says::at_limit(at, links, reason),
+                    Standing::Change => says::at_change(at, links, reason),
+                    _ if condition.is_finite() => says::singular(links, reason, format!("{condition:.1e}")),
+                    _ => says::singular_exactly(links, reason),
                 };
                 Problem::new(message).hint(says::move_a_joint())
             }

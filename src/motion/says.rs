@@ -6,6 +6,10 @@ messages! { "motion":
     singular(links, reason, condition) =
         "links {links} are in a singular position: {reason} (condition {condition})";
     singular_exactly(links, reason) = "links {links} are in a singular position: {reason} (exactly)";
+    at_limit(place, links, reason) =
+        "limit position at {place}: links {links} can go no further, their rates grow without bound: {reason}";
+    at_change(place, links, reason) =
+        "change point at {place}: links {links} could go on in another mode too, so their rates are not determined: {reason}";
     move_a_joint = "another crank angle, or move one of these joints off the common line or point";
     overflow(links) = "links {links}: a distance, a velocity or an acceleration is too large to be represented";
     larger_units = "larger units of length, or slower drives";

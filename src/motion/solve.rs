@@ -1,11 +1,11 @@
 use super::moving::{BoundedMotion, BoundedSlide, Places, State};
 use super::refine::{Solver, acceleration_sides, velocity_sides};
+use super::singular::{Standing, singular, standing};
 use super::{Motion, MotionError, says};
-use crate::geometry::{Ball, Line, UNIT_ROUNDOFF, Vector, cross, quarter_turn};
+use crate::geometry::{Ball, UNIT_ROUNDOFF, Vector};
 use crate::mechanism::{
-    AngularRate, BodyId, Class, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
+    AngularRate, BodyId, Group, JointId, Loop, LoopEquations, Mechanism, PointId, Role, Slider, SliderId,
 };
-use crate::message::Message;
 use crate::position::Pose;
 use crate::scene::GivenBy;
 use crate::sheet::Order;
@@ -36,7 +36,10 @@ pub fn motion(mechanism: &Mechanism, pose: &Pose, order: Order) -> Result<Motion
     let (mut conditions, mut warnings) = (Vec::new(), Vec::new());
     for group in &mechanism.groups {
         let condition = move_group(mechanism, group, pose, order, &mut state).map_err(|unsolved| match unsolved {
-            Unsolved::Singular(condition) => singular(mechanism, group, pose, condition),
+            Unsolved::Singular(condition) => {
+                let standing = standing(mechanism, group, pose, &state);
+                singular(mechanism, group, pose, condition, standing)
+            }
             Unsolved::Overflow => MotionError::Overflow(group.link_names(mechanism)),
         })?;
         if condition > NEARLY_SINGULAR_CONDITION {
@@ -75,6 +78,18 @@ pub(crate) fn bounded_motion(mechanism: &Mechanism, places: &impl Places, order:
         }
     }
     state
+}
+
+/// Where a group stands that has no motion of which something is proved: by the motions of those before it.
+pub(crate) fn standing_of(mechanism: &Mechanism, pose: &Pose, group: usize) -> Standing {
+    let mut state = known_state(mechanism, pose);
+    for before in &mechanism.groups[..group] {
+        // Without a motion it stays at rest, and nothing follows for those after it.
+        if move_group(mechanism, before, pose, Order::Velocity, &mut state).is_err() {
+            return Standing::Unknown;
+        }
+    }
+    standing(mechanism, &mechanism.groups[group], pose, &state)
 }
 
 /// The motions that the scene gives; rest for all others.
@@ -275,57 +290,5 @@ fn motion_across(
         velocity: moved.velocity + u * slide.velocity,
         acceleration: moved.acceleration + u * slide.acceleration + coriolis,
         ..moved
-    }
-}
-
-/// The error for a singular group, with the lines that are concurrent or parallel.
-pub(super) fn singular(mechanism: &Mechanism, group: &Group, pose: &Pose, condition: f64) -> MotionError {
-    let pairs = critical_lines(group);
-    let directions: Vec<Vector> =
-        pairs.iter().filter_map(|&[a, b]| joint_line(mechanism, pose, a, b)?.direction()).collect();
-    let parallel = directions.len() == pairs.len() && directions.windows(2).all(|d| cross(d[0], d[1]).abs() < 1e-6);
-    let names: Vec<Message> = pairs.iter().map(|&[a, b]| line_name(mechanism, a, b)).collect();
-    let reason = match (group.class, names.as_slice()) {
-        (Class::Higher, _) => says::no_definite_motion(),
-        (Class::Second, [first, second]) => says::in_one_line(first.clone(), second.clone()),
-        _ if parallel => says::parallel(Message::list(names, ", ")),
-        _ => says::in_one_point(Message::list(names, ", ")),
-    };
-    MotionError::Singular { links: group.link_names(mechanism), reason, condition }
-}
-
-/// The joints on the critical lines. Class II: from either outer joint to the inner one. Class III: along each leg.
-/// Class IV: CD, GF and BE.
-fn critical_lines(group: &Group) -> Vec<[JointId; 2]> {
-    let joints = |k: usize| &group.loops[k].joints;
-    match group.class {
-        Class::Second => vec![[joints(0)[0], joints(0)[1]], [joints(0)[1], joints(0)[2]]],
-        Class::Third => vec![[joints(0)[0], joints(0)[1]], [joints(0)[2], joints(0)[3]], [joints(1)[2], joints(1)[3]]],
-        Class::Fourth => vec![[joints(0)[1], joints(0)[2]], [joints(1)[1], joints(1)[2]], [joints(0)[0], joints(0)[3]]],
-        Class::Higher => Vec::new(),
-    }
-}
-
-/// The line through two joints; a prismatic joint is a pin at infinity, normal to its guide.
-fn joint_line(mechanism: &Mechanism, pose: &Pose, a: JointId, b: JointId) -> Option<Line> {
-    let normal = |j: JointId| mechanism.joint(j).slider.map(|slider| quarter_turn(pose.guide(slider)));
-    let place = |j: JointId| pose.point(mechanism.joint_point(j));
-    match (normal(a), normal(b)) {
-        (None, None) => Line::new(place(a), place(b) - place(a)),
-        (None, Some(n)) => Line::new(place(a), n),
-        (Some(n), None) => Line::new(place(b), n),
-        (Some(_), Some(_)) => Some(Line::AtInfinity),
-    }
-}
-
-/// The line through two joints.
-fn line_name(mechanism: &Mechanism, a: JointId, b: JointId) -> Message {
-    let name = |j: JointId| mechanism.point_name(mechanism.joint_point(j)).to_owned();
-    let slides = |j: JointId| mechanism.joint(j).slider.is_some();
-    match (slides(a), slides(b)) {
-        (false, false) => format!("{}{}", name(a), name(b)).into(),
-        (true, false) => says::normal_to_guide(name(b), name(a)),
-        (false, true) => says::normal_to_guide(name(a), name(b)),
-        (true, true) => says::at_infinity(name(a), name(b)),
     }
 }

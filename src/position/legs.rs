@@ -221,7 +221,8 @@ fn translations_at_root(rows: &[Row; 3]) -> Vec<Vector> {
     translations(&[stronger, last])
 }
 
-/// The common translations of two conditions: none, one or two; none for parallel lines.
+/// The common translations of two conditions: none, one or two, or where two nearly meet, the one between them, too; none for
+/// parallel lines.
 fn translations(rows: &[Row; 2]) -> Vec<Vector> {
     let (line, circle) = match (rows[0].is_circle, rows[1].is_circle) {
         (false, false) => {
@@ -242,12 +243,15 @@ fn translations(rows: &[Row; 2]) -> Vec<Vector> {
     let distance = line.constant / length - normal.dot(&centre);
     let half = (circle.constant - distance) * (circle.constant + distance);
     // A circle that misses the line only by rounding counts as tangent; closing the loops decides.
-    if half < -1e-9 * circle.constant * circle.constant {
+    let whole = circle.constant * circle.constant;
+    if half < -1e-9 * whole {
         return Vec::new();
     }
+    // As for roots of first degree: the place between two that nearly meet comes first, and they stay apart.
     let foot = centre + normal * distance;
-    let along = quarter_turn(normal) * half.max(0.0).sqrt();
-    vec![foot + along, foot - along]
+    let along = quarter_turn(normal) * half.max(f64::EPSILON * whole).sqrt();
+    let between = (half <= RAISED * whole).then_some(foot);
+    between.into_iter().chain([foot + along, foot - along]).collect()
 }
 
 /// Largest degree of the trigonometric polynomials solved here.

@@ -39,6 +39,11 @@ pub(super) struct Keys {
     pub count: Option<u64>,
     /// Chooses the random numbers; left out: 1.
     pub seed: Option<u64>,
+    /// Whether `max`, `min`, `max_abs` and `at_scene` each have a column with the bound of the error of the value there, as
+    /// "omega(3).max_error"; left out: not. It takes some hundred times as long.
+    #[serde(default)]
+    #[schemars(extend("default" = false))]
+    pub bounds: bool,
     /// The motion of each mechanism.
     pub cycle: Cycle,
     /// By the name of a quantity, as "omega(3)": which figures of it; of vectors they are figures of the size.

@@ -4,6 +4,7 @@
 use super::samples::{mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Curves, CycleError, Extreme, Path, Steps, Sweep};
+use crate::geometry::with_turns;
 use crate::mechanism::{Mechanism, StructureError, mechanism};
 use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
 use crate::scene::{STRAIGHT, Scene, SceneError, Shape};
@@ -56,8 +57,8 @@ pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
     Ok((mechanism, pose))
 }
 
-/// Follows one mechanism along its branch.
-pub(super) fn follow_alone(task: &Task, mechanism: &Mechanism, pose: &Pose) -> Outcome {
+/// Follows one mechanism along its branch; values have bounds of their errors where its scene is given.
+pub(super) fn follow_alone(task: &Task, scene: Option<&Scene>, mechanism: &Mechanism, pose: &Pose) -> Outcome {
     let none = |status| Outcome::without_motion(status, task);
     let range = &task.range;
     let Ok(mut path) = Path::new(mechanism, pose, range.drive.clone()) else {
@@ -74,6 +75,10 @@ pub(super) fn follow_alone(task: &Task, mechanism: &Mechanism, pose: &Pose) -> O
     outcome.reach = Some(reach(&path, [low, high]));
     for (wanted, summary) in task.wanted.iter().zip(&mut outcome.summaries) {
         *summary = summarised(&path, task, wanted);
+        if let Some(scene) = scene {
+            let at_scene = summary.at_scene.map(|value| [path.start(), value]);
+            summary.errors = [summary.max, summary.min, at_scene].map(|found| error(&path, scene, wanted, found?));
+        }
     }
     outcome
 }
@@ -103,6 +108,23 @@ fn summarised(path: &Path, task: &Task, wanted: &Wanted) -> Summary {
         }
     }
     summary
+}
+
+/// The bound of the error of a value that a quantity has at a value of the drive; `None` where it has none.
+fn error(path: &Path, scene: &Scene, wanted: &Wanted, [at, value]: [f64; 2]) -> Option<f64> {
+    // The size of a vector.
+    let name = if wanted.asked.is_vector() { format!("{}.size", wanted.name) } else { wanted.name.clone() };
+    let sweep = Sweep::new(path, Steps::new(at, at, 1.0).ok()?, Some(&[name])).ok()?.with_errors(scene);
+    match *sweep.rows(0..sweep.steps.count()).as_slice() {
+        [_, Some(own), Some(bound)] => {
+            let off = if wanted.turns() { value - with_turns(own, value) } else { value - own };
+            // The value is rounded where it is not the table's own.
+            Some(bound + off.abs() * (1.0 + f64::EPSILON))
+        }
+        // The drive's own value is given.
+        [_] => Some(0.0),
+        _ => None,
+    }
 }
 
 /// Values of a quantity at these steps, or at the scene's position; angles run on.

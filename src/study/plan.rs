@@ -74,7 +74,14 @@ impl StudyFile {
             }
             wanted.push(Wanted { name: name.clone(), asked, figures: figures.clone() });
         }
-        Ok(Study { scene, varied, shots, seed: self.keys.seed.unwrap_or(1), rows, task: Task { range, wanted } })
+        Ok(Study {
+            scene,
+            varied,
+            shots,
+            seed: self.keys.seed.unwrap_or(1),
+            rows,
+            task: Task { range, wanted, errors: self.keys.bounds },
+        })
     }
 }
 
@@ -103,6 +110,9 @@ impl Study {
                 columns.push(number(&name, &wanted.asked.kind().unit(units)));
                 if figure.has_place() {
                     columns.push(number(&format!("{name}_at"), &drive));
+                }
+                if self.task.errors && figure.has_error() {
+                    columns.push(number(&format!("{name}_error"), &wanted.asked.kind().unit(units)));
                 }
             }
         }
@@ -138,7 +148,7 @@ impl Study {
         let mut scene = self.scene.clone();
         let mut varied = Vec::new();
         let mut failed = Vec::new();
-        let (mut mechanisms, mut poses) = (Vec::new(), Vec::new());
+        let (mut mechanisms, mut poses, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
         for row in rows.clone() {
             let values = self.values(row);
             for (varied, value) in self.varied.iter().zip(&values) {
@@ -154,11 +164,15 @@ impl Study {
                     mechanism
                 });
                 poses.push(pose);
+                scenes.push(self.task.errors.then(|| scene.clone()));
             }
         }
-        let moved = together::follow(&self.task, &mechanisms, &poses).into_iter().zip(mechanisms.iter().zip(&poses));
+        let members = mechanisms.iter().zip(&poses).zip(&scenes);
+        let moved = together::follow(&self.task, &mechanisms, &poses).into_iter().zip(members);
         // Side by side where that is sure, else each by itself.
-        let mut moved = moved.map(|(outcome, (m, pose))| outcome.unwrap_or_else(|| follow_alone(&self.task, m, pose)));
+        let mut moved = moved.map(|(outcome, ((mechanism, pose), scene))| {
+            outcome.unwrap_or_else(|| follow_alone(&self.task, scene.as_ref(), mechanism, pose))
+        });
         let outcomes = failed.into_iter().map(|status| match status {
             None => moved.next().unwrap_or_else(|| Outcome::without_motion(Status::NoMechanism, &self.task)),
             Some(status) => Outcome::without_motion(status, &self.task),
@@ -174,6 +188,9 @@ impl Study {
                     numbers.push(value.unwrap_or(f64::NAN));
                     if figure.has_place() {
                         numbers.push(at.unwrap_or(f64::NAN));
+                    }
+                    if self.task.errors && figure.has_error() {
+                        numbers.push(summary.error(*figure).unwrap_or(f64::NAN));
                     }
                 }
             }

@@ -10,6 +10,8 @@ use serde::Deserialize;
 pub(super) struct Task {
     pub range: DriveRange,
     pub wanted: Vec<Wanted>,
+    /// Whether values have bounds of their errors.
+    pub errors: bool,
 }
 
 /// The motion of every mechanism.
@@ -91,6 +93,12 @@ impl Figure {
         }
     }
 
+    /// Whether it is a value at one position, whose error has a bound.
+    #[must_use]
+    pub fn has_error(self) -> bool {
+        self.has_place() || self == Figure::AtScene
+    }
+
     /// Whether it happens somewhere.
     #[must_use]
     pub fn has_place(self) -> bool {
@@ -107,9 +115,26 @@ pub(super) struct Summary {
     pub min: Option<[f64; 2]>,
     pub mean: Option<f64>,
     pub at_scene: Option<f64>,
+    /// Bounds of the errors of the values of `max`, `min` and `at_scene`, where they are asked for.
+    pub errors: [Option<f64>; 3],
 }
 
 impl Summary {
+    /// The bound of the error of a figure's value at its place.
+    pub fn error(&self, figure: Figure) -> Option<f64> {
+        let [max, min, at_scene] = self.errors;
+        match figure {
+            Figure::Max => max,
+            Figure::Min => min,
+            Figure::MaxAbs => {
+                let (greatest, least) = self.max.zip(self.min)?;
+                if greatest[1].abs() >= least[1].abs() { max } else { min }
+            }
+            Figure::AtScene => at_scene,
+            Figure::Range | Figure::Mean => None,
+        }
+    }
+
     /// A figure, and the drive's value where it happens if it happens somewhere.
     pub fn figure(&self, figure: Figure) -> (Option<f64>, Option<f64>) {
         let placed = |found: Option<[f64; 2]>| (found.map(|f| f[1]), found.map(|f| f[0]));

@@ -14,7 +14,7 @@ const SAME: f64 = 1e-9;
 /// What becomes of mechanisms; `None` of those that have to be followed by themselves.
 pub(super) fn follow(task: &Task, mechanisms: &[Mechanism], poses: &[Pose]) -> Vec<Option<Outcome>> {
     let nothing = mechanisms.iter().map(|_| None).collect();
-    if mechanisms.is_empty() || task.wanted.iter().any(|w| w.asked.needs_construction()) {
+    if mechanisms.is_empty() || task.errors || task.wanted.iter().any(|w| w.asked.needs_construction()) {
         return nothing;
     }
     let Ok(variants) = Variants::new(mechanisms, poses) else {
@@ -146,7 +146,7 @@ impl<'a> Walk<'a> {
                 }
                 let at_scene = Some(self.at_scene[mechanism][quantity]).filter(|y| y.is_finite());
                 let mean = if wanted.has_mean() { mean(samples) } else { None };
-                summaries.push(Summary { max: None, min: None, mean, at_scene });
+                summaries.push(Summary { mean, at_scene, ..Summary::default() });
             }
             let whole = Outcome { status: Status::Whole, reach: Some(range.ends()), summaries };
             outcomes.push(sure.then_some(whole));

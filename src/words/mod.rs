@@ -17,11 +17,12 @@ mod number;
 pub mod sentences;
 
 pub use catalogue::Language;
+pub(crate) use number::certain_angle;
 pub use number::{Medium, NumberStyle, power_of_ten};
 
 use crate::scene::{DecimalMark, Figure, LanguageName};
 use crate::sheet::Order;
-use catalogue::{Read, read};
+use catalogue::{Declared, Read, Tables, read};
 use sentences::DECLARED;
 use std::sync::LazyLock;
 
@@ -34,19 +35,25 @@ pub fn catalogue_of(name: LanguageName) -> &'static str {
     }
 }
 
-/// The languages in the order of [`LanguageName::ALL`]. A sentence that a catalogue lacks is said in English.
-static LANGUAGES: LazyLock<[Language; LanguageName::ALL.len()]> = LazyLock::new(|| {
+/// The languages in the order of [`LanguageName::ALL`], each read when it is spoken.
+static LANGUAGES: [LazyLock<Language>; LanguageName::ALL.len()] =
+    [LazyLock::new(|| language(LanguageName::English)), LazyLock::new(|| language(LanguageName::Spanish))];
+
+/// A language by its catalogue. What that lacks is said in English.
+fn language(name: LanguageName) -> Language {
     let english_tables = read(catalogue_of(LanguageName::English), &[]).0.tables;
-    LanguageName::ALL.map(|name| {
-        let (Read { sentences, tables }, _) = read(catalogue_of(name), DECLARED);
-        let sentences = sentences.into_iter().zip(DECLARED);
-        Language {
-            code: name.as_str(),
-            sentences: sentences.map(|(found, declared)| found.unwrap_or(declared.english)).collect(),
-            tables: english_tables.iter().map(|(key, text)| (*key, *text)).chain(tables).collect(),
-        }
-    })
-});
+    let Read { sentences, tables } = match name {
+        LanguageName::English => Read { sentences: Vec::new(), tables: Tables::new() },
+        other => read(catalogue_of(other), DECLARED).0,
+    };
+    let sentence =
+        |(index, declared): (usize, &Declared)| sentences.get(index).copied().flatten().unwrap_or(declared.english);
+    Language {
+        code: name.as_str(),
+        sentences: DECLARED.iter().enumerate().map(sentence).collect(),
+        tables: english_tables.into_iter().chain(tables).collect(),
+    }
+}
 
 impl Language {
     /// The language of that name.

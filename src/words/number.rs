@@ -175,6 +175,17 @@ fn in_groups(number: &str) -> String {
     grouped
 }
 
+/// Most decimals of an angle in degrees at which something happens.
+const MOST: f64 = 10.0;
+
+/// An angle in degrees with its unit, with as many decimals as are certain where it may be off by `within`: what is printed
+/// is right to one unit of the last one.
+pub(crate) fn certain_angle(degrees: f64, within: f64) -> String {
+    let certain = if within > 0.0 { -libm::log10(2.0 * within) } else { MOST };
+    let scale = libm::exp10(libm::floor(certain.clamp(0.0, MOST)));
+    format!("{}°", (degrees * scale).round() / scale + 0.0)
+}
+
 /// A power of ten in markup: `10^{−3}`.
 #[must_use]
 pub fn power_of_ten(power: i32) -> String {

@@ -174,8 +174,8 @@ fn groups_on_groups_and_driven_sliders() {
     seen.demand("groups on groups");
 }
 
-/// Where a very long link is turned by one equation without any long arm in it, normal accelerations along that link cancel. The
-/// condition, which sees one equation at a time, does not tell of it; with f64 alone four digits of α would be lost.
+/// Where a very long link is turned by one equation without any long arm in it, normal accelerations along that link cancel: with f64
+/// alone four digits of α would be lost.
 #[test]
 fn a_long_link_costs_no_digits() {
     let [long, base] = [1e5, 8.3125];
@@ -190,7 +190,7 @@ fn a_long_link_costs_no_digits() {
     seen.see("a long link", &mechanism, &pose, &[]);
     let link = mechanism.link("4").expect("a link of the group");
     let relative = motion.error(link).alpha / motion.body(link).alpha.abs();
-    assert!(motion.conditions[0] < 50.0 && relative <= f64::EPSILON);
+    assert!(relative <= f64::EPSILON, "{relative:e}");
     assert!(seen.failures.is_empty(), "{:?}", seen.failures);
 }
 

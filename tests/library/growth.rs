@@ -1,6 +1,7 @@
 //! How work grows with a scene: what takes a time that doubles with it takes four times as long for four times as much, and
 //! not sixteen times. Time is that of this thread on its core, where the system tells it.
 
+use kinegon::accuracy::bounds;
 use kinegon::check::{DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
 use kinegon::drawing::{Film, HeldLayout, Timing};
@@ -167,6 +168,42 @@ fn drives_of_a_film() {
     let cycle = |own: &Solution| drop(HeldLayout::of_cycle(own, None, None, None));
     // Each drive alone takes it through others, of which there are fewer the more points there are.
     is_in_proportion("the layout of a cycle", growth(6, read, cycle));
+}
+
+/// So many slider-cranks side by side.
+fn slider_cranks(count: usize) -> String {
+    let (mut ground, mut links, mut near, mut sliders) = (String::new(), String::new(), String::new(), String::new());
+    for k in 0..count {
+        let comma = if k == 0 { "" } else { "," };
+        let (x, y) = (400 * (k % 40), 400 * (k / 40));
+        let written = [
+            write!(ground, r#"{comma} "A{k}": [{x}, {y}]"#),
+            write!(
+                links,
+                r#"{comma} "a{k}": {{ "points": ["A{k}", "B{k}"], "lengths": {{ "A{k}-B{k}": 50 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
+                "b{k}": {{ "points": ["B{k}", "C{k}"], "lengths": {{ "B{k}-C{k}": 150 }} }}, "c{k}": {{ "points": ["C{k}"] }}"#
+            ),
+            write!(near, r#"{comma} "C{k}": [{}, {}]"#, x + 160, y - 20),
+            write!(
+                sliders,
+                r#"{comma} {{ "link": "c{k}", "at": "C{k}", "on": "ground", "through": [{x}, {}], "along": 0 }}"#,
+                y - 20
+            ),
+        ];
+        assert!(written.iter().all(Result::is_ok), "a string takes all");
+    }
+    format!(
+        r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ {ground} }}, "links": {{ {links} }}, "sliders": [{sliders}],
+            "near": {{ {near} }} }}"#
+    )
+}
+
+/// A group's bounds look at its own sliders, not at all.
+#[test]
+fn bounds_of_sliders_side_by_side() {
+    let with = |count: usize| solution(&slider_cranks(count));
+    let bounded = |own: &Solution| drop(bounds(&own.scene, &own.mechanism, &own.pose, &own.motion));
+    grows_at_most(6.0, "bounds", growth(400, with, bounded));
 }
 
 #[test]

@@ -123,6 +123,6 @@ fn names_of_points_are_not_struck_through() {
 #[test]
 fn what_rounding_leaves_of_zero_is_not_told() {
     let what = Happening::TurnsBack { link: "2".into(), angle: -4.646_740_09e-17 };
-    let told = Event { at: 30.0, what }.text("angle(1) = 30°", &Wording::default());
+    let told = Event { at: 30.0, within: 0.0, what }.text("angle(1) = 30°", &Wording::default());
     assert!(told.contains("link 2 stops at 0° and turns back"), "{told}");
 }

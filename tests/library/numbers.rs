@@ -11,6 +11,7 @@ use nalgebra::DMatrix;
 use serde_json::Value;
 use support::exact::minus;
 use support::files;
+use support::random::Random;
 use support::stages::solved;
 
 /// The number of that name in a result, with its bound.
@@ -137,4 +138,84 @@ fn bounds_hold_for_every_matrix_that_is_meant() {
     let bound = |off: f64| nearly.verified(&[off; 4]).error_bound(&[1.0, 0.0], &[1.0, 1.0], &[0.0; 2])[0];
     assert!(bound(1e-12) > 1e-4 && bound(1e-12) < 1e-3, "{}", bound(1e-12));
     assert!(bound(1e-8).is_infinite());
+}
+
+/// A dyad that is nearly straight is as near to its limit along the x axis as in any other direction: what the condition says of it
+/// does not depend on the frame.
+#[test]
+fn the_condition_is_that_of_every_frame() {
+    let of = |turn: [f64; 2]| {
+        let [cosine, sine] = turn;
+        let places = [("A", [-30.0, 40.0]), ("B", [0.0, 0.0]), ("C", [50.0, 1e-7]), ("D", [100.0, 0.0])];
+        let points: Vec<String> = places
+            .iter()
+            .map(|(name, [x, y])| format!("\"{name}\": [{:e}, {:e}]", cosine * x - sine * y, sine * x + cosine * y))
+            .collect();
+        let text = format!(
+            r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "points": {{ {} }}, "ground": ["A", "D"],
+               "links": {{ "1": {{ "points": ["A", "B"], "drive": {{ "omega": 1 }} }}, "2": ["B", "C"], "3": ["C", "D"] }} }}"#,
+            points.join(", ")
+        );
+        solved(&text).expect("it is not singular").result().groups[0].condition
+    };
+    let [along, upright, turned] = [[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]].map(of);
+    assert!(along > 1e8 && upright > 1e8 && turned > 1e8, "{along:e} {upright:e} {turned:e}");
+    assert!((turned / along).max(along / turned) < 4.0 && along == upright, "{along:e} {upright:e} {turned:e}");
+}
+
+/// What the condition promises: errors of the vectors between joints, each in parts of itself, move the rates, each counted with
+/// the size of its link, by hardly more than the condition times as much of the largest. Short links are no exception.
+#[test]
+fn the_condition_bounds_what_errors_of_vectors_do() {
+    let dice = &mut Random(77);
+    let mut most: f64 = 0.0;
+    for case in 0..200 {
+        // A four-bar as drawn, in some of them with a link down to 1e-9 of the others.
+        let mut within = |size: f64| dice.within(0.5 * size);
+        let short = if case % 2 == 0 { 1.0 } else { libm::pow(10.0, -1.0 - (case % 9) as f64) };
+        let [crank, coupler, rocker] = [
+            [within(80.0), 40.0 + within(40.0)],
+            [60.0 + within(60.0), within(60.0)],
+            [within(40.0) * short, -50.0 * short],
+        ];
+        let rates = |coupler: [f64; 2], rocker: [f64; 2]| {
+            // Each vector by itself, so that a short one keeps its digits.
+            let determinant = coupler[0] * rocker[1] - coupler[1] * rocker[0];
+            // ω₁ J r₁ + ω₂ J r₂ + ω₃ J r₃ = 0, by Cramer's rule.
+            let of = |a: [f64; 2], b: [f64; 2]| (a[1] * b[0] - a[0] * b[1]) / determinant;
+            [of(crank, rocker), of(coupler, crank)]
+        };
+        let size = |v: [f64; 2]| libm::hypot(v[0], v[1]);
+        let condition = {
+            let matrix = DMatrix::from_row_slice(2, 2, &[-coupler[1], -rocker[1], coupler[0], rocker[0]]);
+            LinearSystem::of_vectors(matrix, 1).expect("regular").condition()
+        };
+        let exact = rates(coupler, rocker);
+        let largest = (exact[0].abs() * size(coupler)).max(exact[1].abs() * size(rocker));
+        let part = 1e-9;
+        for _ in 0..20 {
+            let mut off = |v: [f64; 2]| {
+                let (sine, cosine) = libm::sincos(6.3 * dice.unit());
+                [v[0] + part * size(v) * cosine, v[1] + part * size(v) * sine]
+            };
+            let (coupler, rocker) = (off(coupler), off(rocker));
+            let found = rates(coupler, rocker);
+            let moved = ((found[0] - exact[0]).abs() * size(coupler)).max((found[1] - exact[1]).abs() * size(rocker));
+            most = most.max(moved / (part * largest * condition));
+        }
+    }
+    assert!(most > 0.1 && most < 6.0, "errors grow by {most} times the condition");
+}
+
+/// Where nothing is rounded, as in line at 0°, a position is proved as well.
+#[test]
+fn what_is_exact_is_proved() {
+    let text = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" }, "ground": { "A": [0, 0] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 50 }, "drive": { "angle": 0, "omega": 3 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 150 } }, "3": { "points": ["C"] } },
+        "sliders": [{ "link": "3", "at": "C", "on": "ground", "through": [0, 0], "along": 0 }], "near": { "C": [200, 0] } }"#;
+    let result = solved(text).expect("it is not singular").result();
+    let link = &result.links["2"];
+    assert!(result.proved && (link.omega + 1.0).abs() <= link.omega_error && link.omega_error < 1e-15, "{link:?}");
+    assert_eq!(result.notes, ["extreme position at angle(1) = 0°: slider 3/ground stops at 200 and slides back"]);
 }

@@ -5,8 +5,8 @@
 //! random (`support::whole_errors::grow`).
 
 use kinegon::Solution;
-use kinegon::construction::{Course, CutLine};
-use kinegon::format::ResultFile;
+use kinegon::construction::{Course, CutLine, Special};
+use kinegon::format::{QuantityResult, ResultFile};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeMap;
 use std::thread;
@@ -54,6 +54,8 @@ struct Seen {
     exact: usize,
     /// Bound over error.
     shares: Vec<f64>,
+    /// Lengths and segments that the construction measures.
+    measured: usize,
     digits: usize,
     /// Difference that the two routes to a group's rates may have, over the difference that they have.
     routes: Vec<f64>,
@@ -75,6 +77,7 @@ impl Seen {
         self.proved += other.proved;
         self.exact += other.exact;
         self.shares.extend(other.shares);
+        self.measured += other.measured;
         self.digits += other.digits;
         self.routes.extend(other.routes);
         self.failures.extend(other.failures);
@@ -120,13 +123,14 @@ impl Seen {
             self.solved, self.refused, self.untold, self.classes,
         );
         println!(
-            "{} numbers, {} without a bound, {} coarse, {} comparisons exact; bound / error: least {:.3}, median {median:.1}, 90 % below {:.0}; {} printed digits compared; {} failures",
+            "{} numbers, {} without a bound, {} coarse, {} comparisons exact; bound / error: least {:.3}, median {median:.1}, 90 % below {:.0}; {} lengths and segments measured; {} printed digits compared; {} failures",
             self.numbers,
             self.unbounded,
             self.coarse,
             self.exact,
             self.shares[0],
             self.shares[self.shares.len() * 9 / 10],
+            self.measured,
             self.digits,
             self.failures.len(),
         );
@@ -140,6 +144,7 @@ impl Seen {
         assert!(self.routes[0] >= 1.0 && routes < GENEROUS, "the routes may differ by too much: {routes}");
         assert!(self.coarse * 1000 < self.numbers, "{} of {} numbers are coarse", self.coarse, self.numbers);
         println!("{} of {} groups proved", self.proved, self.groups);
+        assert!(self.measured > 0, "nothing was measured");
         assert!((self.groups - self.proved) * 1000 <= self.groups, "{} of {} groups proved", self.proved, self.groups);
         assert!(self.unbounded * 1000 <= self.numbers, "{} of {} numbers have no bound", self.unbounded, self.numbers);
     }
@@ -293,7 +298,7 @@ fn compare(name: &str, scene: &Value, solution: &Solution, form: usize, seen: &m
     for group in &mechanism.groups {
         *seen.classes.entry(group.class.numeral().to_owned()).or_default() += 1;
     }
-    let result = solution.result();
+    let result = solution.whole_result().expect("all that is measured has a value");
     seen.groups += result.groups.len();
     seen.proved += result.groups.iter().filter(|group| group.proved).count();
     compare_result(name, &result, &truth, seen);
@@ -369,6 +374,53 @@ fn compare_special(name: &str, solution: &Solution, result: &ResultFile, truth: 
         seen.pair(&label, got.position, got.position_error, &place);
         seen.pair(&format!("{label} v"), got.velocity, got.velocity_error, &velocity);
         seen.pair(&format!("{label} a"), got.acceleration, got.acceleration_error, &acceleration);
+        compare_measured(name, solution, result, (special, &place, [velocity, acceleration]), truth, seen);
+    }
+}
+
+/// What is measured for a special point: lengths from the joints of its legs, and segments along its rays. Of the acceleration relative to a leg's joint
+/// the ray has what is across the cut line, whatever the parts that lead to its start.
+fn compare_measured(
+    name: &str,
+    solution: &Solution,
+    result: &ResultFile,
+    (special, place, motion): (&Special, &Pair, [Pair; 2]),
+    truth: &Truth,
+    seen: &mut Seen,
+) {
+    let mechanism = &solution.mechanism;
+    for (side, cut) in special.cuts.iter().enumerate() {
+        let Course::Through(from, Some(to)) = cut.course else { continue };
+        let [first, second] = [from, to].map(|point| &mechanism.points[point.0]);
+        let (Some(start), Some(end)) = (truth.point(first), truth.point(second)) else { continue };
+        let along = minus(&end.place, &start.place);
+        let norm = |v: &Pair| (&v[0] * &v[0] + &v[1] * &v[1]).sqrt();
+        let length = norm(&minus(place, &end.place));
+        let mut of = |quantity: String, truth: &Real| {
+            let (Some(QuantityResult::Number(value)), Some(bound)) =
+                (result.quantities.get(&quantity), result.quantity_errors.get(&quantity))
+            else {
+                return;
+            };
+            // A flat crossing loses digits; the bound says so.
+            let coarse = seen.coarse;
+            seen.number(|| format!("{name}: {quantity}"), *value, *bound, truth);
+            (seen.coarse, seen.measured) = (coarse, seen.measured + 1);
+        };
+        of(format!("L({second},{})", special.name), &length);
+        let image = special.name.to_lowercase();
+        let [velocity, acceleration] = [0, 1].map(|order| minus(&motion[order], &start.motion[order]));
+        if cut.slides.is_empty() && mechanism.body(cut.leg.base).points.contains(&from) {
+            of(format!("vplan({},{image})", first.to_lowercase()), &norm(&velocity));
+            let across = cross(&along, &acceleration) / norm(&along);
+            let across = if across < Real::ZERO { -across } else { across };
+            // Both legs may begin at one joint.
+            let other = &special.cuts[0];
+            let is_second = side == 1 && (other.start(), other.leg.base) == (cut.start(), cut.leg.base);
+            let prime = if is_second { "'" } else { "" };
+            let link = special.name.trim_start_matches('S');
+            of(format!("aplan(n{prime}_{}{link},{image})", first.to_lowercase()), &across);
+        }
     }
 }
 

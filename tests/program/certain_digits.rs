@@ -180,7 +180,7 @@ fn says_where_no_digit_is_certain() {
 }
 
 #[test]
-fn goes_with_modes_and_says_what_it_leaves_out_of_a_want() {
+fn goes_with_modes_and_has_what_is_wanted() {
     let figure_2 = files::read("examples/figure-2.json");
     let mode = ["solve", "--digits", "--mode", "2", "-"];
     let output = with_scene(&mode, figure_2.as_bytes());
@@ -189,15 +189,30 @@ fn goes_with_modes_and_says_what_it_leaves_out_of_a_want() {
     let own = with_scene(&["solve", "--digits", "-"], figure_2.as_bytes());
     assert_ne!(other.as_bytes(), own.stdout);
 
-    let want = r#""want": ["omega(2)", "v(D)", "L(B,S3)"], "figure""#;
+    let want =
+        r#""want": ["omega(2)", "v(D)", "L(B,S3)", "vplan(b,s3)", "x(S3)", "v(S3/B)", "vplan(b,s3)/mu"], "figure""#;
     let scene = figure_2.replace("\"figure\"", want);
     let output = with_scene(&["solve", "--digits", "-"], scene.as_bytes());
-    let message = stderr(&output);
-    assert!(message.contains("`L(B,S3)` has no stated bound"), "{message}");
-    assert_eq!(message.matches("warning").count(), 1, "{message}");
+    assert_eq!(stderr(&output), "");
     // Only velocities were asked for.
     let text = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(text.contains("v(D).x") && !text.contains("a(D)"), "{text}");
+    let row = |name: &str| {
+        let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
+        let found: Vec<&Vec<&str>> = rows.iter().filter(|row| row[0] == name).collect();
+        assert_eq!(found.len(), 1, "{name}: {text}");
+        found[0].iter().map(|word| (*word).to_owned()).collect::<Vec<String>>()
+    };
+    row("omega(2)");
+    for name in ["L(B,S3)", "vplan(b,s3)", "x(S3)", "v(S3/B).size", "vplan(b,s3)/mu"] {
+        let row = row(name);
+        let digits = row[1].bytes().filter(u8::is_ascii_digit).count();
+        let bound: f64 = row[4].parse().expect("a bound");
+        assert!(row[3] == "±" && bound > 0.0 && bound < 1e-10 && digits >= 13, "{row:?}");
+    }
+    // A segment and the relative velocity that it shows are one number.
+    assert_eq!(row("vplan(b,s3)")[1][..14], row("v(S3/B).size")[1][..14]);
+    assert_eq!(row("vplan(b,s3)/mu")[2], "mm");
 }
 
 /// What a lecturer looks for first: sizes and directions, of relative vectors too.

@@ -135,7 +135,7 @@ fn refused() -> Vec<(i32, Vec<&'static str>, Vec<u8>)> {
         ),
         (
             1,
-            vec!["links 2+3, 4 are in a singular position", "AC and CO lie in one line"],
+            vec!["limit position at position(3/2)", "links 2+3, 4 can go no further", "AC and CO lie in one line"],
             boom("\"position\": 450", "\"position\": 1382.6237921249264"),
         ),
         // Drives too many: one that turns the boom, one that turns the cylinder, a ring of two, a pin of cylinder and rod together.

@@ -205,17 +205,20 @@ fn a_limit_next_to_a_change_point_is_told() {
     }
 }
 
-/// A quantity without a bound is named, and has no column of errors.
+/// Also what is measured on a plan has a column of errors.
 #[test]
 fn errors_have_their_columns() {
     let output = sweep(&["--from", "69", "--to", "70", "--want", "omega(4), v(D), vplan(b,s3)", "--errors"]);
     let message = stderr(&output);
     assert_eq!(output.status.code(), Some(0), "{message}");
-    assert!(message.contains("`vplan(b,s3)` has no stated bound"), "{message}");
     let text = stdout(&output);
-    assert_eq!(text.lines().next(), Some("angle(1),omega(4),omega(4)_error,v(D).x,v(D).y,v(D)_error,\"vplan(b,s3)\""));
+    assert_eq!(
+        text.lines().next(),
+        Some("angle(1),omega(4),omega(4)_error,v(D).x,v(D).y,v(D)_error,\"vplan(b,s3)\",\"vplan(b,s3)_error\"")
+    );
     let last: Vec<f64> = text.lines().last().expect("a row").split(',').map(|n| n.parse().expect("a number")).collect();
     assert!((last[1] - -0.474_663_754_894).abs() < 1e-12 && last[2] > 0.0 && last[2] < 1e-12, "{last:?}");
+    assert!(last[7] > 0.0 && last[7] < 1e-10 * last[6], "{last:?}");
 }
 
 #[test]

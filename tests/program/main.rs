@@ -6,7 +6,7 @@
 //! student; `outputs` and `signals` run every command that writes against limits, links, bad places and signals;
 //! `command_line_class` checks folders of forms, some broken, and marks counted by hand; `command_line_variants`
 //! forms of several exercises, and students' pages; `certain_digits` holds every digit that `solve --digits` prints
-//! to references; `exercises` sees anew what is asked of exercises, for every kind; `courses` reads files for
+//! to references; `one_story` asks every command about limits, change points and dead centres; `exercises` sees anew what is asked of exercises, for every kind; `courses` reads files for
 //! learning management systems back by the importers' rules, and holds them to the keys; `step_sheets` looks for what
 //! each step draws and says; `styles` measures contrast, and colours as dichromats see them; `strangers` gives
 //! titles, labels, names and arguments that a terminal, a spreadsheet or a parser would obey, and reads everything
@@ -37,6 +37,7 @@ mod films;
 #[cfg(unix)] // it has a shell run what pages say
 mod guide;
 mod installed;
+mod one_story;
 #[cfg(unix)] // limits, links and modes
 mod outputs;
 mod overlays;

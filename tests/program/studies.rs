@@ -144,6 +144,45 @@ fn extremes_are_those_of_the_closed_form() {
 }
 
 /// Which cranks turn is known; a limit lies where coupler and rocker are in line.
+/// With errors each value at one position has the bound of its error there, against the closed form.
+#[test]
+fn values_have_bounds_where_they_are_asked_for() {
+    let folder = scratch("study-errors");
+    let keys = r#""vary": { "2.BC": { "from": 130, "to": 150, "count": 5 }, "3.CD": { "from": 100, "to": 130, "count": 3 } }, "bounds": true,
+        "cycle": { "from": 0, "to": 360, "step": 5 },
+        "want": { "omega(3)": ["max", "min", "max_abs", "range", "mean", "at_scene"], "v(C)": ["min"], "angle(3)": ["max"], "angle(1)": ["at_scene"] }"#;
+    let table = table(&folder, keys);
+    let mut checked = 0;
+    for row in 0..table.1.len() {
+        let of = |degrees: f64| rocker(table.number(row, "2.BC"), table.number(row, "3.CD"), degrees);
+        for (name, at, index) in [
+            ("omega(3).max", "omega(3).max_at", 0),
+            ("omega(3).min", "omega(3).min_at", 0),
+            ("omega(3).at_scene", "", 0),
+            ("angle(3).max", "angle(3).max_at", 2),
+        ] {
+            if table.cell(row, name).is_empty() {
+                continue;
+            }
+            let truth = of(if at.is_empty() { 60.0 } else { table.number(row, at) })[index];
+            let (value, bound) = (table.number(row, name), table.number(row, &format!("{name}_error")));
+            // The closed form is rounded, too.
+            assert!(bound > 0.0 && bound < 1e-10, "row {row}: {name} ± {bound}");
+            assert!(
+                (value - truth).abs() <= bound + 2e-12 * value.abs(),
+                "row {row}: {name} = {value} ± {bound}, {truth}"
+            );
+            checked += 1;
+        }
+        assert_eq!(table.number(row, "angle(1).at_scene_error"), 0.0);
+        assert!(table.number(row, "v(C).min_error") < 1e-9);
+    }
+    assert!(checked >= 30, "{checked}");
+    for without in ["omega(3).range_error", "omega(3).mean_error"] {
+        assert!(!table.0.iter().any(|name| name == without), "{without}");
+    }
+}
+
 #[test]
 fn cranks_turn_by_the_rule_of_grashof() {
     let folder = scratch("study-grashof");

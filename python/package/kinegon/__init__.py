@@ -2,9 +2,9 @@
 
 >>> import kinegon
 >>> solution = kinegon.Scene.kind("paper-figure-2").solve()
->>> solution.quantity("omega(4)").value
--0.4746637548942297
->>> solution.save("figure-2.pdf")       # doctest: +SKIP
+>>> print(solution.quantity("omega(4)"))
+omega(4) = -0.4746637548935638 ± 2e-16 rad/s
+>>> solution.save("figure-2.pdf")
 
 x is right, y is up, counter-clockwise is positive. Lengths and times are in the scene's units, angles in degrees, rates in
 rad per unit of time. Whatever cannot be done raises a :class:`KinegonError`, a ValueError, with message, place and hint.

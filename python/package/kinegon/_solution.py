@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import decimal
 import json
 import os
 from typing import Any, NamedTuple
@@ -12,6 +13,17 @@ from ._errors import KinegonError
 from ._files import Format, Source
 from ._table import Table
 from ._wanted import asked, warn_of
+
+
+def rounded_up(bound: float) -> str:
+    """A bound with one digit, never smaller than it is.
+
+    >>> [rounded_up(bound) for bound in (0.0, 1.2e-16, 3e-05, 0.0999)]
+    ['0', '2e-16', '4e-05', '0.1']
+    """
+    # 3e-05 as it is kept is a little more than what it is written as.
+    upward = decimal.Context(prec=1, rounding=decimal.ROUND_CEILING)
+    return f"{float(upward.create_decimal_from_float(bound)):.1g}"
 
 
 class Quantity(NamedTuple):
@@ -33,12 +45,23 @@ class Quantity(NamedTuple):
         return self.value
 
     def __str__(self) -> str:
-        bound = "" if self.error is None else f" ± {self.error:.1g}"
+        bound = " (no bound of its error)" if self.error is None else f" ± {rounded_up(self.error)}"
         return f"{self.name} = {self.value}{bound} {self.unit}"
 
 
+def _few(value: float, error: float | None) -> str:
+    """Six digits, or as many as are certain."""
+    if error is None:
+        return "?"
+    return f"{value:.6g}" if error <= 4e-7 * abs(value) or error == 0 else f"{value:.3g} ± {rounded_up(error)}"
+
+
 class Extremes(NamedTuple):
-    """Least and greatest value of a quantity over a range of the drive; None where it grows without bound."""
+    """Least and greatest value of a quantity over a range of the drive; None where it grows without bound.
+
+    They have no bound of their error: of the values nine digits are certain, of their places six, and so many are printed.
+    Where a bound is needed, ``sweep(at, at, errors=True)`` gives that of the value at a place.
+    """
 
     #: Its name, as ``omega(4)``.
     name: str
@@ -52,6 +75,12 @@ class Extremes(NamedTuple):
     max_at: float | None
     #: The greatest value.
     max: float | None
+
+    def __str__(self) -> str:
+        def told(value: float | None, at: float | None) -> str:
+            return "without bound" if value is None or at is None else f"{value:.9g} {self.unit} at {at:.6g}"
+
+        return f"{self.name}: least {told(self.min, self.min_at)}, greatest {told(self.max, self.max_at)}"
 
 
 class Step(NamedTuple):
@@ -321,5 +350,5 @@ class Solution:
 
     def __repr__(self) -> str:
         links = self.result()["links"]
-        rates = ", ".join(f"omega({name}) {link['omega']:.6g}" for name, link in list(links.items())[:6])
+        rates = ", ".join(f"omega({name}) {_few(link['omega'], link['omega_error'])}" for name, link in list(links.items())[:6])
         return f"<kinegon.Solution: {rates}{', …' * (len(links) > 6)}>"

@@ -178,7 +178,7 @@ fn errors_are_bounded() {
     let names = ["angle(3)", "omega(3)", "alpha(3)", "v(C)", "x(C)", "a(C).size", "vplan(b,c)"];
     let table = sweep(&path, steps(0.05, 170.0, 0.05), &names).with_errors(&scene);
     let header = "angle(1),angle(3),angle(3)_error,omega(3),omega(3)_error,alpha(3),alpha(3)_error,v(C).x,v(C).y,v(C)_error,\
-                  x(C),x(C)_error,a(C).size,a(C).size_error,\"vplan(b,c)\"\n";
+                  x(C),x(C)_error,a(C).size,a(C).size_error,\"vplan(b,c)\",\"vplan(b,c)_error\"\n";
     assert_eq!(format::csv_header(&format::columns_of(&table)), header);
     let numbers = table.rows(0..table.steps.count());
     let mut shares: Vec<f64> = Vec::new();
@@ -195,6 +195,8 @@ fn errors_are_bounded() {
             (number(8) - 30.0 * cosine, 9),
             (number(10) - 80.0 - 30.0 * cosine, 11),
             (number(12) - 30.0, 13),
+            // The coupler does not turn.
+            (number(14), 15),
         ];
         for (off, bound) in pairs {
             // The truth itself is rounded.
@@ -208,7 +210,7 @@ fn errors_are_bounded() {
     let json = format::json_lines(&table, &numbers);
     let first: serde_json::Value = json.lines().next().and_then(|l| serde_json::from_str(l).ok()).expect("JSON");
     assert!(first["v(C)"].is_array() && first["v(C)_error"].is_number(), "{first}");
-    assert_eq!(first.as_object().expect("an object").len(), 1 + 2 * 6 + 1);
+    assert_eq!(first.as_object().expect("an object").len(), 1 + 2 * 7);
 }
 
 /// What lies beyond a limit may be reached the other way round.
