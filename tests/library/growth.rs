@@ -141,11 +141,11 @@ fn slider_cranks(count: usize) -> String {
                 r#"{comma} "a{k}": {{ "points": ["A{k}", "B{k}"], "lengths": {{ "A{k}-B{k}": 50 }}, "drive": {{ "angle": 60, "omega": 10 }} }},
                 "b{k}": {{ "points": ["B{k}", "C{k}"], "lengths": {{ "B{k}-C{k}": 150 }} }}, "c{k}": {{ "points": ["C{k}"] }}"#
             ),
-            write!(near, r#"{comma} "C{k}": [{}, {}]"#, x + 160, y - 20),
+            write!(near, r#"{comma} "C{k}": [{}, {}]"#, x + 160, y + 20),
             write!(
                 sliders,
                 r#"{comma} {{ "link": "c{k}", "at": "C{k}", "on": "ground", "through": [{x}, {}], "along": 0 }}"#,
-                y - 20
+                y + 20
             ),
         ];
         assert!(written.iter().all(Result::is_ok), "a string takes all");
