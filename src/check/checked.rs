@@ -146,7 +146,7 @@ pub struct Diagnosis {
     pub others: Vec<Explanation>,
     /// Indices of the values that remain without an explanation.
     pub unexplained: Vec<usize>,
-    /// How many values were looked at, the first ones: of large forms not all.
+    /// How many values were looked at, the first ones: of large forms not all, of a construction that nobody draws by hand none.
     pub looked_at: usize,
 }
 

@@ -117,14 +117,20 @@ pub fn faults(measured: &Measured, key: &AnswerKey<'_>) -> Vec<(usize, CheckErro
 fn find_precisions(entries: &mut [Entry]) {
     let Precision { digits, .. } = Precision::of(entries.iter().map(|entry| entry.text.as_str()));
     let few = few_digits(entries.iter().map(|entry| entry.text.as_str()));
+    // Of each kind an entry, and the precision of all.
+    let mut known: Vec<(usize, Precision)> = Vec::new();
     for index in 0..entries.len() {
         let entry = &entries[index];
         if entry.text.is_empty() {
             continue;
         }
-        let same =
-            entries.iter().filter(|other| other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper);
-        let precision = Precision::of(same.map(|e| e.text.as_str()));
+        let is_alike = |other: &&Entry| other.asked.kind() == entry.asked.kind() && other.on_paper == entry.on_paper;
+        let precision = known.iter().find(|(first, _)| is_alike(&&entries[*first])).map(|(_, precision)| *precision);
+        let precision = precision.unwrap_or_else(|| {
+            let all = Precision::of(entries.iter().filter(is_alike).map(|e| e.text.as_str()));
+            known.push((index, all));
+            all
+        });
         let entry = &mut entries[index];
         entry.precision = precision;
         let rounding = match few {

@@ -126,10 +126,31 @@ impl<'a> Prepared<'a> {
         if let Some(common) = common {
             common.take_out(&mut entries, &ready.right);
         }
-        let mut values = judged(&entries, &ready.right, &ready.bands);
+        let values = judged(&entries, &ready.right, &ready.bands);
+        let is_searched = ready.right.construction.operations.len() <= SEARCHED;
+        let Explained { values, diagnosis, accuracy } = match is_searched {
+            true => self.explained(&ready, mu, &entries, values),
+            false => {
+                Explained { diagnosis: Diagnosis { looked_at: 0, ..Diagnosis::none(&values) }, accuracy: None, values }
+            }
+        };
+        let plans = key.solution.construction.plans();
+        let mirrored = plans.filter(|plan| {
+            let mut places = measured.points.iter().filter(|p| p.order == plan.order);
+            places.any(|points| points.is_mirrored(plan))
+        });
+        let mirrored = mirrored.map(|plan| plan.sheet()).collect();
+        let (turned, missing) = (turned(measured, &key.solution.construction), self.missing(measured, &entries));
+        let hints = measured.hints;
+        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None, hints })
+    }
+
+    /// Verdicts with what explains them: the tolerance of the hand that the values show, and the mistakes.
+    fn explained(&self, ready: &Ready, mu: Scales, entries: &[Entry], mut values: Vec<Judged>) -> Explained {
+        let key = &self.key;
         let has_off = |values: &[Judged]| values.iter().any(|v| v.verdict == Verdict::Off);
         let with_other_modes = || {
-            let others = other_modes(key, mu, &entries);
+            let others = other_modes(key, mu, entries);
             [ready.right.clone()].into_iter().chain(others).collect()
         };
         let models = match has_off(&values) {
@@ -153,8 +174,8 @@ impl<'a> Prepared<'a> {
         let mut diagnosis = Diagnosis::none(&values);
         if let Some(none) = none
             && has_off(&values)
-            && !is_all_alike(&entries)
-            && !is_coarse(&entries)
+            && !is_all_alike(entries)
+            && !is_coarse(entries)
         {
             let pool = match first == all {
                 true => Site { model: &models[0], key, entries: &entries[..all], other_modes: models.len() - 1 }
@@ -171,7 +192,7 @@ impl<'a> Prepared<'a> {
             };
             hand_found = hand(&tried).or(hand_found);
             let outside = tried.first().map_or(&[][..], |best| &best.fit.outside);
-            let wider = hand(&tried).map(|hand| widened(&values, &entries, &scorer, &hand, outside, key));
+            let wider = hand(&tried).map(|hand| widened(&values, entries, &scorer, &hand, outside, key));
             diagnosis = told(wider.as_ref().unwrap_or(&values));
             match wider {
                 // Values that nothing explains scatter as no hand does.
@@ -183,21 +204,13 @@ impl<'a> Prepared<'a> {
             }
         }
         diagnosis.looked_at = all;
-        let plans = key.solution.construction.plans();
-        let mirrored = plans.filter(|plan| {
-            let mut places = measured.points.iter().filter(|p| p.order == plan.order);
-            places.any(|points| points.is_mirrored(plan))
-        });
         let Tolerance { mm, degrees } = key.tolerance;
         let accuracy = hand_found.filter(|_| scorer.data.len() >= ENOUGH).map(|hand| Accuracy {
             mm: hand.worst() * mm,
             degrees: hand.worst() * degrees,
             percent: SLIP * hand.errors[COMPUTING],
         });
-        let mirrored = mirrored.map(|plan| plan.sheet()).collect();
-        let (turned, missing) = (turned(measured, &key.solution.construction), self.missing(measured, &entries));
-        let hints = measured.hints;
-        Ok(Checked { values, diagnosis, accuracy, mirrored, turned, missing, scales, common, values_of: None, hints })
+        Explained { values, diagnosis, accuracy }
     }
 
     /// The mistakes in the likeliest explanations of the first values of a form, which the construction cut off behind them gives.
@@ -254,6 +267,17 @@ impl<'a> Prepared<'a> {
 pub fn check(measured: &Measured, key: &AnswerKey<'_>) -> Result<Checked, CheckError> {
     Prepared::new(key).check(measured)
 }
+
+/// Verdicts on values, and what explains them.
+struct Explained {
+    values: Vec<Judged>,
+    diagnosis: Diagnosis,
+    accuracy: Option<Accuracy>,
+}
+
+/// Most operations of a construction in which mistakes are looked for: some fifty links. Nobody draws more by hand, and places for mistakes
+/// grow with their square.
+const SEARCHED: usize = 500;
 
 /// At how many values of a large form the search for mistakes looks: its work grows with their number's third power.
 #[derive(Clone, Copy)]

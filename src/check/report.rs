@@ -293,7 +293,11 @@ impl<'a> ReportText<'a> {
     fn looked_at(&self) -> Option<String> {
         let looked_at = self.checked.diagnosis.looked_at;
         let is_part = looked_at < self.checked.values.len() && !self.checked.is_nothing_off();
-        is_part.then(|| self.own.check_looked_at(&looked_at.to_string()))
+        let told = match looked_at {
+            0 => self.own.check_not_looked().to_owned(),
+            _ => self.own.check_looked_at(&looked_at.to_string()),
+        };
+        is_part.then_some(told)
     }
 
     fn sure(&self, explanation: &Explanation) -> String {

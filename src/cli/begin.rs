@@ -1,8 +1,9 @@
 //! What somebody begins with: the workbench, and starting scenes.
 
 use super::files;
+use super::forms::has_ending;
 use super::message::{Failure, note, refuse};
-use super::output::FileSet;
+use super::output::{FileSet, is_stream};
 use crate::Problem;
 use crate::format::{OpenScene, workbench};
 use crate::scene::Kind;
@@ -58,6 +59,13 @@ impl App {
     fn write(&self, path: &Path, page: &str) -> Result<(), Failure> {
         if let Some(scene) = &self.scene {
             files::refuse_overwriting("scene", scene, path)?;
+        }
+        // Under the name of a scene it would take that scene's place.
+        if path.extension().is_some() && !has_ending(path, &["html", "htm"]) && !is_stream(path) {
+            return refuse(
+                format!("the workbench is a page, and {} is not the name of one", path.display()),
+                format!("name a file that ends in `.html`, as {NAME}; a scene to open comes without -o"),
+            );
         }
         files::write(path, page.as_bytes())
     }

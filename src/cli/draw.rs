@@ -1,4 +1,6 @@
 use super::cycle::{refuse_nothing, split_names};
+#[cfg(feature = "png")]
+use super::figures::INCH;
 use super::figures::{Figures, GivenStyle, Made, OfScene, Sheets, stem};
 use super::files;
 use super::film::FilmOptions;
@@ -86,7 +88,7 @@ pub(super) struct Draw {
     // A page was once a film of so many positions of one drive; it now moves all drives to any position.
     #[arg(long, value_name = "N", hide = true)]
     positions: Option<String>,
-    /// Write the sheets of steps even if they are very many.
+    /// Write the sheets of steps, a film's pictures or pixels even if they are very many.
     #[arg(long)]
     yes: bool,
     #[command(flatten)]
@@ -128,6 +130,8 @@ impl Draw {
         for (name, source) in scenes {
             let solution = solve(&source, most, self.mode.number, |f| self.put_into(f, &style), order_of_figure)?;
             self.check_traced(&solution.scene)?;
+            #[cfg(feature = "png")]
+            self.refuse_large(&solution.scene.figure)?;
             let traces = source.checked(Traces::new(&solution, None))?;
             let figure = &solution.scene.figure;
             if !figure.beyond_limits && traces.times.as_ref().is_some_and(|times| times.is_stopped) {
@@ -148,6 +152,9 @@ impl Draw {
             #[cfg(feature = "png")]
             (Some((source, solution)), OfScene::Film(format)) if are_finished => {
                 let dpi = self.figures.options.dpi_of(solution.scene.figure.page.size_mm()[0]);
+                if !self.yes {
+                    self.film.refuse_long(source, solution, dpi)?;
+                }
                 self.film.file(source, solution, &style, format, dpi)
             }
             _ => refuse("a page has all steps", "leave out --steps"),
@@ -331,11 +338,41 @@ impl Draw {
         let is_shown = |step: &usize| wanted.map_or(shown.get(step - 1) == Some(&true), |wanted| *step == wanted);
         let shown: Vec<usize> = (1..=count).filter(is_shown).collect();
         if !self.yes && shown.len() > 1 {
-            refuse_many(&all, &shown, steps)?;
+            self.refuse_many(&all, &shown, steps)?;
         }
         let all = Rc::new(all);
         let sheet = |step: usize| (format!("{name}-{step:0digits$}"), Made::After(all.clone(), step));
         Ok(shown.into_iter().map(sheet).collect())
+    }
+
+    /// Refuses to write very many sheets, before the first is drawn.
+    fn refuse_many(&self, all: &Drawing, shown: &[usize], steps: Option<Steps>) -> Result<(), Failure> {
+        let marks: usize = shown.iter().map(|step| all.marks_after_step(*step)).sum();
+        let has_png = self.figures.has_png();
+        if shown.len() <= MOST_SHEETS && marks <= if has_png { MOST_PAINTED } else { MOST_MARKS } {
+            return Ok(());
+        }
+        let coarse = if steps == Some(Steps::Coarse) { "" } else { "--steps coarse joins them to fewer sheets; " };
+        let png = if has_png { ", as PNG, too" } else { "" };
+        refuse(
+            format!("the steps make {} sheets with {marks} marks in all{png}", shown.len()),
+            format!("{coarse}--upto N draws one of them, --layered all in one file; with --yes they are written"),
+        )
+    }
+
+    /// Refuses a picture of very many pixels, before it is drawn.
+    #[cfg(feature = "png")]
+    fn refuse_large(&self, figure: &Figure) -> Result<(), Failure> {
+        let [width, height] = figure.page.size_mm();
+        let dots = self.figures.options.dpi_of(width) / INCH;
+        let megapixels = width * height * dots * dots / 1e6;
+        if self.yes || !self.figures.has_png() || megapixels <= MOST_MEGAPIXELS {
+            return Ok(());
+        }
+        refuse(
+            format!("a picture of {megapixels:.0} million pixels takes {:.0} MB of memory", BYTES * megapixels),
+            "take fewer dots per inch (--dpi, --width), or SVG or PDF, which have no pixels; with --yes it is written",
+        )
     }
 }
 
@@ -352,19 +389,13 @@ fn values() -> impl TypedValueParser<Value = ValuesShown> {
 /// grow with the square of the steps.
 const MOST_SHEETS: usize = 400;
 const MOST_MARKS: usize = 400_000;
-
-/// Refuses to write very many sheets, before the first is drawn.
-fn refuse_many(all: &Drawing, shown: &[usize], steps: Option<Steps>) -> Result<(), Failure> {
-    let marks: usize = shown.iter().map(|step| all.marks_after_step(*step)).sum();
-    if shown.len() <= MOST_SHEETS && marks <= MOST_MARKS {
-        return Ok(());
-    }
-    let coarse = if steps == Some(Steps::Coarse) { "" } else { "--steps coarse joins them to fewer sheets; " };
-    refuse(
-        format!("the steps make {} sheets with {marks} marks in all", shown.len()),
-        format!("{coarse}--upto N draws one of them, --layered all in one file; with --yes they are written"),
-    )
-}
+/// As many where they are painted in pixels, which takes several times as long.
+const MOST_PAINTED: usize = 80_000;
+/// Most million pixels of a picture that is written without asking, and about how many bytes each takes.
+#[cfg(feature = "png")]
+const MOST_MEGAPIXELS: f64 = 25.0;
+#[cfg(feature = "png")]
+const BYTES: f64 = 7.0;
 
 /// Says why a sheet to be drawn on has no markers, unless that was asked for.
 fn note_markers(figure: &Figure, sheet: Option<&Drawing>) {

@@ -18,7 +18,7 @@ const MOST_LISTED: usize = 20;
 
 /// Millimetres in an inch.
 #[cfg(feature = "png")]
-const INCH: f64 = 25.4;
+pub(super) const INCH: f64 = 25.4;
 
 /// Where figures go, and in which forms.
 #[derive(Debug, Args)]
@@ -219,6 +219,11 @@ impl Figures {
     /// Whether films are among the formats.
     pub(super) fn has_film(&self) -> bool {
         self.formats().into_iter().any(FigureFormat::is_film)
+    }
+
+    /// Whether pictures in pixels are among the formats.
+    pub(super) fn has_png(&self) -> bool {
+        self.formats().into_iter().any(|format| format.ending() == "png")
     }
 
     /// Whether there is nothing but films.

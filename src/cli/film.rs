@@ -1,9 +1,9 @@
 //! Films of `kinegon draw`.
 
 #[cfg(feature = "png")]
-use super::figures::GivenStyle;
+use super::figures::{GivenStyle, INCH};
 #[cfg(feature = "png")]
-use super::message::{Failure, Source, note, warn};
+use super::message::{Failure, Source, note, refuse, warn};
 use crate::drawing::Timing;
 use clap::Args;
 #[cfg(feature = "png")]
@@ -11,7 +11,7 @@ use {
     super::pieces::progress,
     crate::construction::Solution,
     crate::drawing::{Drawing, Film},
-    crate::format::FilmFormat,
+    crate::format::{FilmFormat, MOST_FILM_AREA},
     indexmap::IndexMap,
 };
 
@@ -29,8 +29,39 @@ pub(super) struct FilmOptions {
     pub drive: Option<String>,
 }
 
+/// Most work on a film that is done without asking, about two seconds of one core: pixels of its pictures, and for each point
+/// whose names are placed so many more.
+#[cfg(feature = "png")]
+const MOST_WORK: f64 = 2.7e8;
+#[cfg(feature = "png")]
+const WORK_OF_POINT: f64 = 70_000.0;
+
 #[cfg(feature = "png")]
 impl FilmOptions {
+    /// Refuses a film of very much work, before the first picture is drawn.
+    pub(super) fn refuse_long(&self, source: &Source, solution: &Solution, dpi: f64) -> Result<(), Failure> {
+        let pictures = source.checked(Film::positions(solution, self.drive.as_deref(), self.timing()))?.poses.len();
+        let [width, height] = solution.scene.figure.page.size_mm().map(|side| side / INCH * dpi);
+        let points = solution.mechanism.points.len();
+        let of_each = width * height + WORK_OF_POINT * points as f64;
+        // What is too large for a film is refused by it.
+        if pictures as f64 * of_each <= MOST_WORK || width * height > MOST_FILM_AREA {
+            return Ok(());
+        }
+        let [pixels, fits] = [width * height / 1e6, MOST_WORK / of_each];
+        refuse(
+            format!(
+                "the film would have {pictures} pictures of {pixels:.1} million pixels, with {points} points each; \
+                 {fits:.0} of them are drawn without asking"
+            ),
+            "take fewer pictures (--seconds, --fps) or smaller ones (--width, --dpi); with --yes it is written",
+        )
+    }
+
+    fn timing(&self) -> Timing {
+        Timing { seconds: self.seconds, per_second: self.per_second }
+    }
+
     /// The film of a solution's figure as a file of so many dots per inch.
     pub(super) fn file(
         &self,
@@ -40,8 +71,7 @@ impl FilmOptions {
         format: FilmFormat,
         dpi: f64,
     ) -> Result<Vec<u8>, Failure> {
-        let timing = Timing { seconds: self.seconds, per_second: self.per_second };
-        let film = source.checked(Film::new(solution, self.drive.as_deref(), timing))?;
+        let film = source.checked(Film::new(solution, self.drive.as_deref(), self.timing()))?;
         let film = match style {
             GivenStyle::File(style) => film.in_style(style.clone()),
             GivenStyle::Scene | GivenStyle::Named(_) => film,

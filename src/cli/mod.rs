@@ -25,7 +25,8 @@ mod options;
 #[doc(hidden)] // for tests
 pub mod output;
 mod parts;
-mod photo;
+#[doc(hidden)] // for tests
+pub mod photo;
 mod photo_class;
 #[doc(hidden)] // for tests
 pub mod pieces;

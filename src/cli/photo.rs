@@ -288,7 +288,7 @@ pub(super) fn is_photograph(path: &Path) -> bool {
 }
 
 /// The picture in a file, upright as the file says, in grey.
-pub(super) fn read_picture(path: &Path) -> Result<Picture, Failure> {
+pub fn read_picture(path: &Path) -> Result<Picture, Failure> {
     let name = path.display().to_string();
     let refuse = |message: String, hint: Message| Failure::misuse(format!("{name} {message}"), hint);
     let mut bytes = Vec::new();

@@ -45,12 +45,18 @@ impl Writer<'_> {
     pub(super) fn further_images(&mut self, body: BodyId) {
         let mechanism = self.mechanism;
         for &order in self.orders() {
-            for &point in &mechanism.body(body).points {
+            let (mut imaged, mut are_first) = (Vec::new(), false);
+            for (index, &point) in mechanism.body(body).points.iter().enumerate() {
                 let name = image_name(mechanism.point_name(point));
                 if self.shows(order, &name) {
                     continue;
                 }
-                let made = self.similar_image(order, body, point, &name);
+                if !are_first {
+                    imaged = self.imaged(order, body);
+                    // All points before this one have an image: those that are looked at remain the same.
+                    are_first = index >= MOST_IMAGED;
+                }
+                let made = self.similar_image(order, body, point, &name, &imaged);
                 if made.is_none() {
                     self.relative_image(order, body, point);
                 }
@@ -76,9 +82,15 @@ impl Writer<'_> {
         found
     }
 
-    /// The image of a point from those of two others of its link; `None` without two that give it well.
-    fn similar_image(&mut self, order: Order, body: BodyId, point: PointId, name: &str) -> Option<()> {
-        let imaged = self.imaged(order, body);
+    /// The image of a point from those of two of these others of its link; `None` without two that give it well.
+    fn similar_image(
+        &mut self,
+        order: Order,
+        body: BodyId,
+        point: PointId,
+        name: &str,
+        imaged: &[Imaged],
+    ) -> Option<()> {
         let arm = |from: PointId| self.pose.arm(from, point);
         let mut best: Option<(f64, [&Imaged; 2])> = None;
         for (index, first) in imaged.iter().enumerate() {
@@ -86,14 +98,15 @@ impl Writer<'_> {
                 let (a, b) = (arm(first.point), arm(second.point));
                 let between = self.pose.arm(first.point, second.point);
                 let coincide = [a, b, between].iter().any(|arm| arm.norm() <= self.near);
-                if coincide || !self.are_apart(order, first.place, second.place) {
+                if coincide {
                     continue;
                 }
                 let on_line = (cross(a, between) / between.norm()).abs() <= self.near;
                 // A division is drawn most simply; between the two images it is most exact.
                 let inside = if a.dot(&b) < 0.0 { 3.0 } else { 2.0 };
                 let worth = if on_line { inside } else { (cross(a, b) / (a.norm() * b.norm())).abs() };
-                if worth > best.as_ref().map_or(LEAST_SINE, |(worth, _)| *worth) {
+                let is_better = worth > best.as_ref().map_or(LEAST_SINE, |(worth, _)| *worth);
+                if is_better && self.are_apart(order, first.place, second.place) {
                     best = Some((worth, [first, second]));
                 }
             }

@@ -129,6 +129,24 @@ pub fn alone(mechanism: &Mechanism, drive: &str) -> Mechanism {
     alone
 }
 
+/// The names of the drives that take a mechanism through different positions while all run as the scene says: of those that
+/// turn equally fast the first.
+pub(crate) fn differing_drives(mechanism: &Mechanism) -> Vec<String> {
+    let names = mechanism.drive_names();
+    let Some(kernel) = Kernel::new(mechanism) else { return names };
+    let mut speeds: Vec<f64> = Vec::new();
+    let differs = |input: &Input| {
+        // One that stands still moves the mechanism alone, and a slider's way is no turn.
+        let is_known = matches!(input.kind, InputKind::Turning { .. }) && speeds.contains(&input.rate.abs());
+        if matches!(input.kind, InputKind::Turning { .. }) && input.rate != 0.0 {
+            speeds.push(input.rate.abs());
+        }
+        !is_known
+    };
+    let differ: Vec<bool> = kernel.inputs.iter().map(differs).collect();
+    names.into_iter().zip(differ).filter_map(|(name, differs)| differs.then_some(name)).collect()
+}
+
 /// A drive's value: the one that the scene gives, or else that of the pose.
 pub(super) fn stands(input: &Input, pose: &Pose) -> f64 {
     let found = match input.kind {

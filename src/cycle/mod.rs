@@ -43,6 +43,7 @@ mod variants;
 mod walker;
 
 pub use curve::{Curve, Curves, Extreme};
+pub(crate) use drive::differing_drives;
 pub use drive::{Drive, alone};
 pub use locus::{Hodograph, Hodographs, PointPath, PointPaths, Tick};
 pub use mover::Mover;

@@ -18,7 +18,7 @@ use super::worksheet::{TablePlace, Worksheet};
 use crate::construction::{Solution, plain_text};
 use crate::cycle::Traces;
 use crate::message::Message;
-use crate::scene::{ScalesFor, ValuesShown};
+use crate::scene::{ScalesFor, SizeLimit, ValuesShown};
 use crate::sheet::{Scales, Sheet};
 use crate::words::Wording;
 use std::cell::OnceCell;
@@ -350,7 +350,11 @@ fn sheets_scales(context: &SheetContext<'_>, extents: &Extents) -> [Scales; SHEE
     if figure.shown_panels().iter().all(|&panel| given[panel].is_some()) {
         return [given; SHEETS.len()];
     }
-    let sheets = SHEETS.map(|steps| composed(context, extents, Contents { steps, ..Contents::default() }));
+    // Words of steps that no sheet shows need no room; with very many points they take time.
+    let has_steps = SizeLimit::STEPS.check(&context.solution.scene).is_ok();
+    let sheets = SHEETS.map(|steps| {
+        composed(context, extents, Contents { steps: steps.filter(|_| has_steps), ..Contents::default() })
+    });
     let own = sheets.each_ref().map(|sheet| given.or(sheet.layout().mu()));
     if figure.scales == ScalesFor::Sheet || context.surface.series == Series::Any {
         return own;

@@ -92,6 +92,26 @@ impl Film {
     /// There is no drive that moves, its branch cannot be followed, or the film would have no motion or too many
     /// pictures.
     pub fn new(own: &Solution, drive: Option<&str>, timing: Timing) -> Result<Self, CycleError> {
+        let running = Film::positions(own, drive, timing)?;
+        let count = running.poses.len();
+        let mut own = own.clone();
+        own.scene.figure.usual_values = Some(false);
+        let layout = HeldLayout::of_film(&own, drive);
+        let mut film =
+            Film { own, running, per_second: timing.per_second, layout, steady: Steady::default(), style: None };
+        let mut layout = film.layout.clone();
+        (0..count).for_each(|number| drop(film.drawing(&mut layout, number)));
+        film.layout = layout;
+        film.steady = Steady::of(film.drawings(), (STAYS * f64::from(timing.per_second)).ceil() as usize);
+        Ok(film)
+    }
+
+    /// The positions of a film's pictures, before any is drawn: drawing each takes milliseconds, or many of them where names
+    /// are many.
+    ///
+    /// # Errors
+    /// As [`Film::new`].
+    pub fn positions(own: &Solution, drive: Option<&str>, timing: Timing) -> Result<Running, CycleError> {
         let running = Running::new(own, drive, timing.pictures()?)?;
         let count = running.poses.len();
         if count > MOST {
@@ -104,16 +124,7 @@ impl Film {
         if count < 2 {
             return Err(CycleError::Range(says::drive_stands(&running.drive.name).into()));
         }
-        let mut own = own.clone();
-        own.scene.figure.usual_values = Some(false);
-        let layout = HeldLayout::of_film(&own);
-        let mut film =
-            Film { own, running, per_second: timing.per_second, layout, steady: Steady::default(), style: None };
-        let mut layout = film.layout.clone();
-        (0..count).for_each(|number| drop(film.drawing(&mut layout, number)));
-        film.layout = layout;
-        film.steady = Steady::of(film.drawings(), (STAYS * f64::from(timing.per_second)).ceil() as usize);
-        Ok(film)
+        Ok(running)
     }
 
     /// The film in another style; sizes of letters and signs stay.

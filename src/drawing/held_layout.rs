@@ -7,7 +7,7 @@ use super::facts::Steps;
 use super::figure::{FigureSheets, extents_to_fit};
 use super::laid_out::{Contents, LaidOut, composed, described};
 use super::layout::{Layout, Needs, Placed};
-use super::panel::{Extents, cycles_of, extents_in};
+use super::panel::{Extents, cycle_of, cycles_of, extents_in, positions_of_each};
 use super::sheet::Drawing;
 use super::values::is_hidden;
 use super::view::{Extent, Series, View};
@@ -24,7 +24,7 @@ const WORDS_OF: usize = 12;
 /// How much the size of the mechanism counts beside that of a plan, which fills its panel in few positions only; in a
 /// lesson on the plans no more than they.
 const HERO: f64 = 1.5;
-/// Into so many parts the range of a drive that moves alone is divided.
+/// Into so many parts at most the range of a drive that moves alone is divided.
 const PULLED: usize = 48;
 
 /// A part of a screen on which a figure is shown; its lengths are in pixels. A drawing for it has its proportions, and is
@@ -89,20 +89,21 @@ impl Positions {
     #[must_use]
     pub fn of(own: &Solution) -> Positions {
         let drives = own.mechanism.drive_names();
-        let alone = drives.iter().filter(|_| drives.len() > 1).filter_map(|drive| pulled(own, drive));
+        let count = positions_of_each(own, drives.len(), PULLED);
+        let alone = drives.iter().filter(|_| drives.len() > 1).filter_map(|drive| pulled(own, drive, count));
         Positions(cycles_of(own).chain(alone).collect())
     }
 }
 
-/// Positions that a drive reaches while the others stand.
-fn pulled(own: &Solution, drive: &str) -> Option<Animation> {
+/// Positions that a drive reaches while the others stand, one more than `count`.
+fn pulled(own: &Solution, drive: &str, count: usize) -> Option<Animation> {
     let mut pull = Pull::new(own, Some(drive)).ok()?;
     let start = pull.value();
     let turn = if pull.drive().is_angle { 360.0 } else { 2.0 * start.abs() };
     let [low, high] = pull.ends().map(|end| end.map(|end| end.at));
     let from = low.unwrap_or_else(|| high.map_or(start, |high| high - turn));
     let way = high.unwrap_or(from + turn) - from;
-    let poses = (0..=PULLED).map(|k| pull.to_value(from + way * k as f64 / PULLED as f64).pose);
+    let poses = (0..=count).map(|k| pull.to_value(from + way * k as f64 / count as f64).pose);
     let positions: Vec<Solution> = poses.filter_map(|pose| own.moved(pose).ok()).collect();
     let is_round = low.is_none() && high.is_none();
     Some(Animation { drive: None, values: Vec::new(), positions, own: 0, is_round })
@@ -190,11 +191,12 @@ impl HeldLayout {
         HeldLayout::new(context, extents, contents, below)
     }
 
-    /// The layout of all positions of a scene's mechanism for a film: on the figure's page, at any scales, which bars show.
-    pub(super) fn of_film(own: &Solution) -> HeldLayout {
+    /// The layout of the positions through which a drive, without a name the first, takes a scene's mechanism in a film: on
+    /// the figure's page, at any scales, which bars show.
+    pub(super) fn of_film(own: &Solution, drive: Option<&str>) -> HeldLayout {
         let mut context = FigureSheets::new(own).unscaled();
         (context.surface.series, context.surface.details) = (Series::Any, false);
-        let extents = extents_in(&context, cycles_of(own));
+        let extents = extents_in(&context, cycle_of(own, drive));
         HeldLayout::new(context, extents, Contents { moving: true, ..Contents::default() }, 0.0)
     }
 

@@ -15,7 +15,7 @@ use super::sheet::{Drawing, Pen};
 use super::text::{CAPTION, RichText};
 use super::view::{Extent, Series, View};
 use crate::construction::{Plan, Solution};
-use crate::cycle::Animation;
+use crate::cycle::{Animation, differing_drives};
 use crate::geometry;
 use crate::sheet::Sheet;
 use crate::text::Untrusted;
@@ -28,6 +28,10 @@ use std::borrow::Borrow;
 const SIZE: f64 = 1.05 * CAPTION;
 /// Positions in which the largest content of a cycle is looked for.
 const POSITIONS: usize = 72;
+/// Fewer, but at least so many, where there are many cycles or many points: in all positions about so many places of points,
+/// or it would take seconds.
+const LEAST_POSITIONS: usize = 12;
+const MOST_PLACES: usize = 20_000;
 /// Where a drive swings, vectors run off to infinity at the ends of its range: what is so many times as large as half of
 /// the positions are is not seen whole, or the others would be too small to be read.
 const RUNS_OFF: f64 = 3.0;
@@ -235,10 +239,21 @@ fn extents_with(context: &SheetContext<'_>, scheme: impl Fn(&SheetContext<'_>) -
     context.figure().shown_panels().iter().filter_map(extent).collect()
 }
 
-/// All positions of the mechanism on its branch, by drive.
+/// All positions of the mechanism on its branch, by drive; drives that turn equally fast have the same.
 pub(super) fn cycles_of(own: &Solution) -> impl Iterator<Item = Animation> {
-    let drives = own.mechanism.drive_names().into_iter();
-    drives.filter_map(|drive| Animation::new(own, Some(&drive), POSITIONS).ok())
+    let drives = differing_drives(&own.mechanism);
+    let count = positions_of_each(own, drives.len(), POSITIONS);
+    drives.into_iter().filter_map(move |drive| Animation::new(own, Some(&drive), count).ok())
+}
+
+/// All positions of the mechanism on its branch for one of its drives, without a name for the first.
+pub(super) fn cycle_of(own: &Solution, drive: Option<&str>) -> Option<Animation> {
+    Animation::new(own, drive, positions_of_each(own, 1, POSITIONS)).ok()
+}
+
+/// How many positions of each of some cycles are looked at: `most`, or fewer where that would be very many places of points.
+pub(super) fn positions_of_each(own: &Solution, cycles: usize, most: usize) -> usize {
+    (MOST_PLACES / (cycles * own.mechanism.points.len()).max(1)).clamp(LEAST_POSITIONS, most)
 }
 
 /// The extents of the panels over all positions of cycles: of plans that run off what is usual, of the scheme the mechanism

@@ -8,7 +8,7 @@ use crate::Problem;
 use crate::geometry::{Placement, Point, Vector, span, unit};
 use crate::mechanism::{BodyId, Mechanism, StructureError, mechanism};
 use crate::position::{Pose, pose, with_nearest_sides};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{LARGEST, Scene, SceneError};
 
 /// A scene with its position.
 #[derive(Clone, Debug)]
@@ -126,15 +126,20 @@ fn given_places(scene: &Json) -> IndexMap<String, Point> {
     entries.filter_map(|(name, place)| Some((name.clone(), two_numbers(place)?))).collect()
 }
 
+/// A number that a scene may have: what is reckoned with larger ones is not finite.
+fn number(value: &Json) -> Option<f64> {
+    value.as_f64().filter(|number| number.abs() <= LARGEST)
+}
+
 /// A list of two numbers as a place.
 pub(super) fn two_numbers(value: &Json) -> Option<Point> {
     match value.as_array().map(Vec::as_slice) {
-        Some([x, y]) => Some(Point::new(x.as_f64()?, y.as_f64()?)),
+        Some([x, y]) => Some(Point::new(number(x)?, number(y)?)),
         _ => None,
     }
 }
 
 /// A place of a shape: two numbers, or one on the axis.
 fn local_place(value: &Json) -> Option<Point> {
-    value.as_f64().map(|x| Point::new(x, 0.0)).or_else(|| two_numbers(value))
+    number(value).map(|x| Point::new(x, 0.0)).or_else(|| two_numbers(value))
 }

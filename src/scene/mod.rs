@@ -58,7 +58,7 @@ pub(crate) use figure::figure_keys;
 pub(crate) use link::STRAIGHT;
 pub(crate) use name::{Bearer, joined, pair, why_not};
 pub(crate) use schema::{schema_of, version};
-pub(crate) use text::{FileKind, SceneTree};
+pub(crate) use text::{FileKind, LARGEST, SceneTree};
 pub(crate) use typed::read_as;
 pub(crate) use value::several_forms;
 pub(crate) use write::quoted;

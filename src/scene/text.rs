@@ -43,7 +43,7 @@ pub const MAX_BYTES: usize = 4 << 20;
 const MAX_DEPTH: usize = 64;
 
 /// The largest number that is read: products of three such numbers are finite. No choice of units needs a larger one.
-pub(super) const LARGEST: f64 = 1e100;
+pub(crate) const LARGEST: f64 = 1e100;
 
 /// The text as a tree of JSON with its ranges of bytes; nothing is asked of its keys and values.
 pub(super) fn tree<'a>(source: Source<'a>, kind: &FileKind) -> Result<Value<'a>, Wrong> {

@@ -346,6 +346,7 @@ sentences! {
     /// Behind an explanation that the values cannot tell from the first.
     check_alike = "your values alone cannot tell this from the above";
     check_unexplained(values) = "Without an explanation: {values}.";
+    check_not_looked = "In so large a construction no causes are looked for.";
     check_looked_at(count) = "So large a form is searched in part: only the first {count} values are looked at for causes.";
     check_mirrored(plan) =
         "The points of your {plan} are the mirror image of the right ones: all senses are turned round. If you \

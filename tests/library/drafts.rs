@@ -66,8 +66,15 @@ fn any_text_is_drawn_without_a_fault() {
         r#"{ "ground": { "A": [0, 0], "B": [0, 0] }, "links": { "1": ["A", "B"] }, "sliders": [{ "pin": "A", "on": "1", "along": "AB" }] }"#,
         r#"{ "links": { "1": ["A"], "2": ["A"] }, "sliders": [{ "link": "1", "at": "A", "on": "2" }, { "link": "2", "at": "A", "on": "1" }], "near": { "A": [1, 1] } }"#,
         r#"{ "ground": { "A": [1e308, -1e308] }, "links": { "1": ["A", "B"] }, "near": { "B": [0, 0] } }"#,
+        // A fuzzer's: a guide from where nothing is.
+        r#"{ "ground": { "A": [0, 1.7976931348623157e+308], "G": [275, 0] }, "links": { "3": ["D"], "2": ["B", "E"] },
+             "sliders": [{ "link": "3", "at": "D", "on": "ground", "through": "A" }], "near": { "D": [263, 300], "E": [406, 428] } }"#,
     ] {
         assert!(drawn(text, [0.0, 0.0], 3.0).svg().starts_with("<"), "{text}");
+        for (centre, scale) in [([0.0, 0.0], 3.0), ([-1e9, 1e-9], 1e-6), ([0.0, 0.0], 1e6)] {
+            let marks = drawn(text, centre, scale).marks;
+            assert!(marks.iter().all(|mark| mark.shape.is_drawable()), "{text}: {marks:?}");
+        }
     }
     assert!(Draft::of("[").is_err());
 }

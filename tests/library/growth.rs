@@ -2,15 +2,18 @@
 //! not sixteen times. Time is that of this thread on its core, where the system tells it.
 
 use kinegon::accuracy::bounds;
+use kinegon::check::{DEPTH, Measured, check, form_names};
 use kinegon::construction::Tolerance;
+use kinegon::drawing::{Film, HeldLayout, Timing};
 use kinegon::mechanism::mechanism;
 use kinegon::position::counted_poses;
 use kinegon::quantity::step_pencil;
 use kinegon::scene::{GivenBy, Scene};
 use kinegon::{Order, Solution, posed};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::time::{Duration, Instant};
-use support::stages::solved;
+use support::stages::{answer_key, solved};
 
 /// The time that this thread has been at work.
 fn busy(began: Instant) -> Duration {
@@ -111,7 +114,9 @@ fn points_of_a_link() {
 fn linkages_side_by_side() {
     let read = |count: usize| Scene::read(&four_bars(count)).expect("a good scene");
     let limit = kinegon::scene::SizeLimit::NUMBERS;
-    is_in_proportion(
+    // Proofs touch much memory, which a large mechanism has less near at hand.
+    grows_at_most(
+        12.0,
         "solving",
         growth(80, read, |scene| {
             let (mechanism, pose) = posed(scene, limit, None).expect("it can be put together");
@@ -126,6 +131,42 @@ fn linkages_side_by_side() {
             assert!(listed.poses.len() * mechanism.points.len() <= 400_000);
         }),
     );
+}
+
+/// In a construction that nobody draws by hand each value is judged, and no cause is looked for: places for mistakes grow with the square
+/// of the links, and explanations with them.
+#[test]
+fn forms_of_nonsense_for_many_links() {
+    let nonsense = |own: &Solution| {
+        let values = form_names(&own.construction).into_iter().zip(0..);
+        let values = values.map(|(name, k)| (name, format!("{}.{k}", k * 7919 % 300)));
+        let file = serde_json::json!({
+            "kinegon_measured": 1, "positive": "counter-clockwise", "values": values.collect::<BTreeMap<String, String>>(),
+        });
+        let mut measured = Measured::read_json(&file.to_string()).expect("a form");
+        measured.mu = own.scales();
+        measured
+    };
+    let with = |count: usize| solution(&four_bars(count));
+    let grown = growth(30, with, |own| {
+        let checked = check(&nonsense(own), &answer_key(own, DEPTH)).expect("values that are understood");
+        assert!(!checked.is_passed() && checked.diagnosis.best.findings.is_empty());
+        assert_eq!(checked.diagnosis.looked_at, 0);
+    });
+    // The bands of all values, each with the errors of all operations before it.
+    grows_at_most(25.0, "a form of nonsense", grown);
+}
+
+/// Drives that turn equally fast take a mechanism through the same positions: these are looked at once.
+#[test]
+fn drives_of_a_film() {
+    let read = |count: usize| solution(&four_bars(count));
+    let timing = Timing { seconds: 1.0, per_second: 2 };
+    let film = |own: &Solution| drop(Film::new(own, None, timing).expect("it moves"));
+    is_in_proportion("a film", growth(6, read, film));
+    let cycle = |own: &Solution| drop(HeldLayout::of_cycle(own, None, None, None));
+    // Each drive alone takes it through others, of which there are fewer the more points there are.
+    is_in_proportion("the layout of a cycle", growth(6, read, cycle));
 }
 
 /// So many slider-cranks side by side.

@@ -140,7 +140,11 @@ fn what_is_not_understood_is_said_clearly() {
             vec!["two values", "59", "69"],
         ),
         ("empty.json", form(r#""values": { "vplan(b,s3)": "" }"#), vec!["the form is empty", "--template"]),
-        ("digits.json", form(r#""values": { "vplan(b,s3)": "59,4 mm" }"#), vec!["`59,4 mm` is no number"]),
+        (
+            "digits.json",
+            form(r#""values": { "vplan(b,s3)": "59,4 mm" }"#),
+            vec!["`mm` is no unit of a velocity", "`mm/s`"],
+        ),
         ("pole.json", form(r#""mu_v": 1, "points": { "velocity": { "b": [0, 0] } }"#), vec!["do not have its pole p"]),
         ("text.csv", "quantity,value\nL(B,S3),long\n".to_owned(), vec!["line 2", "`long` is no number"]),
         ("nan.csv", "quantity,value\nL(B,S3),NaN\n".to_owned(), vec!["line 2", "`NaN` is no number"]),

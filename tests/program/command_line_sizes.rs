@@ -95,6 +95,25 @@ fn very_many_sheets_are_asked_about() {
     assert!(stderr(&output).matches("no room").count() <= 3, "{}", stderr(&output));
 }
 
+/// What is painted in pixels takes many times as long: fewer sheets are written so, and pictures of very many pixels are asked
+/// about.
+#[test]
+fn very_many_pixels_are_asked_about() {
+    let folder = scratch("many-pixels");
+    let run = |arguments: &[&str]| {
+        let place = folder.join("out/");
+        let all = [&["draw", "-", "-o", place.to_str().expect("a path of letters")], arguments].concat();
+        let output = with_scene(&all, &many_points(100));
+        (output.status.code(), stderr(&output), place.exists())
+    };
+    let (code, told, is_there) = run(&["--steps", "--format", "png"]);
+    assert!(code == Some(2) && told.contains("marks in all, as PNG, too") && !is_there, "{told}");
+    let (code, told, is_there) = run(&["--format", "png", "--width", "8000"]);
+    assert!(code == Some(2) && told.contains("million pixels") && told.contains("--yes") && !is_there, "{told}");
+    let (code, told, _) = run(&["--format", "png", "--width", "800"]);
+    assert_eq!(code, Some(0), "{told}");
+}
+
 /// Who has five thousand names wrong sees the first of them.
 #[test]
 fn very_many_errors_are_not_all_told() {

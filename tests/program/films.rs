@@ -92,6 +92,7 @@ fn what_is_no_film_is_refused() {
         (&["--seconds", "-3"], FOUR_BAR, "cannot last -3 seconds"),
         (&["--fps", "100"], FOUR_BAR, "cannot have 100 pictures a second"),
         (&["--seconds", "100", "--fps", "50"], FOUR_BAR, "would have 5000 pictures"),
+        (&["--seconds", "40", "--fps", "50"], FOUR_BAR, "with --yes it is written"),
         (&["--width", "20000"], FOUR_BAR, "take fewer dots per inch"),
         (&["--width", "500", "--dpi", "100"], FOUR_BAR, "cannot be used with"),
         (&["--drive", "7"], FOUR_BAR, "there is no drive `7`"),

@@ -237,6 +237,35 @@ fn a_planted_link_is_not_followed() {
     assert_eq!(fs::read_dir(folder.join("out")).expect("a folder").count(), 4);
 }
 
+/// A program that was ended at once, for want of memory or by `kill -9`, could not remove its folder: the next one does that.
+#[test]
+fn what_was_left_half_written_is_removed_by_the_next() {
+    let folder = inputs("outputs-left");
+    let left = |name: &str, has_lock: bool| {
+        let own = folder.join(name);
+        for part in ["new", "old"] {
+            fs::create_dir_all(own.join(part)).expect("made");
+        }
+        fs::write(own.join("new/t.csv"), "half").expect("written");
+        has_lock.then(|| fs::File::create(own.join("lock")).expect("made"))
+    };
+    drop(left(".kinegon-abcdefghijkl", true));
+    let held = left(".kinegon-heldheldheld", true).expect("a lock");
+    held.lock().expect("held");
+    drop(left(".kinegon-withoutalock", false));
+    drop(left(".kinegon-somebody-elses-notes", true));
+    drop(left(".kinegon-hasreplaced0", true));
+    fs::write(folder.join(".kinegon-hasreplaced0/old/0"), "before").expect("written");
+    let output = done(&folder, "sweep scene.json --step 90 -o t.csv");
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let entries = fs::read_dir(&folder).expect("the folder").flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let mut kept: Vec<String> = names.filter(|name| name.starts_with(".kinegon-")).collect();
+    kept.sort();
+    let others = ["hasreplaced0", "heldheldheld", "somebody-elses-notes", "withoutalock"];
+    assert_eq!(kept, others.map(|name| format!(".kinegon-{name}")));
+}
+
 /// Pipes and devices are written to, whichever name stdout has.
 #[test]
 fn stdout_and_devices_are_no_files() {

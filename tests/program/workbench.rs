@@ -65,6 +65,10 @@ fn what_is_no_scene_is_refused() {
     let own = own.to_str().expect("UTF-8");
     let output = run(&["app", own, "-o", own]);
     assert!(stderr(&output).contains("is not overwritten"), "{}", stderr(&output));
+    // A scene that is not named as the one to open must not become a page either.
+    let output = run(&["app", "-o", own]);
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert!(stderr(&output).contains(".html") && text(Path::new(own)) == apart, "{}", stderr(&output));
 }
 
 /// `kinegon app` on a machine with these variables, and with a program that opens files if `opens`.

@@ -4,7 +4,7 @@
 //! open to nobody else. When all are complete and on the disk they are renamed into their places (`stage`). What fails before, and
 //! signals, remove the staging folder: nothing new is left, and what was there is unchanged. What remains: files in different places are
 //! renamed one after the other, so a power cut between two renames leaves some of the new and some of the old; and what ends the program
-//! at once (`kill -9`) leaves a staging folder.
+//! at once (`kill -9`, want of memory) leaves a staging folder, which the next program that writes there removes.
 
 mod place;
 mod stage;

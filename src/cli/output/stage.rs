@@ -15,6 +15,8 @@ pub(super) struct Stage {
     /// The folder in which it is.
     pub base: PathBuf,
     folder: PathBuf,
+    /// Held as long as this program runs, where the file system can do that.
+    lock: Option<File>,
     units: Vec<Unit>,
 }
 
@@ -44,17 +46,39 @@ impl Stage {
         watch()?;
         let mut known = known();
         let mut builder = tempfile::Builder::new();
-        builder.prefix(".kinegon-").rand_bytes(12);
+        builder.prefix(PREFIX).rand_bytes(RANDOM);
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o700));
         let folder = builder.tempdir_in(base)?.keep();
         known.folders.push(folder.clone());
         drop(known);
-        let stage = Stage { base: base.to_owned(), folder, units: Vec::new() };
+        // Held before there is `old`, without which nobody takes the folder for one that was left.
+        let lock = File::create_new(folder.join(LOCK)).ok().filter(|lock| lock.try_lock().is_ok());
+        let stage = Stage { base: base.to_owned(), folder, lock, units: Vec::new() };
         for part in ["new", "old"] {
             fs::create_dir(stage.folder.join(part))?;
         }
+        stage.remove_others();
         Ok(stage)
+    }
+
+    /// Removes what was left beside it: programs that were ended at once, for want of memory or by `kill -9`, no longer hold
+    /// theirs. What has replaced files is kept, with them.
+    fn remove_others(&self) {
+        let base = if self.base == Path::new("") { Path::new(".") } else { &self.base };
+        for entry in fs::read_dir(base).into_iter().flatten().flatten() {
+            let name = entry.file_name();
+            let random = name.to_str().and_then(|name| name.strip_prefix(PREFIX));
+            let folder = entry.path();
+            if random.is_none_or(|random| random.len() != RANDOM) || !are_ours([&self.folder, &folder]) {
+                continue;
+            }
+            let has_old = fs::read_dir(folder.join("old")).map_or(true, |mut old| old.next().is_some());
+            let is_left = || File::open(folder.join(LOCK)).is_ok_and(|lock| lock.try_lock().is_ok());
+            if !has_old && is_left() {
+                let _ = fs::remove_dir_all(folder);
+            }
+        }
     }
 
     /// Creates a file with the mode of the one that it will replace, and with its owner where that is allowed. `path` is
@@ -94,10 +118,22 @@ impl Stage {
 impl Drop for Stage {
     fn drop(&mut self) {
         let mut known = known();
+        // Some systems remove no file that is open.
+        self.lock = None;
         if let Some(at) = known.folders.iter().position(|folder| *folder == self.folder) {
             let _ = fs::remove_dir_all(known.folders.swap_remove(at));
         }
     }
+}
+
+/// Whether paths lead to folders of the same person, and not to links.
+fn are_ours(folders: [&Path; 2]) -> bool {
+    let found = folders.map(|folder| folder.symlink_metadata().ok().filter(Metadata::is_dir));
+    #[cfg(unix)]
+    let found = found.map(|found| found.map(|found| std::os::unix::fs::MetadataExt::uid(&found)));
+    #[cfg(not(unix))]
+    let found = found.map(|found| found.map(drop));
+    found[0].is_some() && found[0] == found[1]
 }
 
 #[cfg(unix)]
@@ -216,6 +252,12 @@ pub(super) fn is_there_already(path: &Path) -> Failure {
     )
 }
 
+/// Names of staging folders begin with this, and end with so many letters by chance.
+const PREFIX: &str = ".kinegon-";
+const RANDOM: usize = 12;
+/// The file in a staging folder that its program holds.
+const LOCK: &str = "lock";
+
 /// What a signal must know and remove.
 #[derive(Default)]
 struct Known {
@@ -238,8 +280,9 @@ pub(in crate::cli) fn wait_if_stopped() {
 
 /// Lets signals remove the staging folders before they end the program.
 fn watch() -> io::Result<()> {
-    static LISTENS: OnceLock<Result<(), ErrorKind>> = OnceLock::new();
-    Ok((*LISTENS.get_or_init(|| listen().map_err(|error| error.kind())))?)
+    static LISTENS: OnceLock<Result<(), (ErrorKind, String)>> = OnceLock::new();
+    let listens = LISTENS.get_or_init(|| listen().map_err(|error| (error.kind(), error.to_string())));
+    listens.clone().map_err(|(kind, told)| io::Error::new(kind, told))
 }
 
 /// Removes what is not complete and ends the program with this exit code.
@@ -268,8 +311,9 @@ fn listen() -> io::Result<()> {
             stop(128 + signal);
         }
     };
-    // A system that is short of memory gives no thread.
-    std::thread::Builder::new().spawn(wait).map(drop)
+    let no_thread =
+        |error: io::Error| io::Error::new(error.kind(), "the system is short of memory, and gives no thread");
+    std::thread::Builder::new().spawn(wait).map(drop).map_err(no_thread)
 }
 
 #[cfg(not(unix))]

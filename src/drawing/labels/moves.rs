@@ -16,6 +16,10 @@ const CROSSED: f64 = 30.0;
 /// Grid of the search over the whole panel, in mm.
 const STEP: f64 = 1.5;
 
+/// Labels that may look in vain for a place apart once a stage has looked at enough things: on a panel that full those after
+/// them find none either.
+const IN_VAIN: usize = 200;
+
 /// What is moved to make room.
 #[derive(Default)]
 struct Pushed {
@@ -59,14 +63,17 @@ impl Search<'_> {
         self.begin();
         let mut order: Vec<usize> = (0..self.labels.len()).collect();
         order.sort_by_key(|&index| (u8::MAX - self.labels[index].priority, index));
+        let mut in_vain = 0;
         for index in order {
             if self.labels[index].is_blank() || self.labels[index].chosen.is_some() {
                 continue;
             }
             let is_settled = match self.labels[index].is_stuck {
                 true => self.choose_cheapest(index),
+                false if in_vain >= IN_VAIN && self.is_enough() => false,
                 false => self.push_others(index) || self.stand_apart(index),
             };
+            in_vain += usize::from(!is_settled);
             self.labels[index].is_stuck = !is_settled;
         }
     }

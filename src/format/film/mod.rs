@@ -14,7 +14,7 @@ use crate::cores::{cores, on_all_cores};
 use crate::drawing::{Drawing, Film};
 
 /// Most pixels of a picture of a film: those of a screen of the finest kind.
-const MOST_AREA: f64 = 1e7;
+pub(crate) const MOST_AREA: f64 = 1e7;
 
 /// A kind of file for a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

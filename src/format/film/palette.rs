@@ -26,6 +26,8 @@ pub(super) fn counts(pixels: &[Pixel]) -> Counts {
 /// Colours, of which each pixel gets the nearest.
 pub(super) struct Palette {
     pub colours: Vec<Pixel>,
+    /// The index of the nearest of all colours from which they were chosen: of the first of equals.
+    nearest: IndexMap<Pixel, u8>,
 }
 
 impl Palette {
@@ -34,6 +36,7 @@ impl Palette {
         // A thin line has few pixels, and is seen as well as the paper.
         let weights: Vec<u64> = counts.values().map(|count| count.isqrt()).collect();
         let mut farness = vec![u64::MAX; weights.len()];
+        let mut nearest: IndexMap<Pixel, u8> = counts.keys().map(|colour| (*colour, 0)).collect();
         let mut colours = Vec::new();
         while colours.len() < MOST {
             let cost = |index: &usize| match farness[*index] {
@@ -43,12 +46,15 @@ impl Palette {
             // Of equals the first.
             let next = (0..weights.len()).rev().max_by_key(cost).filter(|index| cost(index) > 0);
             let Some((next, _)) = next.and_then(|index| counts.get_index(index)) else { break };
-            for (far, colour) in farness.iter_mut().zip(counts.keys()) {
-                *far = (*far).min(distance(colour, next));
+            for (far, (colour, nearest)) in farness.iter_mut().zip(&mut nearest) {
+                let distance = distance(colour, next);
+                if distance < *far {
+                    (*far, *nearest) = (distance, colours.len() as u8);
+                }
             }
             colours.push(*next);
         }
-        Palette { colours }
+        Palette { colours, nearest }
     }
 
     /// The indices of the nearest colours.
@@ -56,13 +62,16 @@ impl Palette {
         let mut known: IndexMap<Pixel, u8> = IndexMap::new();
         let mut indices = Vec::with_capacity(pixels.len());
         for run in pixels.chunk_by(|a, b| a == b) {
-            let index = *known.entry(run[0]).or_insert_with(|| self.nearest(&run[0]));
+            let index = match self.nearest.get(&run[0]) {
+                Some(index) => *index,
+                None => *known.entry(run[0]).or_insert_with(|| self.nearest_to(&run[0])),
+            };
             indices.resize(indices.len() + run.len(), index);
         }
         indices
     }
 
-    fn nearest(&self, pixel: &Pixel) -> u8 {
+    fn nearest_to(&self, pixel: &Pixel) -> u8 {
         let nearest = (0_u8..).zip(&self.colours).min_by_key(|(_, colour)| distance(colour, pixel));
         nearest.map_or(0, |(index, _)| index)
     }
