@@ -4,6 +4,7 @@
 use super::files;
 use super::message::{Failure, Source, note, warn};
 use super::options::{Hand, Look};
+use crate::accuracy::bounds;
 use crate::construction::Solution;
 use crate::cycle::told_turning_back;
 use crate::drawing::Style;
@@ -18,6 +19,9 @@ use crate::{Error, format, order_of_result, posed};
 use clap::{Args, ValueEnum};
 use indexmap::IndexSet;
 use std::path::PathBuf;
+
+/// Condition from which on it is asked whether something is proved of a position that is drawn.
+const NEARLY_SINGULAR: f64 = 1e6;
 
 /// Which assembly mode is wanted.
 #[derive(Debug, Args)]
@@ -66,6 +70,11 @@ fn show(result: &ResultFile) {
 /// Shows the warnings of a solution on stderr, and what turns back there.
 pub(super) fn show_warnings(solution: &Solution) {
     solution.warnings().for_each(|text| warn(&text));
+    // Whether it is a limit or a change point is told as by `solve`.
+    if solution.motion.conditions.iter().any(|condition| *condition > NEARLY_SINGULAR) {
+        let Solution { scene, mechanism, pose, motion, .. } = solution;
+        bounds(scene, mechanism, pose, motion).warnings().iter().for_each(|warning| warn(&warning.to_string()));
+    }
     told_turning_back(solution, &solution.wording()).iter().for_each(|text| note(text));
 }
 

@@ -103,17 +103,18 @@ def slider_crank(r, l, e, angle, mode):
 def text_of(value):
     """JSON with numbers as they are written."""
     if isinstance(value, dict):
-        return "{" + ", ".join(f"{json.dumps(key)}: {text_of(one)}" for key, one in value.items()) + "}"
+        # A link's name may look like a number.
+        told = {key: json.dumps(one) if key == "link" else text_of(one) for key, one in value.items()}
+        return "{" + ", ".join(f"{json.dumps(key)}: {one}" for key, one in told.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(map(text_of, value)) + "]"
-    if isinstance(value, str) and re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", value) and value not in "123":
+    if isinstance(value, str) and re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", value):
         return value
     return json.dumps(value)
 
 
 def scene_text(scene):
-    text = text_of(scene)
-    return text.replace('"omega": "1"', '"omega": 1')
+    return text_of(scene)
 
 
 def run(program, scene, *arguments):
