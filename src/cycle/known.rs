@@ -24,6 +24,11 @@ impl Known {
         limits.collect()
     }
 
+    /// Whether lengths tell all limits of a group.
+    pub fn has(path: &Path, node: &Node, group: usize) -> bool {
+        path.reach(group, &path.position(&node.block, 0).pose()).is_some()
+    }
+
     /// The one nearest to a node.
     pub fn nearest(path: &Path, node: &Node) -> Option<Known> {
         let away = |known: &Known| (known.at - node.value).abs();

@@ -198,7 +198,9 @@ fn end(path: &Path, nodes: &[Node], forward: f64) -> Event {
     {
         return Event { at, within, what: Happening::Limit(links) };
     }
-    match found {
+    // Where lengths tell all limits of a group, what only looks like another one is branches that pass each other closely.
+    let has_known = group.is_some_and(|group| Known::has(path, last, group));
+    match found.filter(|_| !has_known) {
         Some(Ahead { at, runs_off, .. }) => {
             let others = (1..=2).filter_map(|fewer| estimate(nodes.len().saturating_sub(fewer).max(1)));
             let off = others.map(|other| (other.at - at).abs()).fold(0.0, f64::max);
