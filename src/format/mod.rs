@@ -31,7 +31,7 @@ pub use self::digits::DigitRow;
 pub use self::feedback::{FEEDBACK_MARK, feedback_html, html_text};
 #[cfg(feature = "png")]
 pub use self::film::FilmFormat;
-#[cfg(feature = "cli")]
+#[cfg(all(feature = "cli", feature = "png"))]
 pub(crate) use self::film::MOST_AREA as MOST_FILM_AREA;
 pub use self::json::{json, json_line};
 #[cfg(feature = "pdf")]
