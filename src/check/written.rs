@@ -116,13 +116,16 @@ fn with_unit(text: &str) -> (String, Option<String>) {
         return (whole, None);
     }
     // The longest number before a letter: what is behind the last digit of an exponent.
-    let letters = text.char_indices().rev().filter(|(_, c)| c.is_alphabetic() || *c == '°');
-    let mut cuts = letters.map(|(at, _)| (with_point(text[..at].trim()), text[at..].trim().to_owned()));
-    match cuts.find(|(number, _)| number.parse::<f64>().is_ok()) {
-        Some((number, unit)) => (number, Some(unit)),
+    let number = |at: usize| with_point(text[..at].trim());
+    let letters = text.char_indices().take(LONGEST).filter(|(_, c)| c.is_alphabetic() || *c == '°');
+    match letters.map(|(at, _)| at).filter(|at| number(*at).parse::<f64>().is_ok()).last() {
+        Some(at) => (number(at), Some(text[at..].trim().to_owned())),
         None => (whole, None),
     }
 }
+
+/// Most characters of a number with a unit behind it: whoever writes more has written something else.
+const LONGEST: usize = 60;
 
 /// The number in a form's cell, its precision as it stands alone, and half a unit of its last digit.
 pub(super) fn number(text: &str) -> Result<(f64, Precision, f64), CheckError> {

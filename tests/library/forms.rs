@@ -103,4 +103,9 @@ fn a_unit_may_stand_behind_its_digits() {
         let form = format!(r#"{{ "kinegon_measured": 1, "values": {{ "vplan(p,b)": "{cell}" }} }}"#);
         assert_eq!(faults(&Measured::read_json(&form).expect("a form"), &key).len(), 1, "{cell}");
     }
+    // A megabyte of letters is told as fast as it is read, by whatever machine.
+    let long = format!(r#"{{ "kinegon_measured": 1, "values": {{ "vplan(p,b)": "{}" }} }}"#, "6m".repeat(500_000));
+    let began = std::time::Instant::now();
+    assert_eq!(faults(&Measured::read_json(&long).expect("a form"), &key).len(), 1);
+    assert!(began.elapsed().as_secs_f64() < 2.0, "{:?}", began.elapsed());
 }
