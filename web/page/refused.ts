@@ -2,7 +2,7 @@ import type { App } from "./app.ts";
 import type { Refused } from "./engine/types.ts";
 import { speaker } from "./words.ts";
 
-const say = speaker({ en: { line: "Line {line}: {message}" }, es: { line: "Línea {line}: {message}" } });
+const say = speaker("refused");
 
 /** The sentence of a refusal, with what to try. */
 export function said(refused: unknown): string {

@@ -7,10 +7,7 @@ export interface Subject {
   name: string;
 }
 
-const say = speaker({
-  en: { link: "Link {name}", slider: "Slider {name}", point: "Point {name}", others: "Others" },
-  es: { link: "Eslabón {name}", slider: "Corredera {name}", point: "Punto {name}", others: "Otras" },
-});
+const say = speaker("subject");
 
 /** What a quantity is about. */
 function subjectOf({ of, inside }: Quantity): Subject {
