@@ -44,10 +44,12 @@ function base85(bytes) {
   return text;
 }
 
-/** A text or bytes, packed by the program `zstd` as small as it can. */
+/** A text or bytes, packed by the program `xz` as small as it can: with a window that holds all of it and no heed to alignment, which WebAssembly has not. */
 function packed(contents) {
   const input = Buffer.from(contents);
-  return base85(execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", `--stream-size=${input.length}`], { input, maxBuffer: 1 << 26 }));
+  const window = 2 ** Math.max(12, Math.ceil(Math.log2(input.length)));
+  const arguments_ = ["--stdout", "--threads=1", "--check=crc32", `--lzma2=preset=9e,lc=4,lp=0,pb=0,nice=273,dict=${window}`];
+  return base85(execFileSync("xz", arguments_, { input, maxBuffer: 1 << 26 }));
 }
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));

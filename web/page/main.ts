@@ -202,8 +202,9 @@ async function start(): Promise<void> {
   sayAll();
   theme(store);
   const tell = teller();
-  const compiled = WebAssembly.compile(window.unpacked("engine"));
-  const script = new TextDecoder().decode(window.unpacked("worker"));
+  const script = await window.unpacked("worker", "text/javascript").text();
+  // It is compiled while it is unpacked.
+  const compiled = WebAssembly.compileStreaming(window.unpacked("engine", "application/wasm"));
   const first = await beginning(location.hash, store);
   const restarted = (why: Why): string => say(why, { seconds: PATIENCE / 1000 });
   const { engine, busy, stop } = startEngine(script, await compiled, (why, during) => {

@@ -175,7 +175,7 @@ fn columns(readings: &[Reading]) -> String {
 }
 
 /// Median and largest of some numbers.
-fn spread(numbers: impl Iterator<Item = f64>) -> String {
+pub(super) fn spread(numbers: impl Iterator<Item = f64>) -> String {
     let numbers: Vec<f64> = numbers.collect();
     let largest = numbers.iter().copied().fold(0.0, f64::max);
     format!("{}, {}", relative(median(numbers).unwrap_or(f64::NAN)), relative(largest))
@@ -263,7 +263,7 @@ fn units(units: f64, method: Method) -> String {
     }
 }
 
-fn relative(error: f64) -> String {
+pub(super) fn relative(error: f64) -> String {
     match error.is_finite() {
         true => digits(error),
         false => "no number".to_owned(),
