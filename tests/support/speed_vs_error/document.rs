@@ -312,6 +312,7 @@ pub fn duration(nanoseconds: f64) -> String {
     match nanoseconds {
         t if t < 1e3 => format!("{t:.0} ns"),
         t if t < 1e6 => format!("{:.1} µs", t / 1e3),
+        t if t < 1e9 => format!("{:.1} ms", t / 1e6),
         t => format!("{:.0} min", t / 60e9),
     }
 }

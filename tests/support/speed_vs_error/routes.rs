@@ -60,7 +60,7 @@ impl Hardness {
     pub fn name(self) -> &'static str {
         [
             "ordinary",
-            "condition 10⁴ to 10⁷",
+            "joint equations of condition 10⁴ to 10⁷",
             "a link of 10⁻⁶ of the others' size",
             "10⁶ times its size from the origin",
             "10⁻⁴° before a limit",
@@ -153,7 +153,9 @@ struct Found {
 
 impl Found {
     fn new(text: &str) -> Option<Found> {
-        let scene = Scene::read(text).ok()?;
+        let mut text: Value = serde_json::from_str(text).ok()?;
+        shorten(&mut text);
+        let scene = Scene::read(&text.to_string()).ok()?;
         let mechanism = mechanism(&scene).ok()?;
         let pose = pose(&mechanism, &scene.near).ok()?;
         let motion = motion(&mechanism, &pose, Order::Acceleration).ok()?;
@@ -161,11 +163,17 @@ impl Found {
             Role::Driver { angle, .. } => angle,
             _ => None,
         })?;
-        Some(Found { text: serde_json::from_str(text).ok()?, scene, mechanism, pose, motion, angle })
+        Some(Found { text, scene, mechanism, pose, motion, angle })
     }
 
     fn condition(&self) -> f64 {
         self.motion.conditions.iter().copied().fold(1.0, f64::max)
+    }
+
+    /// Whether some link neither rests nor moves with the crank, so that there is something to err.
+    fn is_moved(&self) -> bool {
+        let omegas = self.members().into_iter().map(|id| self.motion.body(id).omega);
+        omegas.into_iter().any(|omega| omega.abs() > 1e-6 && (omega - 1.0).abs() > 1e-6)
     }
 
     fn bounds(&self) -> Bounds<'_> {
@@ -230,6 +238,19 @@ impl Found {
     }
 }
 
+/// Numbers of a scene with 13 digits: of longer ones serde_json may read the last bit wrong, and then the truth is another scene's.
+fn shorten(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let short: Option<f64> = number.as_f64().and_then(|x| format!("{x:.12e}").parse().ok());
+            *value = json!(short);
+        }
+        Value::Array(all) => all.iter_mut().for_each(shorten),
+        Value::Object(all) => all.values_mut().for_each(shorten),
+        _ => {}
+    }
+}
+
 /// Joints of six links, so many of them between known bodies and the group.
 fn six_links(dice: &mut Random, sliders: bool) -> (String, Vec<(usize, usize)>) {
     let outer = 2 + dice.below(3);
@@ -266,7 +287,7 @@ fn thrown(dice: &mut Random, class: &str, sliders: bool, hardness: Hardness) -> 
     }
     let found = Found::new(&planted.scene())?;
     let [group] = found.mechanism.groups.as_slice() else { return None };
-    if group.class.numeral() != class {
+    if group.class.numeral() != class || !found.is_moved() {
         return None;
     }
     if hardness == Hardness::Limit { Found::new(&found.before_limit()?) } else { Some(found) }
@@ -320,12 +341,13 @@ impl Cell {
                     *worst = worst.max(part / sizes[order]);
                 }
                 // Errors below are the roundings of zeros.
-                if off > 1e-30 * sizes[order] && stated[order].is_finite() {
+                if off > 1e-25 * sizes[order] && stated[order].is_finite() {
                     self.pessimism.push(stated[order] / off);
                 }
             }
         }
-        self.errors.push(worst);
+        // Less than this is the rounding of a true zero.
+        self.errors.push(worst.map(|part| if part < 1e-25 { 0.0 } else { part }));
     }
 
     /// Median and largest error of a way; the last is what is stated.
