@@ -309,7 +309,7 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 26] = [
     (
         "tutorial-check",
         "examples/wiper.json",
-        "check class/wiper-3-1/scene.json values.json --draw values.svg",
+        "check scene.json values.json --draw out/",
         "A student's plan of that exercise over the right one: the mistake is marked where it was made.",
         Kind::Marked(3, "examples/wiper-as-student.json"),
     ),
