@@ -1,4 +1,4 @@
-import type { App } from "./app.ts";
+import type { Shown } from "./app.ts";
 import type { Refused } from "./engine/types.ts";
 import { speaker } from "./words.ts";
 
@@ -16,7 +16,7 @@ export function withLine({ line, message }: Refused): string {
 }
 
 /** Does something; what the engine refuses is told. */
-export async function orTell(app: App, act: () => Promise<void>): Promise<void> {
+export async function orTell(app: Pick<Shown, "tell">, act: () => Promise<void>): Promise<void> {
   try {
     await act();
   } catch (refused) {

@@ -1,0 +1,34 @@
+import { speaker } from "../page/words.ts";
+
+const say = speaker({
+  en: {
+    none: "The plan has no scene: give it the address of one in src, or write one between its tags in a script of the type application/json.",
+    unread: "{src} could not be read ({why}).",
+    from_file: "A page that is opened from a file may not read others: write the scene between the tags.",
+  },
+  es: {
+    none: "El plano no tiene escena: dé su dirección en src, o escríbala entre las etiquetas en un script de tipo application/json.",
+    unread: "No se pudo leer {src} ({why}).",
+    from_file: "Una página abierta desde un archivo no puede leer otros: escriba la escena entre las etiquetas.",
+  },
+});
+
+/** The text of a plan's scene: what stands between its tags, else what its `src` leads to. */
+export async function sceneText(plan: HTMLElement): Promise<string> {
+  const src = plan.getAttribute("src");
+  if (src === null) {
+    const inside = plan.querySelector('script[type="application/json"]')?.textContent?.trim() ?? "";
+    if (inside === "") throw new Error(say("none"));
+    return inside;
+  }
+  const unread = (why: string): Error => new Error(say("unread", { src, why }));
+  let answer: Response;
+  try {
+    answer = await fetch(src);
+  } catch (why) {
+    const { message } = unread((why as Error).message);
+    throw new Error(location.protocol === "file:" ? `${message} ${say("from_file")}` : message);
+  }
+  if (!answer.ok) throw unread(`HTTP ${answer.status}`);
+  return answer.text();
+}
