@@ -44,6 +44,9 @@ interface Parts {
 
 let letters: Promise<void> | undefined;
 
+const sheet = new CSSStyleSheet();
+sheet.replaceSync(style);
+
 export class KinegonPlan extends HTMLElement {
   static readonly observedAttributes = ["src", "step", "controls", "theme"];
 
@@ -58,14 +61,14 @@ export class KinegonPlan extends HTMLElement {
   /** Settles when the first picture stands, or the scene is refused. */
   readonly ready = new Promise<void>((done) => (this.#whenReady = done));
 
+  constructor() {
+    super();
+    this.#root.adoptedStyleSheets = [sheet];
+    this.#root.innerHTML = tree;
+  }
+
   connectedCallback(): void {
-    if (this.#root.childElementCount === 0) {
-      language.set(usual(document.documentElement.lang || null));
-      const sheet = new CSSStyleSheet();
-      sheet.replaceSync(style);
-      this.#root.adoptedStyleSheets = [sheet];
-      this.#root.innerHTML = tree;
-    }
+    language.set(usual(document.documentElement.lang || null));
     watchGround(this, this.#ground);
     this.#ground();
     // Far below the window nothing is solved.
@@ -86,7 +89,7 @@ export class KinegonPlan extends HTMLElement {
     if (name === "theme") this.#ground();
     else if (name === "controls") this.#controls();
     else if (name === "step") this.#goTo(this.#asked());
-    else void this.#read();
+    else if (this.#hasBegun) void this.#read();
   }
 
   /** The scene as it stands, as its file has it; null before there is one. */
@@ -154,10 +157,12 @@ export class KinegonPlan extends HTMLElement {
     return this.#parts;
   }
 
+  #hasBegun = false;
   #begun: Promise<void> | null = null;
 
   #begin(): Promise<void> {
     this.#watch?.disconnect();
+    this.#hasBegun = true;
     return (this.#begun ??= this.#read().finally(() => (this.#begun = null)));
   }
 
@@ -227,7 +232,8 @@ export class KinegonPlan extends HTMLElement {
       else if (opened !== null) this.#good();
     });
     this.#steps(app, going);
-    running.on.on((playing) => this.#send("kinegon-play", { playing }));
+    let played = false;
+    running.on.on((playing) => playing !== played && ((played = playing), this.#send("kinegon-play", { playing })));
     let shown = app.history.now.value;
     app.history.now.on((now) => now !== shown && ((shown = now), this.#send("kinegon-change", { text: now.text })));
     solving(app);

@@ -17,6 +17,8 @@ const say = speaker({
 export async function sceneText(plan: HTMLElement): Promise<string> {
   const src = plan.getAttribute("src");
   if (src === null) {
+    // What stands between the tags comes after the first of them.
+    if (document.readyState === "loading") await new Promise((done) => document.addEventListener("DOMContentLoaded", done, { once: true }));
     const inside = plan.querySelector('script[type="application/json"]')?.textContent?.trim() ?? "";
     if (inside === "") throw new Error(say("none"));
     return inside;
