@@ -42,6 +42,9 @@ interface Parts {
   end(): void;
 }
 
+/** Keys with which controls are used. */
+const KEYS = /^(Arrow.*|Page.*|Home|End|Enter| )$/;
+
 let letters: Promise<void> | undefined;
 
 const sheet = new CSSStyleSheet();
@@ -65,10 +68,16 @@ export class KinegonPlan extends HTMLElement {
     super();
     this.#root.adoptedStyleSheets = [sheet];
     this.#root.innerHTML = tree;
+    // What a control does with a key, slides and books need not do, too.
+    this.#root.addEventListener("keydown", (event) => KEYS.test((event as KeyboardEvent).key) && event.stopPropagation());
   }
 
   connectedCallback(): void {
     language.set(usual(document.documentElement.lang || null));
+    // Whoever moves it within the page gets it as it stood.
+    if (this.#isWired) this.#root.innerHTML = tree;
+    this.#isWired = false;
+    this.#controls();
     watchGround(this, this.#ground);
     this.#ground();
     // Far below the window nothing is solved.
@@ -80,8 +89,10 @@ export class KinegonPlan extends HTMLElement {
     this.#turn += 1;
     watchGround(this, null);
     this.#watch?.disconnect();
+    this.#text = this.#parts?.app.history.now.value.text ?? this.#text;
     this.#parts?.end();
     this.#parts = null;
+    this.#hasBegun = this.#isReady = false;
   }
 
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
@@ -89,7 +100,10 @@ export class KinegonPlan extends HTMLElement {
     if (name === "theme") this.#ground();
     else if (name === "controls") this.#controls();
     else if (name === "step") this.#goTo(this.#asked());
-    else if (this.#hasBegun) void this.#read();
+    else if (this.#hasBegun) {
+      this.#text = null;
+      void this.#read();
+    }
   }
 
   /** The scene as it stands, as its file has it; null before there is one. */
@@ -152,7 +166,7 @@ export class KinegonPlan extends HTMLElement {
   }
 
   async #there(): Promise<Parts> {
-    await this.#begin();
+    if (this.#parts === null) await this.#begin();
     if (this.#parts === null) throw new Error("the plan has no scene, or is not in the page");
     return this.#parts;
   }
@@ -170,7 +184,6 @@ export class KinegonPlan extends HTMLElement {
   async #read(): Promise<void> {
     const turn = (this.#turn += 1);
     try {
-      if (this.#parts !== null && this.#text !== null) return;
       const text = this.#text ?? (await sceneText(this));
       if (turn !== this.#turn) return;
       if (this.#parts !== null) return this.#parts.app.history.change({ text });
@@ -208,6 +221,7 @@ export class KinegonPlan extends HTMLElement {
 
   #wired(app: Shown): Pick<Parts, "steps" | "play"> {
     sayAll(this.#root);
+    this.#isWired = true;
     this.#controls();
     byId("pane", this.#root).hidden = false;
     const view = viewport(MARGIN);
@@ -262,10 +276,12 @@ export class KinegonPlan extends HTMLElement {
     else this.#parts.steps.go(step);
   }
 
+  #isWired = false;
+
   #controls(): void {
     const has = this.hasAttribute("controls");
     const find = (id: string): HTMLElement => byId(id, this.#root);
-    find("motion").hidden = !has;
+    find("motion").hidden = !has || !this.#isWired;
     find("handles").hidden = !has;
     find("component").classList.toggle("bare", !has);
   }

@@ -8,8 +8,11 @@ import type { Viewport } from "./viewport.ts";
 
 /** A place in the pane, in pixels from its corner. */
 export function inPane(app: Shown, event: { clientX: number; clientY: number }): [number, number] {
-  const { left, top } = byId("pane", app.root).getBoundingClientRect();
-  return [event.clientX - left, event.clientY - top];
+  const pane = byId("pane", app.root);
+  const { left, top, width } = pane.getBoundingClientRect();
+  // Slides are shown larger or smaller than they are laid out.
+  const scale = pane.clientWidth / width;
+  return [(event.clientX - left) * scale, (event.clientY - top) * scale];
 }
 
 /** Pulls joints by mouse, pen and finger, and by arrow keys. */
