@@ -9,10 +9,15 @@ import { xz } from "./xz.mjs";
 const here = import.meta.dirname;
 const [engine, output] = process.argv.slice(2).map((path) => resolve(path));
 
+/** Where the page stands in the web, once that is stated; links of a page that was opened from a file lead there. */
+const home = /^homepage = "(.*)"$/m.exec(readFileSync(join(here, "../Cargo.toml"), "utf8"))?.[1];
+const hosted = home === undefined ? "" : new URL("workbench.html", home).href;
+
 /** A bundle of TypeScript or CSS as text. */
 async function bundled(entry) {
   const made = await build({
     entryPoints: [join(here, "page", entry)],
+    define: { HOSTED: JSON.stringify(hosted) },
     alias: { "kinegon-wasm": join(engine, "kinegon_web.js") },
     bundle: true,
     minify: true,

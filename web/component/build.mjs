@@ -25,5 +25,6 @@ rmSync(made, { recursive: true });
 mkdirSync(output, { recursive: true });
 writeFileSync(join(output, "kinegon-plan.js"), script);
 for (const name of ["package.json", "README.md", "kinegon-plan.d.ts"]) copyFileSync(join(here, name), join(output, name));
+copyFileSync(join(here, "../../templates/workbench-third-party.txt"), join(output, "THIRD-PARTY.txt"));
 for (const name of ["LICENSE-MIT", "LICENSE-APACHE"]) copyFileSync(join(here, "../..", name), join(output, name));
 console.log(`${join(output, "kinegon-plan.js")}: ${Math.round(script.length / 1000)} kB, by Brotli ${Math.round(brotliCompressSync(script).length / 1000)} kB`);

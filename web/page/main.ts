@@ -39,7 +39,7 @@ import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
+import { baseOf, documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
 import { history, type Document } from "./state/history.ts";
@@ -97,7 +97,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
       app.task.set(null);
       app.history.change({ text });
     },
-    link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
+    link: async (what) => baseOf(location.href) + (await hashOf(what)),
     print: printer(),
   };
   hears?.follow(() => app.history.now.value.form);

@@ -2,6 +2,7 @@ import { speaker, type Words } from "../words.ts";
 
 const en = {
   described: "The picture in words",
+  notices: "What others have made, and its licences",
   back_to_picture: "Back to the picture",
   is_fixed: "Fixed points: {points}.",
   is_link: "Link {name}: {points}",
@@ -166,6 +167,7 @@ const es: Record<Key, string> = {
   means_omega: "{name}, la velocidad angular del eslabón {link}.",
   means_alpha: "{name}, la aceleración angular del eslabón {link}.",
   described: "La figura en palabras",
+  notices: "Lo que otros han hecho, con sus licencias",
   back_to_picture: "Volver a la figura",
   is_fixed: "Puntos fijos: {points}.",
   is_link: "Eslabón {name}: {points}",
