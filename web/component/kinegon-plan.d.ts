@@ -50,7 +50,7 @@ export interface KinegonPlanEventMap {
 }
 
 /** `<kinegon-plan src="…" step="…" controls theme="…">` */
-export class KinegonPlan extends HTMLElement {
+export interface KinegonPlan extends HTMLElement {
   /** Settles when the first picture stands, or the scene is refused. */
   readonly ready: Promise<void>;
   /** The scene as it stands; null before it is solved. A text or an object may be set. */
