@@ -243,7 +243,7 @@ export class KinegonPlan extends HTMLElement {
     });
     app.solved.on(({ opened, refused }) => {
       if (refused !== null) this.#refuse(refused);
-      else if (opened !== null) this.#good();
+      else if (opened !== null) this.#good(opened.title);
     });
     this.#steps(app, going);
     let played = false;
@@ -304,8 +304,9 @@ export class KinegonPlan extends HTMLElement {
     this.#send("kinegon-ready", { title: this.#parts?.app.solved.value.opened?.title ?? "", steps: this.steps.length });
   }
 
-  #good(): void {
+  #good(title: string): void {
     byId("message", this.#root).hidden = true;
+    byId("component", this.#root).setAttribute("aria-label", title);
   }
 
   /** One message; of what the element holds, or of the last good picture, nothing goes. */
