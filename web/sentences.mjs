@@ -39,25 +39,20 @@ function spoken(language) {
 }
 
 const all = Object.fromEntries(LANGUAGES.map((language) => [language, spoken(language)]));
-const only = (parts, kept) => Object.fromEntries(Object.entries(parts).filter(([part]) => TRANSLATIONS.includes(part) === kept));
+/** A part of the page in all languages, which all have the same keys. */
+function part(name) {
+  const keys = (language) => Object.keys(all[language][name] ?? {}).sort().join(" ");
+  const spoken = LANGUAGES.filter((language) => !(TRANSLATIONS.includes(name) && language === "en"));
+  for (const language of spoken) if (keys(language) !== keys("es")) throw new Error(`${language}.ftl has not the keys page-${name}-… that es.ftl has`);
+  return Object.fromEntries(LANGUAGES.map((language) => [language, all[language][name] ?? {}]));
+}
+
 const json = (value) => JSON.stringify(value, null, 2);
-const written = `// What the page says. Made from src/words/*.ftl by sentences.mjs: web/README.md says how.
-import type { Sentence } from "./words.ts";
+const declared = Object.keys(all.es).map((name) => `export const ${name} = ${json(part(name))};\n`);
+const written = `// What the page says, by its parts. Made from src/words/*.ftl by sentences.mjs: web/README.md says how.
 
-const en = ${json(only(all.en, false))};
+export const LANGUAGES = ${JSON.stringify(LANGUAGES)} as const;
 
-/** The sentences of a language, by part of the page. */
-export type Spoken = { [Part in keyof typeof en]: Record<keyof (typeof en)[Part], Sentence> };
-
-/** By language: all have all sentences. */
-export const SENTENCES: Record<"${LANGUAGES.join('" | "')}", Spoken> = {
-  en,
-${LANGUAGES.slice(1).map((language) => `  ${language}: ${json(only(all[language], false))},\n`).join("")}};
-
-/** What stands in English elsewhere: titles and notes of starting scenes, words of the editor. */
-export const TRANSLATIONS: Record<keyof typeof SENTENCES, Record<"${TRANSLATIONS.join('" | "')}", Record<string, string>>> = ${json(
-  Object.fromEntries(LANGUAGES.map((language) => [language, { ...Object.fromEntries(TRANSLATIONS.map((part) => [part, {}])), ...only(all[language], true) }])),
-)};
-`;
+${declared.join("\n")}`;
 if (!process.argv.includes("--check")) writeFileSync(output, written);
 else if (readFileSync(output, "utf8") !== written) throw new Error("page/sentences.ts is not that of src/words: web/build --types");

@@ -1167,6 +1167,7 @@ photo-measure_ruler = legen Sie ein Lineal an das auf dem Blatt gedruckte: wenn 
 ## The workbench: layout
 
 page-layout-described = Das Bild in Worten
+page-layout-notices = Was andere gemacht haben, und seine Lizenzen
 page-layout-back_to_picture = Zurück zum Bild
 page-layout-is_fixed = Feste Punkte: {$points}.
 page-layout-is_link = Glied {$name}: {$points}
@@ -1976,3 +1977,10 @@ page-editor-unfold = aufklappen
 page-editor-Completions = Vorschläge
 page-editor-Diagnostics = Meldungen
 page-editor-No_diagnostics = Keine Meldungen
+
+
+## The component <kinegon-plan>
+
+page-component-none = Der Plan hat keine Szene: geben Sie deren Adresse in src an, oder schreiben Sie sie zwischen die Tags in ein script vom Typ application/json.
+page-component-unread = {$src} konnte nicht gelesen werden ({$why}).
+page-component-from_file = Eine Seite, die aus einer Datei geöffnet ist, darf keine anderen lesen: schreiben Sie die Szene zwischen die Tags.

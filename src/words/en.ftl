@@ -1200,6 +1200,7 @@ photo-measure_ruler = lay a ruler on the one that is printed on the sheet: is it
 ## The workbench: layout
 
 page-layout-described = The picture in words
+page-layout-notices = What others have made, and its licences
 page-layout-back_to_picture = Back to the picture
 page-layout-is_fixed = Fixed points: {$points}.
 page-layout-is_link = Link {$name}: {$points}
@@ -1952,3 +1953,9 @@ page-subject-others = Others
 
 ## The workbench: editor
 
+
+## The component <kinegon-plan>
+
+page-component-none = The plan has no scene: give it the address of one in src, or write one between its tags in a script of the type application/json.
+page-component-unread = {$src} could not be read ({$why}).
+page-component-from_file = A page that is opened from a file may not read others: write the scene between the tags.

@@ -1165,6 +1165,7 @@ photo-measure_ruler = ponga una regla sobre la que está impresa en la hoja: si 
 ## The workbench: layout
 
 page-layout-described = La figura en palabras
+page-layout-notices = Lo que otros han hecho, con sus licencias
 page-layout-back_to_picture = Volver a la figura
 page-layout-is_fixed = Puntos fijos: {$points}.
 page-layout-is_link = Eslabón {$name}: {$points}
@@ -1974,3 +1975,10 @@ page-editor-unfold = desplegar
 page-editor-Completions = Propuestas
 page-editor-Diagnostics = Mensajes
 page-editor-No_diagnostics = Sin mensajes
+
+
+## The component <kinegon-plan>
+
+page-component-none = El plano no tiene escena: dé su dirección en src, o escríbala entre las etiquetas en un script de tipo application/json.
+page-component-unread = No se pudo leer {$src} ({$why}).
+page-component-from_file = Una página abierta desde un archivo no puede leer otros: escriba la escena entre las etiquetas.

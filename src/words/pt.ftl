@@ -1167,6 +1167,7 @@ photo-measure_ruler = ponha uma régua sobre a que está impressa na folha: se o
 ## The workbench: layout
 
 page-layout-described = A figura em palavras
+page-layout-notices = O que outros fizeram, e suas licenças
 page-layout-back_to_picture = Voltar à figura
 page-layout-is_fixed = Pontos fixos: {$points}.
 page-layout-is_link = Elo {$name}: {$points}
@@ -1976,3 +1977,10 @@ page-editor-unfold = expandir
 page-editor-Completions = Sugestões
 page-editor-Diagnostics = Mensagens
 page-editor-No_diagnostics = Sem mensagens
+
+
+## The component <kinegon-plan>
+
+page-component-none = O plano não tem cena: dê o endereço dela em src, ou escreva-a entre as etiquetas em um script do tipo application/json.
+page-component-unread = Não foi possível ler {$src} ({$why}).
+page-component-from_file = Uma página aberta de um arquivo não pode ler outros: escreva a cena entre as etiquetas.

@@ -1,5 +1,6 @@
 /** The sheets, as the page speaks of them. What else is known of them is told by the engine: a further one has its words in src/words/*.ftl. */
 import { SHEETS, type Panel } from "./engine/types.ts";
+import { sheets } from "./sentences.ts";
 import { speaker } from "./words.ts";
 
 /** A sheet by the word that files have for it. */
@@ -14,7 +15,7 @@ export type Scale = (typeof SHEETS)[number]["scale"];
 /** How a sheet is spoken of: on a button; as what a scale is of; as a panel; within a sentence; as a heading; over what is read from it. */
 type Speech = "short" | "scaled" | "panel" | "name" | "title" | "from";
 
-const say = speaker("sheets");
+const say = speaker(sheets);
 
 /** A sheet in words. */
 export function called(sheet: Sheet, how: Speech): string {

@@ -1,9 +1,8 @@
-import { SENTENCES, type Spoken, TRANSLATIONS } from "./sentences.ts";
+import { LANGUAGES } from "./sentences.ts";
 import { signal } from "./state/signal.ts";
 
 /** The languages of the page. That of a figure is its own: `figure.language` of its scene. */
-export type Language = keyof typeof SENTENCES;
-export const LANGUAGES = Object.keys(SENTENCES) as Language[];
+export type Language = (typeof LANGUAGES)[number];
 
 /** A text with blanks as `{name}`; or texts and choices: by the value of a blank, or by the form that words have beside it if it is a number. */
 export type Sentence = string | readonly (string | { readonly by: string; readonly forms: Readonly<Record<string, Sentence>> })[];
@@ -21,7 +20,7 @@ export function usual(chosen: string | null): Language {
 }
 
 /** A sentence of this language with its blanks filled. */
-export function filled(sentence: Sentence, blanks: Blanks, spoken: Language): string {
+function filled(sentence: Sentence, blanks: Blanks, spoken: Language): string {
   if (typeof sentence === "string") return sentence.replace(/\{(\w+)\}/g, (whole, name: string) => String(blanks[name] ?? whole));
   const piece = (piece: Sentence | { by: string; forms: Readonly<Record<string, Sentence>> }): string => {
     if (typeof piece === "string" || !("by" in piece)) return filled(piece, blanks, spoken);
@@ -32,18 +31,7 @@ export function filled(sentence: Sentence, blanks: Blanks, spoken: Language): st
   return sentence.map(piece).join("");
 }
 
-type Part = keyof Spoken;
-export type Saying<Of extends Part> = keyof Spoken[Of];
-
 /** What a part of the page says, in the page's language; `{name}` in it is filled. Sentences stand in src/words/*.ftl: one that is missing does not compile. */
-export function speaker<Of extends Part>(part: Of): (key: Saying<Of>, blanks?: Blanks) => string {
-  return (key, blanks = {}) => {
-    const words: Record<Saying<Of>, Sentence> = SENTENCES[language.value][part];
-    return filled(words[key], blanks, language.value);
-  };
-}
-
-/** What stands elsewhere in English, in this language. */
-export function translated(part: keyof (typeof TRANSLATIONS)["en"], spoken: Language): Record<string, string> {
-  return TRANSLATIONS[spoken][part];
+export function speaker<Key extends string>(words: Record<Language, Record<Key, Sentence>>): (key: Key, blanks?: Blanks) => string {
+  return (key, blanks = {}) => filled(words[language.value][key], blanks, language.value);
 }

@@ -1,4 +1,5 @@
-import { speaker, type Saying as Of } from "../words.ts";
+import { build } from "../sentences.ts";
+import { speaker } from "../words.ts";
 
-export type Saying = Of<"build">;
-export const say = speaker("build");
+export type Saying = keyof typeof build.en;
+export const say = speaker(build);

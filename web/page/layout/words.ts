@@ -1,4 +1,5 @@
-import { speaker, type Saying as Of } from "../words.ts";
+import { layout } from "../sentences.ts";
+import { speaker } from "../words.ts";
 
-export type Saying = Of<"layout">;
-export const say = speaker("layout");
+export type Saying = keyof typeof layout.en;
+export const say = speaker(layout);

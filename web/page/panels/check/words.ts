@@ -1,4 +1,5 @@
-import { speaker, type Saying as Of } from "../../words.ts";
+import { check } from "../../sentences.ts";
+import { speaker } from "../../words.ts";
 
-export type Saying = Of<"check">;
-export const say = speaker("check");
+export type Saying = keyof typeof check.en;
+export const say = speaker(check);

@@ -1,3 +1,4 @@
+import { curves } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("curves");
+export const say = speaker(curves);

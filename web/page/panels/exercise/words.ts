@@ -1,4 +1,5 @@
-import { speaker, type Saying as Of } from "../../words.ts";
+import { exercise } from "../../sentences.ts";
+import { speaker } from "../../words.ts";
 
-export type Saying = Of<"exercise">;
-export const say = speaker("exercise");
+export type Saying = keyof typeof exercise.en;
+export const say = speaker(exercise);

@@ -1,3 +1,4 @@
+import { figure } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("figure");
+export const say = speaker(figure);

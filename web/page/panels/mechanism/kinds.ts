@@ -1,5 +1,6 @@
 import type { Kind } from "../../engine/types.ts";
-import { type Language, translated } from "../../words.ts";
+import { kinds as translated } from "../../sentences.ts";
+import type { Language } from "../../words.ts";
 
 type Group = "groups_bars" | "groups_more" | "groups_drives" | "groups_class" | "groups_drawn" | "groups_paper";
 
@@ -13,15 +14,18 @@ export const GROUPS: Record<Group, string[]> = {
   groups_drawn: ["dyad-rrr", "dyad-rrp", "dyad-rpr", "dyad-prp", "dyad-rpp"],
 };
 
-/** A scene's note, in the page's language where the scene has that of a starting scene: the files are English. */
+/** What a starting scene has in this language; the files are English. */
+const own = (language: Language, key: string): string | undefined => (translated[language] as Record<string, string>)[key];
+
+/** A scene's note, in the page's language where the scene has that of a starting scene. */
 export function noteOf(note: string, kinds: Kind[], language: Language): string {
   const kind = kinds.find(({ text }) => text.includes(JSON.stringify(note)));
-  return (kind && translated("kinds", language)[`note-${kind.name}`]) ?? note;
+  return (kind && own(language, `note-${kind.name}`)) ?? note;
 }
 
 /** The title of a starting scene. */
 export function titleOf(kind: Kind, language: Language): string {
-  return translated("kinds", language)[`title-${kind.name}`] ?? kind.title ?? kind.name;
+  return own(language, `title-${kind.name}`) ?? kind.title ?? kind.name;
 }
 
 /** A scene without links, to begin with. */

@@ -1,3 +1,4 @@
+import { mechanism } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("mechanism");
+export const say = speaker(mechanism);

@@ -1,3 +1,4 @@
+import { modes } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("modes");
+export const say = speaker(modes);

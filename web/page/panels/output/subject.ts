@@ -1,4 +1,5 @@
 import type { Quantity } from "../../engine/types.ts";
+import { subject } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
 /** What values are about: a link, a slider, a point. */
@@ -7,7 +8,7 @@ export interface Subject {
   name: string;
 }
 
-const say = speaker("subject");
+const say = speaker(subject);
 
 /** What a quantity is about. */
 function subjectOf({ of, inside }: Quantity): Subject {

@@ -1,3 +1,4 @@
+import { parts } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("parts");
+export const say = speaker(parts);

@@ -1,3 +1,4 @@
+import { save } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("save");
+export const say = speaker(save);

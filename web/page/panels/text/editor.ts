@@ -10,7 +10,8 @@ import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutt
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
-import { language, translated } from "../../words.ts";
+import { editor as phrasesOf } from "../../sentences.ts";
+import { language } from "../../words.ts";
 import { newId } from "../parts/fields.ts";
 import { smallest } from "./change.ts";
 import { edited, endsOf, filed, placed } from "./ends.ts";
@@ -59,7 +60,7 @@ export function textEditor(parent: HTMLElement, app: App): TextEditor {
   ];
   const view = new EditorView({ parent, state: EditorState.create({ doc: shown(app.history.now.value.text), extensions }) });
   language.on((now) => {
-    const own = EditorState.phrases.of(Object.fromEntries(Object.entries(translated("editor", now)).map(([key, phrase]) => [key.replaceAll("_", " "), phrase])));
+    const own = EditorState.phrases.of(Object.fromEntries(Object.entries(phrasesOf[now]).map(([key, phrase]) => [key.replaceAll("_", " "), phrase])));
     view.dispatch({ effects: phrases.reconfigure([own, EditorView.contentAttributes.of({ "aria-label": say("editor"), lang: "zxx", tabindex: "0" })]) });
   });
   app.history.now.on(({ text }) => {

@@ -1,3 +1,4 @@
+import { text } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("text");
+export const say = speaker(text);

@@ -1,3 +1,4 @@
+import { values } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
-export const say = speaker("values");
+export const say = speaker(values);

@@ -1,4 +1,5 @@
-import { speaker, type Saying as Of } from "../../../words.ts";
+import { photo } from "../../../sentences.ts";
+import { speaker } from "../../../words.ts";
 
-export type Saying = Of<"photo">;
-export const say = speaker("photo");
+export type Saying = keyof typeof photo.en;
+export const say = speaker(photo);
