@@ -115,7 +115,7 @@ impl StepList<'_> {
         for why in reasons {
             match why {
                 Unread::NoSheet(sheet) => {
-                    self.line(&language.no_band_no_sheet(&language.sheet(*sheet).to_lowercase()));
+                    self.line(&language.no_band_no_sheet(language.named_sheet(*sheet)));
                 }
                 _ => self.line(language.no_band_no_construction()),
             }

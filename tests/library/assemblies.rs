@@ -407,3 +407,16 @@ fn two_assemblies_side_by_side_are_told_apart_or_refused() {
     }
     assert!(told >= 10 && refused >= 5, "{told} told apart, {refused} refused");
 }
+
+/// Where the origin is so far away that f64 has no digits left for the shape, the pose rounds both assemblies: nothing is proved.
+#[test]
+fn an_assembly_that_rounding_has_lost_is_not_proved() {
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" },
+        "ground": { "A": [1000000000000000000, 333333333333333333], "D": [1000000000000000126, 333333333333333348] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 21.566 }, "drive": { "angle": -118.8, "omega": 18.7191 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 136.77336 } }, "3": { "points": ["D", "C"], "lengths": { "CD": 48.73641 } } },
+        "near": { "C": [1000000000000000102.810347, 333333333333333390.8658053] } }"#;
+    let solution = support::stages::solved(scene).expect("it is assembled");
+    let result = solution.whole_result().expect("numbers");
+    assert!(!result.groups[0].proved && result.links["2"].omega_error.is_infinite());
+}

@@ -76,3 +76,28 @@ fn every_licence_has_its_text() {
         assert!(!text.contains("<copyright holders>") && !text.contains("/root/"), "a blank is left, or a path");
     }
 }
+
+#[test]
+fn everybody_who_holds_a_copyright_is_named() {
+    for file in [ALL, PAGE] {
+        let text = files::read(file);
+        let parts = text.split("\n====").skip(1).filter_map(|part| part.trim_start_matches('=').strip_prefix('\n'));
+        let with_holders = ["BSD", "ISC", "MIT", "OFL", "Unicode", "Zlib"];
+        let mut counted = 0;
+        for part in parts.filter(|part| with_holders.iter().any(|licence| part.starts_with(licence))) {
+            let head: Vec<&str> = part.lines().skip(2).take_while(|line| !line.is_empty()).collect();
+            for pair in head.windows(2).filter(|pair| !pair[0].starts_with("  ")) {
+                assert!(pair[1].starts_with("  "), "{file}: nobody holds the copyright of {}", pair[0]);
+                counted += 1;
+            }
+        }
+        assert!(counted > 50, "{file}: {counted}");
+        for (name, holder) in
+            [("@codemirror/view", "Marijn Haverbeke"), ("rqrr", "Daniel Beer"), ("serde", "David Tolnay")]
+        {
+            let block = text.lines().skip_while(|line| !line.ends_with(':') || !line.contains(name));
+            let holders: Vec<&str> = block.skip(1).take_while(|line| line.starts_with("  ")).collect();
+            assert!(holders.iter().any(|line| line.contains(holder)), "{file}: {name} has {holders:?}");
+        }
+    }
+}

@@ -7,7 +7,6 @@ import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
 import type { Asked } from "./state/storage.ts";
-import type { Language } from "./words.ts";
 
 /** What the engine says of the present text. */
 export interface Solved {
@@ -86,7 +85,7 @@ export type Shown = Pick<App, "root" | "history" | "engine" | "solved" | "typing
 /** A panel beside the picture. */
 export interface Panel {
   id: string;
-  title: Record<Language, string>;
+  title(): string;
   /** Fills the panel once; it keeps itself current through the app's signals. */
   mount(root: HTMLElement, app: App): void;
 }

@@ -1,8 +1,9 @@
 import type { Shown } from "./app.ts";
 import type { Refused } from "./engine/types.ts";
+import { refused as sentences } from "./sentences.ts";
 import { speaker } from "./words.ts";
 
-const say = speaker({ en: { line: "Line {line}: {message}" }, es: { line: "Línea {line}: {message}" } });
+const say = speaker(sentences);
 
 /** The sentence of a refusal, with what to try. */
 export function said(refused: unknown): string {
