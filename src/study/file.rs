@@ -10,6 +10,9 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde_json::Value as Json;
 
+/// The seed of a study that names none.
+pub(super) const USUAL_SEED: u64 = 1;
+
 const STUDY: FileKind = FileKind { what: crate::scene::says::study, key: "kinegon_study", version: 1 };
 
 /// Many mechanisms that differ from one scene in some numbers, each moved through a cycle.
@@ -158,6 +161,17 @@ impl StudyFile {
         };
         let before: String = body[..range.start].chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect();
         before + &body[range]
+    }
+
+    /// What a file of its rows says of where they come from, so that they can be made again: `kinegon.version`, `kinegon.seed`,
+    /// `kinegon.study` with the study's text, and `kinegon.scene` with that of its scene where this is a file of its own.
+    #[must_use]
+    pub fn origin(&self, scene: &str) -> Vec<(String, String)> {
+        let seed = self.keys.seed.unwrap_or(USUAL_SEED).to_string();
+        let is_apart = matches!(self.scene(), SceneGiven::Path(_));
+        let own = [("version", env!("CARGO_PKG_VERSION")), ("seed", &seed), ("study", &self.text)];
+        let all = own.into_iter().chain(is_apart.then_some(("scene", scene)));
+        all.map(|(key, said)| (format!("kinegon.{key}"), said.to_owned())).collect()
     }
 
     /// An error at a place of the study.

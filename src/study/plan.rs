@@ -1,6 +1,6 @@
 //! A study of its scene: which numbers vary and how, and the rows of its table.
 
-use super::file::StudyFile;
+use super::file::{StudyFile, USUAL_SEED};
 use super::member::{StudyError, follow_alone, member, posed};
 use super::task::{Column, Content, DriveRange, Outcome, Status, Task, Wanted};
 use super::together;
@@ -78,7 +78,7 @@ impl StudyFile {
             scene,
             varied,
             shots,
-            seed: self.keys.seed.unwrap_or(1),
+            seed: self.keys.seed.unwrap_or(USUAL_SEED),
             rows,
             task: Task { range, wanted, errors: self.keys.bounds },
         })
