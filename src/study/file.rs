@@ -47,6 +47,11 @@ pub(super) struct Keys {
     #[serde(default)]
     #[schemars(extend("default" = false))]
     pub bounds: bool,
+    /// Whether extremes of a mechanism that goes round smoothly are those of the positions at the steps, and are not looked for between them;
+    /// left out: they are. It takes less time, and misses the true extremes by up to the height of the curve between two steps.
+    #[serde(default)]
+    #[schemars(extend("default" = false))]
+    pub at_steps: bool,
     /// The motion of each mechanism.
     pub cycle: Cycle,
     /// By the name of a quantity, as "omega(3)": which figures of it; of vectors they are figures of the size.
@@ -127,6 +132,10 @@ impl StudyFile {
         if !matches!(file.keys.scene, Json::String(_) | Json::Object(_)) {
             let hint = r#"write "scene": "four-bar.json", or the scene itself as { "kinegon": 1, … }"#;
             return file.refuse(&["scene"], "a scene is the path of a file or an object", Some(hint));
+        }
+        if file.keys.bounds && file.keys.at_steps {
+            let hint = "leave out one of them";
+            return file.refuse(&["at_steps"], "bounds are those of extremes that are looked for", Some(hint));
         }
         if file.keys.vary.is_empty() {
             let hint = r#"add what varies, as "vary": { "2.BC": { "from": 80, "to": 120, "count": 9 } }"#;
