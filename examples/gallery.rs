@@ -5,14 +5,14 @@ use kinegon::Solution;
 use kinegon::check::{AnswerKey, LENIENCY, Measured, check, redrawn};
 use kinegon::construction::Tolerance;
 use kinegon::cycle::{Curves, Drive, Hodographs, Path as Branch, PointPaths};
-use kinegon::drawing::{Drawing, curves, hodographs, overlay, paths};
+use kinegon::drawing::{Drawing, Overlay, curves, hodographs, overlay, paths};
 use kinegon::exercise::Exercises;
 use kinegon::format::{Text, structure, svg_with};
 use kinegon::scene::{
     DecimalMark, Figure, LanguageName, LengthUnit, NotationName, Page, PageSize, ScalesFor, Scene, StyleName,
     ValuesShown,
 };
-use kinegon::{PerSheet, Sheet};
+use kinegon::{PerSheet, Scales, Sheet};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -107,10 +107,12 @@ enum Kind {
     Check(&'static str),
     /// The sheet of the first exercise with that seed.
     Exercise(u64),
+    /// The values of that form over the right figure of the first exercise with that seed.
+    Marked(u64, &'static str),
 }
 
 /// The other kinds of pictures: name, scene, the command that draws it, what it is for.
-const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
+const PICTURES: [(&str, &str, &str, &str, Kind); 26] = [
     (
         "style-paper",
         "templates/whitworth.json",
@@ -270,6 +272,47 @@ const PICTURES: [(&str, &str, &str, &str, Kind); 21] = [
         "A drawing by hand, checked: what is probably elsewhere, dashed, over the right figure.",
         Kind::Check("examples/paper-as-student.json"),
     ),
+    // Those of docs/tutorial.md.
+    (
+        "tutorial-wiper",
+        "examples/wiper.json",
+        "draw scene.json",
+        "A windscreen wiper: crank, rod, and a lever with its blade.",
+        Kind::Figure(|_| ()),
+    ),
+    (
+        "tutorial-step",
+        "examples/wiper.json",
+        "draw scene.json --style lecture --page 16x9 --focus velocity --steps coarse",
+        "Its second step, for the hall.",
+        Kind::Passage(2, |figure| {
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(Sheet::Velocity));
+        }),
+    ),
+    (
+        "tutorial-way",
+        "examples/wiper.json",
+        "draw scene.json --style lecture --page 16x9 --focus scheme --trace E --ghosts 12",
+        "The way of the blade's end, with strokes at equal times.",
+        Kind::Figure(|figure| {
+            (figure.style, figure.page, figure.focus) = (StyleName::Lecture, wide(), Some(Sheet::Scheme));
+            (figure.trace, figure.ghosts) = (owned(&["E"]), Some(12));
+        }),
+    ),
+    (
+        "tutorial-sheet",
+        "examples/wiper.json",
+        "exercise scene.json --seed 3 -o class/",
+        "An exercise of it, with other numbers.",
+        Kind::Exercise(3),
+    ),
+    (
+        "tutorial-check",
+        "examples/wiper.json",
+        "check scene.json values.json --draw out/",
+        "A student's plan of that exercise over the right one: the mistake is marked where it was made.",
+        Kind::Marked(3, "examples/wiper-as-student.json"),
+    ),
 ];
 
 /// Pictures look the same whatever fonts the reader has.
@@ -317,16 +360,24 @@ fn paths_of(solution: &Solution, names: &[&str]) -> Result<Drawing, Box<dyn Erro
 /// What is probably elsewhere in the drawing from which the values of a form were read, over the right figure; scales as in the command.
 fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
     let mut solution = solution(path, |_| ())?;
-    let measured = Measured::read_json(&fs::read_to_string(repository::path(form))?)?;
-    let own = {
-        // As deep as the program looks.
-        let (scales, tolerance) = (solution.scales(), Tolerance::default());
-        let key = AnswerKey { solution: &solution, scales, tolerance, leniency: LENIENCY, depth: 5 };
-        redrawn(&measured, &key, &check(&measured, &key)?)?
-    };
+    let own = drawn_by_hand(&solution, solution.scales(), form)?;
     let figure = &mut solution.scene.figure;
     figure.mu = PerSheet::from_fn(|sheet| Some(if sheet == Sheet::Scheme { 5.0 } else { 2.5 }));
     Ok(overlay(&solution, &own).swap_remove(0))
+}
+
+/// The same of an exercise, at its scales.
+fn marked(path: &str, seed: u64, form: &str) -> Result<Drawing, Box<dyn Error>> {
+    let exercise = Exercises::new(&solution(path, |_| ())?, None, seed)?.next()?;
+    let own = drawn_by_hand(&exercise.solution, exercise.scales, form)?;
+    Ok(overlay(&exercise.solution, &own).swap_remove(0))
+}
+
+/// The drawing from which the values of a form were read; causes are looked for as deep as the program does.
+fn drawn_by_hand(solution: &Solution, scales: Scales, form: &str) -> Result<Overlay, Box<dyn Error>> {
+    let measured = Measured::read_json(&fs::read_to_string(repository::path(form))?)?;
+    let key = AnswerKey { solution, scales, tolerance: Tolerance::default(), leniency: LENIENCY, depth: 5 };
+    Ok(redrawn(&measured, &key, &check(&measured, &key)?)?)
 }
 
 fn exercise(path: &str, seed: u64) -> Result<Drawing, Box<dyn Error>> {
@@ -377,6 +428,7 @@ pub fn files() -> Result<Vec<File>, Box<dyn Error>> {
             Kind::Paths(names) => paths_of(&solution(path, |_| ())?, names)?,
             Kind::Check(form) => checked(path, form)?,
             Kind::Exercise(seed) => exercise(path, seed)?,
+            Kind::Marked(seed, form) => marked(path, seed, form)?,
         };
         let description = if drawing.description.is_empty() { purpose } else { &drawing.description };
         let _ = write!(page, "\n{purpose}\n\n`kinegon {command}`\n\n![{description}](gallery/{name}.svg)\n");

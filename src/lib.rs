@@ -55,6 +55,8 @@ pub mod words;
 mod cores;
 mod error;
 #[doc(hidden)] // for tests
+pub mod fluent;
+#[doc(hidden)] // for tests
 pub mod message;
 mod problem;
 mod sheet;

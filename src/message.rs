@@ -1,7 +1,8 @@
 //! What errors and warnings say, as data: which sentence, and what stands in its blanks. Each folder declares its sentences in a
-//! file `says.rs`, with their English words; `words/*.txt` have those of other languages under the same keys, and
+//! file `says.rs`; `words/*.ftl` have their words in each language under the same keys, and
 //! [`Language::says`](crate::words::Language::says) puts them together. So nobody has to know a message by its words.
 
+use crate::fluent::{Catalogue, english};
 use std::fmt;
 
 /// The declaration of a sentence.
@@ -11,8 +12,6 @@ pub struct Declared {
     pub key: &'static str,
     /// The names of its blanks, in the order of what fills them.
     pub blanks: &'static [&'static str],
-    /// What it says in English.
-    pub english: &'static str,
 }
 
 /// What an error or a warning says. Displayed in English.
@@ -51,14 +50,18 @@ impl Message {
         Message(Box::new(Said::List(messages.into_iter().collect(), between)))
     }
 
-    /// The words, where `words` has those of a sentence.
-    pub(crate) fn told(&self, words: &dyn Fn(&'static Declared) -> &'static str) -> String {
+    /// The words of `catalogue`, in English what it lacks.
+    pub(crate) fn told(&self, catalogue: &Catalogue) -> String {
         match &*self.0 {
             Said::Text(text) => text.clone(),
-            Said::List(all, between) => all.iter().map(|message| message.told(words)).collect::<Vec<_>>().join(between),
-            Said::Sentence(declared, by) => {
-                let by: Vec<String> = by.iter().map(|message| message.told(words)).collect();
-                filled(words(declared), declared.blanks, &by.iter().map(String::as_str).collect::<Vec<_>>())
+            Said::List(all, between) => {
+                all.iter().map(|message| message.told(catalogue)).collect::<Vec<_>>().join(between)
+            }
+            Said::Sentence(Declared { key, blanks }, by) => {
+                let by: Vec<String> = by.iter().map(|message| message.told(catalogue)).collect();
+                let by: Vec<&str> = by.iter().map(String::as_str).collect();
+                let sentence = catalogue.sentence(key).or_else(|| english().sentence(key));
+                sentence.map_or_else(|| (*key).to_owned(), |sentence| catalogue.filled(sentence, blanks, &by))
             }
         }
     }
@@ -75,19 +78,19 @@ impl Message {
 
 impl fmt::Display for Message {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(&|declared| declared.english))
+        f.write_str(&self.told(english()))
     }
 }
 
 impl PartialEq<str> for Message {
     fn eq(&self, other: &str) -> bool {
-        self.told(&|declared| declared.english) == other
+        self.told(english()) == other
     }
 }
 
 impl PartialEq<&str> for Message {
     fn eq(&self, other: &&str) -> bool {
-        self.told(&|declared| declared.english) == *other
+        self.told(english()) == *other
     }
 }
 
@@ -115,29 +118,10 @@ macro_rules! from_written {
 }
 from_written!(&str, &String, usize, u64, i64, f64);
 
-/// A sentence with what stands for each of its blanks.
-#[must_use]
-pub fn filled(sentence: &str, blanks: &[&str], by: &[&str]) -> String {
-    let mut parts = sentence.split("{");
-    let mut text = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let named = part.split_once('}').and_then(|(name, words)| {
-            let blank = blanks.iter().position(|blank| *blank == name)?;
-            Some((by[blank], words))
-        });
-        match named {
-            Some((by, words)) => text.extend([by, words]),
-            // A brace that is meant as one, as in JSON.
-            None => text.extend(["{", part]),
-        }
-    }
-    text
-}
-
-/// Declares the sentences of a folder's errors and warnings, and a function for each: `no_link(name) = "there is no link {name}";`
-/// gives `no_link(name) -> Message`. The word before them begins their keys in the catalogues, as `scene.no_link`.
+/// Declares the sentences of a folder's errors and warnings, and a function for each: `no_link(name);`
+/// gives `no_link(name) -> Message`. The word before them begins their keys in the catalogues, as `scene-no_link`.
 macro_rules! messages {
-    ($group:literal: $($(#[$about:meta])* $key:ident $(($($blank:ident),+))? = $english:literal;)+) => {
+    ($group:literal: $($(#[$about:meta])* $key:ident $(($($blank:ident),+))?;)+) => {
         /// Index of each sentence in [`DECLARED`].
         #[expect(non_camel_case_types, reason = "they are the keys of the catalogues")]
         #[derive(Clone, Copy)]
@@ -145,14 +129,13 @@ macro_rules! messages {
 
         /// All sentences.
         pub static DECLARED: &[$crate::message::Declared] = &[$($crate::message::Declared {
-            key: concat!($group, ".", stringify!($key)),
+            key: concat!($group, "-", stringify!($key)),
             blanks: &[$($(stringify!($blank)),+)?],
-            english: $english,
         }),+];
 
         $(
             $(#[$about])*
-            #[doc = $english]
+            #[doc = concat!("`", $group, "-", stringify!($key), "` of the catalogues.")]
             #[must_use]
             pub fn $key($($($blank: impl Into<$crate::message::Message>),+)?) -> $crate::message::Message {
                 $crate::message::Message::of(&DECLARED[Key::$key as usize], vec![$($($blank.into()),+)?])

@@ -1,18 +1,23 @@
 // Makes one file of the page: node bundle.mjs FOLDER_OF_THE_ENGINE OUTPUT.html
-import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { build } from "esbuild";
 import { sources } from "./sources.mjs";
+import { xz } from "./xz.mjs";
 
 const here = import.meta.dirname;
 const [engine, output] = process.argv.slice(2).map((path) => resolve(path));
+
+/** Where the page stands in the web, once that is stated; links of a page that was opened from a file lead there. */
+const home = /^homepage = "(.*)"$/m.exec(readFileSync(join(here, "../Cargo.toml"), "utf8"))?.[1];
+const hosted = home === undefined ? "" : new URL("workbench.html", home).href;
 
 /** A bundle of TypeScript or CSS as text. */
 async function bundled(entry) {
   const made = await build({
     entryPoints: [join(here, "page", entry)],
+    define: { HOSTED: JSON.stringify(hosted) },
     alias: { "kinegon-wasm": join(engine, "kinegon_web.js") },
     bundle: true,
     minify: true,
@@ -44,11 +49,8 @@ function base85(bytes) {
   return text;
 }
 
-/** A text or bytes, packed by the program `zstd` as small as it can. */
-function packed(contents) {
-  const input = Buffer.from(contents);
-  return base85(execFileSync("zstd", ["--ultra", "-22", "--quiet", "--stdout", `--stream-size=${input.length}`], { input, maxBuffer: 1 << 26 }));
-}
+/** A text or bytes, packed. */
+const packed = (contents) => base85(xz(contents));
 
 const [boot, script, worker, style] = await Promise.all(["boot.ts", "main.ts", "engine/worker.ts", "style.css"].map(bundled));
 if (/<\/script|<!--/i.test(boot)) throw new Error("the script would end its element");

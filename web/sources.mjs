@@ -7,7 +7,7 @@ const root = join(import.meta.dirname, "..");
 const sha256 = (data) => createHash("sha256").update(data).digest("hex");
 
 /** What is left out of the folders. */
-const LEFT_OUT = new Set(["web/node_modules", "src/cli", "src/main.rs", "templates/workbench.html"]);
+const LEFT_OUT = new Set(["web/node_modules", "web/component", "src/cli", "src/main.rs", "templates/workbench.html"]);
 
 /** The paths of all files of a folder, from the repository's root. */
 function files(folder) {

@@ -1,8 +1,9 @@
 //! Measures, in one run, how long several methods take for velocities and accelerations of fourth-class groups and how wrong they are.
-//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg, -condition.svg).
+//! `cargo run --release --example speed_vs_error` prints a table and writes out/speed-vs-error (.svg, .png, .json) and docs/accuracy (.md, .svg, -condition.svg, -which.svg).
 
 mod condition;
 mod picture;
+mod which;
 
 use kinegon::drawing::Drawing;
 use kinegon::format::{self, Text};
@@ -11,10 +12,12 @@ use std::fs;
 use support::files;
 use support::speed_vs_error::document;
 use support::speed_vs_error::lengths::Lengths;
+use support::speed_vs_error::routes::Routes;
 use support::speed_vs_error::survey::{Survey, times};
+use support::speed_vs_error::which::section;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let (survey, lengths) = (Survey::new(), Lengths::new());
+    let (survey, lengths, routes) = (Survey::new(), Lengths::new(), Routes::new());
     let times = times();
     let machine = machine();
     print!("{}", document::table(&survey, &times));
@@ -28,9 +31,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     fs::write(out.join("speed-vs-error.svg"), outlined(&drawing))?;
     fs::write(out.join("speed-vs-error.png"), drawing.png(200.0)?)?;
     fs::write(files::path("docs/accuracy-condition.svg"), outlined(&condition::picture(&survey, &lengths)))?;
+    fs::write(files::path("docs/accuracy-which.svg"), outlined(&which::picture(&routes)))?;
     let numbers = document::numbers(&survey, &times, &machine);
     fs::write(out.join("speed-vs-error.json"), format::json(&numbers))?;
-    let page = document::accuracy(&survey) + &document::from_lengths(&lengths) + &document::speed(&times, &machine);
+    let page = document::accuracy(&survey)
+        + &section(&routes)
+        + &document::from_lengths(&lengths)
+        + &document::speed(&times, &machine);
     fs::write(files::path("docs/accuracy.md"), page)?;
     Ok(())
 }

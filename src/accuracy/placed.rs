@@ -17,6 +17,9 @@ use crate::scene::GivenBy;
 /// Most Newton steps: from a pose that is right to rounding one or two are needed, near a limit some more.
 const STEPS: usize = 12;
 
+/// An assembly whose links have turned further than this from the pose, in radians, may be another than the one that the pose rounds: f64 has lost it.
+const ELSEWHERE: f64 = 0.05;
+
 /// The last correction of an angle is at most so large: see [`Pair::turned_slightly`].
 const SLIGHT: f64 = 1e-4;
 
@@ -212,6 +215,7 @@ impl<'a> Finder<'a> {
         };
         let mut angles: Vec<Option<Vector>> = (0..equations.unknowns).map(in_pose).collect();
         let mut before = f64::INFINITY;
+        let mut turned = 0.0;
         for _ in 0..STEPS {
             let gaps = self.gaps(group, &equations, &angles)?;
             self.place_points(&group.bodies);
@@ -223,6 +227,11 @@ impl<'a> Finder<'a> {
             let correction = system.solve(&right);
             let change = system.size(correction.iter().copied());
             if !change.is_finite() {
+                return None;
+            }
+            let by = correction.iter().zip(&angles).filter(|(_, angle)| angle.is_some());
+            turned += by.map(|(x, _)| x.abs()).fold(0.0, f64::max);
+            if turned > ELSEWHERE {
                 return None;
             }
             let goes_on = change < 0.5 * before;

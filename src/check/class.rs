@@ -324,11 +324,7 @@ impl ClassSummary {
     pub fn lines(&self, words: &Wording) -> Vec<String> {
         let language = words.language;
         let [files, passed, off, broken] = [self.files, self.passed, self.off, self.broken].map(|n| n.to_string());
-        let counts = if self.files == 1 {
-            language.class_counts_one(&files, &passed, &off, &broken)
-        } else {
-            language.class_counts(&files, &passed, &off, &broken)
-        };
+        let counts = language.class_counts(&files, &passed, &off, &broken);
         let incomplete = (self.incomplete > 0).then(|| language.class_incomplete(&self.incomplete.to_string()));
         let understood = (self.files - self.broken).to_string();
         let common = self.commonest.iter().map(|common| {

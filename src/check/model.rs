@@ -3,7 +3,6 @@
 use super::entry::Entry;
 use super::measured::{AnswerKey, CheckError};
 use super::says;
-use super::written::sheet_told;
 use crate::construction::{
     Along, Change, Construction, Disturbance, NumberId, Operation, OperationKind, OperationRole, PlaceId, Reference,
     Solution, Tolerance, Values,
@@ -12,6 +11,7 @@ use crate::geometry::{Vector, unit};
 use crate::mechanism::{GROUND, Mechanism, PointId};
 use crate::quantity::{Band, QuantityRequest, Reading, Unread, read_by_hand};
 use crate::sheet::{PerSheet, Scales, Sheet};
+use crate::words::sheet_told;
 use nalgebra::DMatrix;
 use smallvec::SmallVec;
 

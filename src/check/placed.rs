@@ -5,10 +5,11 @@ use super::entry::Entry;
 use super::measured::{CheckError, Measured, PlacedPoint, PointsOf};
 use super::names::{Meant, Names};
 use super::says;
-use super::written::{Precision, sheet_told};
+use super::written::Precision;
 use crate::construction::{Construction, Plan};
 use crate::geometry::{Vector, degrees_of, with_turns};
 use crate::sheet::Sheet;
+use crate::words::sheet_told;
 use indexmap::IndexMap;
 
 /// Rounding of distances of places, in mm: people write these to a tenth or a hundredth of a millimetre.

@@ -178,7 +178,7 @@ impl<'a> ReportText<'a> {
         let diagnosis = &self.checked.diagnosis;
         let best = &diagnosis.best;
         let mirrored = self.checked.mirrored.iter();
-        let mirrored = mirrored.map(|plan| self.own.check_mirrored(&self.own.sheet(*plan).to_lowercase()));
+        let mirrored = mirrored.map(|plan| self.own.check_mirrored(self.own.named_sheet(*plan)));
         let others: &[Explanation] = if self.has_nothing_to_explain() { &[] } else { &diagnosis.others };
         ReportParts {
             counts: self.counts(),

@@ -6,6 +6,7 @@ use crate::message::Message;
 use crate::scene::{LengthUnit, TimeUnit, Units};
 use crate::sheet::{QuantityKind, Sheet};
 use crate::text::shown;
+use crate::words::sheet_told;
 
 /// The decimals and the significant digits to which somebody writes values of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -223,14 +224,5 @@ fn said(kind: QuantityKind) -> Message {
         QuantityKind::Length => says::length(),
         QuantityKind::Velocity => says::velocity(),
         QuantityKind::Acceleration => says::acceleration(),
-    }
-}
-
-/// A sheet in a message.
-pub(super) fn sheet_told(sheet: Sheet) -> Message {
-    match sheet {
-        Sheet::Scheme => says::scheme(),
-        Sheet::Velocity => says::velocity_plan(),
-        Sheet::Acceleration => says::acceleration_plan(),
     }
 }

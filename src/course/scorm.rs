@@ -12,9 +12,13 @@ use std::io::{self, Write};
 /// The page that a course opens: it chooses an exercise for the student, tells it and has the workbench below.
 const START: &str = include_str!("../../templates/scorm.html");
 
-/// The names of that page and of the workbench in the package.
+/// What others have made and the workbench contains, with their licences; `.ci/notices/make` writes it.
+const NOTICES: &str = include_str!("../../templates/workbench-third-party.txt");
+
+/// The names in the package of that page, of the workbench, and of what others have made.
 const PAGE: &str = "index.html";
 const WORKBENCH: &str = "workbench.html";
+const THIRD_PARTY: &str = "THIRD-PARTY.txt";
 
 /// The exercises as a SCORM 1.2 package: the workbench as a student gets it, with one of the exercises, the same for a student each time, and
 /// what is given above it. After each check it reports how much of the form is right; with `pass`, in per cent of the marks, that is passed or
@@ -31,6 +35,7 @@ pub fn scorm(kind: &str, questions: &[Question], pass: Option<u8>) -> Result<Vec
         (MANIFEST.to_owned(), manifest(kind, questions, pass)?),
         (PAGE.to_owned(), page.into_bytes()),
         (WORKBENCH.to_owned(), workbench(None).into_bytes()),
+        (THIRD_PARTY.to_owned(), NOTICES.into()),
     ];
     files.extend(questions.iter().map(|question| (question.print_name(), question.print.clone())));
     package(&files)
@@ -87,7 +92,7 @@ fn manifest(kind: &str, questions: &[Question], pass: Option<u8>) -> Result<Vec<
     let course = vec![text("title", &[], &title), item];
     let course = element("organization", &[("identifier", "course")], course);
     let sheets = questions.iter().map(Question::print_name);
-    let files = [PAGE, WORKBENCH].map(str::to_owned).into_iter().chain(sheets);
+    let files = [PAGE, WORKBENCH, THIRD_PARTY].map(str::to_owned).into_iter().chain(sheets);
     let files = files.map(|file| element("file", &[("href", &file)], Vec::new())).collect();
     let page = [("identifier", "page"), ("type", "webcontent"), ("adlcp:scormtype", "sco"), ("href", PAGE)];
     let parts = vec![

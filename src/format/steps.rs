@@ -32,12 +32,13 @@ impl Solution {
         }
         list.scales_line();
         list.pencil_lines();
-        list.heading(language.on_the_mechanism());
-        let mut sheet = Sheet::Scheme;
+        let mut sheet = None;
         for step in construction.numbered_steps() {
-            if step.sheet != sheet {
-                sheet = step.sheet;
-                list.heading(language.sheet(sheet));
+            if sheet.replace(step.sheet) != Some(step.sheet) {
+                list.heading(match step.sheet {
+                    Sheet::Scheme => language.on_the_mechanism(),
+                    sheet => language.sheet(sheet),
+                });
             }
             list.step(&step);
         }
@@ -114,7 +115,7 @@ impl StepList<'_> {
         for why in reasons {
             match why {
                 Unread::NoSheet(sheet) => {
-                    self.line(&language.no_band_no_sheet(&language.sheet(*sheet).to_lowercase()));
+                    self.line(&language.no_band_no_sheet(language.named_sheet(*sheet)));
                 }
                 _ => self.line(language.no_band_no_construction()),
             }

@@ -98,10 +98,7 @@ pub fn listed_modes(scene: &Scene, mechanism: &Mechanism, Listed { poses, count 
     let language = words.language;
     let number = count.number.to_string();
     let counted = if count.is_exact { number } else { language.modes_at_least(&number) };
-    let modes = match count.number {
-        1 => language.modes_one(&counted),
-        _ => language.modes_many(&counted),
-    };
+    let modes = language.modes(&counted);
     let modes = match poses.len() {
         all if all as u64 == count.number && count.is_exact => modes,
         listed => language.modes_listed(&modes, &listed.to_string()),

@@ -70,6 +70,10 @@ choice! {
         English = "en",
         /// Spanish.
         Spanish = "es",
+        /// German.
+        German = "de",
+        /// Portuguese.
+        Portuguese = "pt",
     }
 }
 

@@ -3,63 +3,95 @@
 //! not here. Errors and warnings are declared where they arise, in the `says.rs` of each folder; `Language::says` puts them
 //! into words.
 //!
-//! `sentences.rs` declares every sentence once, with its named blanks and its English words, and gives it a method: the
-//! compiler checks that every blank is filled. Every other language is a text file with the same keys, as `spanish.txt`;
-//! a test checks that it has every sentence, another that it has every message. Sentences of mistakes are declared where the mistakes are, in
-//! `check/mistakes/`; their words stand in the text files, those in English in `english.txt`. A file is read once; then a
-//! sentence is found by its index. (Fluent and rust-i18n find sentences by name at run time, and bring plural forms that
-//! two or three sentences would use.)
+//! `sentences.rs` declares every sentence once, with its named blanks, and gives it a method: the
+//! compiler checks that every blank is filled. What they say, and what errors, warnings and the workbench say, stands in a file for each
+//! language, as `de.ftl`; tests name what a file lacks. Sentences of mistakes are declared where the mistakes are, in
+//! `check/mistakes/`. A file is read once (`fluent.rs`); then a sentence is found by its index.
 
-#[doc(hidden)] // for tests
-pub mod catalogue;
 mod number;
 #[doc(hidden)] // for tests
 pub mod sentences;
 
-pub use catalogue::Language;
 pub(crate) use number::certain_angle;
 pub use number::{Medium, NumberStyle, power_of_ten};
+pub(crate) use sentences::sheet_told;
 
+use crate::fluent::{Catalogue, Sentence, english};
+use crate::message::Message;
 use crate::scene::{DecimalMark, Figure, LanguageName};
 use crate::sheet::Order;
-use catalogue::{Declared, Read, Tables, read};
 use sentences::DECLARED;
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
-/// The text of a language's catalogue; the English one has only the sentences of mistakes.
+/// All sentences of a language, with a method for each, which [`sentences`] declares.
+#[derive(Debug)]
+pub struct Language {
+    /// Its code in scenes and on the command line, as `en`.
+    pub code: &'static str,
+    catalogue: &'static Catalogue,
+    /// In the order of their declarations; of what the language lacks, the English ones.
+    sentences: Vec<&'static Sentence>,
+}
+
+/// The text of a language's catalogue.
 #[doc(hidden)] // for tests
+#[must_use]
 pub fn catalogue_of(name: LanguageName) -> &'static str {
     match name {
-        LanguageName::English => include_str!("english.txt"),
-        LanguageName::Spanish => include_str!("spanish.txt"),
+        LanguageName::English => include_str!("en.ftl"),
+        LanguageName::Spanish => include_str!("es.ftl"),
+        LanguageName::German => include_str!("de.ftl"),
+        LanguageName::Portuguese => include_str!("pt.ftl"),
     }
 }
 
-/// The languages in the order of [`LanguageName::ALL`], each read when it is spoken.
-static LANGUAGES: [LazyLock<Language>; LanguageName::ALL.len()] =
-    [LazyLock::new(|| language(LanguageName::English)), LazyLock::new(|| language(LanguageName::Spanish))];
-
-/// A language by its catalogue. What that lacks is said in English.
-fn language(name: LanguageName) -> Language {
-    let english_tables = read(catalogue_of(LanguageName::English), &[]).0.tables;
-    let Read { sentences, tables } = match name {
-        LanguageName::English => Read { sentences: Vec::new(), tables: Tables::new() },
-        other => read(catalogue_of(other), DECLARED).0,
-    };
-    let sentence =
-        |(index, declared): (usize, &Declared)| sentences.get(index).copied().flatten().unwrap_or(declared.english);
-    Language {
-        code: name.as_str(),
-        sentences: DECLARED.iter().enumerate().map(sentence).collect(),
-        tables: english_tables.into_iter().chain(tables).collect(),
+fn catalogue(name: LanguageName) -> &'static Catalogue {
+    static READ: [OnceLock<Catalogue>; LanguageName::ALL.len()] = [const { OnceLock::new() }; LanguageName::ALL.len()];
+    match name {
+        LanguageName::English => english(),
+        other => READ[other as usize].get_or_init(|| Catalogue::read(other.as_str(), catalogue_of(other)).0),
     }
 }
+
+/// What is said where no language says anything, which no test lets happen.
+static NOTHING: Sentence = Sentence::nothing();
 
 impl Language {
-    /// The language of that name.
+    /// The language of that name, read when it is first spoken.
     #[must_use]
     pub fn of(name: LanguageName) -> &'static Language {
-        &LANGUAGES[name as usize]
+        static LANGUAGES: [OnceLock<Language>; LanguageName::ALL.len()] =
+            [const { OnceLock::new() }; LanguageName::ALL.len()];
+        LANGUAGES[name as usize].get_or_init(|| {
+            let catalogue = catalogue(name);
+            let sentence = |key| catalogue.sentence(key).or_else(|| english().sentence(key)).unwrap_or(&NOTHING);
+            let sentences = DECLARED.iter().map(|declared| sentence(declared.key)).collect();
+            Language { code: name.as_str(), catalogue, sentences }
+        })
+    }
+
+    /// The words of the declared sentence of that index, which has no blanks.
+    fn words(&self, index: usize) -> &str {
+        self.sentences[index].words().unwrap_or_default()
+    }
+
+    /// The declared sentence of that index with its blanks filled.
+    fn filled(&self, index: usize, by: &[&str]) -> String {
+        self.catalogue.filled(self.sentences[index], DECLARED[index].blanks, by)
+    }
+
+    /// What an error or a warning says in this language; in English what this language lacks.
+    #[must_use]
+    pub fn says(&self, message: &Message) -> String {
+        message.told(self.catalogue)
+    }
+
+    /// A sentence that is declared elsewhere, as those of mistakes, by its key, with the blanks filled; the key where no language has it.
+    #[must_use]
+    pub(crate) fn of_table(&self, key: &str, blanks: &[(&str, String)]) -> String {
+        let (names, by): (Vec<&str>, Vec<&str>) = blanks.iter().map(|(name, shown)| (*name, shown.as_str())).unzip();
+        let sentence = self.catalogue.sentence(key).or_else(|| english().sentence(key));
+        sentence.map_or_else(|| key.to_owned(), |sentence| self.catalogue.filled(sentence, &names, &by))
     }
 }
 

@@ -245,8 +245,9 @@ fn folders_use_earlier_folders_only() {
                     && ["Error", "order_of_figure", "order_of_result", "posed"].contains(&name.as_str()) => {}
                 // Work on all cores, below all folders.
                 None if name == "cores" => {}
-                // What goes wrong, sheets and texts of strangers, below all folders; the first also by its type.
-                None if ["Message", "Problem", "message", "problem", "sheet", "text"].contains(&name.as_str()) => {}
+                // What goes wrong, what is said, sheets and texts of strangers, below all folders; the first also by its type.
+                None if ["Message", "Problem", "fluent", "message", "problem", "sheet", "text"]
+                    .contains(&name.as_str()) => {}
                 Some(_) => wrong.push(format!("{}: {folder} uses {name}, which comes later", place(&path, line))),
                 None => wrong.push(format!("{}: `{name}` is no folder of src", place(&path, line))),
             }

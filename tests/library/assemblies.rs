@@ -370,3 +370,53 @@ fn flat(random: &mut Random, case: usize) -> (IndexMap<String, Point>, Value) {
     });
     (["P", "Q", "R"].map(str::to_owned).into_iter().zip(places).collect(), scene)
 }
+
+/// Where a dyad is nearly stretched, its two assemblies lie side by side. Either the mechanism is refused, or its bounds hold the one and
+/// leave the other out.
+#[test]
+fn two_assemblies_side_by_side_are_told_apart_or_refused() {
+    let (mut told, mut refused) = (0, 0);
+    for power in 6..=19_usize {
+        for first in [1, 3] {
+            // Sides 1, 2 + e and 3: by Heron the joint stands (2/3)·√(s (s − 1)(s − 2 − e)(s − 3)) beside the line, s = 3 + e/2.
+            let excess = f64::from(first) * libm::pow(10.0, -(power as f64));
+            let half = 0.5 * excess;
+            let height = libm::sqrt((3.0 + half) * (2.0 + half) * (1.0 - half) * half) / 1.5;
+            let scene = format!(
+                r#"{{ "kinegon": 1, "units": {{ "length": "mm", "time": "s" }}, "ground": {{ "A": [0, 0], "D": [4, 0] }},
+                "links": {{ "1": {{ "points": ["A", "B"], "lengths": {{ "AB": 1 }}, "drive": {{ "angle": 0, "omega": 1 }} }},
+                "2": {{ "points": ["B", "C"], "lengths": {{ "BC": 1 }} }},
+                "3": {{ "points": ["D", "C"], "lengths": {{ "CD": 2.{first:0>power$} }} }} }}, "near": {{ "C": [2, 0.5] }} }}"#
+            );
+            let Ok(solution) = support::stages::solved(&scene) else {
+                refused += 1;
+                continue;
+            };
+            let result = solution.whole_result().expect("numbers");
+            let [_, y] = result.points["C"].position.expect("a place");
+            let error = result.points["C"].position_error.expect("its bound");
+            if !result.groups[0].proved {
+                refused += 1;
+                continue;
+            }
+            told += 1;
+            // The height itself is known to some roundings.
+            assert!((y - height).abs() <= error + 1e-14 * height, "{excess:e}: {y:e} ± {error:e}, truly {height:e}");
+            assert!(y - error > -height, "{excess:e}: both lie within {y:e} ± {error:e}");
+        }
+    }
+    assert!(told >= 10 && refused >= 5, "{told} told apart, {refused} refused");
+}
+
+/// Where the origin is so far away that f64 has no digits left for the shape, the pose rounds both assemblies: nothing is proved.
+#[test]
+fn an_assembly_that_rounding_has_lost_is_not_proved() {
+    let scene = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" },
+        "ground": { "A": [1000000000000000000, 333333333333333333], "D": [1000000000000000126, 333333333333333348] },
+        "links": { "1": { "points": ["A", "B"], "lengths": { "AB": 21.566 }, "drive": { "angle": -118.8, "omega": 18.7191 } },
+                   "2": { "points": ["B", "C"], "lengths": { "BC": 136.77336 } }, "3": { "points": ["D", "C"], "lengths": { "CD": 48.73641 } } },
+        "near": { "C": [1000000000000000102.810347, 333333333333333390.8658053] } }"#;
+    let solution = support::stages::solved(scene).expect("it is assembled");
+    let result = solution.whole_result().expect("numbers");
+    assert!(!result.groups[0].proved && result.links["2"].omega_error.is_infinite());
+}

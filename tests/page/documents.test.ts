@@ -6,7 +6,7 @@ import { smallest } from "../../web/page/panels/text/change.ts";
 import { calmed } from "../../web/page/dom/piles.ts";
 import { edited, endsOf, filed, placed } from "../../web/page/panels/text/ends.ts";
 import { hasLongLine, inLines } from "../../web/page/panels/text/lines.ts";
-import { documentOf, hashOf, type Shared } from "../../web/page/state/address.ts";
+import { baseOf, documentOf, hashOf, type Shared } from "../../web/page/state/address.ts";
 import { history } from "../../web/page/state/history.ts";
 import { short } from "../../web/page/state/lesson.ts";
 import { newest } from "../../web/page/state/newest.ts";
@@ -131,4 +131,11 @@ test("a text on one line is laid out, and no sign of it is lost", () => {
   const long = JSON.stringify({ links });
   assert.ok(hasLongLine(long) && !hasLongLine(inLines(long)));
   assert.ok(!hasLongLine(JSON.stringify({ title: "W".repeat(60_000) })), "what cannot be broken is shown");
+});
+
+test("links of a page from a file lead to the page in the web, once its place is known", () => {
+  const [file, web] = ["file:///home/ana/kinegon.html#1=x", "https://kinegon.example/workbench.html"];
+  assert.equal(baseOf(file, web), web);
+  assert.equal(baseOf(file, ""), "file:///home/ana/kinegon.html");
+  assert.equal(baseOf("https://school.example/lesson.html#1=x", web), "https://school.example/lesson.html");
 });

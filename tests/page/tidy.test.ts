@@ -10,7 +10,8 @@ const texts = (ending: RegExp): [string, string][] => names.filter((name) => end
 test("what is exported is imported", () => {
   const scripts = texts(/\.ts$/);
   const imported = new Set(scripts.flatMap(([, text]) => [...text.matchAll(/^import ([^;]*?) from/gms)].flatMap(([, what]) => what!.match(/\w+/g) ?? [])));
-  const tested = readdirSync("../tests/page").map((name) => readFileSync(`../tests/page/${name}`, "utf8")).join("\n");
+  const others = ["../tests/page", "component"].flatMap((folder) => readdirSync(folder).filter((name) => name.endsWith(".ts")).map((name) => `${folder}/${name}`));
+  const tested = others.map((path) => readFileSync(path, "utf8")).join("\n");
   // Types that a file's functions speak of may be named by nobody else.
   const offered = scripts.flatMap(([name, text]) => [...text.matchAll(/^export (?:async )?(?:function|const|let|class) (\w+)/gm)].map(([, what]) => [name, what!] as const));
   assert.ok(offered.length > 200);

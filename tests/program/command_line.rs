@@ -526,6 +526,12 @@ fn a_pin_in_a_slot_moves_as_a_block_on_a_lever() {
     assert_eq!(pin["links"].as_object().expect("links").len(), 2);
     let coriolis = |r: &serde_json::Value, name: &str| r["sliders"][name]["coriolis"].clone();
     assert_eq!(coriolis(&pin, "B/3"), coriolis(&block, "2/3"));
+    // Steps name the rates of the lever, with which the pin's own block turns, and have no heading with nothing below it.
+    let output = with_scene(&["steps", "-"], scene("", r#""pin": "B""#).as_bytes());
+    let steps = String::from_utf8(output.stdout).expect("UTF-8");
+    assert!(steps.contains(&format!("omega(3) = {omega:.6} rad/s")), "{steps}");
+    assert!(steps.contains("equations of the measured segments for α_3, a_r(B/3)."), "{steps}");
+    assert!(!steps.contains("On the mechanism"), "{steps}");
 }
 
 /// A pin in two crossing slots of a link is held like a pin of that link: both sliders have names of their own.

@@ -223,7 +223,7 @@ fn a_scorm_package_has_the_exercise_and_no_key() {
     let Some((folder, package)) = both("scorm", "four-bar", "scorm", "2") else { return };
     let print = if cfg!(feature = "pdf") { "pdf" } else { "svg" };
     let sheets = [1, 2].map(|number| format!("four-bar-7-{number}-sheet.{print}"));
-    let files = ["index.html", "workbench.html", &sheets[0], &sheets[1]];
+    let files = ["index.html", "workbench.html", "THIRD-PARTY.txt", &sheets[0], &sheets[1]];
     assert_eq!(package["files"], json!(files));
     assert_eq!(package["names"], json!([&["imsmanifest.xml"], &files[..]].concat()));
     assert_eq!([&package["version"], &package["kind"]], ["1.2", "sco"]);

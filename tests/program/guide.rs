@@ -311,6 +311,14 @@ fn the_guide_explains_every_mistake_that_the_check_knows() {
 }
 
 #[test]
+fn the_tutorial_shows_the_scene_and_the_form_of_its_pictures() {
+    let page = files::read("docs/tutorial.md");
+    for file in ["examples/wiper.json", "examples/wiper-as-student.json"] {
+        assert!(page.contains(&format!("```json\n{}```", files::read(file))), "docs/tutorial.md does not show {file}");
+    }
+}
+
+#[test]
 fn the_page_of_accuracy_shows_the_picture_of_its_run() {
     assert_eq!(files::read("docs/accuracy.svg"), files::read("out/speed-vs-error.svg"));
 }

@@ -221,8 +221,14 @@ fn the_package_has_what_it_is_built_from_and_little_else() {
     let taken: Vec<String> = sources.flat_map(|path| taken_in(&files::path(path))).collect();
     assert!(taken.len() > 10, "{taken:?}");
     let scenes = kinds("").into_iter().map(|kind| format!("templates/{kind}.json"));
-    let fixed =
-        ["LICENSE-MIT", "LICENSE-APACHE", "README.md", "src/drawing/fonts/OFL-1.1.txt", "templates/workbench.html"];
+    let fixed = [
+        "LICENSE-MIT",
+        "LICENSE-APACHE",
+        "THIRD-PARTY.txt",
+        "README.md",
+        "src/drawing/fonts/OFL-1.1.txt",
+        "templates/workbench.html",
+    ];
     for path in taken.into_iter().chain(scenes).chain(fixed.map(str::to_owned)) {
         assert!(listed.contains(path.as_str()), "{path} is not in the package");
     }

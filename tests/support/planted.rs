@@ -134,6 +134,38 @@ impl Planted {
         planted
     }
 
+    /// Puts all joints of a link so many times as near to its first: the others' links reach to where they are then.
+    pub fn shrink(&mut self, link: usize, by: f64) {
+        let of_link = |joint: &&mut (usize, usize, Pair, Option<f64>)| joint.0 == link || joint.1 == link;
+        let mut center = None;
+        for joint in self.joints.iter_mut().filter(of_link) {
+            let [x, y] = *center.get_or_insert(joint.2);
+            let old = joint.2;
+            let new = [x + by * (old[0] - x), y + by * (old[1] - y)];
+            joint.2 = new;
+            let points = self.bodies.iter_mut().flat_map(|body| &mut body.points);
+            points.filter(|(_, place)| *place == old).for_each(|(_, place)| *place = new);
+            let points = self.bodies.iter().flat_map(|body| &body.points);
+            let moved: Vec<&str> = points.filter(|(_, place)| *place == new).map(|(name, _)| name.as_str()).collect();
+            for slider in self.sliders.iter_mut().filter(|slider| moved.contains(&slider.at.as_str())) {
+                slider.through = [0, 1].map(|axis| slider.through[axis] + new[axis] - old[axis]);
+            }
+        }
+    }
+
+    /// Puts all of it elsewhere in the plane.
+    pub fn shift(&mut self, by: Pair) {
+        let add = |place: &mut Pair| *place = [place[0] + by[0], place[1] + by[1]];
+        for body in &mut self.bodies {
+            body.points.iter_mut().for_each(|(_, place)| add(place));
+            if body.origin != [0.0, 0.0] {
+                add(&mut body.origin);
+            }
+        }
+        self.sliders.iter_mut().for_each(|slider| add(&mut slider.through));
+        self.joints.iter_mut().for_each(|joint| add(&mut joint.2));
+    }
+
     /// Cuts a link of the group in two, which share its joints and which a driven slider joins.
     pub fn cut(&mut self, random: &mut Random) {
         let (link, piece) = (2 + random.below(self.bodies.len() - 2), self.bodies.len());

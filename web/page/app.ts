@@ -7,7 +7,6 @@ import type { Course } from "./state/course.ts";
 import type { History } from "./state/history.ts";
 import type { Signal } from "./state/signal.ts";
 import type { Asked } from "./state/storage.ts";
-import type { Language } from "./words.ts";
 
 /** What the engine says of the present text. */
 export interface Solved {
@@ -23,6 +22,8 @@ export interface Solved {
 
 /** What all parts of the page share. */
 export interface App {
+  /** Where its elements are: the page, or what is within the component. */
+  root: Document | ShadowRoot;
   history: History;
   engine: EngineClient;
   solved: Signal<Solved>;
@@ -37,6 +38,8 @@ export interface App {
   traced: Signal<string[]>;
   /** The picture on the screen, also while something is dragged; null before the first. */
   picture: Signal<Picture | null>;
+  /** Whether it is drawn in the colours of a dark screen. */
+  dark: Signal<boolean>;
   /** Whether pulling a joint changes lengths in place of moving the mechanism. */
   shaping: Signal<boolean>;
   pins: Signal<Pins>;
@@ -54,6 +57,8 @@ export interface App {
   asked: Asked;
   /** Says something aloud and for a moment on the page. */
   tell(message: string): void;
+  /** Says something aloud, for screen readers alone. */
+  speak(message: string): void;
   /** Shows the panel of this id. */
   show(panel: string): void;
   /** The panel that is shown; empty where none is. */
@@ -74,10 +79,13 @@ export interface App {
   print(svg: string | string[], width: number, height: number): void;
 }
 
+/** What the picture, its steps and its motion need of it: all that the component has. */
+export type Shown = Pick<App, "root" | "history" | "engine" | "solved" | "typing" | "view" | "paper" | "picture" | "dark" | "shaping" | "pins" | "building" | "student" | "tell" | "speak">;
+
 /** A panel beside the picture. */
 export interface Panel {
   id: string;
-  title: Record<Language, string>;
+  title(): string;
   /** Fills the panel once; it keeps itself current through the app's signals. */
   mount(root: HTMLElement, app: App): void;
 }

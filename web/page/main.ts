@@ -11,12 +11,12 @@ import { documents } from "./layout/documents.ts";
 import { fullScreen } from "./layout/full.ts";
 import { help } from "./layout/help.ts";
 import { keys } from "./layout/keys.ts";
-import { courseNotices, messages, notice, teller } from "./layout/messages.ts";
+import { courseNotices, messages, notice, speak, teller } from "./layout/messages.ts";
 import { printedByBrowser, printer } from "./layout/print.ts";
 import { sayAll } from "./layout/say.ts";
 import { splitter } from "./layout/splitter.ts";
 import { tabs } from "./layout/tabs.ts";
-import { theme } from "./layout/theme.ts";
+import { isDark, theme } from "./layout/theme.ts";
 import { tour } from "./layout/tour.ts";
 import { toolbar } from "./layout/toolbar.ts";
 import { say } from "./layout/words.ts";
@@ -39,7 +39,7 @@ import { pulling } from "./picture/pulling.ts";
 import { surface } from "./picture/surface.ts";
 import { viewport } from "./picture/viewport.ts";
 import type { Sheet } from "./sheets.ts";
-import { documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
+import { baseOf, documentOf, hashOf, type BadLink, type Shared, type Task } from "./state/address.ts";
 import { asKept, autosave } from "./state/autosave.ts";
 import { course } from "./state/course.ts";
 import { history, type Document } from "./state/history.ts";
@@ -66,6 +66,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
   // What this very tab has is newer than what the course has kept.
   const form = shared.asked === undefined && hears !== null ? hears.form : (shared.form ?? "");
   const app: App = {
+    root: document,
     history: history({ text: shared.text, form }, past),
     engine,
     solved: signal<Solved>({ text: "", opened: null, good: "", refused: null }),
@@ -75,6 +76,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     focus: signal<Sheet | "">(""),
     traced: signal<string[]>([]),
     picture: signal<Picture | null>(null),
+    dark: isDark,
     shaping: signal(false),
     pins: signal({ points: [], lengths: [] }),
     building: signal(false),
@@ -84,6 +86,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
     course: hears,
     asked,
     tell,
+    speak,
     shown: signal(""),
     show: (panel) => app.shown.set(panel),
     place: signal<{ from: number; to: number } | null>(null),
@@ -94,7 +97,7 @@ function application(shared: Shared & Partial<Kept>, past: Document[], engine: E
       app.task.set(null);
       app.history.change({ text });
     },
-    link: async (what) => location.href.replace(/#.*/s, "") + (await hashOf(what)),
+    link: async (what) => baseOf(location.href) + (await hashOf(what)),
     print: printer(),
   };
   hears?.follow(() => app.history.now.value.form);
@@ -199,11 +202,13 @@ function takeUp(app: App, { text, form, student, task }: Kept): void {
 async function start(): Promise<void> {
   const store = browserStore();
   language.set(usual(store.preference("language")));
-  sayAll();
+  language.on((now) => (document.documentElement.lang = now));
+  sayAll(document);
   theme(store);
   const tell = teller();
-  const compiled = WebAssembly.compile(window.unpacked("engine"));
-  const script = new TextDecoder().decode(window.unpacked("worker"));
+  const script = await window.unpacked("worker", "text/javascript").text();
+  // It is compiled while it is unpacked.
+  const compiled = WebAssembly.compileStreaming(window.unpacked("engine", "application/wasm"));
   const first = await beginning(location.hash, store);
   const restarted = (why: Why): string => say(why, { seconds: PATIENCE / 1000 });
   const { engine, busy, stop } = startEngine(script, await compiled, (why, during) => {

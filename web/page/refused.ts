@@ -1,8 +1,9 @@
-import type { App } from "./app.ts";
+import type { Shown } from "./app.ts";
 import type { Refused } from "./engine/types.ts";
+import { refused as sentences } from "./sentences.ts";
 import { speaker } from "./words.ts";
 
-const say = speaker({ en: { line: "Line {line}: {message}" }, es: { line: "Línea {line}: {message}" } });
+const say = speaker(sentences);
 
 /** The sentence of a refusal, with what to try. */
 export function said(refused: unknown): string {
@@ -16,7 +17,7 @@ export function withLine({ line, message }: Refused): string {
 }
 
 /** Does something; what the engine refuses is told. */
-export async function orTell(app: App, act: () => Promise<void>): Promise<void> {
+export async function orTell(app: Pick<Shown, "tell">, act: () => Promise<void>): Promise<void> {
   try {
     await act();
   } catch (refused) {

@@ -1,4 +1,4 @@
-import { decompress } from "fzstd";
+import { XzReadableStream } from "xz-decompress";
 
 /** Signs that are no letters of Base 85: HTML, texts in quotes and templates would trip over them. */
 const LEFT_OUT = "<>&\"'\\`{}";
@@ -12,18 +12,16 @@ function bytesOf(text: string): Uint8Array<ArrayBuffer> {
     digits[code] = next;
     next += 1;
   }
-  const rest = text.length % 5;
-  const bytes = new Uint8Array(Math.floor(text.length / 5) * 4 + Math.max(0, rest - 1));
-  for (let from = 0, to = 0; from < text.length; from += 5, to += 4) {
+  const groups = Math.ceil(text.length / 5);
+  const bytes = new DataView(new ArrayBuffer(groups * 4));
+  for (let group = 0; group < groups; group += 1) {
     let number = 0;
-    for (let index = 0; index < 5; index += 1) {
-      number = number * 85 + (from + index < text.length ? (digits[text.charCodeAt(from + index)] ?? 0) : 84);
+    for (let at = group * 5; at < group * 5 + 5; at += 1) {
+      number = number * 85 + (at < text.length ? (digits[text.charCodeAt(at)] ?? 0) : 84);
     }
-    for (let index = 0; index < 4 && to + index < bytes.length; index += 1) {
-      bytes[to + index] = Math.floor(number / 256 ** (3 - index)) % 256;
-    }
+    bytes.setUint32(group * 4, number);
   }
-  return bytes;
+  return new Uint8Array(bytes.buffer, 0, groups * 4 - (groups * 5 - text.length));
 }
 
 /** The text of a packed element of the page. */
@@ -31,9 +29,12 @@ function textOf(id: string): string {
   return document.getElementById(id)?.textContent?.trim() ?? "";
 }
 
-/** The contents of a packed element of the page. Zstandard packs them by an eighth to a fifth smaller than what browsers unpack by themselves. */
-export function unpacked(id: string): Uint8Array<ArrayBuffer> {
-  return decompress(bytesOf(textOf(id))) as Uint8Array<ArrayBuffer>;
+/**
+ * The contents of a packed element of the page, as they would come from a server: `type` is what they are. xz packs the engine a tenth smaller than Zstandard and
+ * by a quarter than what browsers unpack by themselves.
+ */
+export function unpacked(id: string, type: string): Response {
+  return new Response(new XzReadableStream(new Blob([bytesOf(textOf(id))]).stream()), { headers: { "content-type": type } });
 }
 
 declare global {

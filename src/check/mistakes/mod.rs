@@ -1,6 +1,6 @@
 //! The classical mistakes. Each is a row of the `catalogue` and a function that lists the places of the construction where
 //! it could be made, with the edits it makes there; a replay shows what follows from them. Its sentences stand in the
-//! languages' files, `words/*.txt`, each pair under the key that the row names with `.done` and `.should` behind it.
+//! languages' files, `words/*.ftl`, each pair under the key that the row names with `-done` and `-should` behind it.
 
 mod catalogue;
 mod copying;

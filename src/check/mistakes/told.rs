@@ -179,7 +179,7 @@ impl Told {
     pub(in crate::check) fn sentences_with(&self, words: &Wording, quantity: &dyn Fn(&str) -> String) -> [String; 2] {
         let shown: Vec<(&str, String)> =
             self.blanks.iter().map(|(name, blank)| (*name, blank.shown(words, quantity))).collect();
-        ["done", "should"].map(|which| words.language.of_table(&format!("{}.{which}", self.key), &shown))
+        ["done", "should"].map(|which| words.language.of_table(&format!("{}-{which}", self.key), &shown))
     }
 
     /// The quantity with which the sentences begin, as that of a rate that was taken wrongly.

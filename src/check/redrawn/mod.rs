@@ -94,7 +94,7 @@ fn said(parts: &ReportParts, checked: &Checked, turns: &[(Sheet, f64)], words: &
     for &(sheet, degrees) in turns {
         if degrees.abs() > TURNED {
             let degrees = words.write(degrees, NumberStyle::decimals(0).on(Medium::Figure));
-            said.push(words.language.check_turned(&words.language.sheet(sheet).to_lowercase(), &degrees));
+            said.push(words.language.check_turned(words.language.named_sheet(sheet), &degrees));
         }
     }
     said.into_iter().map(|sentence| sentence.replace(" -", " −")).collect()

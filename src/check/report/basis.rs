@@ -58,16 +58,16 @@ impl ReportText<'_> {
         let degrees = self.words.write(plan.degrees.abs(), NumberStyle::decimals(0));
         let own = self.own;
         let tell = if plan.degrees > 0.0 { Language::check_turned_left } else { Language::check_turned_right };
-        tell(own, &own.sheet(plan.sheet).to_lowercase(), &degrees)
+        tell(own, own.named_sheet(plan.sheet), &degrees)
     }
 
     /// What is to be said of a scale of the form.
     fn scale(&self, StatedScale { sheet, stated, asked, used }: &StatedScale) -> String {
         let number = |x: f64| self.words.write(x, NumberStyle::shortest());
-        let (name, sheet) = (sheet.facts().scale_key, self.own.sheet(*sheet).to_lowercase());
+        let (name, sheet) = (sheet.facts().scale_key, self.own.named_sheet(*sheet));
         match asked {
             Some(asked) if used == stated => self.own.check_other_scale(name, &number(*stated), &number(*asked)),
-            _ => self.own.check_no_such_scale(name, &number(*stated), &sheet, &self.number(*used, 3)),
+            _ => self.own.check_no_such_scale(name, &number(*stated), sheet, &self.number(*used, 3)),
         }
     }
 

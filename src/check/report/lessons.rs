@@ -73,7 +73,7 @@ impl ReportText<'_> {
     /// The stages of a hint, from the plan to the step.
     pub(super) fn hints(&self, finding: &Finding, step: Option<&NumberedStep<'_>>) -> Vec<String> {
         let plan = match step {
-            Some(step) => self.own.check_hint_plan(&self.own.sheet(step.sheet).to_lowercase()),
+            Some(step) => self.own.check_hint_plan(self.own.named_sheet(step.sheet)),
             None => self.own.check_hint_whole().to_owned(),
         };
         let values = &self.checked.values;

@@ -2,9 +2,9 @@
 
 use crate::messages::declared;
 use kinegon::check::Mistake;
-use kinegon::message::filled;
+use kinegon::fluent::Catalogue;
+use kinegon::message::Declared;
 use kinegon::scene::{DecimalMark, LanguageName};
-use kinegon::words::catalogue::{Declared, Read, blanks_of, read};
 use kinegon::words::sentences::DECLARED;
 use kinegon::words::{Medium, NumberStyle, catalogue_of, with_prime};
 use std::collections::BTreeSet;
@@ -138,77 +138,129 @@ fn the_decimal_mark_is_that_of_the_wording() {
     assert_eq!(comma(NumberStyle::shortest(), 30.0), "30");
 }
 
-const TWO: [Declared; 2] = [
-    Declared { key: "plan", blanks: &[], english: " plan" },
-    Declared { key: "cross", blanks: &["image", "ray"], english: "on {ray}: {image}" },
-];
+fn catalogue(text: &str) -> (Catalogue, Vec<String>) {
+    Catalogue::read("pt", text.to_owned().leak())
+}
 
 #[test]
 fn blanks_are_filled_by_name() {
-    let text = "# Words.\n\nplan = \" plan\"\ncross = on {ray}: {image}, {ray}\nwrong.done = a = {image}";
-    let (Read { sentences, tables }, faults) = read(text, &TWO);
+    let (catalogue, faults) =
+        catalogue("# Words.\n\nplan = {\" \"}plan\ncross = on {$ray}: {$image}, {$ray}\nbrace = {\"{\"} {$a}");
     assert_eq!(faults, [""; 0]);
-    let [plan, cross] = [0, 1].map(|i| sentences[i].expect("it is there"));
-    assert_eq!(plan, " plan");
-    assert_eq!(filled(cross, &["image", "ray"], &["b", "r"]), "on r: b, r");
+    let filled = |key: &str, blanks: &[&str], by: &[&str]| {
+        catalogue.filled(catalogue.sentence(key).expect("it is there"), blanks, by)
+    };
+    assert_eq!(catalogue.sentence("plan").and_then(|plan| plan.words()), Some(" plan"));
+    assert_eq!(filled("cross", &["image", "ray"], &["b", "r"]), "on r: b, r");
     // Braces in the text that fills a blank are no blanks.
-    assert_eq!(filled(tables["wrong.done"], &["image", "ray"], &["{ray}", "r"]), "a = {ray}");
+    assert_eq!(filled("brace", &["a"], &["{$a}"]), "{ {$a}");
+    assert_eq!(catalogue.sentence("cross").expect("it is there").blanks(), BTreeSet::from(["image", "ray"]));
+    assert!(catalogue.sentence("ray").is_none());
+}
+
+/// In Portuguese zero and one are singular, in English one alone (Unicode CLDR, plural rules).
+#[test]
+fn words_follow_numbers_and_names() {
+    let text = "points = {$count ->\n    [one] {$count} ponto\n   *[other] {$count} pontos\n  } do {$what ->\n    [elo] elo\n   *[other] ramo\n  }";
+    let said = |language: &str, count: &str, what: &str| {
+        let (catalogue, faults) = Catalogue::read(language, text);
+        assert_eq!(faults, [""; 0]);
+        catalogue.filled(catalogue.sentence("points").expect("it is there"), &["count", "what"], &[count, what])
+    };
+    for (language, count, what, says) in [
+        ("pt", "0", "elo", "0 ponto do elo"),
+        ("pt", "1", "", "1 ponto do ramo"),
+        ("pt", "2", "elo", "2 pontos do elo"),
+        ("en", "0", "elo", "0 pontos do elo"),
+        ("en", "1", "elo", "1 ponto do elo"),
+        ("de", "1.5", "elo", "1.5 pontos do elo"),
+        ("es", "at least 4096", "elo", "at least 4096 pontos do elo"),
+    ] {
+        assert_eq!(said(language, count, what), says, "{language}");
+    }
 }
 
 #[test]
 fn a_bad_line_is_named() {
     for (line, says) in [
-        ("cross on {ray}", "line 2: no = in `cross on {ray}`; a line is: key = sentence"),
-        ("crosses = {image}", "line 2: no sentence is called `crosses`"),
-        ("plan = again", "line 2: `plan` is here for the second time"),
-        ("cross = {image}", "line 2: `cross`: {ray} is missing"),
-        ("cross = {image} {rays}", "line 2: `cross`: there is no {rays} here, only {image}, {ray}"),
-        ("plan = {image}", "line 2: `plan`: there is no {image} here, only words"),
-        ("cross = {image {ray}", "line 2: `cross`: a { without its }"),
-        ("cross = image} {ray}", "line 2: `cross`: a } without its {"),
-        ("cross = {image}} {ray}", "line 2: `cross`: a } without its {"),
+        ("cross on {$ray}", "line 2: Expected a token starting with \"=\""),
+        ("plan = again", "`plan` is here for the second time"),
+        ("cross = {plan}", "`cross`: in braces stand blanks as {$name} and texts in quotes"),
+        ("cross = {$image", "line 2: Expected a token starting with \"}\""),
+        ("-cross = ray", "`cross`: only sentences are read, no terms and no attributes"),
     ] {
-        let text = format!("plan = plan\n{line}\nwrong.done = wrong").leak();
-        let (_, faults) = read(text, &TWO);
-        assert_eq!(faults, [says, "`cross` is missing or cannot be read"]);
+        let (_, faults) = catalogue(&format!("plan = plan\n{line}\nwrong = wrong"));
+        assert_eq!(faults, [says], "{line}");
     }
 }
 
 #[test]
-fn every_catalogue_says_everything() {
-    for declared in DECLARED {
-        let blanks = blanks_of(declared.english, declared.blanks);
-        let all = declared.blanks.iter().copied().collect();
-        assert_eq!(blanks, Ok(all), "the English words of `{}`", declared.key);
-    }
-    for name in LanguageName::ALL.into_iter().filter(|name| *name != LanguageName::English) {
-        let (_, faults) = read(catalogue_of(name), DECLARED);
+fn every_catalogue_says_everything_and_nothing_else() {
+    let mistakes = Mistake::all().flat_map(Mistake::sentences);
+    let mistakes: Vec<String> =
+        mistakes.flat_map(|told| ["done", "should"].map(|which| format!("{}-{which}", told.key))).collect();
+    let messages = declared();
+    for name in LanguageName::ALL {
+        let (catalogue, faults) = Catalogue::read(name.as_str(), catalogue_of(name));
         assert!(faults.is_empty(), "the catalogue of `{}`:\n{}", name.as_str(), faults.join("\n"));
+        for Declared { key, blanks } in DECLARED {
+            let own = catalogue.sentence(key).unwrap_or_else(|| panic!("{name:?} lacks {key}"));
+            assert_eq!(own.blanks(), blanks.iter().copied().collect(), "the blanks of `{key}` in {name:?}");
+            assert!(!blanks.is_empty() || own.words().is_some(), "`{key}` in {name:?} chooses words, but has no blank");
+        }
+        let is_known = |key: &&str| {
+            let sentences = || DECLARED.iter().any(|declared| declared.key == *key);
+            key.starts_with("page-")
+                || messages.contains_key(key)
+                || mistakes.iter().any(|known| known == key)
+                || sentences()
+        };
+        let further: Vec<&str> = catalogue.keys().filter(|key| !is_known(key)).collect();
+        assert!(further.is_empty(), "{name:?} has sentences that nobody says: {further:?}");
     }
 }
 
 /// The two sentences of each key of a mistake are there in every language, with the blanks that they have in English;
-/// together they tell every blank. No file has sentences of other mistakes, nor of other messages.
+/// together they tell every blank.
 #[test]
 fn every_language_tells_every_mistake() {
-    let tables = |name| read(catalogue_of(name), &[]).0.tables;
-    let english = tables(LanguageName::English);
+    let english = kinegon::fluent::english();
     for language in LanguageName::ALL {
-        let mut left = tables(language);
-        let messages = declared();
-        left.retain(|key, _| !messages.contains_key(key));
+        let catalogue = Catalogue::read(language.as_str(), catalogue_of(language)).0;
         for told in Mistake::all().flat_map(Mistake::sentences) {
-            let blanks: Vec<&str> = told.blanks.iter().map(|(name, _)| *name).collect();
+            let blanks: BTreeSet<&str> = told.blanks.iter().map(|(name, _)| *name).collect();
             let mut used = BTreeSet::new();
-            for key in ["done", "should"].map(|which| format!("{}.{which}", told.key)) {
-                let own = left.remove(key.as_str()).unwrap_or_else(|| panic!("{language:?} lacks {key}"));
-                let of = |text| blanks_of(text, &blanks).unwrap_or_else(|says| panic!("{key}: {says}"));
-                let [own, english] = [own, english[key.as_str()]].map(of);
-                assert_eq!(own, english, "the blanks of `{key}` in {language:?}");
+            for key in ["done", "should"].map(|which| format!("{}-{which}", told.key)) {
+                let own = catalogue.sentence(&key).unwrap_or_else(|| panic!("{language:?} lacks {key}")).blanks();
+                assert_eq!(
+                    Some(&own),
+                    english.sentence(&key).map(|told| told.blanks()).as_ref(),
+                    "`{key}` in {language:?}"
+                );
                 used.extend(own);
             }
-            assert_eq!(used.len(), blanks.len(), "`{}` does not tell all", told.key);
+            assert_eq!(used, blanks, "`{}` does not tell all", told.key);
         }
-        assert!(left.is_empty(), "{language:?} has sentences of no mistake and no message: {left:?}");
+    }
+}
+
+/// What the page says has the same blanks in every language; titles of starting scenes and the editor's words stand in English elsewhere.
+#[test]
+fn every_language_has_the_words_of_the_page() {
+    let english = kinegon::fluent::english();
+    let is_elsewhere = |key: &str| key.starts_with("page-kinds-") || key.starts_with("page-editor-");
+    let all = |catalogue: &Catalogue| -> BTreeSet<&'static str> {
+        catalogue.keys().filter(|key| key.starts_with("page-")).collect()
+    };
+    let spanish = all(&Catalogue::read("es", catalogue_of(LanguageName::Spanish)).0);
+    for language in LanguageName::ALL {
+        let catalogue = Catalogue::read(language.as_str(), catalogue_of(language)).0;
+        let own = all(&catalogue);
+        let expected = spanish.iter().copied().filter(|key| language != LanguageName::English || !is_elsewhere(key));
+        assert_eq!(own, expected.collect(), "{language:?}");
+        for key in own.into_iter().filter(|key| !is_elsewhere(key)) {
+            let [own, english] = [&catalogue, english].map(|all| all.sentence(key).map(|said| said.blanks()));
+            assert_eq!(own, english, "`{key}` in {language:?}");
+        }
     }
 }

@@ -175,7 +175,7 @@ fn columns(readings: &[Reading]) -> String {
 }
 
 /// Median and largest of some numbers.
-fn spread(numbers: impl Iterator<Item = f64>) -> String {
+pub(super) fn spread(numbers: impl Iterator<Item = f64>) -> String {
     let numbers: Vec<f64> = numbers.collect();
     let largest = numbers.iter().copied().fold(0.0, f64::max);
     format!("{}, {}", relative(median(numbers).unwrap_or(f64::NAN)), relative(largest))
@@ -263,7 +263,7 @@ fn units(units: f64, method: Method) -> String {
     }
 }
 
-fn relative(error: f64) -> String {
+pub(super) fn relative(error: f64) -> String {
     match error.is_finite() {
         true => digits(error),
         false => "no number".to_owned(),
@@ -312,6 +312,7 @@ pub fn duration(nanoseconds: f64) -> String {
     match nanoseconds {
         t if t < 1e3 => format!("{t:.0} ns"),
         t if t < 1e6 => format!("{:.1} µs", t / 1e3),
+        t if t < 1e9 => format!("{:.1} ms", t / 1e6),
         t => format!("{:.0} min", t / 60e9),
     }
 }

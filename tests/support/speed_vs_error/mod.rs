@@ -14,6 +14,8 @@ pub mod lengths;
 mod measure;
 pub mod methods;
 mod naive;
+pub mod routes;
 mod single;
 pub mod survey;
 pub mod truth;
+pub mod which;

@@ -235,26 +235,6 @@ pub struct Handle {
     pub is_fixed: bool,
 }
 
-/// A point of the scene in its own coordinates.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct Place {
-    /// Its name.
-    pub name: String,
-    /// Where it is, in units of length.
-    pub at: [f64; 2],
-}
-
-/// A way to assemble the scene.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct Mode {
-    /// Its number, as `kinegon modes` counts.
-    pub number: usize,
-    /// The places of moving points, and angles of links, in words; of many those alone that differ from the scene's own.
-    pub shown: String,
-    /// Whether it is that of the scene.
-    pub is_own: bool,
-}
-
 /// A value of the scene's own position.
 #[derive(Debug, Serialize, JsonSchema)]
 #[schemars(rename = "Value")]
@@ -272,33 +252,4 @@ pub struct ValueRow {
     /// How far the value can be from the true one, in the same unit; none where that is not known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub error: Option<String>,
-}
-
-/// What can be drawn over the cycle.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Curves")]
-pub struct Drawn {
-    /// The sheet.
-    pub svg: String,
-    /// Width of the sheet in mm.
-    pub width: f64,
-    /// Height of the sheet in mm.
-    pub height: f64,
-    /// Extreme positions, change points, limits, in words.
-    pub events: Vec<String>,
-    /// The axis of the drive; none where nothing is drawn over it.
-    pub axis: Option<DriveAxis>,
-    /// Ways of points and of tips of vectors, in pieces without a gap: the drive's value, x and y in mm.
-    pub ways: Vec<Vec<[f64; 3]>>,
-}
-
-/// Where the values of the drive are in graphs one above the other.
-#[derive(Debug, Serialize, JsonSchema)]
-pub struct DriveAxis {
-    /// The value at the left edge of the graphs, in degrees or units of length.
-    pub low: f64,
-    /// At the right edge.
-    pub high: f64,
-    /// The graphs: [x, y, width, height] in mm.
-    pub areas: Vec<[f64; 4]>,
 }

@@ -1,5 +1,4 @@
 use crate::desk::Desk;
-use crate::forms::measured;
 use crate::refused::Refused;
 use kinegon::check::says;
 use kinegon::check::{
@@ -73,6 +72,15 @@ impl From<CheckError> for Refused {
     fn from(error: CheckError) -> Refused {
         let message = Message::list([error.place, error.message], "");
         Refused::whole(Problem { message, hint: error.hint })
+    }
+}
+
+/// The values of a form: JSON or a table.
+pub fn measured(text: &str) -> Result<Measured, Refused> {
+    if Measured::is_json(text) {
+        Measured::read_json(text).map_err(|error| Refused::of(text, error))
+    } else {
+        Measured::read_csv(text).map_err(Refused::from)
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::answers::{Drawn, DriveAxis, Pane};
+use crate::answers::Pane;
 use crate::desk::{Desk, Kept};
 use crate::refused::Refused;
 use kinegon::construction::Tolerance;
@@ -11,7 +11,7 @@ use kinegon::scene::{LanguageName, SizeLimit};
 use kinegon::words::{Language, Wording};
 use kinegon::{Error, Order, Problem};
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// Most numbers of a table: more do not fit into a page's memory.
 const MOST_NUMBERS: usize = 10_000_000;
@@ -121,6 +121,35 @@ fn thinned(way: &[(f64, Point)]) -> Vec<[f64; 3]> {
     }
     let hundredths = |mm: f64| (100.0 * mm).round() / 100.0;
     kept.into_iter().map(|(value, at)| [*value, hundredths(at.x), hundredths(at.y)]).collect()
+}
+
+/// What can be drawn over the cycle.
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Curves")]
+pub struct Drawn {
+    /// The sheet.
+    pub svg: String,
+    /// Width of the sheet in mm.
+    pub width: f64,
+    /// Height of the sheet in mm.
+    pub height: f64,
+    /// Extreme positions, change points, limits, in words.
+    pub events: Vec<String>,
+    /// The axis of the drive; none where nothing is drawn over it.
+    pub axis: Option<DriveAxis>,
+    /// Ways of points and of tips of vectors, in pieces without a gap: the drive's value, x and y in mm.
+    pub ways: Vec<Vec<[f64; 3]>>,
+}
+
+/// Where the values of the drive are in graphs one above the other.
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct DriveAxis {
+    /// The value at the left edge of the graphs, in degrees or units of length.
+    pub low: f64,
+    /// At the right edge.
+    pub high: f64,
+    /// The graphs: [x, y, width, height] in mm.
+    pub areas: Vec<[f64; 4]>,
 }
 
 impl Desk {

@@ -1,3 +1,4 @@
+use crate::checks::measured;
 use crate::desk::Desk;
 use crate::refused::Refused;
 use kinegon::check::{AnswerKey, FormBox, Measured, form_boxes, further_boxes, plan_points};
@@ -56,15 +57,6 @@ pub struct PlanPoint {
     pub name: String,
     /// As the sheet writes it, in HTML.
     pub label: String,
-}
-
-/// The values of a form: JSON or a table.
-pub fn measured(text: &str) -> Result<Measured, Refused> {
-    if Measured::is_json(text) {
-        Measured::read_json(text).map_err(|error| Refused::of(text, error))
-    } else {
-        Measured::read_csv(text).map_err(Refused::from)
-    }
 }
 
 /// What values are compared with: the scene with a careful hand.

@@ -1,16 +1,14 @@
-use crate::answers::{Mode, Opened, Owner, Place, Quantity, Step, ValueRow};
-use crate::desk::{Desk, Kept, in_words};
+use crate::answers::{Opened, Owner, Quantity, Step, ValueRow};
+use crate::desk::{Desk, in_words};
 use crate::refused::Refused;
 use kinegon::construction::{Action, NumberedStep, Teller, shown_text};
 use kinegon::cycle::every_name;
 use kinegon::drawing::{FigureSheets, RichText, SheetLabels};
-use kinegon::editing;
 use kinegon::format::{self, html_text};
 use kinegon::mechanism::Mechanism;
-use kinegon::position::counted_poses;
 use kinegon::quantity::{QuantityName, QuantityRequest, measured_names};
 use kinegon::scene::{Argument, GivenBy, SizeLimit};
-use kinegon::words::{Language, Wording};
+use kinegon::words::Wording;
 use kinegon::{Sheet, Solution, order_of_result};
 use serde_json::Value;
 
@@ -61,24 +59,6 @@ impl Desk {
         })
     }
 
-    /// Every way to assemble a scene.
-    pub fn modes(&mut self, text: &str) -> Result<Vec<Mode>, Refused> {
-        let (kept, language) = self.kept_with_language(text)?;
-        let Kept { scene, mechanism, pose: own, .. } = &*kept;
-        let listed = counted_poses(mechanism, &scene.near).map_err(|error| kept.refused(error))?;
-        let mut words = Wording::of(&scene.figure);
-        if let Some(language) = language {
-            words.language = Language::of(language);
-        }
-        let standing = format::mode(mechanism, own, &words);
-        let modes = listed.poses.iter().zip(1..).map(|(pose, number)| Mode {
-            number,
-            shown: apart(&format::mode(mechanism, pose, &words), &standing),
-            is_own: own.is_same_as(pose),
-        });
-        Ok(modes.collect())
-    }
-
     /// All rates, velocities and accelerations with their certain digits.
     pub fn values(&mut self, text: &str) -> Result<Vec<ValueRow>, Refused> {
         let kept = self.kept(text)?;
@@ -98,25 +78,6 @@ impl Desk {
         });
         Ok(rows.collect())
     }
-}
-
-/// Most places and angles that are told of a mode: of hundreds of links all modes would fill tens of megabytes.
-const MOST_TOLD: usize = 24;
-
-/// The lines of a mode: whole where they are short, else what differs from those of the scene's own.
-fn apart(lines: &[String], own: &[String]) -> String {
-    let told = |(line, own): (&String, &String)| {
-        let all: Vec<&str> = line.split("  ").collect();
-        if all.len() <= MOST_TOLD {
-            return line.clone();
-        }
-        let others = all.iter().zip(own.split("  ")).filter(|(part, own)| *part != own).map(|(part, _)| *part);
-        let others: Vec<&str> = others.collect();
-        let parts = if others.is_empty() { &all } else { &others };
-        let more = if parts.len() > MOST_TOLD { "  …" } else { "" };
-        parts[..parts.len().min(MOST_TOLD)].join("  ") + more
-    };
-    lines.iter().zip(own).map(told).collect::<Vec<_>>().join("\n")
 }
 
 /// Whether a panel has something to show.
@@ -140,12 +101,6 @@ fn quantity(name: &str, mechanism: &Mechanism) -> Quantity {
     let whole = written.to_string();
     let part = whole.strip_prefix(&format!("{head}({inside})")).unwrap_or_default();
     Quantity { head: head.into(), part: part.into(), inside, ..plain(of) }
-}
-
-/// Where the points are, as far as that is known.
-pub fn places(text: &str) -> Result<Vec<Place>, Refused> {
-    let places = editing::places(text).map_err(|error| Refused::of(text, error))?;
-    Ok(places.into_iter().map(|(name, at)| Place { name, at }).collect())
 }
 
 /// The steps of the construction.

@@ -1,11 +1,12 @@
-use crate::answers::{Drawn, Mode, Opened, Picture, Place, Running, ValueRow, View};
+use crate::answers::{Opened, Picture, Running, ValueRow, View};
 use crate::building::{Board, BoardView};
 use crate::checks::{CheckOptions, Checked};
 use crate::exercises::{Exercise, ExerciseOptions};
-use crate::files::{FileRequest, OverCycle};
+use crate::files::{Drawn, FileRequest, OverCycle};
 use crate::forms::Form;
 use crate::gesture::{Grab, To};
 use crate::kinds::Kind;
+use crate::modes::{Mode, Place};
 use crate::photo_answers::{PhotoRead, PlacedPoint, PointVerdict, Proposed, Tapped};
 use crate::refused::Told;
 use kinegon::editing::Edit;

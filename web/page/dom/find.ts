@@ -1,7 +1,7 @@
-/** The element of this id, which index.html has. */
-export function byId<Kind extends Element = HTMLElement>(id: string): Kind {
-  const found = document.getElementById(id);
-  if (found === null) throw new Error(`index.html has no #${id}`);
+/** The element of this id, which index.html has, or the component's own tree. */
+export function byId<Kind extends Element = HTMLElement>(id: string, root: Document | ShadowRoot = document): Kind {
+  const found = root.getElementById(id);
+  if (found === null) throw new Error(`there is no #${id}`);
   return found as unknown as Kind;
 }
 

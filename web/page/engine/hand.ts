@@ -6,11 +6,12 @@ import type { Answer } from "./worker.ts";
 export const PATIENCE = 20_000;
 
 /** Functions whose answers are no JSON. */
-const PLAIN = new Set(["drop", "edit", "edit_in_place", "move_points", "choose_mode", "file", "font", "read_form", "write_form", "exercise_file"]);
+const PLAIN = new Set(["drop", "edit", "edit_in_place", "move_points", "choose_mode", "file", "font", "read_form", "write_form", "exercise_file", "free"]);
 
 interface Waiting {
   name: string;
   given: unknown[];
+  of: number;
   done(value: unknown): void;
   refused(why: Refused): void;
 }
@@ -26,9 +27,10 @@ export interface Watch {
 /** Why an engine is started again: it fell, took too long, or somebody would not wait. */
 export type Why = "fell" | "too_slow" | "stopped";
 
-/** One worker with one engine. */
+/** One worker with its engine. */
 export interface Hand {
-  call(name: string, given: unknown[]): Promise<unknown>;
+  /** `of` is the number of the engine: in a page with several components each has its own. */
+  call(name: string, given: unknown[], of?: number): Promise<unknown>;
   /** Breaks off what is under way, if anything is, with all that waits for it. */
   stop(): void;
 }
@@ -98,15 +100,15 @@ export function hand(address: string, module: WebAssembly.Module, watch: Watch):
     if (running === undefined) return;
     clock = window.setTimeout(() => fall("too_slow"), PATIENCE);
     notice = window.setTimeout(() => watch.busy(true), 200);
-    const { name, given } = running;
+    const { name, given, of } = running;
     // Bytes are handed over, not copied.
-    worker.postMessage({ name, given, language: language.value }, given.flatMap((one) => (one instanceof Uint8Array ? [one.buffer] : [])));
+    worker.postMessage({ name, given, of, language: language.value }, given.flatMap((one) => (one instanceof Uint8Array ? [one.buffer] : [])));
   }
 
   return {
-    call: (name, given) =>
+    call: (name, given, of = 0) =>
       new Promise((done, refused) => {
-        queue.push({ name, given, done, refused });
+        queue.push({ name, given, of, done, refused });
         next();
       }),
     stop() {

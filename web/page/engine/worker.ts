@@ -5,6 +5,8 @@ import init, { Engine } from "kinegon-wasm";
 export interface Call {
   name: string;
   given: unknown[];
+  /** Which engine is called: each keeps a scene of its own, and all are in the same instance of WebAssembly. */
+  of: number;
   /** The page's language, in which the engine tells what stands beside the picture. */
   language: string;
 }
@@ -14,22 +16,30 @@ export type Answer = { value: unknown; took: number } | { refused: string; took:
 
 type Anything = Record<string, (...given: unknown[]) => unknown>;
 
-let engine: Anything | undefined;
+const engines = new Map<number, { engine: Anything; spoken: string }>();
+
+/** The engine of this number, which is made when it is called first. */
+function engineOf(number: number): { engine: Anything; spoken: string } {
+  const known = engines.get(number) ?? { engine: new Engine() as unknown as Anything, spoken: "" };
+  engines.set(number, known);
+  return known;
+}
 
 /** Texts, numbers and bytes are handed over as they are, all else as JSON. */
 function handed(given: unknown): unknown {
   return typeof given === "object" && !(given instanceof Uint8Array) ? JSON.stringify(given) : given;
 }
 
-let spoken = "";
-
-function answered({ name, given, language }: Call): Answer {
+function answered({ name, given, language, of }: Call): Answer {
   const begin = performance.now();
   const took = (): number => performance.now() - begin;
   try {
-    if (language !== spoken) engine?.["speak"]?.(language);
-    spoken = language;
-    const method = engine?.[name];
+    const own = engineOf(of);
+    const { engine } = own;
+    if (language !== own.spoken) engine["speak"]?.(language);
+    own.spoken = language;
+    if (name === "free") engines.delete(of);
+    const method = engine[name];
     if (method === undefined) {
       const message = `the engine has no ${name}`;
       return { refused: JSON.stringify({ message, hint: null, path: "", from: null, to: null, line: null, column: null }), took: took() };
@@ -45,7 +55,7 @@ let started: Promise<unknown> = Promise.resolve();
 
 async function start(module: WebAssembly.Module): Promise<void> {
   await init({ module_or_path: module });
-  engine = new Engine() as unknown as Anything;
+  engineOf(0);
 }
 
 self.onmessage = async ({ data }: MessageEvent<Call | { module: WebAssembly.Module }>) => {

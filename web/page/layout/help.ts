@@ -2,6 +2,7 @@ import type { App } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Store } from "../state/storage.ts";
+import notices from "../../../templates/workbench-third-party.txt";
 import { say, type Saying } from "./words.ts";
 
 const KEYS: [string, Saying][] = [
@@ -65,6 +66,7 @@ export function help(app: App, store: Store, begin: () => void): void {
         element("section", {}, element("h3", {}, say("letters")), element("table", {}, element("tbody", {}, ...letters))),
         element("section", {}, element("h3", {}, say("keys")), element("table", {}, element("tbody", {}, ...rows))),
       ),
+      element("details", { id: "notices" }, element("summary", {}, say("notices")), element("pre", { tabindex: "0", lang: "en" }, notices)),
       element("div", { class: "foot" }, element("label", { class: "tick" }, box, say("keys_letters")), again, close),
     );
   }

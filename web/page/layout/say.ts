@@ -3,17 +3,16 @@ import { icon } from "../dom/icon.ts";
 import { language } from "../words.ts";
 import { say, type Saying } from "./words.ts";
 
-/** Sets pictograms and words of index.html: `data-icon`, `data-say` (its text), `data-name` (its name for the mouse and for screen readers). */
-export function sayAll(): void {
-  for (const place of document.querySelectorAll<HTMLElement>("[data-icon]")) place.prepend(icon(place.dataset["icon"] ?? ""));
-  for (const place of document.querySelectorAll<HTMLElement>("button[data-say]")) {
+/** Sets pictograms and words of index.html, or of the component: `data-icon`, `data-say` (its text), `data-name` (its name for the mouse and for screen readers). */
+export function sayAll(root: Document | ShadowRoot): void {
+  for (const place of root.querySelectorAll<HTMLElement>("[data-icon]")) place.prepend(icon(place.dataset["icon"] ?? ""));
+  for (const place of root.querySelectorAll<HTMLElement>("button[data-say]")) {
     place.append(element("span", { class: "text", "data-say": place.dataset["say"] }));
     delete place.dataset["say"];
   }
-  language.on((now) => {
-    document.documentElement.lang = now;
-    for (const place of document.querySelectorAll<HTMLElement>("[data-say]")) place.textContent = say(place.dataset["say"] as Saying);
-    for (const place of document.querySelectorAll<HTMLElement>("[data-name]")) name(place, say(place.dataset["name"] as Saying));
+  language.on(() => {
+    for (const place of root.querySelectorAll<HTMLElement>("[data-say]")) place.textContent = say(place.dataset["say"] as Saying);
+    for (const place of root.querySelectorAll<HTMLElement>("[data-name]")) name(place, say(place.dataset["name"] as Saying));
   });
 }
 

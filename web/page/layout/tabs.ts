@@ -16,7 +16,7 @@ export function tabs(app: App, panels: Panel[], store: Store): void {
     const root = element("section", { role: "tabpanel", id: `panel-${panel.id}`, "aria-labelledby": `tab-${panel.id}`, class: "panel" });
     const heading = element("h2");
     const body = element("div", { class: "body" });
-    language.on((now) => (text.textContent = heading.textContent = panel.title[now]));
+    language.on(() => (text.textContent = heading.textContent = panel.title()));
     root.append(heading, body);
     place.append(root);
     list.append(button);

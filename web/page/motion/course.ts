@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import type { Drive, Grab } from "../engine/types.ts";
 import { range } from "./drives.ts";
 
@@ -25,7 +25,7 @@ export interface Course {
  * All drives run together, in proportion to their speeds, as time moves them. Of a scene whose drives have no speed the one runs that
  * was touched last. Null where nothing can run.
  */
-export async function courseOf(app: App, touched: Drive | undefined): Promise<Course | null> {
+export async function courseOf(app: Shown, touched: Drive | undefined): Promise<Course | null> {
   await known(app);
   const { good } = app.solved.value;
   const runs = await app.engine.running(good);
@@ -48,7 +48,7 @@ export async function courseOf(app: App, touched: Drive | undefined): Promise<Co
 }
 
 /** Waits until the engine has said what the present text means: what was held may just have changed it. */
-function known(app: App): Promise<void> {
+function known(app: Shown): Promise<void> {
   const is = (): boolean => app.solved.value.text === app.history.now.value.text;
   if (is()) return Promise.resolve();
   return new Promise((done) => {
@@ -64,7 +64,7 @@ function known(app: App): Promise<void> {
 const STILL = 6;
 
 /** Watches whether the drive follows where it is pulled. */
-export function following(app: App, drive: string): { isStuck(): boolean; again(): void; at(): number; end(): void } {
+export function following(app: Shown, drive: string): { isStuck(): boolean; again(): void; at(): number; end(): void } {
   const at = (): number => app.picture.value?.drives.find(({ name }) => name === drive)?.value ?? Number.NaN;
   let last = at();
   let still = -1;

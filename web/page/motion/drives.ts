@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Drive } from "../engine/types.ts";
@@ -41,8 +41,8 @@ export interface Drives {
   nudge(by: number): void;
 }
 
-export function drives(app: App, gestures: Gestures, taken: () => void): Drives {
-  const place = byId("drives");
+export function drives(app: Shown, gestures: Gestures, taken: () => void): Drives {
+  const place = byId("drives", app.root);
   let rows: Row[] = [];
   let touched = "";
   let gesture: Gesture | null = null;
@@ -135,11 +135,11 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
       const [low, high] = range(drive);
       own.slider.min = String(low);
       own.slider.max = String(high);
-      if (document.activeElement !== own.slider || taking === null) own.slider.value = String(drive.value);
+      if (app.root.activeElement !== own.slider || taking === null) own.slider.value = String(drive.value);
       own.slider.setAttribute("aria-valuetext", drive.shown);
       own.value.setAttribute("aria-label", say("drive_at", { name: driveName(drive) }));
       own.value.size = Math.max(5, drive.shown.length);
-      if (document.activeElement !== own.value) own.value.value = drive.shown;
+      if (app.root.activeElement !== own.value) own.value.value = drive.shown;
     });
   }
 
@@ -150,7 +150,7 @@ export function drives(app: App, gestures: Gestures, taken: () => void): Drives 
   app.picture.on((picture) => picture !== null && draw(picture.drives));
   language.on(label);
   app.solved.on(({ opened, refused }) => {
-    byId("motion").classList.toggle("still", (opened?.drives.length ?? 0) === 0 || opened?.is_drawn === true);
+    byId("motion", app.root).classList.toggle("still", (opened?.drives.length ?? 0) === 0 || opened?.is_drawn === true);
     for (const { slider, value } of rows) slider.disabled = value.disabled = refused !== null;
   });
 

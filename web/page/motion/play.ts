@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { byId } from "../dom/find.ts";
 import { icon } from "../dom/icon.ts";
 import { name } from "../layout/say.ts";
@@ -22,10 +22,10 @@ export interface Play {
   stop(): void;
 }
 
-export function play(app: App, gestures: Gestures, drives: () => Drives): Play {
+export function play(app: Shown, gestures: Gestures, drives: () => Drives): Play {
   const on = signal(false);
-  const button = byId("play");
-  const speed = byId<HTMLSelectElement>("speed");
+  const button = byId("play", app.root);
+  const speed = byId<HTMLSelectElement>("speed", app.root);
   const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
   let gesture: Gesture | null = null;
   /** Counts starts and stops: what a start has waited for may be wanted no more. */

@@ -1,15 +1,14 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { byId } from "../dom/find.ts";
-import { speak } from "../layout/messages.ts";
 import { driveName } from "../motion/drives.ts";
 
 /** How far it is from the hand, from the edge of the pane, and from what is held, in pixels. */
 const [AWAY, EDGE, CLEAR] = [34, 8, 16];
 
 /** What the drives stand at, beside the hand, and what stops them. */
-export function bubble(app: App): { at(pixels: [number, number] | null): void } {
-  const place = byId("bubble");
-  const pane = byId("pane");
+export function bubble(app: Shown): { at(pixels: [number, number] | null): void } {
+  const place = byId("bubble", app.root);
+  const pane = byId("pane", app.root);
   let told = "";
 
   function write(): void {
@@ -24,7 +23,7 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
     place.classList.toggle("empty", lines.length === 0);
     place.classList.toggle("stopped", stops.length > 0);
     const note = stops.join(" ");
-    if (note !== told && note !== "") speak(note);
+    if (note !== told && note !== "") app.speak(note);
     told = note;
   }
 
@@ -37,7 +36,7 @@ export function bubble(app: App): { at(pixels: [number, number] | null): void } 
     // That with more room first.
     if (x > pane.clientWidth / 2) [sides[0], sides[1]] = [sides[1]!, sides[0]!];
     const { left: paneLeft, top: paneTop } = pane.getBoundingClientRect();
-    const joint = document.querySelector(".handle.pulled, .handle:focus-visible")?.getBoundingClientRect();
+    const joint = app.root.querySelector(".handle.pulled, .handle:focus-visible")?.getBoundingClientRect();
     const held: [number, number][] = [[x, y]];
     if (joint !== undefined) held.push([joint.left + joint.width / 2 - paneLeft, joint.top + joint.height / 2 - paneTop]);
     const covered = ([left, top]: [number, number]): number =>

@@ -29,11 +29,11 @@ export function clicked(app: App, view: Viewport): void {
   /** On a narrow screen a panel would cover the picture. */
   const hasRoom = (): boolean => !app.student.value && !app.building.value && (app.shown.value === "mechanism" || window.innerWidth >= 960);
 
-  pane.addEventListener("pointerdown", (event) => (start = event.button === 0 ? { at: inPane(event), time: event.timeStamp } : null), { capture: true });
+  pane.addEventListener("pointerdown", (event) => (start = event.button === 0 ? { at: inPane(app, event), time: event.timeStamp } : null), { capture: true });
   pane.addEventListener(
     "pointerup",
     (event) => {
-      const at = inPane(event);
+      const at = inPane(app, event);
       const isClick = start !== null && Math.hypot(at[0] - start.at[0], at[1] - start.at[1]) <= STILL && event.timeStamp - start.time <= SHORT;
       start = null;
       const target = event.target as Element;

@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { SHEETS, type Opened } from "../engine/types.ts";
@@ -9,8 +9,8 @@ import { marked } from "../steps/bar.ts";
 import { language } from "../words.ts";
 
 /** The picture in words, for who does not see it: links and joints as a list, then what is drawn in each plan and what it gives, as far as the steps have come. */
-export function described(app: App): void {
-  const place = byId("described");
+export function described(app: Shown): void {
+  const place = byId("described", app.root);
   function show(): void {
     const { opened } = app.solved.value;
     if (opened === null) return place.replaceChildren();

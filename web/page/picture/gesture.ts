@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { lastTook } from "../engine/hand.ts";
 import type { Grab, Picture, Pull, Refused, View } from "../engine/types.ts";
 import type { Signal } from "../state/signal.ts";
@@ -41,7 +41,7 @@ export type Gestures = {
 };
 
 /** `show` puts a picture on the page, `back` shows the document on its surface again, `ease` lets it ease over to its new layout. */
-export function gestures(app: App, sight: Signal<View>, show: (picture: Picture) => void, { again: back, ease }: Current): Gestures {
+export function gestures(app: Shown, sight: Signal<View>, show: (picture: Picture) => void, { again: back, ease }: Current): Gestures {
   let current: Gesture | null = null;
 
   /** A picture goes into the page as soon as it is there, but only one for each frame of the screen: a later one waits for the next. */

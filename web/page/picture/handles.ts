@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import type { Handle } from "../engine/types.ts";
@@ -17,8 +17,8 @@ const isIn = (box: Box | null, [x, y]: readonly [number, number]): boolean =>
   box === null || (x >= box[0] && y >= box[1] && x <= box[0] + box[2] && y <= box[1] + box[3]);
 
 /** The joints over the picture. An element stays while its joint does, so that focus and a finger stay on it. */
-export function handles(app: App, view: Viewport, made: (grip: Grip) => void): void {
-  const layer = byId("handles");
+export function handles(app: Shown, view: Viewport, made: (grip: Grip) => void): void {
+  const layer = byId("handles", app.root);
   const grips = new Map<string, Grip>();
 
   function label({ button, handle }: Grip): void {

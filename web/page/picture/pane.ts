@@ -1,16 +1,15 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { byId } from "../dom/find.ts";
 import type { Picture } from "../engine/types.ts";
-import { isDark } from "../layout/theme.ts";
 import { forDark } from "./dark.ts";
 import { fill } from "./sheet.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** Draws the picture that the app shows, through the window onto the sheet. */
-export function pane(app: App, view: Viewport): void {
-  const root = byId<SVGSVGElement>("sheet");
-  const paper = byId("paper");
-  const box = byId("pane");
+export function pane(app: Shown, view: Viewport): void {
+  const root = byId<SVGSVGElement>("sheet", app.root);
+  const paper = byId("paper", app.root);
+  const box = byId("pane", app.root);
 
   function look(): void {
     const { width, height } = view.size;
@@ -28,16 +27,16 @@ export function pane(app: App, view: Viewport): void {
   }
 
   function draw(picture: Picture): void {
-    fill(root, isDark.value ? forDark(picture.svg) : picture.svg);
+    fill(root, app.dark.value ? forDark(picture.svg) : picture.svg);
     look();
   }
 
   view.now.on(look);
   app.picture.on((picture) => (picture === null ? root.replaceChildren() : draw(picture)));
-  isDark.on(() => app.picture.value !== null && draw(app.picture.value));
+  app.dark.on(() => app.picture.value !== null && draw(app.picture.value));
   app.solved.on(({ opened, refused }) => {
     box.classList.toggle("stale", refused !== null);
-    byId("no-picture").hidden = opened !== null || refused === null;
+    byId("no-picture", app.root).hidden = opened !== null || refused === null;
     root.setAttribute("aria-label", opened?.title ?? "");
   });
   new ResizeObserver(() => view.resize(box.clientWidth, box.clientHeight)).observe(box);

@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import type { View } from "../engine/types.ts";
 import { orTell } from "../refused.ts";
 import { newest } from "../state/newest.ts";
@@ -16,7 +16,7 @@ export interface Current {
 }
 
 /** The newest wins, one is under way at a time. `held` says that a gesture shows its own. */
-export function currentPicture(app: App, sight: Signal<View>, held: () => boolean): Current {
+export function currentPicture(app: Shown, sight: Signal<View>, held: () => boolean): Current {
   const calm = window.matchMedia("(prefers-reduced-motion: reduce)");
   let eases = false;
 

@@ -1,20 +1,22 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { byId } from "../dom/find.ts";
 import type { Grab } from "../engine/types.ts";
-import { speak } from "../layout/messages.ts";
 import { say } from "../layout/words.ts";
 import { REST, type Gesture, type Gestures } from "./gesture.ts";
 import type { Grip } from "./handles.ts";
 import type { Viewport } from "./viewport.ts";
 
 /** A place in the pane, in pixels from its corner. */
-export function inPane(event: { clientX: number; clientY: number }): [number, number] {
-  const { left, top } = byId("pane").getBoundingClientRect();
-  return [event.clientX - left, event.clientY - top];
+export function inPane(app: Shown, event: { clientX: number; clientY: number }): [number, number] {
+  const pane = byId("pane", app.root);
+  const { left, top, width } = pane.getBoundingClientRect();
+  // Slides are shown larger or smaller than they are laid out.
+  const scale = pane.clientWidth / width;
+  return [(event.clientX - left) * scale, (event.clientY - top) * scale];
 }
 
 /** Pulls joints by mouse, pen and finger, and by arrow keys. */
-export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { at(pixels: [number, number] | null): void }): (grip: Grip) => void {
+export function pulling(app: Shown, view: Viewport, gestures: Gestures, bubble: { at(pixels: [number, number] | null): void }): (grip: Grip) => void {
   const what = (point: string): Grab =>
     app.shaping.value ? { kind: "shape", point, pins: app.pins.value } : { kind: "move", point };
 
@@ -33,7 +35,7 @@ export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { 
     button.focus({ preventScroll: true });
     button.setPointerCapture(event.pointerId);
     button.classList.add("pulled");
-    const start = inPane(event);
+    const start = inPane(app, event);
     const centre = view.toPane(handle.at);
     // Where it is taken hold of, it stays under the finger.
     const off: [number, number] = [centre[0] - start[0], centre[1] - start[1]];
@@ -55,11 +57,11 @@ export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { 
       button.classList.remove("pulled");
       bubble.at(null);
       void taken.then(() => gesture?.[how]());
-      if (how === "cancel") speak(say("put_back"));
+      if (how === "cancel") app.speak(say("put_back"));
     };
     on("pointermove", (move) => {
       if (move.pointerId !== event.pointerId) return;
-      last = inPane(move);
+      last = inPane(app, move);
       bubble.at(last);
       pull();
     });
@@ -97,7 +99,7 @@ export function pulling(app: App, view: Viewport, gestures: Gestures, bubble: { 
       if (event.key === "Escape" && gesture !== null) {
         event.stopPropagation();
         finish("cancel");
-        speak(say("put_back"));
+        app.speak(say("put_back"));
         return;
       }
       const step = event.shiftKey ? 0.1 : 1;

@@ -97,6 +97,13 @@ function taskOf(json: unknown): Task | null {
   return { name, text, seed, number, options, steps: given["steps"] === true, more: given["more"] === true };
 }
 
+declare const HOSTED: string | undefined;
+
+/** Where a page with nothing in it is that links lead to: this one; of a page that was opened from a file, the one in the web, if its place is known. */
+export function baseOf(address: string, hosted = typeof HOSTED === "string" ? HOSTED : ""): string {
+  return address.startsWith("file:") && hosted !== "" ? hosted : address.replace(/#.*/s, "");
+}
+
 /** The document of a link; null where the address holds none. */
 export async function documentOf(hash: string): Promise<Shared | BadLink | null> {
   const [, version, letters] = /^#(\d+)=(.*)$/s.exec(hash) ?? [];

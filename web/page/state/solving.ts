@@ -1,10 +1,10 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import type { Refused } from "../engine/types.ts";
 import { language } from "../words.ts";
 import { newest } from "./newest.ts";
 
 /** Does it now, or when the number that is being typed is whole, if the text is still the same then. */
-function whenTyped(app: App, text: string, act: () => void): void {
+function whenTyped(app: Shown, text: string, act: () => void): void {
   if (!app.typing.value) return act();
   const end = app.typing.on((is) => {
     if (is) return;
@@ -14,7 +14,7 @@ function whenTyped(app: App, text: string, act: () => void): void {
 }
 
 /** Keeps `solved` that of the present text; while one text is being solved only the newest of the later ones waits. */
-export function solving(app: App): void {
+export function solving(app: Shown): void {
   const solver = newest(async (text: string) => {
     try {
       const opened = await app.engine.open(text);

@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import { element } from "../dom/element.ts";
 import { byId } from "../dom/find.ts";
 import { say } from "../layout/words.ts";
@@ -13,10 +13,10 @@ export function marked(plain: string): (string | HTMLElement)[] {
 }
 
 /** The bar below the picture: caption and equation, and the controls to go through the steps. */
-export function stepsBar(app: App, steps: Steps): void {
-  const slider = byId<HTMLInputElement>("step-slider");
-  const coarse = byId<HTMLInputElement>("step-coarse");
-  const toggle = byId("steps-toggle");
+export function stepsBar(app: Shown, steps: Steps): void {
+  const slider = byId<HTMLInputElement>("step-slider", app.root);
+  const coarse = byId<HTMLInputElement>("step-coarse", app.root);
+  const toggle = byId("steps-toggle", app.root);
   let shown = "";
 
   function show(): void {
@@ -24,33 +24,33 @@ export function stepsBar(app: App, steps: Steps): void {
     const isFinished = said === null;
     const place = isFinished ? say("finished", { count }) : say("step_of", { number: now, count });
     const caption = isFinished ? (app.solved.value.opened?.title ?? "") : said.caption;
-    if (caption !== shown) byId("step-caption").replaceChildren(...(isFinished ? [caption] : marked(caption)));
+    if (caption !== shown) byId("step-caption", app.root).replaceChildren(...(isFinished ? [caption] : marked(caption)));
     shown = caption;
-    byId("step-equation").replaceChildren(...(said?.equation ?? "").split("\n").map((line) => element("span", {}, ...marked(line))));
-    byId("step-values").replaceChildren(...(said?.values ?? []).map((line) => element("span", {}, ...marked(line), ". ")));
+    byId("step-equation", app.root).replaceChildren(...(said?.equation ?? "").split("\n").map((line) => element("span", {}, ...marked(line))));
+    byId("step-values", app.root).replaceChildren(...(said?.values ?? []).map((line) => element("span", {}, ...marked(line), ". ")));
     text("step-number", isFinished ? `${count} / ${count}` : `${now} / ${count}`);
     slider.max = String(count + 1);
     slider.value = String(now);
     slider.setAttribute("aria-valuetext", place);
-    for (const id of ["step-first", "step-back"]) byId<HTMLButtonElement>(id).disabled = now <= 1;
-    for (const id of ["step-last", "step-forward"]) byId<HTMLButtonElement>(id).disabled = isFinished;
+    for (const id of ["step-first", "step-back"]) byId<HTMLButtonElement>(id, app.root).disabled = now <= 1;
+    for (const id of ["step-last", "step-forward"]) byId<HTMLButtonElement>(id, app.root).disabled = isFinished;
     coarse.checked = app.view.value.coarse;
     coarse.parentElement!.hidden = (app.solved.value.opened?.passages.length ?? 0) === 0;
-    byId<HTMLButtonElement>("steps-toggle").disabled = count === 0;
+    byId<HTMLButtonElement>("steps-toggle", app.root).disabled = count === 0;
   }
 
   function text(id: string, words: string): void {
-    const place = byId(id);
+    const place = byId(id, app.root);
     if (place.textContent !== words) place.textContent = words;
   }
 
   const buttons = { "step-first": () => steps.go(1), "step-back": () => steps.by(-1), "step-forward": () => steps.by(1), "step-last": () => steps.go(Infinity) };
-  for (const [id, act] of Object.entries(buttons)) byId(id).onclick = act;
+  for (const [id, act] of Object.entries(buttons)) byId(id, app.root).onclick = act;
   slider.oninput = () => steps.go(slider.valueAsNumber);
   coarse.onchange = () => steps.coarse(coarse.checked);
   toggle.onclick = () => (steps.on.value ? steps.on.set(false) : steps.go(1));
   steps.on.on((is) => {
-    byId("steps").hidden = !is;
+    byId("steps", app.root).hidden = !is;
     toggle.setAttribute("aria-pressed", String(is));
   });
   app.view.on(show);

@@ -1,4 +1,4 @@
-import type { App } from "../app.ts";
+import type { Shown } from "../app.ts";
 import type { Opened, Step } from "../engine/types.ts";
 import { signal, type Signal } from "../state/signal.ts";
 
@@ -30,7 +30,7 @@ function listed(opened: Opened | null, coarse: boolean): Said[] {
   });
 }
 
-export function steps(app: App): Steps {
+export function steps(app: Shown): Steps {
   const on = signal(app.view.value.step !== null);
   const all = (): Said[] => listed(app.solved.value.opened, app.view.value.coarse);
   const count = (): number => all().length;

@@ -157,4 +157,4 @@ function mount(root: HTMLElement, app: App): void {
   language.on(() => form !== null && build());
 }
 
-export const checkPanel: Panel = { id: "check", title: { en: "Check", es: "Comprobar" }, mount };
+export const checkPanel: Panel = { id: "check", title: () => say("panel_title"), mount };

@@ -20,7 +20,7 @@ import { say } from "./words.ts";
 /** Curves of quantities, hodographs of vectors and paths of points over the cycle. */
 export const curves: Panel = {
   id: "curves",
-  title: { en: "Curves", es: "Curvas" },
+  title: () => say("panel_title"),
   mount(root, app) {
     const choice = signal<Choice>({ kind: "curves", names: { curves: [], hodograph: [], path: [] }, beyond: false });
     const drawn = element("p", {});

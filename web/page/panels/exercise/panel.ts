@@ -100,4 +100,4 @@ function mount(root: HTMLElement, app: App): void {
   });
 }
 
-export const exercisePanel: Panel = { id: "exercise", title: { en: "Exercise", es: "Ejercicio" }, mount };
+export const exercisePanel: Panel = { id: "exercise", title: () => say("panel_title"), mount };

@@ -2,6 +2,7 @@ import type { ChoiceField, Field, Group } from "../parts/form.ts";
 import { at, type Draft } from "../parts/scene.ts";
 import { SHEETS } from "../../engine/types.ts";
 import { called } from "../../sheets.ts";
+import { figure, LANGUAGES } from "../../sentences.ts";
 import { say } from "./words.ts";
 
 function choice(key: string, label: string, options: ChoiceField["options"], open = true): Field {
@@ -24,7 +25,7 @@ export function look(scene: Draft): Group {
     { value: "russian", text: say("russian") },
     { value: "german", text: say("german") },
   ];
-  const languages = [{ value: usual("language", "en"), text: "English" }, { value: "es", text: "Español" }];
+  const languages = LANGUAGES.map((code) => ({ value: code === "en" ? usual("language", code) : code, text: figure[code].language_name }));
   const marks = [{ value: usual("decimal", "point"), text: say("point") }, { value: "comma", text: say("comma") }];
   return {
     id: "look",

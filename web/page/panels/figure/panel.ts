@@ -8,11 +8,12 @@ import { contents, look, page, shown } from "./look.ts";
 import { labels, paths } from "./marks.ts";
 import { scales, type Scales } from "./scales.ts";
 import type { Draft } from "../parts/scene.ts";
+import { say } from "./words.ts";
 
 /** What the figure shows, and how: the keys of the scene's `figure`. */
 export const figure: Panel = {
   id: "figure",
-  title: { en: "Figure", es: "Figura" },
+  title: () => say("panel_title"),
   mount(root, app) {
     const present = presentScales(app);
     const form = element("div", {});

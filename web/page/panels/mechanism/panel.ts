@@ -14,11 +14,12 @@ import { links } from "./links.ts";
 import { near } from "./near.ts";
 import { revealing } from "./revealing.ts";
 import { sliders } from "./sliders.ts";
+import { say } from "./words.ts";
 
 /** The whole scene as a form. */
 export const mechanism: Panel = {
   id: "mechanism",
-  title: { en: "Mechanism", es: "Mecanismo" },
+  title: () => say("panel_title"),
   mount(root, app) {
     root.append(gallery(app));
     const form = element("div", {});

@@ -3,6 +3,7 @@ import type { Adder, Card, Field, Group, Option, Row } from "../parts/form.ts";
 import { allPoints, at, groundOf, isDrawn, joined, linksOf, pointsOn, sizeOf, slidersOf, unitsOf, type Path, type Draft } from "../parts/scene.ts";
 import { lineOfDrive, restOfDrive } from "./drives.ts";
 import { placeFields } from "./vector.ts";
+import { named } from "../output/subject.ts";
 import { say } from "./words.ts";
 
 /** The sliders, a card each. */
@@ -40,7 +41,7 @@ function* things(scene: Draft): Iterable<{ value: string; text: string }> {
 }
 
 function carriers(scene: Draft): { value: string; text: string }[] {
-  return ["ground", ...linksOf(scene)].map((value) => ({ value, text: value === "ground" ? say("ground_word") : `${say("link").toLowerCase()} ${value}` }));
+  return ["ground", ...linksOf(scene)].map((value) => ({ value, text: value === "ground" ? say("ground_word") : named({ kind: "link", name: value }) }));
 }
 
 function card(scene: Draft, slider: unknown, index: number): Card {

@@ -17,7 +17,7 @@ const MOST_PICTURES = 24;
 /** All ways to assemble the mechanism: a list with pictures, to choose from. */
 export const modes: Panel = {
   id: "modes",
-  title: { en: "Modes", es: "Modos" },
+  title: () => say("panel_title"),
   mount(root, app) {
     const ghosts = tick(() => say("ghosts"), (on) => app.view.set({ ...app.view.value, modes: on }));
     app.view.on((view) => (ghosts.box.checked = view.modes));

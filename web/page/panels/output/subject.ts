@@ -1,4 +1,5 @@
 import type { Quantity } from "../../engine/types.ts";
+import { subject } from "../../sentences.ts";
 import { speaker } from "../../words.ts";
 
 /** What values are about: a link, a slider, a point. */
@@ -7,10 +8,7 @@ export interface Subject {
   name: string;
 }
 
-const say = speaker({
-  en: { link: "Link {name}", slider: "Slider {name}", point: "Point {name}", others: "Others" },
-  es: { link: "Eslabón {name}", slider: "Corredera {name}", point: "Punto {name}", others: "Otras" },
-});
+const say = speaker(subject);
 
 /** What a quantity is about. */
 function subjectOf({ of, inside }: Quantity): Subject {

@@ -11,7 +11,7 @@ import { say } from "./words.ts";
 /** All that can be taken along: files, links, prints. */
 export const save: Panel = {
   id: "save",
-  title: { en: "Save", es: "Guardar" },
+  title: () => say("panel_title"),
   mount(root, app) {
     const old = worded(element("p", { class: "notice", role: "status", hidden: true }), () => say("old_text"));
     app.solved.on(({ refused }) => (old.hidden = refused === null));

@@ -2,6 +2,7 @@ import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import { button, worded } from "../../dom/worded.ts";
 import { copied } from "../../files/clipboard.ts";
+import { baseOf } from "../../state/address.ts";
 import { saved, saveOfScene, stem } from "./files.ts";
 import { pageWith } from "./original.ts";
 import { say } from "./words.ts";
@@ -46,7 +47,7 @@ function linkOf(app: App): HTMLElement[] {
     app.tell(done ? say("link_copied", { size }) : say("link_not_copied"));
     const warnings = [say("link_of", { size }) + "."];
     if (size > LONG) warnings.push(say("link_long", { size }));
-    if (location.protocol === "file:") warnings.push(say("link_local"));
+    if (baseOf(location.href).startsWith("file:")) warnings.push(say("link_local"));
     warning.textContent = warnings.join(" ");
   }
   return [element("div", { class: "tools" }, button(() => say("copy_link"), () => void copy())), address, warning];

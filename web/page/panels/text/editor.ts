@@ -10,6 +10,7 @@ import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutt
 import type { App } from "../../app.ts";
 import { element } from "../../dom/element.ts";
 import type { Refused } from "../../engine/types.ts";
+import { editor as phrasesOf } from "../../sentences.ts";
 import { language } from "../../words.ts";
 import { newId } from "../parts/fields.ts";
 import { smallest } from "./change.ts";
@@ -18,7 +19,7 @@ import { hasLongLine } from "./lines.ts";
 import { look } from "./look.ts";
 import { meanings, offers } from "./offers.ts";
 import { piles } from "./piles.ts";
-import { say, SPANISH } from "./words.ts";
+import { say } from "./words.ts";
 
 /** How long after a letter the scene is solved, and after how long a pause typing is a new entry of undo, in ms. */
 const WAIT = 150;
@@ -59,7 +60,7 @@ export function textEditor(parent: HTMLElement, app: App): TextEditor {
   ];
   const view = new EditorView({ parent, state: EditorState.create({ doc: shown(app.history.now.value.text), extensions }) });
   language.on((now) => {
-    const own = now === "es" ? EditorState.phrases.of(SPANISH) : [];
+    const own = EditorState.phrases.of(Object.fromEntries(Object.entries(phrasesOf[now]).map(([key, phrase]) => [key.replaceAll("_", " "), phrase])));
     view.dispatch({ effects: phrases.reconfigure([own, EditorView.contentAttributes.of({ "aria-label": say("editor"), lang: "zxx", tabindex: "0" })]) });
   });
   app.history.now.on(({ text }) => {

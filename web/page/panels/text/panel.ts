@@ -10,7 +10,7 @@ import { say } from "./words.ts";
 /** The scene's text. */
 export const text: Panel = {
   id: "text",
-  title: { en: "Text", es: "Texto" },
+  title: () => say("panel_title"),
   mount(root, app) {
     const box = element("div", { class: "text-editor" });
     const message = element("p", {});

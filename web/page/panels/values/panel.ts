@@ -21,7 +21,7 @@ const LONGEST = 1_000;
 /** All rates, velocities and accelerations of the scene's position, and what the mechanism is made of. */
 export const values: Panel = {
   id: "values",
-  title: { en: "Values", es: "Valores" },
+  title: () => say("panel_title"),
   mount(root, app) {
     const contents = element("div");
     root.append(contents);
@@ -54,7 +54,7 @@ function fill(contents: HTMLElement, app: App): void {
   const digits = element("select", { onchange: () => list() });
   const count = element("output", { class: "quiet" });
   const table = element("div", { class: "scroll", tabindex: 0, role: "region" });
-  worded(table, () => values.title[language.value], "aria-label");
+  worded(table, () => values.title(), "aria-label");
   const about = element("p", { class: "quiet" });
   const message = element("p", { role: "alert", class: "bad" });
   const structure = element("div", { class: "structure" });

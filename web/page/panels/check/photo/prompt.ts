@@ -27,7 +27,7 @@ export interface Acts {
 }
 
 /** Millimetres as they are read. */
-export const millimetres = (mm: number): string => shownNumber(Number(mm.toFixed(1)), language.value === "es");
+export const millimetres = (mm: number): string => shownNumber(Number(mm.toFixed(1)), language.value !== "en");
 
 export function button(text: string, press: () => void, isMain = false): HTMLButtonElement {
   return element("button", { type: "button", class: isMain ? "main" : "", onclick: press }, text);
