@@ -91,7 +91,7 @@ def of_file(name):
 
 
 def timed(name, rows, work, results):
-    """Mechanisms a second, and a second of processor, which counts where others are at work on the machine."""
+    """Mechanisms a second, and a second of processor, which counts where others are at work on the machine; that of Dask's workers is not told."""
     start, before = time.perf_counter(), os.times()
     work()
     seconds, after = time.perf_counter() - start, os.times()
