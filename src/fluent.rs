@@ -47,8 +47,14 @@ impl Catalogue {
             Err((resource, errors)) => (resource, errors),
         };
         let line = |at: usize| 1 + text[..at].matches('\n').count();
-        let mut faults: Vec<String> =
-            faults.iter().map(|error| format!("line {}: {}", line(error.pos.start), error.kind)).collect();
+        let mut faults: Vec<String> = faults
+            .iter()
+            .map(|error| {
+                // Where the sentence begins: its end is noticed in the line after it.
+                let at = error.slice.as_ref().map_or(error.pos.start, |slice| slice.start);
+                format!("line {}: {}", line(at), error.kind)
+            })
+            .collect();
         let mut sentences = BTreeMap::new();
         for entry in resource.body {
             let (key, pattern) = match entry {

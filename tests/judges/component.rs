@@ -88,6 +88,9 @@ fn two_plans_share_a_page_and_an_engine() {
         let at = format!("{id}.shadowRoot.querySelector('#drives input[type=text]').value");
         let began = browser.text(&at);
         browser.until(&format!("{at} !== {}", json!(began)));
+        // Each shows its own mechanism: joint E is in the first alone.
+        let has_e = browser.value(&format!("{id}.shadowRoot.querySelector('#handle-E') !== null"));
+        assert_eq!(has_e, id == "a", "{id}");
         browser.value(&format!("{id}.pause()"));
         assert_eq!(browser.value(&format!("{id}.playing")), false);
     }
@@ -125,6 +128,8 @@ fn a_bad_scene_is_one_message_and_its_picture_stays() {
     let Some(mut browser) = page("bad", &body) else { return };
     for id in ["bad", "none"] {
         let shown = browser.text(&format!("{id}.shadowRoot.querySelector('[role=alert]').innerText"));
+        let is_seen = browser.value(&format!("{id}.shadowRoot.querySelector('[role=alert]').getClientRects().length"));
+        assert_eq!(is_seen, 1, "{id}");
         let errors = heard(&mut browser, id, "error");
         assert_eq!(errors.len(), 1, "{id}");
         assert_eq!(errors[0]["message"], shown);

@@ -215,7 +215,7 @@ fn a_check_speaks_the_language_asked_for() {
             }
         }
         let done = mistakes[0]["done"].as_str().expect("a text");
-        assert_eq!(done.contains("se midió"), language == "es", "{done}");
+        assert_eq!(done.contains("se midió"), *language == "es", "{done}");
     }
 }
 
