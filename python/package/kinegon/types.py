@@ -190,7 +190,7 @@ Notation = Literal["paper", "english", "russian", "german"]
 
 
 #: A language of headings and captions.
-Language = Literal["en", "es"]
+Language = Literal["en", "es", "de", "pt"]
 
 
 #: Decimal mark of the numbers on figures and in the text of steps; results always have points.
