@@ -552,6 +552,8 @@ class StudyFile(_StudyFileKeys):
     """Chooses the random numbers; left out: 1."""
     bounds: NotRequired[bool]
     """Whether `max`, `min`, `max_abs` and `at_scene` each have a column with the bound of the error of the value there, as "omega(3).max_error"; left out: not. It takes some hundred times as long."""
+    at_steps: NotRequired[bool]
+    """Whether extremes of a mechanism that goes round smoothly are those of the positions at the steps, and are not looked for between them; left out: they are. It takes less time, and misses the true extremes by up to the height of the curve between two steps."""
     cycle: StudyCycle
     """The motion of each mechanism."""
     want: Mapping[str, Sequence[StudyFigure]]
