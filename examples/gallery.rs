@@ -369,8 +369,7 @@ fn checked(path: &str, form: &str) -> Result<Drawing, Box<dyn Error>> {
 /// The same of an exercise, at its scales.
 fn marked(path: &str, seed: u64, form: &str) -> Result<Drawing, Box<dyn Error>> {
     let exercise = Exercises::new(&solution(path, |_| ())?, None, seed)?.next()?;
-    let own = drawn_by_hand(&exercise.solution, exercise.scales, form)?;
-    Ok(overlay(&exercise.solution, &own).swap_remove(0))
+    Ok(overlay(&exercise.solution, &drawn_by_hand(&exercise.solution, exercise.scales, form)?).swap_remove(0))
 }
 
 /// The drawing from which the values of a form were read; causes are looked for as deep as the program does.

@@ -20,6 +20,13 @@
 //! Conventions: x right, y up, counter-clockwise positive; radians inside, degrees in scenes and results. Lengths and times
 //! keep the scene's own units all the way.
 //!
+//! # What stays
+//!
+//! What this reference shows keeps to semantic versioning: before 1.0 a breaking change raises the minor version. Enums and results that may grow are
+//! `#[non_exhaustive]`. What it does not show (`kernel`, `cli`) is public for the program, benches and tests alone, and may change at any time. Two crates are in
+//! signatures, [`nalgebra`] for points and vectors and [`indexmap`] for what has an order: they are re-exported, and a new major version of either is a breaking
+//! change here. Files have versions of their own: what a scene, a result, a form or a scheme of marks says today stays readable.
+//!
 //! # Features
 //!
 //! With `default-features = false` it is the library alone, which reads no files and builds faster.
@@ -29,6 +36,7 @@
 pub mod accuracy;
 pub mod check;
 #[cfg(feature = "cli")]
+#[doc(hidden)] // the program
 pub mod cli;
 pub mod construction;
 #[cfg(feature = "courses")]
@@ -61,6 +69,9 @@ pub mod message;
 mod problem;
 mod sheet;
 mod solve;
+
+#[doc(no_inline)]
+pub use {indexmap, nalgebra};
 
 pub use construction::Solution;
 pub use error::Error;

@@ -4,6 +4,7 @@ use arrow_array::{Array, Float64Array, RecordBatch};
 use arrow_ipc::reader::FileReader;
 use kinegon::cycle::{Drive, Path, Steps, Sweep};
 use kinegon::format::{ColumnFormat, Columns, columns_of};
+use kinegon::study::{Column, Content};
 use kinegon::{Scene, Solution, solve};
 use parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 
@@ -62,5 +63,27 @@ fn both_forms_hold_the_table() {
             }
         }
         assert_eq!(read, numbers);
+    }
+}
+
+#[test]
+fn a_file_says_where_its_rows_come_from() {
+    let columns = [Column { name: "omega(3).max".to_owned(), content: Content::Number, unit: "rad/s".to_owned() }];
+    let origin =
+        [("kinegon.seed", "7"), ("kinegon.version", "0.1.0")].map(|(key, said)| (key.to_owned(), said.to_owned()));
+    let written = |format| {
+        let mut table = Columns::with_origin(format, &columns, &origin, Vec::new()).expect("memory can be written");
+        table.rows(&[1.0, f64::NAN]).expect("memory can be written");
+        table.finish().expect("memory can be written")
+    };
+    let arrow = FileReader::try_new(std::io::Cursor::new(written(ColumnFormat::Arrow)), None).expect("an Arrow file");
+    let parquet = ParquetRecordBatchReaderBuilder::try_new(bytes::Bytes::from(written(ColumnFormat::Parquet)));
+    let parquet = parquet.expect("a Parquet file");
+    let said = parquet.metadata().file_metadata().key_value_metadata().expect("it has some");
+    for (key, value) in &origin {
+        assert_eq!(arrow.schema().metadata().get(key), Some(value));
+        assert_eq!(parquet.schema().metadata().get(key), Some(value));
+        // For readers that know nothing of Arrow.
+        assert!(said.iter().any(|one| one.key == *key && one.value.as_ref() == Some(value)), "{key}");
     }
 }

@@ -6,6 +6,7 @@
 mod check;
 mod exercise;
 mod methods;
+mod plot;
 mod pool;
 mod refused;
 mod scene;

@@ -12,8 +12,8 @@ use crate::wanted::Wanted;
 use kinegon::drawing::Timing;
 use kinegon::format::{self, json_line};
 use kinegon::mechanism::mechanism;
-use kinegon::order_of_result;
 use kinegon::words::Wording;
+use kinegon::{Order, order_of_result};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
@@ -126,6 +126,12 @@ impl Solution {
     /// The text of `kinegon steps`, and the steps as JSON.
     fn steps(&self, py: Python<'_>, mm: Option<f64>, degrees: Option<f64>) -> PyResult<(String, String)> {
         Ok(py.detach(|| self.told_steps(tolerance(mm, degrees)?.unwrap_or_default()))?)
+    }
+
+    /// The velocity plan, or that of accelerations, as JSON.
+    fn plan(&self, py: Python<'_>, is_of_accelerations: bool) -> PyResult<String> {
+        let order = if is_of_accelerations { Order::Acceleration } else { Order::Velocity };
+        Ok(py.detach(|| self.plan_of(order))?)
     }
 
     fn sweep(&self, py: Python<'_>, wanted: Wanted) -> PyResult<Table> {

@@ -6,6 +6,7 @@ use crate::table::{Notes, Table, empty};
 use kinegon::study::{Column, Content, SceneGiven, StudyFile};
 use kinegon::{Error, study};
 use pyo3::prelude::*;
+use std::collections::BTreeMap;
 
 /// Rows for each core that are computed before Python may interrupt.
 const ROWS: u64 = 512;
@@ -15,6 +16,8 @@ const ROWS: u64 = 512;
 pub struct Study {
     study: study::Study,
     columns: Vec<Column>,
+    /// What a file of its rows says of where they come from.
+    origin: Vec<(String, String)>,
 }
 
 /// The path of a study's scene, from the study's folder; none where the study has the scene itself.
@@ -30,7 +33,7 @@ fn read(text: &str, is_seen: bool) -> Result<StudyFile, Refused> {
     StudyFile::read(text).map_err(|error| Refused::from(error).seen(is_seen))
 }
 
-fn made(text: &str, is_seen: bool, scene: Option<String>) -> Result<study::Study, Refused> {
+fn made(text: &str, is_seen: bool, scene: Option<String>) -> Result<Study, Refused> {
     let file = read(text, is_seen)?;
     let scene = match (scene, file.scene()) {
         (Some(text), _) | (None, SceneGiven::Inline(text)) => text,
@@ -39,8 +42,10 @@ fn made(text: &str, is_seen: bool, scene: Option<String>) -> Result<study::Study
         }
     };
     let refused = |error: Error| Refused::from(error).seen(is_seen);
+    let origin = file.origin(&scene);
     let scene = kinegon::Scene::read(&scene).map_err(|error| refused(error.into()))?;
-    file.of(scene).map_err(|error| refused(error.into()))
+    let study = file.of(scene).map_err(|error| refused(error.into()))?;
+    Ok(Study { columns: study.columns(), study, origin })
 }
 
 #[pymethods]
@@ -48,13 +53,17 @@ impl Study {
     /// The study of a text; the text of its scene, where that is a file of its own.
     #[new]
     fn new(py: Python<'_>, text: &str, is_seen: bool, scene: Option<String>) -> PyResult<Study> {
-        let study = py.detach(|| made(text, is_seen, scene))?;
-        Ok(Study { columns: study.columns(), study })
+        Ok(py.detach(|| made(text, is_seen, scene))?)
     }
 
     /// How many rows it has.
     fn count(&self) -> u64 {
         self.study.count()
+    }
+
+    /// What a file of its rows says of where they come from, by keys.
+    fn origin(&self) -> BTreeMap<String, String> {
+        self.origin.iter().cloned().collect()
     }
 
     /// The names of the columns.

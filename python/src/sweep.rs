@@ -1,5 +1,6 @@
 //! The motion: a table in memory, column by column; extremes.
 
+use crate::plot::symbols;
 use crate::pool::on_all_cores;
 use crate::scene::Scene;
 use crate::table::{Notes, Table, empty};
@@ -34,7 +35,8 @@ pub fn table_of(scene: &Scene, mechanism: &Mechanism, pose: &Pose, wanted: &Want
         let data = numbers(&sweep, wanted.huge)?;
         let units = units(&sweep, scene.scene.units);
         let notes = notes(path, range, wanted.is_part(), &Wording::of(&scene.scene.figure));
-        Ok(Table::of(sweep.header(), units, sweep.steps.count(), data, notes))
+        let symbols = symbols(&sweep, mechanism, Wording::of(&scene.scene.figure).notation);
+        Ok(Table::of(sweep.header(), units, sweep.steps.count(), data, notes).with_symbols(symbols))
     })
 }
 

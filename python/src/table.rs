@@ -3,7 +3,8 @@ use arrow_array::ffi_stream::FFI_ArrowArrayStream;
 use arrow_array::{ArrayRef, Float64Array, RecordBatch, RecordBatchIterator, StringArray, UInt64Array};
 use arrow_buffer::{Buffer, NullBuffer, ScalarBuffer};
 use arrow_schema::{Field, Schema};
-use kinegon::study::Status;
+use kinegon::format::{csv_header, csv_rows};
+use kinegon::study::{Column, Content, Status};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyCapsule, PyDict};
@@ -28,6 +29,9 @@ pub struct Table {
     /// Of a study's table, the column whose numbers are places in [`Status::ALL`]; its first column has whole numbers.
     #[pyo3(get)]
     status: Option<usize>,
+    /// The symbols of their quantities in markup; empty where there is none.
+    #[pyo3(get)]
+    symbols: Vec<String>,
     /// NaN where there is no number.
     data: Buffer,
     notes: Notes,
@@ -63,12 +67,32 @@ pub fn empty(rows: usize, columns: usize, is_huge: bool, hint: &str) -> Result<V
 impl Table {
     /// The table of these columns.
     pub fn of(names: Vec<String>, units: Vec<String>, rows: usize, data: Vec<f64>, notes: Notes) -> Table {
-        Table { names, units, rows, status: None, data: Buffer::from_vec(data), notes }
+        let symbols = vec![String::new(); names.len()];
+        Table { names, units, rows, status: None, symbols, data: Buffer::from_vec(data), notes }
     }
 
     /// The table of a study whose status is in that column.
     pub fn with_status(self, column: Option<usize>) -> Table {
         Table { status: column, ..self }
+    }
+
+    /// The table with symbols for its columns.
+    pub fn with_symbols(self, symbols: Vec<String>) -> Table {
+        Table { symbols, ..self }
+    }
+
+    fn columns(&self) -> Vec<Column> {
+        let content = |index: usize| match self.status {
+            Some(status) if index == status => Content::Status,
+            Some(_) if index == 0 => Content::Index,
+            _ => Content::Number,
+        };
+        let column = |(index, name): (usize, &String)| Column {
+            name: name.clone(),
+            content: content(index),
+            unit: self.units[index].clone(),
+        };
+        self.names.iter().enumerate().map(column).collect()
     }
 
     /// A column in the same memory, null where there is no number; whole numbers and words in memory of their own.
@@ -107,19 +131,35 @@ impl Table {
         units: Vec<String>,
         rows: usize,
         status: Option<usize>,
+        symbols: Vec<String>,
         data: &[u8],
         notes: Notes,
     ) -> PyResult<Table> {
-        if names.len() != units.len() || Some(data.len()) != rows.checked_mul(names.len() * size_of::<f64>()) {
+        if symbols.len() != names.len()
+            || names.len() != units.len()
+            || Some(data.len()) != rows.checked_mul(names.len() * size_of::<f64>())
+        {
             return Err(PyValueError::new_err("a table has a name, a unit and a number in each row for each column"));
         }
         let numbers = data.as_chunks::<8>().0.iter().map(|bytes| f64::from_ne_bytes(*bytes)).collect();
-        Ok(Table::of(names, units, rows, numbers, notes).with_status(status))
+        Ok(Table::of(names, units, rows, numbers, notes).with_status(status).with_symbols(symbols))
     }
 
     /// Its bytes, for pickles.
     fn bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         PyBytes::new(py, &self.data)
+    }
+
+    /// Rows from `first` to before `last` as CSV, as the program writes them; before the first row the names.
+    fn csv(&self, py: Python<'_>, first: usize, last: usize) -> String {
+        py.detach(|| {
+            let columns = self.columns();
+            let data = ScalarBuffer::<f64>::from(self.data.clone());
+            let row = |row: usize| (0..columns.len()).map(move |column| column * self.rows + row);
+            let numbers: Vec<f64> = (first..last.min(self.rows)).flat_map(row).map(|place| data[place]).collect();
+            let head = if first == 0 { csv_header(&columns) } else { String::new() };
+            head + &csv_rows(&columns, &numbers)
+        })
     }
 
     /// What is to be told of the motion.

@@ -101,3 +101,36 @@ def test_the_page_has_a_box_for_each_value():
     assert len({box["box"] for box in boxes}) == len(boxes) > 8
     assert all("{{" + key + "}}" in page for key in boxes[0])
     assert json.loads((ROOT / "examples" / "prairielearn" / "info.json").read_text("utf-8"))["type"] == "v3"
+
+
+def marked(tmp_path, change=None):
+    """What nbgrader gives for the notebook, as it is, or with the values changed."""
+    nbclient = pytest.importorskip("nbclient")
+    nbformat = pytest.importorskip("nbformat")
+    pytest.importorskip("ipykernel")
+    notebook = nbformat.read(ROOT / "python" / "examples" / "nbgrader.ipynb", as_version=4)
+    nbformat.validate(notebook)
+    if change is not None:
+        cell = next(cell for cell in notebook.cells if cell.id == "values")
+        cell.source = change(cell.source)
+    nbclient.NotebookClient(notebook, timeout=120, resources={"metadata": {"path": str(tmp_path)}}).execute()
+    assert (tmp_path / "four-bar-7-1.pdf").read_bytes().startswith(b"%PDF")
+    marks = notebook.cells[-1]
+    # nbgrader takes the cell's value; where it is installed, it is asked.
+    given = float(next(output for output in marks.outputs if output.output_type == "execute_result")["data"]["text/plain"])
+    if importlib.util.find_spec("nbgrader") is not None:
+        from nbgrader.utils import determine_grade
+
+        assert determine_grade(marks) == (given, 10)
+    return given
+
+
+def test_a_notebook_is_graded(tmp_path):
+    assert marked(tmp_path) == 10
+    # α of the rocker with the other sign: two of 16 marks.
+    wrong = marked(tmp_path, lambda source: source.replace('"alpha(3)": 22.7', '"alpha(3)": -22.7'))
+    scene = json.loads(server.exercise({"variant_seed": 7}).scene.text)
+    assert wrong == pytest.approx(10 * (1 - scene["form"]["alpha(3)"] / sum(scene["form"].values())), abs=0.01)
+    # As the student gets it: a cell that fails earns nothing.
+    with pytest.raises(Exception, match="the form is empty: it has no values to check"):
+        marked(tmp_path, lambda source: source.partition("    ### BEGIN")[0] + "}")

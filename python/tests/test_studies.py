@@ -151,3 +151,18 @@ def test_what_is_refused():
     many = {**STUDY, "count": 50_000_000}
     with pytest.raises(kinegon.KinegonError, match="250000000 rows and 22 GB"):
         kinegon.Study(many).rows()
+
+
+def test_a_file_says_where_its_rows_come_from(tmp_path):
+    parquet = pytest.importorskip("pyarrow.parquet")
+    study = kinegon.Study({**STUDY, "seed": 9})
+    assert study.origin["kinegon.seed"] == "9" and study.origin["kinegon.version"] == kinegon.__version__
+    assert "kinegon.scene" not in study.origin and kinegon.Study(STUDY).origin["kinegon.seed"] == "1"
+    study.save(tmp_path / "some.parquet", 3, 40)
+    said = parquet.read_metadata(tmp_path / "some.parquet").metadata
+    # The rows can be made again from what stands in the file.
+    again = kinegon.Study(said[b"kinegon.study"].decode())
+    assert parquet.read_table(tmp_path / "some.parquet")["omega(3).max"].to_pylist() == again.rows(3, 40)["omega(3).max"].tolist()
+    (tmp_path / "bar.json").write_text(kinegon.Scene.kind("four-bar").text)
+    apart = kinegon.Study({**STUDY, "scene": "bar.json"}, folder=tmp_path)
+    assert kinegon.Scene(apart.origin["kinegon.scene"]) == kinegon.Scene.kind("four-bar")

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import multiprocessing
 import pickle
+import sys
 import threading
 import time
 
 import kinegon
 import numpy
 import pytest
+from conftest import ROOT
 
 SCENE = kinegon.Scene.kind("four-bar")
 
@@ -134,3 +137,47 @@ def test_ctrl_c_ends_a_long_table():
     finally:
         timer.cancel()
         signal.signal(signal.SIGINT, before)
+
+
+def test_files_by_ending(tmp_path, program):
+    scene = SCENE.to_dict()
+    scene["links"]["2"]["lengths"]["BC"], scene["links"]["3"]["lengths"]["CD"] = 160, 60
+    scene["near"] = {"C": [190, 52]}
+    (tmp_path / "scene.json").write_text(json.dumps(scene))
+    table = kinegon.Scene(scene).sweep(0, 360, 10, want=["omega(3)", "v(C)"], errors=True)
+    table.save(tmp_path / "own.csv")
+    motion = ["--from", 0, "--to", 360, "--step", 10, "--want", "omega(3), v(C)", "--errors"]
+    program("sweep", tmp_path / "scene.json", *motion, "-o", tmp_path / "program.csv")
+    assert (tmp_path / "own.csv").read_bytes() == (tmp_path / "program.csv").read_bytes()
+    study = kinegon.Study(ROOT / "examples" / "studies" / "four-bar.json")
+    study.rows(5, 20).save(tmp_path / "study.csv")
+    program("study", ROOT / "examples" / "studies" / "four-bar.json", "--rows", "5..20", "-o", tmp_path / "theirs.csv")
+    assert (tmp_path / "study.csv").read_bytes() == (tmp_path / "theirs.csv").read_bytes()
+    with pytest.raises(kinegon.KinegonError, match="files ending in `.xlsx`; hint: known endings: .csv, .parquet, .arrow"):
+        table.save(tmp_path / "own.xlsx")
+    pyarrow = pytest.importorskip("pyarrow")
+    from pyarrow import feather, parquet
+
+    table.save(tmp_path / "own.parquet")
+    table.save(tmp_path / "own.arrow")
+    whole = pyarrow.table(table)
+    assert parquet.read_table(tmp_path / "own.parquet").equals(whole) and feather.read_table(tmp_path / "own.arrow").equals(whole)
+    assert whole["omega(3)"].null_count == 3
+
+
+@pytest.mark.parametrize(
+    ("module", "extra", "use"),
+    [
+        ("pandas", "pandas", lambda table: table.to_pandas()),
+        ("numpy", "numpy", lambda table: table.to_numpy()),
+        ("pyarrow", "parquet", lambda table: table.save("table.parquet")),
+        ("matplotlib", "plot", lambda table: table.plot("omega(3)")),
+    ],
+)
+def test_what_is_not_installed_is_named(module, extra, use, monkeypatch):
+    table = SCENE.sweep(0, 90, 10, want=["omega(3)"])
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(kinegon.KinegonError) as refused:
+        use(table)
+    assert module in refused.value.message and refused.value.hint == f"pip install 'kinegon[{extra}]'"
+    assert f"\n{extra} = [" in (ROOT / "pyproject.toml").read_text("utf-8")

@@ -33,20 +33,20 @@ pub struct CheckResult {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<Accuracy>,
     /// Plans whose places on paper are the mirror image of the right ones: "velocity", "acceleration".
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub mirrored: Vec<&'static str>,
     /// Plans whose places on paper lie turned to the scheme, with all of the sheet; directions are judged without that.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub turned: Vec<TurnedResult>,
     /// What the form asks for and has no value of: boxes left blank, points that a photograph does not show; of an
     /// exercise's form all that the exercise asks for.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub missing: Vec<String>,
     /// The exercise of the class whose values these are, where they are those of another one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub values_of: Option<String>,
     /// Scales of the form that are not those asked for, or at which no sheet can be drawn.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub scales: Vec<ScaleResult>,
     /// An error that all measured lengths have in common, taken out of the values: `{ "scale": 0.031 }` where they are 3.1 % too
     /// large, `{ "zero": 2 }` where they are 2 mm too long.
@@ -127,11 +127,11 @@ pub struct ExplanationResult {
     /// the probability that none was made that the catalogue has.
     pub probability: f64,
     /// Whether the given values alone cannot tell it from the diagnosis.
-    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub indistinguishable: bool,
     /// Whether it is one way in which what the diagnosis tells as "unknown", only by its place, may have happened: its probability is a part
     /// of the diagnosis's.
-    #[serde(skip_serializing_if = "core::ops::Not::not")]
+    #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub within: bool,
 }
 
@@ -148,7 +148,7 @@ pub struct MistakeResult {
     /// What it should be.
     pub should_be: String,
     /// Values written otherwise than meant.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub written: Vec<String>,
     /// Values that follow from it and are consistent with it.
     pub follows: Vec<String>,

@@ -88,7 +88,8 @@ impl StudyCommand {
         if rows.end > count {
             return refuse(format!("the study has {count} rows"), format!("rows from 0..{count}"));
         }
-        let table = Table { study: &study, columns: study.columns(), format, place: &self.output };
+        let origin = file.origin(&scene_source.text);
+        let table = Table { study: &study, columns: study.columns(), format, place: &self.output, origin };
         if self.parts && is_stream(&self.output) {
             return refuse("parts belong to a file, and none is named", "name the file: -o results.csv");
         }
@@ -145,6 +146,7 @@ struct Table<'a> {
     columns: Vec<Column>,
     format: TableFormat,
     place: &'a Path,
+    origin: Vec<(String, String)>,
 }
 
 impl Table<'_> {
@@ -177,7 +179,7 @@ impl Table<'_> {
         let status = columns.iter().position(|column| column.content == Content::Status).unwrap_or_default();
         let mut tally: BTreeMap<usize, u64> = BTreeMap::new();
         let mut files = FileSet::default();
-        let Some(mut table) = TableWriter::begin(&mut files, self.place, self.format, columns)? else {
+        let Some(mut table) = TableWriter::begin(&mut files, self.place, self.format, columns, &self.origin)? else {
             return Ok(());
         };
         hand_over(&mut |numbers| {

@@ -86,13 +86,17 @@ pub(super) enum TableWriter {
 }
 
 impl TableWriter {
-    /// A table in a file of a set, or on stdout for `-`, with its head; `None` if nobody reads stdout.
+    /// A table in a file of a set, or on stdout for `-`, with its head; `None` if nobody reads stdout. Formats by columns say where it
+    /// comes from.
     pub(super) fn begin(
         files: &mut FileSet,
         place: &Path,
         format: TableFormat,
         columns: &[Column],
+        origin: &[(String, String)],
     ) -> Result<Option<TableWriter>, Failure> {
+        #[cfg(not(feature = "arrow"))]
+        let _ = origin;
         let mut out = files.begin(place)?;
         match format {
             TableFormat::Csv if !out.put(format::csv_header(columns).as_bytes())? => Ok(None),
@@ -103,7 +107,7 @@ impl TableWriter {
                     TableFormat::Parquet => format::ColumnFormat::Parquet,
                     _ => format::ColumnFormat::Arrow,
                 };
-                let table = format::Columns::new(form, columns, out);
+                let table = format::Columns::with_origin(form, columns, origin, out);
                 let table = table.map_err(|error| Failure::unwritable(place, &error))?;
                 Ok(Some(TableWriter::Columns(place.to_owned(), table)))
             }
@@ -144,7 +148,7 @@ impl TableWriter {
 pub(super) fn write(sweep: &Sweep, format: TableFormat, place: &Path) -> Result<(), Failure> {
     let mut files = FileSet::default();
     let columns = format::columns_of(sweep);
-    let Some(mut table) = TableWriter::begin(&mut files, place, format, &columns)? else {
+    let Some(mut table) = TableWriter::begin(&mut files, place, format, &columns, &[])? else {
         return Ok(());
     };
     let count = sweep.steps.count();

@@ -16,8 +16,10 @@
 //! at a limit, d^(−2) where a place runs off to infinity. Where a determinant passes through zero and rates do not
 //! grow (a change point), the polynomial is followed to the other side. Whether branches of a four-bar linkage cross, or
 //! only come near each other, and where a limit is, is told by sums of its lengths (`motion/reach.rs`).
+//! Mechanisms that differ in their numbers alone are moved side by side (`variants`); `alike` finds all their assemblies from those of one of them.
 //! `still` says of one position what of it turns back there, in the same words.
 
+mod alike;
 mod curve;
 mod drive;
 mod event;

@@ -1,6 +1,7 @@
 use super::drive::{in_radians, ratios, stands};
 use super::position::start;
 use super::{CycleError, Drive, Position};
+use crate::construction::Rate;
 use crate::geometry::{MANY, Many, Row};
 use crate::kernel::{Block, InputKind, Kernel, Single};
 use crate::mechanism::Mechanism;
@@ -38,9 +39,34 @@ impl<'a> Variants<'a> {
     /// There are not as many poses as mechanisms.
     pub fn new(mechanisms: &'a [Mechanism], poses: &[Pose]) -> Result<Self, CycleError> {
         assert_eq!(mechanisms.len(), poses.len(), "each mechanism needs its pose");
+        let mut variants = Variants::unplaced(mechanisms, poses.iter())?;
+        for (index, pose) in poses.iter().enumerate() {
+            let started = start(&variants.kernels[index], &mechanisms[index], pose);
+            variants.put((&started.turns, &started.slides), 0, index);
+        }
+        variants.compute();
+        Ok(variants)
+    }
+
+    /// The mechanisms, all to be started in poses of the first one; `None` where they are drawn, or not of one kind.
+    pub(super) fn all_in(mechanisms: &'a [Mechanism], pose: &Pose) -> Option<Self> {
+        Variants::unplaced(mechanisms, std::iter::repeat_n(pose, mechanisms.len())).ok()
+    }
+
+    /// Puts all mechanisms into a pose of the first one, from which they have to be moved to their own.
+    pub(super) fn start_all_in(&mut self, pose: &Pose) {
+        let started = start(&self.kernels[0], &self.mechanisms[0], pose);
+        for index in 0..self.count() {
+            self.put((&started.turns, &started.slides), 0, index);
+        }
+    }
+
+    /// The mechanisms with their lengths and rates, at no position yet; the values of drives that no scene gives are those of the poses.
+    fn unplaced<'p>(mechanisms: &'a [Mechanism], poses: impl Iterator<Item = &'p Pose>) -> Result<Self, CycleError> {
         let kernels: Vec<Kernel> =
             mechanisms.iter().map(Kernel::new).collect::<Option<_>>().ok_or(CycleError::Drawn)?;
-        if let Some(number) = kernels.iter().position(|k| !kernels[0].is_like(k)) {
+        let kind = kernels.first().map(Kernel::kind);
+        if let Some(number) = kernels.iter().position(|k| Some(k.kind()) != kind) {
             return Err(CycleError::NotOfOneKind(number));
         }
         let count = kernels.len();
@@ -48,11 +74,8 @@ impl<'a> Variants<'a> {
             let mut block: Block<Many> = Block::new(&kernels[first]);
             for lane in 0..MANY {
                 // Lanes beyond the last mechanism repeat it.
-                let index = (first + lane).min(count - 1);
-                let (kernel, mechanism) = (&kernels[index], &mechanisms[index]);
+                let kernel = &kernels[(first + lane).min(count - 1)];
                 block.set_lengths(lane, kernel);
-                let started = start(kernel, mechanism, &poses[index]);
-                copy((&started.turns, &started.slides), 0, &mut block, lane);
                 for input in &kernel.inputs {
                     let (rates, seconds) = match input.kind {
                         InputKind::Turning { class } => (&mut block.omegas[class], &mut block.alphas[class]),
@@ -65,7 +88,7 @@ impl<'a> Variants<'a> {
         };
         let drives = |(kernel, pose): (&Kernel, &Pose)| kernel.inputs.iter().map(|i| stands(i, pose)).collect();
         let drives: Vec<Vec<f64>> = kernels.iter().zip(poses).map(drives).collect();
-        let mut variants = Variants {
+        Ok(Variants {
             mechanisms,
             starts: drives.clone(),
             blocks: (0..count).step_by(MANY).map(block).collect(),
@@ -74,9 +97,7 @@ impl<'a> Variants<'a> {
             left: Stand::default(),
             kernels,
             registers: Level::new(),
-        };
-        variants.compute();
-        Ok(variants)
+        })
     }
 
     /// Number of mechanisms.
@@ -129,28 +150,37 @@ impl<'a> Variants<'a> {
     /// Where all mechanisms are now, with their rates.
     #[must_use]
     pub fn kept(&self) -> Kept {
-        let kernel = &self.kernels[0];
-        let inverses = |block: &Block<Many>| {
-            (0..kernel.unknowns.len()).map(|group| kernel.inverse_determinants(block, group)).collect()
-        };
-        let rates = |block: &Block<Many>| Rates {
-            stand: Stand { turns: block.turns.clone(), slides: block.slides.clone() },
-            omegas: block.omegas.clone(),
-            alphas: block.alphas.clone(),
-            speeds: block.speeds.clone(),
-            accelerations: block.accelerations.clone(),
-            inverse_determinants: inverses(block),
-        };
-        Kept(self.blocks.iter().map(rates).collect())
+        Kept(self.blocks.iter().map(|block| Rates::of(&self.kernels[0], block)).collect())
     }
 
     /// Puts a mechanism where it was; its drives must then be set to values near those it had.
     pub fn put_back(&mut self, mechanism: usize, kept: &Kept) {
-        let (stand, block, lane) =
-            (&kept.0[mechanism / MANY].stand, &mut self.blocks[mechanism / MANY], mechanism % MANY);
+        let stand = kept.0[mechanism / MANY].rows(&self.blocks[mechanism / MANY]);
+        self.put((stand.turns, stand.slides), mechanism % MANY, mechanism);
+    }
+
+    /// Puts a mechanism where another position has its lane.
+    fn put<R: Row>(&mut self, (turns, slides): (&[[R; 2]], &[R]), here: usize, mechanism: usize) {
+        let (block, lane) = (&mut self.blocks[mechanism / MANY], mechanism % MANY);
         // Lanes beyond the last mechanism repeat it.
         let last = if mechanism + 1 == self.mechanisms.len() { MANY } else { lane + 1 };
-        (lane..last).for_each(|to| copy((&stand.turns, &stand.slides), lane, block, to));
+        (lane..last).for_each(|to| copy((turns, slides), here, block, to));
+    }
+
+    /// Whether a mechanism closed at the values its drives were set to last.
+    #[must_use]
+    pub fn is_closed(&self, mechanism: usize) -> bool {
+        self.closed[mechanism]
+    }
+
+    /// A rate of all mechanisms where they are now, [`MANY`] by [`MANY`]; of what did not close it says nothing.
+    pub fn rates(&self, rate: Rate) -> impl Iterator<Item = &[f64]> {
+        let kernel = &self.kernels[0];
+        let rows = self.blocks.iter().map(move |block| match rate {
+            Rate::Angular(order, body) => &[&block.omegas, &block.alphas][order][kernel.seat(body).class].0,
+            Rate::Slide(order, slider) => &[&block.speeds, &block.accelerations][order][slider.0].0,
+        });
+        rows.enumerate().map(|(block, row)| &row[..MANY.min(self.count() - block * MANY)])
     }
 
     /// By mechanism: whether it has stayed on one branch since `before`, `times[mechanism]` ago: the determinants of all groups kept
@@ -276,15 +306,45 @@ impl Stand {
     }
 }
 
+/// All rows of a block in one piece of memory: many are kept.
 #[derive(Clone, Debug)]
-struct Rates {
-    stand: Stand,
-    omegas: Vec<Many>,
-    alphas: Vec<Many>,
-    speeds: Vec<Many>,
-    accelerations: Vec<Many>,
+struct Rates(Vec<Many>);
+
+/// The rows of [`Rates`].
+struct Rows<'a> {
+    turns: &'a [[Many; 2]],
+    slides: &'a [Many],
+    omegas: &'a [Many],
+    alphas: &'a [Many],
+    speeds: &'a [Many],
+    accelerations: &'a [Many],
     /// By group.
-    inverse_determinants: Vec<Many>,
+    inverse_determinants: &'a [Many],
+}
+
+impl Rates {
+    fn of(kernel: &Kernel, block: &Block<Many>) -> Rates {
+        let groups = kernel.unknowns.len();
+        let mut rows = Vec::with_capacity(4 * block.omegas.len() + 3 * block.slides.len() + groups);
+        rows.extend_from_slice(block.turns.as_flattened());
+        for part in [&block.slides, &block.omegas, &block.alphas, &block.speeds, &block.accelerations] {
+            rows.extend_from_slice(part);
+        }
+        rows.extend((0..groups).map(|group| kernel.inverse_determinants(block, group)));
+        Rates(rows)
+    }
+
+    /// The rows, of which a block has as many.
+    fn rows(&self, block: &Block<Many>) -> Rows<'_> {
+        let (classes, sliders) = (block.omegas.len(), block.slides.len());
+        let (turns, rest) = self.0.split_at(2 * classes);
+        let (slides, rest) = rest.split_at(sliders);
+        let (omegas, rest) = rest.split_at(classes);
+        let (alphas, rest) = rest.split_at(classes);
+        let (speeds, rest) = rest.split_at(sliders);
+        let (accelerations, inverse_determinants) = rest.split_at(sliders);
+        Rows { turns: turns.as_chunks().0, slides, omegas, alphas, speeds, accelerations, inverse_determinants }
+    }
 }
 
 /// As [`Variants::kept_branch`], for the mechanisms of a block.
@@ -292,6 +352,7 @@ struct Rates {
 /// What is wrong is counted, in numbers, so that the compiler uses registers of many.
 #[inline(always)]
 fn kept_branch(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -> [bool; MANY] {
+    let was = was.rows(block);
     let mut wrong = Many::splat(0.0);
     let mut ask = |lane: usize, is_right: bool| wrong[lane] += if is_right { 0.0 } else { 1.0 };
     for (group, was) in was.inverse_determinants.iter().enumerate() {
@@ -305,7 +366,7 @@ fn kept_branch(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -
     }
     let passed =
         |time: f64, was: [f64; 2], is: [f64; 2]| time * (0.5 * (was[0] + is[0]) + time / 12.0 * (was[1] - is[1]));
-    for (class, (from, to)) in was.stand.turns.iter().zip(&block.turns).enumerate() {
+    for (class, (from, to)) in was.turns.iter().zip(&block.turns).enumerate() {
         let (omegas, alphas) = ([&was.omegas[class], &block.omegas[class]], [&was.alphas[class], &block.alphas[class]]);
         for lane in 0..MANY {
             let rates = |end: usize| [omegas[end][lane], alphas[end][lane]];
@@ -315,7 +376,7 @@ fn kept_branch(kernel: &Kernel, was: &Rates, block: &Block<Many>, time: &Many) -
             ask(lane, (by.abs() <= 1.0) & (cosine > 0.0) & ((sine - short_sine(by)).abs() <= AGREED));
         }
     }
-    for (slider, (from, to)) in was.stand.slides.iter().zip(&block.slides).enumerate() {
+    for (slider, (from, to)) in was.slides.iter().zip(&block.slides).enumerate() {
         let speeds = [&was.speeds[slider], &block.speeds[slider]];
         let seconds = [&was.accelerations[slider], &block.accelerations[slider]];
         for lane in 0..MANY {

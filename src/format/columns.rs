@@ -4,6 +4,9 @@ use arrow_array::{ArrayRef, Float64Array, RecordBatch, StringArray, UInt64Array}
 use arrow_ipc::writer::FileWriter;
 use arrow_schema::{DataType, Field, Schema};
 use parquet::arrow::ArrowWriter;
+use parquet::file::metadata::KeyValue;
+use parquet::file::properties::WriterProperties;
+use std::collections::BTreeMap;
 use std::io::{Error, Result, Write};
 use std::sync::Arc;
 
@@ -34,6 +37,14 @@ impl<W: Write + Send> Columns<W> {
     /// # Errors
     /// The head of the file cannot be written.
     pub fn new(format: ColumnFormat, columns: &[Column], out: W) -> Result<Self> {
+        Self::with_origin(format, columns, &[], out)
+    }
+
+    /// A table with these columns, in whose metadata stands where it comes from, by keys.
+    ///
+    /// # Errors
+    /// The head of the file cannot be written.
+    pub fn with_origin(format: ColumnFormat, columns: &[Column], origin: &[(String, String)], out: W) -> Result<Self> {
         let field = |column: &Column| {
             let (kind, may_lack) = match column.content {
                 Content::Index => (DataType::UInt64, false),
@@ -42,11 +53,18 @@ impl<W: Write + Send> Columns<W> {
             };
             Field::new(&column.name, kind, may_lack)
         };
-        let schema = Arc::new(Schema::new(columns.iter().map(field).collect::<Vec<_>>()));
+        let fields: Vec<Field> = columns.iter().map(field).collect();
+        let said: BTreeMap<String, String> = origin.iter().cloned().collect();
+        let schema = Arc::new(Schema::new(fields).with_metadata(said));
         let output = match format {
             ColumnFormat::Arrow => Output::Arrow(Box::new(FileWriter::try_new(out, &schema).map_err(Error::other)?)),
             ColumnFormat::Parquet => {
-                Output::Parquet(Box::new(ArrowWriter::try_new(out, schema.clone(), None).map_err(Error::other)?))
+                // Readers that know nothing of Arrow find it there.
+                let said = origin.iter().map(|(key, said)| KeyValue::new(key.clone(), said.clone())).collect();
+                let said = (!origin.is_empty()).then_some(said);
+                let properties = WriterProperties::builder().set_key_value_metadata(said).build();
+                let writer = ArrowWriter::try_new(out, schema.clone(), Some(properties));
+                Output::Parquet(Box::new(writer.map_err(Error::other)?))
             }
         };
         Ok(Self { contents: columns.iter().map(|column| column.content).collect(), schema, output })

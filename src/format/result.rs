@@ -48,7 +48,7 @@ pub struct ResultFile {
     /// What the reader should know of these numbers.
     pub warnings: Vec<String>,
     /// Links and sliders that stop and turn back in this position.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
 }
 
@@ -214,7 +214,7 @@ pub struct PencilResult {
     /// By quantity name: what an honest drawing gives. A vector stands here by its `.size` and its `.angle`.
     pub bands: IndexMap<String, BandResult>,
     /// By quantity name: why a drawing gives no such value. Given values and points at rest are left out.
-    #[serde(skip_serializing_if = "IndexMap::is_empty")]
+    #[serde(default, skip_serializing_if = "IndexMap::is_empty")]
     pub without: IndexMap<String, String>,
 }
 
@@ -228,7 +228,7 @@ pub struct BandResult {
     /// Unit of both.
     pub unit: String,
     /// Present and true where errors are so large against the quantity that the band is only a rough one.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub rough: bool,
 }
 

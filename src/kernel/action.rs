@@ -274,9 +274,14 @@ impl Kernel {
     /// Whether `other` has the same actions in the same order, with any lengths.
     #[must_use]
     pub fn is_like(&self, other: &Kernel) -> bool {
-        let slots = |k: &Kernel| k.fixed.iter().map(|f| f.0).collect::<Vec<_>>();
-        let without_lengths = |k: &Kernel| k.actions.iter().map(Action::without_lengths).collect::<Vec<_>>();
-        slots(self) == slots(other) && without_lengths(self) == without_lengths(other)
+        self.kind() == other.kind()
+    }
+
+    /// What is the same of kernels of one kind.
+    pub(crate) fn kind(&self) -> impl PartialEq + use<> {
+        let slots: Vec<usize> = self.fixed.iter().map(|f| f.0).collect();
+        let actions: Vec<Action> = self.actions.iter().map(Action::without_lengths).collect();
+        (slots, actions)
     }
 
     /// A kernel without the points that are no end of a loop: for angles, slides and their rates only.

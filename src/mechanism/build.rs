@@ -10,8 +10,8 @@ use super::{
 };
 use crate::geometry::{Point, UNIT_ROUNDOFF, Vector, span};
 use crate::message::Message;
-use crate::scene::{Along, GivenBy, Scene, Shape};
-use indexmap::IndexSet;
+use crate::scene::{Along, GivenBy, Link, Scene, Shape};
+use indexmap::{IndexMap, IndexSet};
 use std::f64::consts::{PI, TAU};
 
 /// The mechanism that a scene describes.
@@ -50,6 +50,39 @@ pub fn mechanism_with(
         mechanism.placing = Some(Box::new(placing(scene, unpinned, link, angle)?));
     }
     Ok(mechanism)
+}
+
+/// The mechanism of a scene that has other numbers than that of `like`, and is made of the same links and joints: so it has the same groups,
+/// which are what takes longest to find. `None` where numbers decide more than lengths: where a link's angle stands in place of a
+/// drive's, or which of two sides a triangle is on.
+pub(crate) fn mechanism_like(scene: &Scene, like: &Mechanism) -> Option<Mechanism> {
+    if like.placing.is_some() || scene.given_by == GivenBy::Drawing {
+        return None;
+    }
+    if !like.sliders.is_empty() {
+        let mut mechanism = bodies(scene, &[]).ok()?;
+        add_given(scene, &mut mechanism);
+        mechanism.join_driven();
+        add_pins(&mut mechanism);
+        mechanism.groups.clone_from(&like.groups);
+        return mechanism.doubtful_sides.is_empty().then_some(mechanism);
+    }
+    // Pins know points and bodies, and no numbers.
+    let mut mechanism = like.clone();
+    let place = |name: &String| scene.coordinates.get(name).map(|&place| Point::from(place));
+    mechanism.given = mechanism.points.iter().map(place).collect();
+    mechanism.bodies[GROUND.0].local = scene.ground.iter().filter_map(place).collect();
+    let driven = places_from_drives(scene);
+    for (id, (name, link)) in scene.links.iter().enumerate() {
+        let (local, side) = shaped(scene, link, &driven);
+        let role = role(scene, &mechanism, name, link).ok()?;
+        let body = &mut mechanism.bodies[id + 1];
+        (body.local, body.role) = (local, role);
+        if side == Side::Doubtful {
+            return None;
+        }
+    }
+    Some(mechanism)
 }
 
 /// The Assur groups of the links of unknown motion, in an order in which they can be solved.
@@ -156,6 +189,16 @@ fn add_carriage(mechanism: &mut Mechanism, link: BodyId, angle: f64) {
     }
 }
 
+/// The points of a link given by lengths, in its own frame.
+fn shaped(scene: &Scene, link: &Link, driven: &IndexMap<&str, Point>) -> (Vec<Point>, Side) {
+    let of = |places: &IndexMap<String, [f64; 2]>, point: &str| places.get(point).map(|&place| Point::from(place));
+    let place = |point: &str| {
+        let given = of(&scene.coordinates, point).or_else(|| driven.get(point).copied());
+        given.or_else(|| of(&scene.near.points, point))
+    };
+    local_points(link, place)
+}
+
 /// A mechanism of the scene's points and bodies, without joints.
 fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError> {
     let of_links = scene.links.values().flat_map(|link| &link.points);
@@ -181,10 +224,8 @@ fn bodies(scene: &Scene, mirrored: &[&str]) -> Result<Mechanism, StructureError>
         let role = role(scene, &mechanism, name, link)?;
         let mut local = Vec::new();
         if scene.given_by == GivenBy::Lengths {
-            let rough = |point: &str| scene.near.points.get(point).map(|&place| Point::from(place));
-            let place = |point: &str| given(point).or_else(|| driven.get(point).copied()).or_else(|| rough(point));
             let side;
-            (local, side) = local_points(link, place);
+            (local, side) = shaped(scene, link, &driven);
             if side == Side::Doubtful {
                 mechanism.doubtful_sides.push(BodyId(mechanism.bodies.len()));
             }

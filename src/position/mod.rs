@@ -32,6 +32,7 @@ mod tree;
 
 pub(crate) use assemble::first_poses;
 pub use assemble::{Listed, counted_poses, numbered_pose, pose, poses, with_nearest_sides};
+pub(crate) use search::rough_places;
 pub use tree::Count;
 pub(crate) use tree::search_warnings;
 

@@ -183,6 +183,12 @@ pub(super) struct Rough {
     pub angles: Vec<(BodyId, f64)>,
 }
 
+/// The points with rough places among those that are sought; `None` where links have rough angles, too.
+pub(crate) fn rough_places(mechanism: &Mechanism, near: &Near) -> Option<Vec<(PointId, Point)>> {
+    let rough = Rough::new(mechanism, near);
+    rough.angles.is_empty().then_some(rough.points)
+}
+
 impl Rough {
     pub(super) fn new(mechanism: &Mechanism, near: &Near) -> Rough {
         let member = |link: BodyId| mechanism.is_sought(link);

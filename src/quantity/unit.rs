@@ -84,6 +84,14 @@ impl QuantityRequest {
         matches!(self.what, What::Rate(_))
     }
 
+    /// The rate of a link or a slider that it is.
+    pub(crate) fn as_rate(&self) -> Option<Rate> {
+        match self.what {
+            What::Rate(rate) => Some(rate),
+            _ => None,
+        }
+    }
+
     /// Whether it is an angle or an angular rate: its sign depends on the positive sense of rotation.
     #[must_use]
     pub fn turns(&self) -> bool {

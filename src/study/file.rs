@@ -10,6 +10,9 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
 use serde_json::Value as Json;
 
+/// The seed of a study that names none.
+pub(super) const USUAL_SEED: u64 = 1;
+
 const STUDY: FileKind = FileKind { what: crate::scene::says::study, key: "kinegon_study", version: 1 };
 
 /// Many mechanisms that differ from one scene in some numbers, each moved through a cycle.
@@ -44,6 +47,11 @@ pub(super) struct Keys {
     #[serde(default)]
     #[schemars(extend("default" = false))]
     pub bounds: bool,
+    /// Whether extremes of a mechanism that goes round smoothly are those of the positions at the steps, and are not looked for between them;
+    /// left out: they are. It takes less time, and misses the true extremes by up to the height of the curve between two steps.
+    #[serde(default)]
+    #[schemars(extend("default" = false))]
+    pub at_steps: bool,
     /// The motion of each mechanism.
     pub cycle: Cycle,
     /// By the name of a quantity, as "omega(3)": which figures of it; of vectors they are figures of the size.
@@ -125,6 +133,10 @@ impl StudyFile {
             let hint = r#"write "scene": "four-bar.json", or the scene itself as { "kinegon": 1, … }"#;
             return file.refuse(&["scene"], "a scene is the path of a file or an object", Some(hint));
         }
+        if file.keys.bounds && file.keys.at_steps {
+            let hint = "leave out one of them";
+            return file.refuse(&["at_steps"], "bounds are those of extremes that are looked for", Some(hint));
+        }
         if file.keys.vary.is_empty() {
             let hint = r#"add what varies, as "vary": { "2.BC": { "from": 80, "to": 120, "count": 9 } }"#;
             return file.refuse(&["vary"], "nothing varies", Some(hint));
@@ -158,6 +170,17 @@ impl StudyFile {
         };
         let before: String = body[..range.start].chars().map(|c| if c == '\n' { '\n' } else { ' ' }).collect();
         before + &body[range]
+    }
+
+    /// What a file of its rows says of where they come from, so that they can be made again: `kinegon.version`, `kinegon.seed`,
+    /// `kinegon.study` with the study's text, and `kinegon.scene` with that of its scene where this is a file of its own.
+    #[must_use]
+    pub fn origin(&self, scene: &str) -> Vec<(String, String)> {
+        let seed = self.keys.seed.unwrap_or(USUAL_SEED).to_string();
+        let is_apart = matches!(self.scene(), SceneGiven::Path(_));
+        let own = [("version", env!("CARGO_PKG_VERSION")), ("seed", &seed), ("study", &self.text)];
+        let all = own.into_iter().chain(is_apart.then_some(("scene", scene)));
+        all.map(|(key, said)| (format!("kinegon.{key}"), said.to_owned())).collect()
     }
 
     /// An error at a place of the study.

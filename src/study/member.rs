@@ -6,8 +6,11 @@ use super::task::{Outcome, Status, Summary, Task, Wanted};
 use crate::cycle::{Curves, CycleError, Extreme, Path, Steps, Sweep};
 use crate::geometry::with_turns;
 use crate::mechanism::{Mechanism, StructureError, mechanism};
-use crate::position::{AssemblyError, Pose, pose, with_nearest_sides};
+use crate::position::{AssemblyError, Pose, counted_poses, pose, with_nearest_sides};
 use crate::scene::{STRAIGHT, Scene, SceneError, Shape};
+
+/// Most assemblies of a mechanism that are found for many side by side: of more it is quicker to look for the nearest one.
+const MOST_ASSEMBLIES: usize = 16;
 
 /// Why a study cannot be made of a scene.
 #[derive(Debug, thiserror::Error)]
@@ -38,7 +41,7 @@ pub(super) fn member(scene: &Scene) -> Result<(Mechanism, Pose), Status> {
 }
 
 /// Whether links with these lengths exist: all are positive, and three of a link form a triangle.
-fn has_links(scene: &Scene) -> bool {
+pub(super) fn has_links(scene: &Scene) -> bool {
     scene.links.values().all(|link| {
         let Shape::Lengths(lengths) = &link.shape else {
             return true;
@@ -55,6 +58,12 @@ pub(super) fn posed(scene: &Scene) -> Result<(Mechanism, Pose), StudyError> {
     let mechanism = with_nearest_sides(scene, mechanism(scene)?);
     let pose = pose(&mechanism, &scene.near)?;
     Ok((mechanism, pose))
+}
+
+/// Every assembly of a mechanism; `None` where there are too many to look at all, or none.
+pub(super) fn every_pose(mechanism: &Mechanism, scene: &Scene) -> Option<Vec<Pose>> {
+    let listed = counted_poses(mechanism, &scene.near).ok()?;
+    (listed.count.is_exact && listed.poses.len() <= MOST_ASSEMBLIES).then_some(listed.poses)
 }
 
 /// Follows one mechanism along its branch; values have bounds of their errors where its scene is given.

@@ -1,6 +1,10 @@
 //! In: the text of a study and the scene that it is about. Out: rows, one for each of many mechanisms: its varied numbers, how far it
 //! goes through the cycle, and figures of quantities over the cycle. Any rows can be asked for in any order and anywhere: a row depends
 //! on the study and its own index alone.
+//!
+//! Mechanisms are assembled (`cycle/alike.rs`) and moved (`together`) side by side as long as that is sure; of the others each is followed by
+//! itself (`member`). To make one mechanism of a scene and to assemble it takes longer than to move it through a turn beside others, so of a
+//! block only the first is made as any scene is.
 
 mod file;
 mod member;

@@ -1,15 +1,16 @@
 //! A study of its scene: which numbers vary and how, and the rows of its table.
 
-use super::file::StudyFile;
-use super::member::{StudyError, follow_alone, member, posed};
-use super::task::{Column, Content, DriveRange, Outcome, Status, Task, Wanted};
-use super::together;
+use super::file::{StudyFile, USUAL_SEED};
+use super::member::{StudyError, every_pose, follow_alone, has_links, member, posed};
+use super::task::{Column, Content, DriveRange, Outcome, Task, Wanted};
+use super::together::{follow, suits};
 use super::vary::{Named, Values, Varied, numbers};
 use crate::Problem;
 use crate::cores::on_all_cores;
-use crate::cycle::{CycleError, Drive, Steps, alone as alone_moving};
+use crate::cycle::{CycleError, Drive, Steps, Variants, alone as alone_moving};
 use crate::geometry::MANY;
-use crate::mechanism::Mechanism;
+use crate::mechanism::{Mechanism, mechanism, mechanism_like};
+use crate::position::rough_places;
 use crate::quantity::{QuantityKind, QuantityRequest};
 use crate::scene::{GivenBy, Scene, close, list};
 use std::ops::Range;
@@ -78,9 +79,9 @@ impl StudyFile {
             scene,
             varied,
             shots,
-            seed: self.keys.seed.unwrap_or(1),
+            seed: self.keys.seed.unwrap_or(USUAL_SEED),
             rows,
-            task: Task { range, wanted, errors: self.keys.bounds },
+            task: Task { range, wanted, errors: self.keys.bounds, at_steps: self.keys.at_steps },
         })
     }
 }
@@ -143,41 +144,16 @@ impl Study {
         on_all_cores(&chunks, |chunk| self.rows(chunk.clone())).concat()
     }
 
-    /// Appends rows of mechanisms that are followed side by side.
+    /// Appends rows of mechanisms that are followed side by side where that is sure, else each by itself.
     fn block(&self, rows: Range<u64>, numbers: &mut Vec<f64>) {
         let mut scene = self.scene.clone();
-        let mut varied = Vec::new();
-        let mut failed = Vec::new();
-        let (mut mechanisms, mut poses, mut scenes) = (Vec::new(), Vec::new(), Vec::new());
-        for row in rows.clone() {
-            let values = self.values(row);
-            for (varied, value) in self.varied.iter().zip(&values) {
-                varied.number.set(&mut scene, *value);
-            }
-            varied.push(values);
-            let member = member(&scene);
-            failed.push(member.as_ref().err().copied());
-            if let Ok((mechanism, pose)) = member {
-                mechanisms.push(if self.task.range.alone {
-                    alone_moving(&mechanism, &self.task.range.drive.name)
-                } else {
-                    mechanism
-                });
-                poses.push(pose);
-                scenes.push(self.task.errors.then(|| scene.clone()));
-            }
-        }
-        let members = mechanisms.iter().zip(&poses).zip(&scenes);
-        let moved = together::follow(&self.task, &mechanisms, &poses).into_iter().zip(members);
-        // Side by side where that is sure, else each by itself.
-        let mut moved = moved.map(|(outcome, ((mechanism, pose), scene))| {
-            outcome.unwrap_or_else(|| follow_alone(&self.task, scene.as_ref(), mechanism, pose))
-        });
-        let outcomes = failed.into_iter().map(|status| match status {
-            None => moved.next().unwrap_or_else(|| Outcome::without_motion(Status::NoMechanism, &self.task)),
-            Some(status) => Outcome::without_motion(status, &self.task),
-        });
-        for ((row, values), outcome) in rows.zip(varied).zip(outcomes) {
+        let varied: Vec<Vec<f64>> = rows.clone().map(|row| self.values(row)).collect();
+        let together = self.together(&mut scene, &varied);
+        for ((row, values), outcome) in rows.zip(varied).zip(together) {
+            let outcome = outcome.unwrap_or_else(|| {
+                self.set(&mut scene, &values);
+                self.alone(&scene)
+            });
             numbers.push(row as f64);
             numbers.extend(values);
             numbers.push(outcome.status as u8 as f64);
@@ -195,6 +171,92 @@ impl Study {
                 }
             }
         }
+    }
+
+    /// Gives a scene the numbers of a row.
+    fn set(&self, scene: &mut Scene, values: &[f64]) {
+        for (varied, value) in self.varied.iter().zip(values) {
+            varied.number.set(scene, *value);
+        }
+    }
+
+    /// What becomes of a mechanism that is followed by itself.
+    fn alone(&self, scene: &Scene) -> Outcome {
+        match member(scene) {
+            Ok((mechanism, pose)) => {
+                let bounded = self.task.errors.then_some(scene);
+                follow_alone(&self.task, bounded, &self.moving(mechanism), &pose)
+            }
+            Err(status) => Outcome::without_motion(status, &self.task),
+        }
+    }
+
+    /// The mechanism as the study moves it.
+    fn moving(&self, mechanism: Mechanism) -> Mechanism {
+        let range = &self.task.range;
+        if range.alone { alone_moving(&mechanism, &range.drive.name) } else { mechanism }
+    }
+
+    /// What becomes of mechanisms that are followed side by side; `None` of those for which that is not sure.
+    fn together(&self, scene: &mut Scene, varied: &[Vec<f64>]) -> Vec<Option<Outcome>> {
+        if !suits(&self.task) {
+            return vec![None; varied.len()];
+        }
+        self.assembled_together(scene, varied).unwrap_or_else(|| self.assembled_alone(scene, varied))
+    }
+
+    /// As [`Self::together`], with the mechanisms assembled side by side, too, which takes a small part of the time; `None` where that
+    /// cannot be.
+    fn assembled_together(&self, scene: &mut Scene, varied: &[Vec<f64>]) -> Option<Vec<Option<Outcome>>> {
+        let mut rows = Vec::new();
+        let mut mechanisms: Vec<Mechanism> = Vec::new();
+        let mut assemblies = None;
+        for (row, values) in varied.iter().enumerate() {
+            self.set(scene, values);
+            if !has_links(scene) {
+                continue;
+            }
+            let mechanism = match mechanisms.first() {
+                Some(first) => mechanism_like(scene, first)?,
+                None => {
+                    let first = mechanism(scene).ok()?;
+                    assemblies = Some((every_pose(&first, scene)?, rough_places(&first, &scene.near)?));
+                    mechanism_like(scene, &first)?
+                }
+            };
+            rows.push(row);
+            mechanisms.push(self.moving(mechanism));
+        }
+        let (poses, rough) = assemblies?;
+        let (variants, is_nearest) = Variants::nearest(&mechanisms, &poses, &rough)?;
+        let mut outcomes = vec![None; varied.len()];
+        for ((row, outcome), is_nearest) in rows.into_iter().zip(follow(&self.task, variants)).zip(is_nearest) {
+            outcomes[row] = outcome.filter(|_| is_nearest);
+        }
+        Some(outcomes)
+    }
+
+    /// As [`Self::together`], with each mechanism assembled by itself.
+    fn assembled_alone(&self, scene: &mut Scene, varied: &[Vec<f64>]) -> Vec<Option<Outcome>> {
+        let mut outcomes = vec![None; varied.len()];
+        let (mut rows, mut mechanisms, mut poses) = (Vec::new(), Vec::new(), Vec::new());
+        for (row, values) in varied.iter().enumerate() {
+            self.set(scene, values);
+            match member(scene) {
+                Ok((mechanism, pose)) => {
+                    rows.push(row);
+                    mechanisms.push(self.moving(mechanism));
+                    poses.push(pose);
+                }
+                Err(status) => outcomes[row] = Some(Outcome::without_motion(status, &self.task)),
+            }
+        }
+        if let Ok(variants) = Variants::new(&mechanisms, &poses) {
+            for (row, outcome) in rows.into_iter().zip(follow(&self.task, variants)) {
+                outcomes[row] = outcome;
+            }
+        }
+        outcomes
     }
 
     /// The varied numbers of a row.

@@ -48,12 +48,31 @@ impl Spaced<'_> {
     /// The place of the greatest value, from the quartics through five samples each; at ends from parabolas. `None` where a sample has no
     /// value.
     pub fn peak(&self) -> Option<Spot> {
-        if self.values.iter().any(|y| !y.is_finite()) {
+        // Counted to the end, so that the compiler uses registers of many.
+        if !self.values.iter().fold(true, |all, y| all & y.is_finite()) {
             return None;
         }
-        let count = self.values.len() - usize::from(self.periodic);
-        let local = (0..count).filter(|&k| self.is_local(k));
-        let best = local.map(|k| (k, self.vertex(k))).max_by(|a, b| a.1[1].total_cmp(&b.1[1]));
+        let mut best: Option<(usize, [f64; 2])> = None;
+        let mut take = |sample: usize| {
+            let vertex = self.vertex(sample);
+            // Of equal ones the last counts.
+            if best.is_none_or(|(_, other)| vertex[1].total_cmp(&other[1]).is_ge()) {
+                best = Some((sample, vertex));
+            }
+        };
+        if self.is_local(0) {
+            take(0);
+        }
+        // Between the ends each has both neighbours.
+        for (before, w) in self.values.windows(3).enumerate() {
+            if self.sign * w[1] > self.sign * w[0] && self.sign * w[1] >= self.sign * w[2] {
+                take(before + 1);
+            }
+        }
+        let last = self.values.len() - 1;
+        if last > 0 && !self.periodic && self.is_local(last) {
+            take(last);
+        }
         best.map(|(sample, [beyond, _])| Spot { sample, beyond })
     }
 
@@ -64,10 +83,8 @@ impl Spaced<'_> {
         usize::try_from(place).ok().and_then(|place| self.values.get(place)).map(|y| self.sign * y)
     }
 
+    /// Whether the value at an end is greater than those beside it.
     fn is_local(&self, k: usize) -> bool {
-        if let Some(&[before, own, after]) = k.checked_sub(1).and_then(|first| self.values.get(first..k + 2)) {
-            return self.sign * own > self.sign * before && self.sign * own >= self.sign * after;
-        }
         let k = k as isize;
         let own = self.at(k);
         // Of equal neighbours the first counts.

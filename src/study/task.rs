@@ -12,6 +12,8 @@ pub(super) struct Task {
     pub wanted: Vec<Wanted>,
     /// Whether values have bounds of their errors.
     pub errors: bool,
+    /// Whether extremes are those of the steps alone, for mechanisms that are followed side by side.
+    pub at_steps: bool,
 }
 
 /// The motion of every mechanism.
@@ -153,6 +155,7 @@ impl Summary {
 }
 
 /// How far a mechanism goes, and what is known of each quantity that is wanted.
+#[derive(Clone, Debug)]
 pub(super) struct Outcome {
     pub status: Status,
     pub reach: Option<[f64; 2]>,

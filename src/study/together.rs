@@ -2,25 +2,22 @@
 
 use super::samples::{Spaced, Spot, mean, unwrap};
 use super::task::{Outcome, Status, Summary, Task, Wanted};
-use crate::cycle::{Kept, Position, Variants};
-use crate::geometry::{Many, with_turns};
-use crate::mechanism::Mechanism;
-use crate::position::Pose;
+use crate::cycle::{Kept, Variants};
+use crate::geometry::with_turns;
 use crate::quantity::Quantity;
 
 /// Difference of a quantity at the ends of a turn, in parts of its height, that is rounding.
 const SAME: f64 = 1e-9;
 
+/// Whether mechanisms can be followed side by side: bounds of errors, and what needs a construction, are found for one at a time.
+pub(super) fn suits(task: &Task) -> bool {
+    !task.errors && !task.wanted.iter().any(|w| w.asked.needs_construction())
+}
+
 /// What becomes of mechanisms; `None` of those that have to be followed by themselves.
-pub(super) fn follow(task: &Task, mechanisms: &[Mechanism], poses: &[Pose]) -> Vec<Option<Outcome>> {
-    let nothing = mechanisms.iter().map(|_| None).collect();
-    if mechanisms.is_empty() || task.errors || task.wanted.iter().any(|w| w.asked.needs_construction()) {
-        return nothing;
-    }
-    let Ok(variants) = Variants::new(mechanisms, poses) else {
-        return nothing;
-    };
-    Walk::new(task, variants).map_or(nothing, Walk::outcomes)
+pub(super) fn follow(task: &Task, variants: Variants<'_>) -> Vec<Option<Outcome>> {
+    let count = variants.count();
+    Walk::new(task, variants).map_or_else(|| vec![None; count], Walk::outcomes)
 }
 
 /// Mechanisms on their way through the cycle.
@@ -34,9 +31,9 @@ struct Walk<'a> {
     sure: Vec<bool>,
     /// By step: where all mechanisms were.
     kept: Vec<Option<Kept>>,
-    /// By mechanism, quantity and step.
-    samples: Vec<Vec<Vec<f64>>>,
-    /// By mechanism and quantity.
+    /// By quantity: its values, by mechanism and step.
+    samples: Vec<Vec<f64>>,
+    /// By quantity and mechanism.
     at_scene: Vec<Vec<f64>>,
 }
 
@@ -53,20 +50,21 @@ impl<'a> Walk<'a> {
         if !is_inside || !starts_there || !(0..count).all(|i| variants.runs_evenly(i, &range.drive)) {
             return None;
         }
-        let quantities = task.wanted.len();
+        let numbers = |count| vec![vec![f64::NAN; count]; task.wanted.len()];
         let mut walk = Walk {
             task,
             first: first as usize,
             origin,
             sure: vec![true; count],
             kept: vec![None; last + 1],
-            samples: vec![vec![vec![f64::NAN; last + 1]; quantities]; count],
-            at_scene: vec![Vec::new(); count],
+            samples: numbers(count * (last + 1)),
+            at_scene: numbers(count),
             variants,
         };
-        for (mechanism, at_scene) in walk.at_scene.iter_mut().enumerate() {
-            let position = walk.variants.position(mechanism);
-            at_scene.extend(task.wanted.iter().map(|wanted| read(wanted, position.as_ref())));
+        for (wanted, at_scene) in task.wanted.iter().zip(&mut walk.at_scene) {
+            for (mechanism, value) in at_scene.iter_mut().enumerate() {
+                *value = read(wanted, &walk.variants, mechanism);
+            }
         }
         Some(walk)
     }
@@ -75,7 +73,7 @@ impl<'a> Walk<'a> {
         let start = self.variants.kept();
         let steps = self.task.range.steps;
         for sure in 0..self.sure.len() {
-            self.sure[sure] = self.variants.position(sure).is_some();
+            self.sure[sure] = self.variants.is_closed(sure);
         }
         self.go(&start, (self.first..steps.count()).collect());
         for mechanism in 0..self.sure.len() {
@@ -87,8 +85,10 @@ impl<'a> Walk<'a> {
         let mut outcomes = self.summed();
         for sign in [1.0, -1.0] {
             for quantity in 0..self.task.wanted.len() {
-                if self.task.wanted[quantity].has_extreme(sign) {
-                    self.refine(quantity, sign, &mut outcomes);
+                match self.task.wanted[quantity].has_extreme(sign) {
+                    true if self.task.at_steps => self.pick(quantity, sign, &mut outcomes),
+                    true => self.refine(quantity, sign, &mut outcomes),
+                    false => {}
                 }
             }
         }
@@ -113,18 +113,28 @@ impl<'a> Walk<'a> {
                 if !self.sure[mechanism] {
                     continue;
                 }
-                let closed = self.variants.position(mechanism).is_some();
-                if !closed {
+                let is_closed = self.variants.is_closed(mechanism);
+                if !is_closed {
                     // It stays where it is.
                     self.variants.set_along(mechanism, &self.task.range.drive, was);
                 }
-                if !closed || !kept_branch {
-                    self.sure[mechanism] = false;
+                self.sure[mechanism] = is_closed && kept_branch;
+            }
+            let steps = self.kept.len();
+            for (wanted, samples) in self.task.wanted.iter().zip(&mut self.samples) {
+                // Most studies ask for rates, which stand in a row.
+                if let Some(rate) = wanted.asked.as_rate() {
+                    let values = self.variants.rates(rate).flatten();
+                    samples
+                        .iter_mut()
+                        .skip(step)
+                        .step_by(steps)
+                        .zip(values)
+                        .for_each(|(sample, value)| *sample = *value);
                     continue;
                 }
-                let position = self.variants.position(mechanism);
-                for (wanted, samples) in self.task.wanted.iter().zip(&mut self.samples[mechanism]) {
-                    samples[step] = read(wanted, position.as_ref());
+                for mechanism in (0..self.sure.len()).filter(|m| self.sure[*m]) {
+                    samples[mechanism * steps + step] = read(wanted, &self.variants, mechanism);
                 }
             }
             self.kept[step] = Some(self.variants.kept());
@@ -135,23 +145,46 @@ impl<'a> Walk<'a> {
 
     /// What the samples tell.
     fn summed(&mut self) -> Vec<Option<Outcome>> {
-        let range = &self.task.range;
-        let mut outcomes = Vec::new();
-        for (mechanism, sure) in self.sure.iter().enumerate() {
-            let mut summaries = Vec::new();
-            for (quantity, wanted) in self.task.wanted.iter().enumerate() {
-                let samples = &mut self.samples[mechanism][quantity];
+        let (range, steps) = (&self.task.range, self.kept.len());
+        let whole = Outcome {
+            status: Status::Whole,
+            reach: Some(range.ends()),
+            summaries: vec![Summary::default(); self.task.wanted.len()],
+        };
+        let mut outcomes: Vec<Option<Outcome>> = self.sure.iter().map(|sure| sure.then(|| whole.clone())).collect();
+        for (quantity, wanted) in self.task.wanted.iter().enumerate() {
+            let samples = self.samples[quantity].chunks_exact_mut(steps);
+            for ((outcome, samples), at_scene) in outcomes.iter_mut().zip(samples).zip(&self.at_scene[quantity]) {
+                let Some(outcome) = outcome else { continue };
                 if wanted.turns() {
                     unwrap(samples);
                 }
-                let at_scene = Some(self.at_scene[mechanism][quantity]).filter(|y| y.is_finite());
-                let mean = if wanted.has_mean() { mean(samples) } else { None };
-                summaries.push(Summary { mean, at_scene, ..Summary::default() });
+                let summary = &mut outcome.summaries[quantity];
+                summary.at_scene = Some(*at_scene).filter(|y| y.is_finite());
+                summary.mean = if wanted.has_mean() { mean(samples) } else { None };
             }
-            let whole = Outcome { status: Status::Whole, reach: Some(range.ends()), summaries };
-            outcomes.push(sure.then_some(whole));
         }
         outcomes
+    }
+
+    /// The values of a quantity of a mechanism, by step.
+    fn samples(&self, mechanism: usize, quantity: usize) -> &[f64] {
+        let steps = self.kept.len();
+        &self.samples[quantity][mechanism * steps..][..steps]
+    }
+
+    /// Takes the greatest of the samples of a quantity (`sign` 1), or the least ones; none of those with a sample without a value.
+    fn pick(&self, quantity: usize, sign: f64, outcomes: &mut [Option<Outcome>]) {
+        for (mechanism, outcome) in outcomes.iter_mut().enumerate() {
+            let Some(outcome) = outcome else { continue };
+            let samples = self.samples(mechanism, quantity);
+            let better = |best: f64, y: &f64| if sign * y > sign * best { *y } else { best };
+            let value = samples.iter().fold(f64::NEG_INFINITY * sign, better);
+            let at = samples.iter().position(|y| *y == value).map(|step| self.task.range.steps.value(step));
+            let found = at.filter(|_| samples.iter().all(|y| y.is_finite())).map(|at| [at, value]);
+            let summary = &mut outcome.summaries[quantity];
+            if sign > 0.0 { summary.max = found } else { summary.min = found }
+        }
     }
 
     /// Finds the greatest values of a quantity (`sign` 1), or the least ones: each mechanism is moved to where its samples let it expect.
@@ -173,8 +206,8 @@ impl<'a> Walk<'a> {
             let (Some(spot), Some(outcome)) = (spot, &mut outcomes[mechanism]) else {
                 continue;
             };
-            let sample = self.samples[mechanism][quantity][spot.sample];
-            let moved = read(wanted, self.variants.position(mechanism).as_ref());
+            let sample = self.samples(mechanism, quantity)[spot.sample];
+            let moved = read(wanted, &self.variants, mechanism);
             let moved = if wanted.turns() { with_turns(moved, sample) } else { moved };
             let found = match sign * (moved - sample) > 0.0 {
                 true => [within(at(spot), range.ends()), moved],
@@ -189,7 +222,7 @@ impl<'a> Walk<'a> {
         if !self.sure[mechanism] {
             return None;
         }
-        let values = &self.samples[mechanism][quantity];
+        let values = self.samples(mechanism, quantity);
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], y| [l.min(*y), h.max(*y)]);
         let closes = (values[0] - values[values.len() - 1]).abs() <= SAME * (high - low);
         let periodic = self.task.range.is_turn && closes && !wanted.turns();
@@ -197,9 +230,10 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// The value of a quantity that needs no construction in a position, of a vector its size; NaN where it has none.
-fn read(wanted: &Wanted, position: Option<&Position<'_, Many>>) -> f64 {
-    let value = position.and_then(|position| wanted.asked.value(position, None, None).ok());
+/// The value of a quantity that needs no construction where a mechanism is, of a vector its size; NaN where it has none.
+fn read(wanted: &Wanted, variants: &Variants<'_>, mechanism: usize) -> f64 {
+    let position = variants.position(mechanism);
+    let value = position.and_then(|position| wanted.asked.value(&position, None, None).ok());
     value.map_or(f64::NAN, Quantity::as_number)
 }
 

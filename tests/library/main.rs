@@ -8,7 +8,7 @@
 //!   is hard on the way from a text's digits to them;
 //!   `paper_facts`, `published_numbers` and `worked` hold the paper and 20 textbook cases; `templates` holds every
 //!   starting scene to independent truth and its rates to finite differences.
-//! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles; `planted_modes` and
+//! - Positions: `assemblies` holds counts and the nearest assembly of chains to circles, `studies` the assemblies of a study's mechanisms to those of each by itself; `planted_modes` and
 //!   `higher_class` hide known assemblies in random groups; `given_angle` finds drives back from other links' angles;
 //!   `levers` turns slotted levers round.
 //! - Drives: `driven_sliders` holds cylinders and telescopes to independent truth, from lengths and as drawn, and
@@ -99,6 +99,7 @@ mod sizes;
 mod stage;
 mod step_names;
 mod students;
+mod studies;
 mod templates;
 mod ties;
 mod values;

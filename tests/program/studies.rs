@@ -143,6 +143,32 @@ fn extremes_are_those_of_the_closed_form() {
     println!("worst of {whole}: {worst:e} of the height");
 }
 
+/// Extremes at the steps are those of the closed form at the steps, and are told apart from the curve's own.
+#[test]
+fn extremes_at_the_steps_alone() {
+    let folder = scratch("study-steps");
+    let found = table(
+        &folder,
+        r#""vary": { "2.BC": { "from": 135, "to": 145 } }, "count": 40, "at_steps": true,
+        "cycle": { "from": 0, "to": 360, "step": 5 }, "want": { "alpha(3)": ["max", "min"] }"#,
+    );
+    let mut missed = 0.0_f64;
+    for row in 0..40 {
+        let coupler = found.number(row, "2.BC");
+        let samples: Vec<f64> = (0..=72).map(|k| rocker(coupler, 110.0, 5.0 * f64::from(k))[1]).collect();
+        let greatest = samples.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = samples.iter().copied().fold(f64::INFINITY, f64::min);
+        for (name, expected) in [("alpha(3).max", greatest), ("alpha(3).min", least)] {
+            assert!((found.number(row, name) - expected).abs() < 1e-9 * (greatest - least), "{name} of {coupler}");
+            let at = found.number(row, &format!("{name}_at"));
+            assert_eq!(at % 5.0, 0.0);
+            assert!((rocker(coupler, 110.0, at)[1] - expected).abs() < 1e-9 * (greatest - least));
+        }
+        missed = missed.max((extremes(coupler, 110.0)[1][1] - greatest) / (greatest - least));
+    }
+    assert!(missed > 1e-4, "the steps miss the peaks by {missed:e} of the height at most");
+}
+
 /// Which cranks turn is known; a limit lies where coupler and rocker are in line.
 /// With errors each value at one position has the bound of its error there, against the closed form.
 #[test]
@@ -435,6 +461,7 @@ fn bad_studies_are_refused() {
         ),
         (format!(r#"{vary} {cycle} {want}, "rows": 3"#), "unknown key `rows`"),
         (format!(r#""vary": {{}}, {cycle} {want}"#), "nothing varies"),
+        (format!(r#"{vary} {cycle} {want}, "bounds": true, "at_steps": true"#), "bounds are those of extremes"),
     ];
     for (keys, expected) in bad {
         std::fs::write(folder.join("study.json"), study(&keys)).expect("written");

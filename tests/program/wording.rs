@@ -416,5 +416,5 @@ fn the_command_line_goes_before_the_scene() {
     let refused = kinegon().args(["steps", "-", "--language", "fr"]).output();
     let refused = refused.expect("it runs");
     assert_eq!(refused.status.code(), Some(2));
-    assert!(stderr(&refused).contains("[possible values: en, es]"));
+    assert!(stderr(&refused).contains("[possible values: en, es, de, pt]"));
 }

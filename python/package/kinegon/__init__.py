@@ -10,6 +10,7 @@ x is right, y is up, counter-clockwise is positive. Lengths and times are in the
 rad per unit of time. Whatever cannot be done raises a :class:`KinegonError`, a ValueError, with message, place and hint.
 """
 
+from ._builder import Builder
 from ._check import Check
 from ._errors import (
     AssemblyError,
@@ -31,15 +32,16 @@ from ._solution import Extremes, Interactive, Quantity, Solution, Step, Steps
 from ._study import Study
 from ._table import Table
 
-#: The names of the starting scenes.
 KINDS: tuple[str, ...] = tuple(_kinds)
-#: What may become of a mechanism of a study.
+"""The names of the starting scenes."""
 STATUSES: tuple[str, ...] = tuple(_statuses)
+"""What may become of a mechanism of a study."""
 
 __all__ = [
     "KINDS",
     "STATUSES",
     "AssemblyError",
+    "Builder",
     "Check",
     "CheckError",
     "CycleError",

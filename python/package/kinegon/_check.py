@@ -5,10 +5,16 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, overload
 
 from . import _files, _kinegon
-from ._files import Source
+from ._files import SheetBytes, SheetFormat, SheetText, Source
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._options import SheetOptions
+    from .types import CheckResult
 
 
 class Check:
@@ -17,18 +23,29 @@ class Check:
     def __init__(self, solution: _kinegon.Solution, form: str, options: _kinegon.CheckOptions) -> None:
         self._solution, self._form, self._options = solution, form, options
         result, self.report, self.is_passed = solution.check(form, options)
-        #: As ``kinegon check --json`` prints it.
-        self.result: dict[str, Any] = json.loads(result)
+        self.result: CheckResult = json.loads(result)
+        """As ``kinegon check --json`` prints it."""
 
     def feedback(self) -> str:
         """The page for the student, HTML, as ``kinegon check --feedback`` writes it."""
         return self._solution.feedback(self._form, self._options)
 
-    def draw(self, format: _files.Format = "svg", *, sheet: int = 1, outlines: bool = False, dpi: float = 100.0) -> str | bytes:
+    @overload
+    def draw(self, format: SheetText = "svg", *, sheet: int = 1, **options: Unpack[SheetOptions]) -> str: ...
+    @overload
+    def draw(self, format: SheetBytes, *, sheet: int = 1, **options: Unpack[SheetOptions]) -> bytes: ...
+    @overload
+    def draw(self, format: SheetFormat, *, sheet: int = 1, **options: Unpack[SheetOptions]) -> str | bytes: ...
+    def draw(self, format: SheetFormat = "svg", *, sheet: int = 1, **options: Unpack[SheetOptions]) -> str | bytes:
         """The student's drawing over the right one: sheet 1; the table of values: the sheets behind it."""
-        form = _files.form_of(format, outlines=outlines, dpi=dpi)
-        sheets = self._solution.correction(self._form, self._options, form)
+        sheets = self._solution.correction(self._form, self._options, _files.form_of(format, **options))
         return _files.sheet_of(sheets, sheet, format)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether verdicts and reports are the same."""
+        return (self.result, self.report) == (other.result, other.report) if isinstance(other, Check) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __str__(self) -> str:
         return self.report

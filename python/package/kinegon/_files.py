@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import math
 import os
@@ -13,8 +14,18 @@ from ._errors import KinegonError, SceneError
 
 #: A text, a dict, or the path of a file.
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
+#: Formats of a figure that are text.
+TextFormat = Literal["svg", "tikz", "html"]
+#: Formats of a figure that are not.
+BytesFormat = Literal["png", "pdf", "gif", "apng"]
 #: Formats of a figure.
-Format = Literal["svg", "png", "pdf", "tikz", "html", "gif", "apng"]
+Format = Literal[TextFormat, BytesFormat]
+#: Formats of a sheet that stands for itself.
+SheetText = Literal["svg", "tikz"]
+SheetBytes = Literal["png", "pdf"]
+SheetFormat = Literal[SheetText, SheetBytes]
+#: Formats of a form.
+FormFormat = Literal["json", "csv"]
 
 ENDINGS: dict[str, Format] = {
     ".svg": "svg",
@@ -27,6 +38,16 @@ ENDINGS: dict[str, Format] = {
 }
 #: Formats that show a motion.
 FILMS = ("gif", "apng")
+#: Formats that are no text.
+BYTES = ("png", "pdf", *FILMS)
+
+
+def needed(module: str, extra: str) -> Any:
+    """A module that is not there with every installation."""
+    try:
+        return importlib.import_module(module)
+    except ImportError:
+        raise KinegonError(f"this needs {module}, which is not installed", f"pip install 'kinegon[{extra}]'") from None
 
 
 def is_text(source: Source) -> bool:
@@ -128,7 +149,7 @@ def sheet_of(sheets: list[bytes], sheet: int, format: str) -> str | bytes:
 
 def opened(data: bytes, format: str) -> str | bytes:
     """A file as a person wants it: a str if it is text."""
-    return data if format in ("png", "pdf", *FILMS) else data.decode("utf-8")
+    return data if format in BYTES else data.decode("utf-8")
 
 
 def write_all(files: Mapping[str, bytes]) -> None:

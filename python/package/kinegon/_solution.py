@@ -5,14 +5,21 @@ from __future__ import annotations
 import decimal
 import json
 import os
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, overload
 
-from . import _files, _kinegon
+from . import _files, _kinegon, _plot
 from ._check import Check, form_text
 from ._errors import KinegonError
-from ._files import Format, Source
+from ._files import BytesFormat, FormFormat, Format, Source, TextFormat
 from ._table import Table
 from ._wanted import asked, warn_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from typing_extensions import Unpack
+
+    from ._options import DrawOptions
+    from .types import FigureKeys, FigureOptions, MarksFile, Result
 
 
 def rounded_up(bound: float) -> str:
@@ -29,15 +36,15 @@ def rounded_up(bound: float) -> str:
 class Quantity(NamedTuple):
     """A quantity with its unit and a bound of its error."""
 
-    #: Its name, as ``omega(4)``.
     name: str
-    #: A number; of a vector ``(x, y)`` in the fixed frame, x right, y up.
+    """Its name, as ``omega(4)``."""
     value: float | tuple[float, float]
-    #: Its unit, as ``rad/s²``; angles are in degrees (°).
+    """A number; of a vector ``(x, y)`` in the fixed frame, x right, y up."""
     unit: str
-    #: How far the value can be from what follows exactly from the scene's numbers, of a vector each component; None
-    #: where that is not known.
+    """Its unit, as ``rad/s²``; angles are in degrees (°)."""
     error: float | None
+    """How far the value can be from what follows exactly from the scene's numbers, of a vector each component; None
+    where that is not known."""
 
     def __float__(self) -> float:
         if isinstance(self.value, tuple):
@@ -63,18 +70,18 @@ class Extremes(NamedTuple):
     Where a bound is needed, ``sweep(at, at, errors=True)`` gives that of the value at a place.
     """
 
-    #: Its name, as ``omega(4)``.
     name: str
-    #: Its unit, as ``rad/s²``.
+    """Its name, as ``omega(4)``."""
     unit: str
-    #: The drive's value where it is least: an angle in degrees, or a position.
+    """Its unit, as ``rad/s²``."""
     min_at: float | None
-    #: The least value.
+    """The drive's value where it is least: an angle in degrees, or a position."""
     min: float | None
-    #: The drive's value where it is greatest.
+    """The least value."""
     max_at: float | None
-    #: The greatest value.
+    """The drive's value where it is greatest."""
     max: float | None
+    """The greatest value."""
 
     def __str__(self) -> str:
         def told(value: float | None, at: float | None) -> str:
@@ -86,14 +93,14 @@ class Extremes(NamedTuple):
 class Step(NamedTuple):
     """A step of the construction."""
 
-    #: Counted from 1.
     number: int
-    #: What is done.
+    """Counted from 1."""
     caption: str
-    #: Its equation in plain text, or empty.
+    """What is done."""
     equation: str
-    #: Where it is drawn: ``scheme``, ``velocity``, ``acceleration``.
+    """Its equation in plain text, or empty."""
     panel: str
+    """Where it is drawn: ``scheme``, ``velocity``, ``acceleration``."""
 
 
 class Steps(tuple[Step, ...]):
@@ -133,13 +140,14 @@ class Solution:
 
     def __init__(self, native: _kinegon.Solution) -> None:
         self._native = native
-        self._origin: tuple[Any, ...] = ()
+        self._origin: tuple[str, int | None] = ("", None)
+        """The text of its scene, and the assembly mode."""
 
-    def result(self) -> dict[str, Any]:
+    def result(self) -> Result:
         """Every number with a bound of its error, as ``kinegon solve`` prints them: ``units``, ``links`` (angle, omega,
         alpha), ``points`` (position, velocity, acceleration: ``[x, y]``), ``sliders``, ``groups``, ``quantities``,
         ``warnings``."""
-        result: dict[str, Any] = json.loads(self._native.result())
+        result: Result = json.loads(self._native.result())
         return result
 
     def quantity(self, name: str) -> Quantity:
@@ -164,21 +172,13 @@ class Solution:
         steps.text = text
         return steps
 
-    def draw(
-        self,
-        format: Format = "svg",
-        *,
-        sheet: int = 1,
-        coarse: bool = False,
-        layered: bool = False,
-        outlines: bool = False,
-        dpi: float = 100.0,
-        style: str | Source | None = None,
-        seconds: float | None = None,
-        fps: int | None = None,
-        drive: str | None = None,
-        **figure: Any,
-    ) -> Any:
+    @overload
+    def draw(self, format: TextFormat = "svg", *, sheet: int = 1, **options: Unpack[DrawOptions]) -> str: ...
+    @overload
+    def draw(self, format: BytesFormat, *, sheet: int = 1, **options: Unpack[DrawOptions]) -> bytes: ...
+    @overload
+    def draw(self, format: Format, *, sheet: int = 1, **options: Unpack[DrawOptions]) -> str | bytes: ...
+    def draw(self, format: Format = "svg", *, sheet: int = 1, **options: Unpack[DrawOptions]) -> str | bytes:
         """The figure: a str of SVG, TikZ or HTML (the workbench with the scene open), bytes of PNG or PDF; or as a film,
         bytes of GIF or APNG, while a drive turns once, or goes to and fro.
 
@@ -189,36 +189,24 @@ class Solution:
             layered: An SVG with a group for each step, for slide programs.
             outlines: Letters of an SVG as outlines, for programs that lack the font.
             dpi: Resolution of a PNG or a film in dots per inch, 10 to 2400.
-            style: ``paper``, ``print``, ``lecture``, ``board``, or a style file: its path, its text, a dict.
+            style: ``paper``, ``print``, ``lecture``, ``board``, or a style file: its path, a dict, its text. Type checkers
+                take a ``pathlib.Path`` for a path: no other tells it from a misspelt name.
             seconds: How long a turn of a film lasts, or going to and fro once; 5 without it.
             fps: Pictures of a film in a second, 1 to 50; 20 without it.
             drive: The drive that a film follows, if not the first; others run along in proportion to their speeds.
-            figure: Keys of a scene's ``figure`` in place of its own: ``step=14``, ``language="es"``, ``page="a3"``,
+            options: Further keywords are keys of a scene's ``figure`` in place of its own: ``step=14``, ``language="es"``, ``page="a3"``,
                 ``panels=["velocity"]``, ``mu_v=0.5`` (units per mm of paper), ``values="m"``, ``trace=["M"]`` …
         """
-        sheets = self._sheets(
-            format,
-            coarse=coarse,
-            layered=layered,
-            outlines=outlines,
-            dpi=dpi,
-            style=style,
-            seconds=seconds,
-            fps=fps,
-            drive=drive,
-            **figure,
-        )
-        return _files.sheet_of(sheets, sheet, format)
+        return _files.sheet_of(self._sheets(format, **options), sheet, format)
 
-    def save(self, path: str | os.PathLike[str], **options: Any) -> None:
+    def save(self, path: str | os.PathLike[str], **options: Unpack[DrawOptions]) -> None:
         """Writes the figure to a file; its ending gives the format: .svg, .png, .pdf, .tex, .html; .gif and .apng are films. Options are those of
         :meth:`draw`. A second sheet has ``-2`` before the ending. Files are complete or not there."""
         if "format" in options:
             raise KinegonError("the file's ending gives the format", f"known endings: {', '.join(_files.ENDINGS)}")
-        options.pop("sheet", None)
         _files.write_all(_files.numbered(path, self._sheets(_files.of_path(path), **options)))
 
-    def interactive(self, *, height: int = 720, **figure: Any) -> Interactive:
+    def interactive(self, *, height: int = 720, **figure: Unpack[FigureOptions]) -> Interactive:
         """The workbench with this scene open, in a notebook; its output takes three megabytes. ``height`` is in pixels."""
         native = self._native.with_figure(_files.figure_keys(figure)) if figure else self._native
         form: _kinegon.Form = {"format": "workbench", "outlines": True, "layered": False, "dpi": 100.0}
@@ -274,7 +262,7 @@ class Solution:
         none = (None, None)
         return {name: Extremes(name, unit, *(least or none), *(greatest or none)) for name, unit, least, greatest in found}
 
-    def form(self, format: str = "json") -> str:
+    def form(self, format: FormFormat = "json") -> str:
         """The empty form of measured values: ``json``, or ``csv`` for a spreadsheet."""
         return self._native.form(_files.form_is_table(format))
 
@@ -282,7 +270,7 @@ class Solution:
         self,
         form: Source,
         *,
-        marks: Source | None = None,
+        marks: Source | MarksFile | None = None,
         pencil_mm: float | None = None,
         pencil_degrees: float | None = None,
         depth: int = 5,
@@ -322,28 +310,48 @@ class Solution:
         seconds: float | None = None,
         fps: int | None = None,
         drive: str | None = None,
-        **figure: Any,
+        **figure: Unpack[FigureKeys],
     ) -> list[bytes]:
         form = _files.form_of(format, outlines=outlines, layered=layered, dpi=dpi)
         still = [name for name in ("step", "worksheet") if figure.get(name)]
         if format in _files.FILMS and still:
             raise KinegonError("a film shows the finished figure in motion", f"leave out {still[0]}")
+        keys: dict[str, Any] = {**figure}
         file = None
         if style is not None:
             # A name has no ending, a path has one.
             if isinstance(style, str) and not _files.is_text(style) and not any(c in style for c in "./\\"):
-                figure["style"] = style
+                keys["style"] = style
             elif format == "html":
                 raise KinegonError("a page has the styles that a scene can name, not that of a file")
             else:
                 file = _files.source_text(style, "style")
-        native = self._native.with_figure(_files.figure_keys(figure)) if figure else self._native
+        native = self._native.with_figure(_files.figure_keys(keys)) if keys else self._native
         if format in _files.FILMS:
             return [native.film(form, seconds, fps, drive, file)]
         return native.draw(form, coarse, file)
 
+    def plot_plan(self, which: Literal["velocity", "acceleration"] = "velocity", *, ax: Axes | None = None) -> Axes:
+        """The velocity plan, or that of accelerations, on axes of matplotlib true to scale: values can be read along both, in
+        the scene's units. For a construction step by step take :meth:`draw`.
+
+        Args:
+            which: ``velocity`` or ``acceleration``.
+            ax: Axes to draw on; without it new ones.
+        """
+        if which not in ("velocity", "acceleration"):
+            raise KinegonError(f"there is no plan `{which}`", "the plans are velocity, acceleration")
+        return _plot.plan(json.loads(self._native.plan(which == "acceleration")), which[0], ax)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether they are of scenes with the same text, in the same assembly mode: then all numbers are the same."""
+        return self._origin == other._origin if isinstance(other, Solution) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._origin)
+
     def __reduce__(self) -> tuple[Any, ...]:
-        return self._origin
+        return _solved, self._origin
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, str]:
         return {"text/plain": repr(self), "image/svg+xml": self.draw("svg", outlines=True)}
@@ -352,3 +360,10 @@ class Solution:
         links = self.result()["links"]
         rates = ", ".join(f"omega({name}) {_few(link['omega'], link['omega_error'])}" for name, link in list(links.items())[:6])
         return f"<kinegon.Solution: {rates}{', …' * (len(links) > 6)}>"
+
+
+def _solved(text: str, mode: int | None) -> Solution:
+    """Of a pickle."""
+    from ._scene import Scene
+
+    return Scene(text).solve(mode=mode)

@@ -55,6 +55,12 @@ class Study:
         figures, as ``omega(3).max`` and ``omega(3).max_at``."""
         return self._native.names()
 
+    @property
+    def origin(self) -> dict[str, str]:
+        """What files of its rows say of where they come from, so that they can be made again: ``kinegon.version``,
+        ``kinegon.seed``, ``kinegon.study`` with the study's text, ``kinegon.scene`` with that of a scene in a file of its own."""
+        return self._native.origin()
+
     def __len__(self) -> int:
         return self._native.count()
 
@@ -67,20 +73,18 @@ class Study:
 
     def save(self, path: str | os.PathLike[str], start: int = 0, stop: int | None = None) -> None:
         """Writes rows to a Parquet file, with the columns of ``kinegon study``; needs pyarrow. The file is complete or not
-        there, and may be larger than memory."""
+        there, and may be larger than memory. Its metadata say where the rows come from: :attr:`origin`."""
         if not os.fsdecode(path).lower().endswith(".parquet"):
             raise KinegonError(f"{os.fsdecode(path)} is no name of a Parquet file", "as results.parquet; `kinegon study` writes CSV")
         first, last = self._ends(start, stop)
-        try:
-            import pyarrow
-            from pyarrow import parquet
-        except ImportError:
-            raise KinegonError("Parquet files need pyarrow, which is not installed", "pip install pyarrow") from None
+        pyarrow, parquet = (_files.needed(module, "parquet") for module in ("pyarrow", "pyarrow.parquet"))
+        schema = pyarrow.table(self.rows(first, first)).schema.with_metadata(self._native.origin())
 
         def write(file: Any) -> None:
-            with parquet.ParquetWriter(file, pyarrow.table(self.rows(first, first)).schema) as writer:
+            with parquet.ParquetWriter(file, schema) as writer:
                 for row in range(first, last, _ROWS):
-                    writer.write_table(pyarrow.table(self.rows(row, min(row + _ROWS, last))))
+                    rows = pyarrow.table(self.rows(row, min(row + _ROWS, last)))
+                    writer.write_table(rows.replace_schema_metadata(schema.metadata))
 
         _files.write_by({os.fsdecode(path): write})
 
@@ -89,6 +93,13 @@ class Study:
         if not 0 <= first <= last <= len(self):
             raise KinegonError(f"there are no rows from {first} to {last}", f"the study has rows from 0 to {len(self)}")
         return first, last
+
+    def __eq__(self, other: object) -> bool:
+        """Whether study and scene have the same texts: then all rows are the same."""
+        return self._origin == other._origin if isinstance(other, Study) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._origin)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, self._origin

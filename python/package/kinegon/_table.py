@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import os
+from typing import IO, TYPE_CHECKING, Any
 
-from . import _kinegon
+from . import _files, _kinegon, _plot
+from ._errors import KinegonError
 
 if TYPE_CHECKING:
     import numpy
     import pandas
+    from matplotlib.axes import Axes
+
+#: Rows that a file's writer keeps together.
+_ROWS = 1 << 16
 
 
 class Table:
@@ -60,30 +66,44 @@ class Table:
         """Whether all of the range that was asked for can be reached."""
         return self.cut is None
 
+    @property
+    def symbols(self) -> dict[str, str]:
+        """The symbol of each column as text of matplotlib, as ``$ω_{3}$``; empty where there is none."""
+        return {name: _plot.mathtext(symbol) for name, symbol in zip(self.names, self._native.symbols, strict=True)}
+
     def __len__(self) -> int:
         return self._native.rows
 
+    def __eq__(self, other: object) -> bool:
+        """Whether names, units and all numbers are the same; NaN is the same as NaN."""
+        if not isinstance(other, Table):
+            return NotImplemented
+        own, their = self._native, other._native
+        heads = [(table.names, table.units, table.rows, table.status) for table in (own, their)]
+        return heads[0] == heads[1] and own.bytes() == their.bytes()
+
+    __hash__ = None  # type: ignore[assignment]
+
     def to_numpy(self) -> numpy.ndarray:
         """All numbers: an array of float64, shape (rows, columns), read-only, not copied."""
-        import numpy
-
-        return numpy.asarray(self._native)
+        numbers: numpy.ndarray = _files.needed("numpy", "numpy").asarray(self._native)
+        return numbers
 
     def __getitem__(self, name: str) -> numpy.ndarray:
         """The column of that name: an array of float64, shape (rows,), read-only, not copied; ``status`` of words."""
-        import numpy
-
         try:
             column = self.names.index(name)
         except ValueError:
             raise KeyError(name) from None
         numbers = self.to_numpy()[:, column]
-        return numpy.array(_kinegon.STATUSES)[numbers.astype(int)] if column == self._native.status else numbers
+        if column != self._native.status:
+            return numbers
+        words: numpy.ndarray = _files.needed("numpy", "numpy").array(_kinegon.STATUSES)[numbers.astype(int)]
+        return words
 
     def to_pandas(self) -> pandas.DataFrame:
         """The table as a pandas DataFrame; of a table of the motion numbers are not copied."""
-        import pandas
-
+        pandas = _files.needed("pandas", "pandas")
         frame = pandas.DataFrame(self.to_numpy(), columns=self.names, copy=False)
         if self._native.status is None:
             return frame
@@ -91,16 +111,59 @@ class Table:
         codes = pandas.Categorical.from_codes(frame[status].astype(int), _kinegon.STATUSES)
         return frame.assign(**{self.names[0]: frame[self.names[0]].astype("uint64"), status: codes})
 
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the table to a file, by its ending: ``.csv``, with the bytes that the program writes; ``.parquet`` or
+        ``.arrow``, by pyarrow. The file is complete or not there."""
+        place = os.fsdecode(path)
+        ending = os.path.splitext(place)[1].lower()
+        if ending == ".csv":
+            # At least once, for the names.
+            starts = range(0, max(len(self), 1), _ROWS)
+            _files.write_by({place: lambda file: [file.write(self._native.csv(row, row + _ROWS).encode()) for row in starts]})
+            return
+        if ending not in (".parquet", ".arrow"):
+            raise KinegonError(f"no format for tables in files ending in `{ending}`", "known endings: .csv, .parquet, .arrow")
+        pyarrow = _files.needed("pyarrow", "parquet")
+        whole = pyarrow.table(self)
+
+        def write(file: IO[bytes]) -> None:
+            if ending == ".parquet":
+                from pyarrow import parquet
+
+                parquet.write_table(whole, file)
+            else:
+                from pyarrow import ipc
+
+                with ipc.new_file(file, whole.schema) as writer:
+                    writer.write_table(whole)
+
+        _files.write_by({place: write})
+
+    def plot(self, *names: str, ax: Axes | None = None, **line: Any) -> Axes:
+        """Curves of these columns over the drive, with symbols and units, on axes of matplotlib; without names all columns.
+        A gap is where a quantity has no value.
+
+        Args:
+            names: Columns of one unit, as ``"omega(3)"``.
+            ax: Axes to draw on; without it new ones.
+            line: How the lines look, as for ``ax.plot``: ``color="C3"``, ``linestyle="--"``, ``label="…"``.
+        """
+        if self._native.status is not None:
+            raise KinegonError("the table of a study has no curves over a drive", "take table.to_pandas().plot")
+        return _plot.curves(self, self._native.symbols, names or self.names[1:], ax, line)
+
     def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
         return self._native.__arrow_c_stream__(requested_schema)
 
     def __reduce__(self) -> tuple[Any, ...]:
         native = self._native
-        return _restored, (native.names, native.units, native.rows, native.status, native.bytes(), native.notes())
+        return _restored, (native.names, native.units, native.rows, native.status, native.symbols, native.bytes(), native.notes())
 
     def __repr__(self) -> str:
         return f"<kinegon.Table: {len(self)} rows × {len(self.names)} columns: {', '.join(self.names[:6])}{', …' * (len(self.names) > 6)}>"
 
 
-def _restored(names: list[str], units: list[str], rows: int, status: int | None, data: bytes, notes: _kinegon.Notes) -> Table:
-    return Table(_kinegon.Table(names, units, rows, status, data, notes))
+def _restored(
+    names: list[str], units: list[str], rows: int, status: int | None, symbols: list[str], data: bytes, notes: _kinegon.Notes
+) -> Table:
+    return Table(_kinegon.Table(names, units, rows, status, symbols, data, notes))

@@ -264,7 +264,7 @@ export type SceneNotation = "paper" | "english" | "russian" | "german";
 /**
  * A language of headings and captions.
  */
-export type SceneLanguage = "en" | "es";
+export type SceneLanguage = "en" | "es" | "de" | "pt";
 /**
  * Decimal mark of the numbers on figures and in the text of steps; results always have points.
  */

@@ -1,0 +1,74 @@
+//! Mechanisms of a study that are assembled side by side stand where each would by itself.
+
+use kinegon::study::StudyFile;
+use kinegon::{Scene, solve};
+
+/// A four-bar, a dyad on its coupler and a slider behind that: three dyads, eight assemblies.
+const CHAIN: &str = r#"{ "kinegon": 1, "units": { "length": "mm", "time": "s" },
+    "ground": { "A": [0, 0], "D": [160, 0], "G": [60, 180] },
+    "links": {
+        "1": { "points": ["A", "B"], "lengths": { "AB": 60 }, "drive": { "angle": 60, "omega": 10 } },
+        "2": { "points": ["B", "C"], "lengths": { "BC": LENGTH } },
+        "3": { "points": ["D", "C"], "lengths": { "DC": 110 } },
+        "4": { "points": ["C", "E"], "lengths": { "CE": OTHER } },
+        "5": { "points": ["G", "E"], "lengths": { "GE": 70 } },
+        "6": { "points": ["E", "F"], "lengths": { "EF": 150 } },
+        "7": { "points": ["F"] } },
+    "sliders": [{ "link": "7", "at": "F", "on": "ground", "through": [0, 200], "along": 10 }],
+    "near": { NEAR } }"#;
+
+fn chain(length: f64, other: f64, near: &str) -> String {
+    let numbers = CHAIN.replace("LENGTH", &length.to_string()).replace("OTHER", &other.to_string());
+    numbers.replace("NEAR", near)
+}
+
+/// The rows of 160 mechanisms against each solved by itself.
+fn compared(near: &str) -> [usize; 2] {
+    let study = format!(
+        r#"{{ "kinegon_study": 1, "scene": {}, "count": 160, "seed": 4,
+            "vary": {{ "2.BC": {{ "from": 60, "to": 220 }}, "4.CE": {{ "from": 30, "to": 200 }} }},
+            "cycle": {{ "from": 60, "to": 62, "step": 1 }},
+            "want": {{ "omega(3)": ["at_scene"], "omega(5)": ["at_scene"], "v(F)": ["at_scene"] }} }}"#,
+        chain(140.0, 90.0, near)
+    );
+    let study = StudyFile::read(&study).expect("a study");
+    let study = study.of(Scene::read(&chain(140.0, 90.0, near)).expect("a scene")).expect("it moves");
+    let width = study.columns().len();
+    let names: Vec<String> = study.columns().into_iter().map(|column| column.name).collect();
+    let at = |name: &str| names.iter().position(|other| other == name).expect("a column");
+    let [mut there, mut else_where] = [0; 2];
+    for row in study.rows(0..study.count()).chunks_exact(width) {
+        let text = chain(row[at("2.BC")], row[at("4.CE")], near);
+        let Ok(solution) = solve(&Scene::read(&text).expect("a scene")) else {
+            assert!(row[at("omega(3).at_scene")].is_nan(), "{text}");
+            else_where += 1;
+            continue;
+        };
+        there += 1;
+        for (name, quantity) in [("omega(3)", "omega(3)"), ("omega(5)", "omega(5)"), ("v(F)", "v(F)")] {
+            let own = solution.quantity(quantity).expect("a value").as_number();
+            let found = row[at(&format!("{name}.at_scene"))];
+            let condition =
+                solution.whole_result().expect("a result").groups.iter().map(|group| group.condition).product::<f64>();
+            assert!(
+                (found - own).abs() <= 1e-13 * condition * (own.abs() + 1.0),
+                "{name}: {found} in place of {own} of {text}"
+            );
+        }
+    }
+    [there, else_where]
+}
+
+#[test]
+fn the_assembly_is_that_of_near() {
+    for near in [
+        r#""C": [155, 110], "E": [110, 130], "F": [250, 240]"#,
+        // On the other side, and where it hangs on the lengths which is nearer.
+        r#""C": [80, -60], "E": [110, 130]"#,
+        r#""C": [95, 26], "E": [60, 150], "F": [60, 210]"#,
+        r#""F": [-40, 190]"#,
+    ] {
+        let [there, else_where] = compared(near);
+        assert!(there > 30 && else_where > 10, "{near}: {there} and {else_where}");
+    }
+}
