@@ -32,10 +32,53 @@ enum Part {
     Choice(&'static str, Vec<(&'static str, Sentence)>, Sentence),
 }
 
+/// A catalogue's text as far as the library says it: the workbench's part, its last, is within the page, and would be there twice.
+macro_rules! library_part {
+    ($file:literal) => {{
+        const WHOLE: &str = include_str!($file);
+        const OWN: [u8; $crate::fluent::library_length(WHOLE)] = $crate::fluent::beginning(WHOLE);
+        const TEXT: &str = match std::str::from_utf8(&OWN) {
+            Ok(text) => text,
+            Err(_) => panic!("a line feed stands where it ends"),
+        };
+        TEXT
+    }};
+}
+pub(crate) use library_part;
+
 /// English, in which errors are displayed.
 pub fn english() -> &'static Catalogue {
-    static ENGLISH: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::read("en", include_str!("words/en.ftl")).0);
+    static ENGLISH: LazyLock<Catalogue> = LazyLock::new(|| Catalogue::read("en", library_part!("words/en.ftl")).0);
     &ENGLISH
+}
+
+/// How many bytes of a catalogue stand before the workbench's part.
+pub(crate) const fn library_length(text: &str) -> usize {
+    const HEADING: &[u8] = b"\n## The workbench";
+    let text = text.as_bytes();
+    let mut at = 0;
+    while at + HEADING.len() <= text.len() {
+        let mut same = 0;
+        while same < HEADING.len() && text[at + same] == HEADING[same] {
+            same += 1;
+        }
+        if same == HEADING.len() {
+            return at;
+        }
+        at += 1;
+    }
+    text.len()
+}
+
+/// The first bytes of a text.
+pub(crate) const fn beginning<const COUNT: usize>(text: &str) -> [u8; COUNT] {
+    let mut copied = [0; COUNT];
+    let mut at = 0;
+    while at < COUNT {
+        copied[at] = text.as_bytes()[at];
+        at += 1;
+    }
+    copied
 }
 
 impl Catalogue {

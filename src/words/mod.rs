@@ -16,7 +16,7 @@ pub(crate) use number::certain_angle;
 pub use number::{Medium, NumberStyle, power_of_ten};
 pub(crate) use sentences::sheet_told;
 
-use crate::fluent::{Catalogue, Sentence, english};
+use crate::fluent::{Catalogue, Sentence, english, library_part};
 use crate::message::Message;
 use crate::scene::{DecimalMark, Figure, LanguageName};
 use crate::sheet::Order;
@@ -33,7 +33,7 @@ pub struct Language {
     sentences: Vec<&'static Sentence>,
 }
 
-/// The text of a language's catalogue.
+/// The text of a language's catalogue, with the workbench's part.
 #[doc(hidden)] // for tests
 #[must_use]
 pub fn catalogue_of(name: LanguageName) -> &'static str {
@@ -49,7 +49,17 @@ fn catalogue(name: LanguageName) -> &'static Catalogue {
     static READ: [OnceLock<Catalogue>; LanguageName::ALL.len()] = [const { OnceLock::new() }; LanguageName::ALL.len()];
     match name {
         LanguageName::English => english(),
-        other => READ[other as usize].get_or_init(|| Catalogue::read(other.as_str(), catalogue_of(other)).0),
+        other => READ[other as usize].get_or_init(|| Catalogue::read(other.as_str(), own_part_of(other)).0),
+    }
+}
+
+/// The text of a language's catalogue as far as the library says it.
+fn own_part_of(name: LanguageName) -> &'static str {
+    match name {
+        LanguageName::English => library_part!("en.ftl"),
+        LanguageName::Spanish => library_part!("es.ftl"),
+        LanguageName::German => library_part!("de.ftl"),
+        LanguageName::Portuguese => library_part!("pt.ftl"),
     }
 }
 

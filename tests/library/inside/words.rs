@@ -217,6 +217,11 @@ fn every_catalogue_says_everything_and_nothing_else() {
         };
         let further: Vec<&str> = catalogue.keys().filter(|key| !is_known(key)).collect();
         assert!(further.is_empty(), "{name:?} has sentences that nobody says: {further:?}");
+        // What follows that heading the library does not read.
+        let (_, page) = catalogue_of(name).split_once("\n## The workbench").expect("the page's part");
+        let own = page.lines().filter(|line| line.contains(" = ") && line.starts_with(char::is_alphabetic));
+        let misplaced: Vec<&str> = own.filter(|line| !line.starts_with("page-")).collect();
+        assert!(misplaced.is_empty(), "{name:?}: {misplaced:?}");
     }
 }
 
@@ -247,7 +252,7 @@ fn every_language_tells_every_mistake() {
 /// What the page says has the same blanks in every language; titles of starting scenes and the editor's words stand in English elsewhere.
 #[test]
 fn every_language_has_the_words_of_the_page() {
-    let english = kinegon::fluent::english();
+    let english = &Catalogue::read("en", catalogue_of(LanguageName::English)).0;
     let is_elsewhere = |key: &str| key.starts_with("page-kinds-") || key.starts_with("page-editor-");
     let all = |catalogue: &Catalogue| -> BTreeSet<&'static str> {
         catalogue.keys().filter(|key| key.starts_with("page-")).collect()

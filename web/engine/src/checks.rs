@@ -119,7 +119,9 @@ impl Desk {
         let marks = scheme.map(|scheme| scheme.award(&checked));
         let mut result = check_result(&checked, &key, measured.name.clone());
         let (mut overlays, mut feedback) = (Vec::new(), String::new());
-        if options.drawn {
+        // The component shows neither, and does without what draws them.
+        let is_workbench = cfg!(feature = "workbench");
+        if is_workbench && options.drawn {
             overlays = sheets(&key, redrawn(&measured, &key, &checked)?);
             feedback = Feedback::new(&measured, &key, &checked, marks.as_ref())?.html();
         }
@@ -129,7 +131,7 @@ impl Desk {
         Ok(Checked {
             result: Some(result),
             report: report(&checked, &key) + &end,
-            parts: Some(report_parts(&checked, &key).set(|text| html_text(&Overlay::set(&text)))),
+            parts: is_workbench.then(|| report_parts(&checked, &key).set(|text| html_text(&Overlay::set(&text)))),
             faults: found,
             overlays,
             feedback,
